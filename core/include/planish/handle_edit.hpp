@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// Problem (3): move a few handles, keep every panel flat, leave the rest where it is.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planish/energies.hpp"
+#include "planish/mesh.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+/// Which solver runs. Both read the same problem.
+enum class Engine {
+  kNewton,               ///< second order on a working set: interactive, exact [WSN-1]
+  kAugmentedLagrangian,  ///< the paper's: the reference [ALM-1]
+};
+
+/// A vertex and where it should go.
+struct Handle {
+  int vertex = 0;
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< absolute position, model units
+};
+
+/// What the user holds: handles to move and pins that stay. Order does not matter.
+struct EditTargets {
+  std::vector<Handle> handles;
+  std::vector<int> pins;  ///< vertices that keep their base position exactly
+};
+
+/// Weights and choices of an edit. Lengths are divided by the mean edge length before a solve,
+/// so every weight is a pure number and means the same on a model in mm, m or km.
+struct HandleEditOptions {
+  /// ω_h > 0. Lower: handles stop short of their targets. Higher: closer, slower. [HE-1]
+  double attraction = 1000.0;
+  /// ω_s ≥ 0. Lower: more vertices move. Higher: fewer, with sharper transitions. [HE-2]
+  double locality = 1.0;
+  /// ω_f ≥ 0. 0 moves the handle's immediate neighbours only. Higher: wider, smoother. [HE-3]
+  double smoothness = 1.0;
+  FairnessKind fairness = FairnessKind::kSecondDifference;
+  Sparsity sparsity = Sparsity::kL21;
+  bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
+  Engine engine = Engine::kNewton;
+  double tolerance = 1e-6;  ///< worst panel of a finished edit, mm/m, > 0 [MET-1]
+  /// Outer steps ≥ 1; 0 picks the engine's own limit.
+  int max_iterations = 0;
+};
+
+/// The first rule that `options` breaks, naming the field; nullopt if none.
+[[nodiscard]] std::optional<std::string> find_problem(const HandleEditOptions& options);
+
+/// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
+[[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets,
+                                                      const Mesh& mesh);
+
+/// Only what moved: everything else is the base mesh, bit for bit.
+struct HandleEditResult {
+  std::vector<int> moved;     ///< ascending vertex indices
+  Positions moved_positions;  ///< 3 × |moved|, model units, same order
+  SolveReport report;
+};
+
+/// `mesh` with the moved vertices of `result` in place.
+[[nodiscard]] Positions apply(const Mesh& mesh, const HandleEditResult& result);
+
+/// Keeps what does not depend on the targets. Construction is O(n); a solve costs what the edit
+/// costs. `mesh` must pass check_mesh() and be flat to the tolerance (see project_to_planar()).
+class HandleEditSolver {
+ public:
+  HandleEditSolver(const Mesh& mesh, const HandleEditOptions& options);
+  ~HandleEditSolver();
+  HandleEditSolver(HandleEditSolver&&) noexcept;
+  HandleEditSolver& operator=(HandleEditSolver&&) noexcept;
+
+  /// New weights for the following solves; O(1) unless `fairness` changes.
+  void set_options(const HandleEditOptions& options);
+
+  /// From the base mesh. The result depends on mesh, options and targets alone.
+  [[nodiscard]] HandleEditResult solve(const EditTargets& targets, const Progress& progress = {});
+
+  /// From the last result: for a drag frame. Exact like solve(), but may follow the path.
+  /// Stops early, with the last exact state, once `budget_seconds` is spent.
+  [[nodiscard]] HandleEditResult drag(const EditTargets& targets, double budget_seconds);
+
+  /// On release: solve() and the drag's last state compared by objective, from handles alone.
+  [[nodiscard]] HandleEditResult release(const EditTargets& targets, const Progress& progress = {});
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+/// One call: HandleEditSolver(mesh, options).solve(targets).
+[[nodiscard]] HandleEditResult solve_handle_edit(const Mesh& mesh, const EditTargets& targets,
+                                                 const HandleEditOptions& options = {});
+
+}  // namespace planish

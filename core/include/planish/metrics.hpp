@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// What is measured on a mesh: planarity, movement, degrees of freedom.
+#pragma once
+
+#include <span>
+
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// Flatness of one panel.
+struct FacePlanarity {
+  double gap = 0.0;       ///< max − min signed distance to the best-fit plane, model units
+  double mm_per_m = 0.0;  ///< 1000 · gap / longest edge; 0 for triangles [MET-1]
+};
+
+/// [MET-1] for one face; `positions` is 3 × n of the whole mesh.
+[[nodiscard]] FacePlanarity face_planarity(const Positions& positions, std::span<const int> face);
+
+struct PlanaritySummary {
+  double max = 0.0, mean = 0.0;  ///< mm/m over faces with more than three vertices
+  double max_gap = 0.0;          ///< model units
+  int worst_face = -1;
+};
+
+[[nodiscard]] PlanaritySummary planarity_summary(const Mesh& mesh);
+[[nodiscard]] PlanaritySummary planarity_summary(const Mesh& mesh, const Positions& positions);
+
+/// d = 3 N_V − Σ (i − 3) F_i (Sec. 2.1); vertices that no face uses are left out. [MET-2]
+[[nodiscard]] int degrees_of_freedom(const Mesh& mesh);
+
+/// Vertices whose coordinates are not bit-identical.
+[[nodiscard]] int moved_vertex_count(const Positions& before, const Positions& after);
+
+}  // namespace planish

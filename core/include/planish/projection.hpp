@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// Problem (8): the nearest mesh whose panels are all flat.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+struct ProjectionOptions {
+  double fairness_weight = 0.1;  ///< α_f ≥ 0; higher: the correction is smoother, larger [PRO-1]
+  double distance_weight = 1.0;  ///< α_d > 0; higher: closer to the given mesh [PRO-2]
+  FairnessKind fairness = FairnessKind::kSecondDifference;
+  Engine engine = Engine::kNewton;
+  double tolerance = 1e-6;  ///< worst panel, mm/m, > 0
+  int max_iterations = 0;   ///< 0 picks the engine's own limit
+};
+
+[[nodiscard]] std::optional<std::string> find_problem(const ProjectionOptions& options);
+
+struct ProjectionResult {
+  std::vector<int> moved;     ///< ascending vertex indices
+  Positions moved_positions;  ///< 3 × |moved|, model units
+  double rms_move = 0.0;      ///< over all vertices, model units
+  double max_move = 0.0;      ///< model units
+  /// Faces still above the tolerance (empty when exact), worst first.
+  std::vector<int> failing_faces;
+  SolveReport report;
+};
+
+/// Makes every panel flat, moving as little as possible: ‖t̃‖². A mesh that is flat already comes
+/// back as it is, bit for bit.
+/// @param pins vertices that must not move
+[[nodiscard]] ProjectionResult project_to_planar(const Mesh& mesh,
+                                                 const ProjectionOptions& options = {},
+                                                 const std::vector<int>& pins = {},
+                                                 const Progress& progress = {});
+
+/// The same with a history: vertices of `mesh` that still sit where `reference` has them are
+/// penalised by w_i ‖t̃_i‖, so a local design stays local. Faces are `mesh`'s. [PRO-3]
+/// @param reference p⁰, 3 × n
+[[nodiscard]] ProjectionResult project_to_planar(const Mesh& mesh, const Positions& reference,
+                                                 const ProjectionOptions& options = {},
+                                                 const std::vector<int>& pins = {},
+                                                 const Progress& progress = {});
+
+}  // namespace planish

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+/// How a solve ended, and what it measured on the way. Returned, never printed.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace planish {
+
+/// How a solve ended. In every case the positions that come with it are a valid design:
+/// all constraints hold to the tolerance, unless `kToleranceNotMet` says otherwise.
+enum class SolveStatus {
+  kConverged,          ///< a stationary point of the problem, constraints met
+  kIterationLimit,     ///< constraints met, the objective may still be lowered
+  kCancelled,          ///< the last state that meets the constraints
+  kInfeasibleHandles,  ///< constraints met; the handles cannot reach their targets with them
+  kToleranceNotMet,    ///< the best state found; some panels are above the tolerance
+  kSingularSystem,     ///< the input, untouched: a factorization failed
+  kNonFinite,          ///< the last finite state that meets the constraints
+};
+
+/// The status as one lower-case word for reports, for example "converged".
+[[nodiscard]] std::string_view status_name(SolveStatus status);
+
+/// One outer step of a solver.
+struct IterationRecord {
+  double objective = 0.0;        ///< mean-edge units, weights included
+  double primal_residual = 0.0;  ///< constraint violation, mean-edge units
+  double dual_residual = 0.0;    ///< distance from stationarity
+  double penalty = 0.0;          ///< μ of [ALM-2]; the smoothing ε for the Newton engine
+};
+
+/// What a progress callback asks for.
+enum class Flow { kContinue, kStop };
+
+/// Called after every outer step; returning kStop ends the solve with kCancelled and the last
+/// valid state. Must not call back into the solver. May be empty.
+using Progress = std::function<Flow(const IterationRecord&)>;
+
+/// The terms of an objective, each with its weight, in mean-edge units.
+struct ObjectiveTerms {
+  double handle = 0.0;
+  double sparsity = 0.0;
+  double fairness = 0.0;
+  [[nodiscard]] double total() const { return handle + sparsity + fairness; }
+};
+
+/// What every solve reports.
+struct SolveReport {
+  SolveStatus status = SolveStatus::kIterationLimit;
+  ObjectiveTerms objective;
+  double planarity_before = 0.0;  ///< worst panel before, mm/m
+  double planarity_after = 0.0;   ///< worst panel after, mm/m
+  int moved_vertices = 0;         ///< coordinates not bit-identical to the input's
+  double max_displacement = 0.0;  ///< model units
+  double handle_error = 0.0;      ///< largest distance of a handle from its target, model units
+  int iterations = 0;
+  int factorizations = 0;
+  double setup_seconds = 0.0;
+  double solve_seconds = 0.0;
+  std::vector<IterationRecord> records;
+
+  /// Whether the positions may be shown to a user as an exact result.
+  [[nodiscard]] bool usable() const { return status <= SolveStatus::kInfeasibleHandles; }
+};
+
+}  // namespace planish
