@@ -3,29 +3,42 @@
 #pragma once
 
 #include <map>
-#include <string>
-#include <variant>
+#include <vector>
 
 #include "planish/io/read_result.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish {
 
-/// Accepts or refuses a mesh as read. Refused, naming face or vertex: non-finite coordinates,
-/// indices out of range, no faces, faces under 3 vertices, a vertex repeated in a face,
-/// edges shared by more than two faces. Accepted with a warning that says what is done:
-/// inconsistent orientation, isolated vertices, zero-area faces, coincident vertices.
-/// Vertex and face order never change.
-[[nodiscard]] ReadResult check_mesh(Mesh mesh);
+/// The lines, from 1, on which a reader found the elements; empty where a format has no lines.
+struct SourceLines {
+  std::vector<int> vertices;  ///< one a vertex, or empty
+  std::vector<int> faces;     ///< one a face, or empty
+};
+
+/// Accepts or refuses a mesh as read, in O(n log n). Vertices and faces count from 0 in messages.
+///
+/// Refused, naming face or vertex and its line: non-finite or huge (> 1e100) coordinates, indices
+/// out of range, no faces, faces under 3 vertices, a vertex repeated in a face, edges shared by
+/// more than two faces, a mesh whose edges all have length zero.
+/// Accepted with a warning that says what is done: inconsistent orientation, a surface with one
+/// side (Möbius), vertices that join faces without a common edge, isolated vertices, zero-area
+/// faces, coincident vertices. Vertex and face order never change.
+[[nodiscard]] ReadResult check_mesh(Mesh mesh, const SourceLines& lines = {});
 
 /// Figures for `planish info` and the import report.
 struct MeshSummary {
   int vertices = 0, faces = 0;
   std::map<int, int> face_sizes;  ///< size → count
-  int boundary_loops = 0, components = 0, nonmanifold_edges = 0, isolated_vertices = 0;
-  double mean_edge = 0.0;  ///< model units
+  int boundary_loops = 0;         ///< a hole that meets another at a vertex counts on its own
+  int components = 0;             ///< pieces joined by common vertices; isolated vertices left out
+  int nonmanifold_edges = 0;      ///< shared by more than two faces; 0 after check_mesh()
+  int isolated_vertices = 0;      ///< used by no face
+  int pinch_vertices = 0;         ///< whose faces do not form one fan or disk
+  double mean_edge = 0.0;         ///< model units
 };
 
+/// @param mesh indices must be in range; it need not pass check_mesh() otherwise
 [[nodiscard]] MeshSummary summarize(const Mesh& mesh);
 
 }  // namespace planish

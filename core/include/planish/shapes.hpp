@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Parametric sample meshes, every panel flat by construction (to 1e-6 mm/m).
+/// Parametric sample meshes, every panel flat by construction (to 1e-6 mm/m); z is up, the mean
+/// edge is about 1.
 #pragma once
 
 #include <optional>

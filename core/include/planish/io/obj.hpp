@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+/// Wavefront OBJ: polygons of any size, as text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "planish/io/read_result.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// Reads `v` and `f` (with or without /vt/vn, negative indices too) and keeps `g` and `o` as
+/// groups; colours after the coordinates and every other statement are passed over. Faces may
+/// stand before their vertices. The result has passed check_mesh(); an error names the line.
+/// @param bytes the file, up to 2 GiB
+[[nodiscard]] ReadResult read_obj(std::string_view bytes);
+
+/// `v`, `g` and `f` lines; coordinates read back to the same bits.
+[[nodiscard]] std::string write_obj(const Mesh& mesh);
+
+}  // namespace planish

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "planish/constraints/planar_polygon.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish {
+namespace {
+
+/// Adjugate of a symmetric 3 × 3 matrix: (A − θI)⁻¹ up to a factor that normalising removes.
+Eigen::Matrix3d adjugate(const Eigen::Matrix3d& a) {
+  Eigen::Matrix3d result;
+  result.col(0) = a.col(1).cross(a.col(2));
+  result.col(1) = a.col(2).cross(a.col(0));
+  result.col(2) = a.col(0).cross(a.col(1));
+  return result;
+}
+
+Eigen::Vector3d decomposed_direction(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return solver.eigenvectors().col(0);
+}
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d result;
+  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return result;
+}
+
+/// Index into `face` of the vertex that maximises `measure`.
+template <class Measure>
+std::size_t farthest(std::span<const int> face, const Measure& measure) {
+  std::size_t best = 0;
+  double largest = -1.0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const double value = measure(face[k]);
+    if (value > largest) {
+      largest = value;
+      best = k;
+    }
+  }
+  return best;
+}
+
+/// Reciprocal of an area, bounded so that a degenerate face gives a weak equation, not infinity.
+double bounded_scale(double area, double extent) {
+  constexpr double kSliver = 1e-6;
+  const double floor = kSliver * extent * extent;
+  return 1.0 / std::max({area, floor, std::numeric_limits<double>::min()});
+}
+
+}  // namespace
+
+Eigen::Vector3d smallest_direction(const Eigen::Matrix3d& covariance,
+                                   const Eigen::Vector3d& guess) {
+  constexpr int kSteps = 3;
+  constexpr double kAccuracy = 1e-13;
+  const double size = covariance.trace();
+  if (!(size > 0.0) || guess.isZero()) return decomposed_direction(covariance);
+  Eigen::Vector3d n = guess;
+  for (int step = 0; step < kSteps; ++step) {
+    const Eigen::Vector3d image = covariance * n;
+    const double theta = n.dot(image);
+    const Eigen::Matrix3d shifted = covariance - theta * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d adj = adjugate(shifted);
+    if ((image - theta * n).norm() <= kAccuracy * size) {
+      // θ is the smallest eigenvalue only if the other two of A − θI are positive: then both
+      // their sum and their product (the trace of the adjugate) are.
+      const bool smallest = shifted.trace() > 0.0 && adj.trace() > kAccuracy * size * size;
+      return smallest ? n : decomposed_direction(covariance);
+    }
+    const Eigen::Vector3d next = adj * n;
+    const double length = next.norm();
+    if (!(length > 0.0) || !std::isfinite(length)) break;
+    n = next / length;
+  }
+  return decomposed_direction(covariance);
+}
+
+void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector3d& normal) {
+  const Eigen::Vector3d mean = points.rowwise().mean();
+  points.colwise() -= mean;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (Eigen::Index k = 0; k < points.cols(); ++k) {
+    covariance.noalias() += points.col(k) * points.col(k).transpose();
+  }
+  normal = smallest_direction(covariance, normal);
+  for (Eigen::Index k = 0; k < points.cols(); ++k) {
+    points.col(k) -= normal * normal.dot(points.col(k));
+  }
+}
+
+double residual(const FourPoints& points, double scale) {
+  const Eigen::Vector3d b = points.col(1) - points.col(0);
+  const Eigen::Vector3d c = points.col(2) - points.col(0);
+  const Eigen::Vector3d d = points.col(3) - points.col(0);
+  return scale * b.cross(c).dot(d);
+}
+
+FourPoints gradient(const FourPoints& points, double scale) {
+  const Eigen::Vector3d b = points.col(1) - points.col(0);
+  const Eigen::Vector3d c = points.col(2) - points.col(0);
+  const Eigen::Vector3d d = points.col(3) - points.col(0);
+  FourPoints result;
+  result.col(1) = scale * c.cross(d);
+  result.col(2) = scale * d.cross(b);
+  result.col(3) = scale * b.cross(c);
+  result.col(0) = -(result.col(1) + result.col(2) + result.col(3));
+  return result;
+}
+
+std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale) {
+  const Eigen::Matrix3d b = scale * skew(points.col(1) - points.col(0));
+  const Eigen::Matrix3d c = scale * skew(points.col(2) - points.col(0));
+  const Eigen::Matrix3d d = scale * skew(points.col(3) - points.col(0));
+  // ∂(d × b)/∂b = [d]×, ∂(b × c)/∂b = −[c]×, ∂(b × c)/∂c = [b]×; the blocks of vertex 0 follow
+  // because moving all four points together changes nothing.
+  const Eigen::Matrix3d& h21 = d;
+  const Eigen::Matrix3d h31 = -c;
+  const Eigen::Matrix3d& h32 = b;
+  const Eigen::Matrix3d h10 = -(h21.transpose() + h31.transpose());
+  const Eigen::Matrix3d h20 = -(h21 + h32.transpose());
+  const Eigen::Matrix3d h30 = -(h31 + h32);
+  return {h10, h20, h30, h21, h31, h32};
+}
+
+namespace {
+
+/// The diagonals carry a quad's plane: the residual is then the distance between them.
+FlatnessEquation quad_equation(const Positions& positions, std::span<const int> face) {
+  const Eigen::Vector3d first = positions.col(face[2]) - positions.col(face[0]);
+  const Eigen::Vector3d second = positions.col(face[3]) - positions.col(face[1]);
+  const double extent = std::max(first.norm(), second.norm());
+  return {{face[0], face[1], face[2], face[3]}, bounded_scale(first.cross(second).norm(), extent)};
+}
+
+}  // namespace
+
+void append_flatness_equations(const Positions& positions, std::span<const int> face,
+                               std::vector<FlatnessEquation>& out) {
+  if (face.size() < 4) return;
+  if (face.size() == 4) {
+    out.push_back(quad_equation(positions, face));
+    return;
+  }
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int v : face) mean += positions.col(v) / static_cast<double>(face.size());
+  const auto point = [&](std::size_t k) -> Eigen::Vector3d { return positions.col(face[k]); };
+  const std::size_t a =
+      farthest(face, [&](int v) { return (positions.col(v) - mean).squaredNorm(); });
+  const std::size_t b =
+      farthest(face, [&](int v) { return (positions.col(v) - point(a)).squaredNorm(); });
+  const Eigen::Vector3d side = point(b) - point(a);
+  const std::size_t c = farthest(face, [&](int v) {
+    const Eigen::Vector3d arm = positions.col(v) - point(a);
+    return side.cross(arm).squaredNorm();
+  });
+  const Eigen::Vector3d arm = point(c) - point(a);
+  const double scale = bounded_scale(side.cross(arm).norm(), side.norm());
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    if (k != a && k != b && k != c) out.push_back({{face[a], face[b], face[c], face[k]}, scale});
+  }
+}
+
+}  // namespace planish

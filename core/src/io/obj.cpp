@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "planish/io/obj.hpp"
+
+#include <cstdlib>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "io/coordinate.hpp"
+#include "io/number.hpp"
+#include "io/sentence.hpp"
+#include "io/text_lines.hpp"
+#include "planish/mesh_check.hpp"
+
+namespace planish {
+namespace {
+
+/// A file while it is read. Face corners hold the file's positive indices until the end, since
+/// faces may come first.
+struct ObjDraft {
+  std::vector<double> coordinates;  ///< x y z, one vertex after the other
+  std::vector<int> face_offsets{0};
+  std::vector<int> corners;  ///< from 1
+  std::vector<FaceGroup> groups;
+  SourceLines lines;
+
+  [[nodiscard]] long long vertex_count() const {
+    return static_cast<long long>(coordinates.size() / 3);
+  }
+  [[nodiscard]] int face_count() const { return static_cast<int>(face_offsets.size()) - 1; }
+};
+
+/// Appends the corner `word` ("7", "7/1", "7//3", "7/1/3", "-1"). Returns what is wrong.
+std::string take_corner(std::string_view word, ObjDraft& draft) {
+  const std::string_view index_word = word.substr(0, word.find('/'));
+  const std::string_view attributes = word.substr(index_word.size());
+  const std::optional<long long> index = parse_integer(index_word);
+  if (!index || attributes.find_first_not_of("/-+0123456789") != std::string_view::npos) {
+    return quoted(word) + " is not a face corner";
+  }
+  if (*index == 0) return "a face uses index 0, but OBJ counts from 1";
+  const long long from_one = *index > 0 ? *index : draft.vertex_count() + 1 + *index;
+  if (from_one < 1) {
+    return "the relative index " + std::to_string(*index) + " points before the first vertex";
+  }
+  if (from_one > std::numeric_limits<int>::max()) {
+    return "the index " + quoted(index_word) + " is too large";
+  }
+  draft.corners.push_back(static_cast<int>(from_one));
+  return "";
+}
+
+std::string take_face(std::string_view words, ObjDraft& draft) {
+  for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+    if (std::string problem = take_corner(word, draft); !problem.empty()) return problem;
+  }
+  draft.face_offsets.push_back(static_cast<int>(draft.corners.size()));
+  return "";
+}
+
+/// A group without faces leaves no trace: the next one takes its place.
+void start_group(std::string_view name, ObjDraft& draft) {
+  const int first_face = draft.face_count();
+  if (!draft.groups.empty() && draft.groups.back().first_face == first_face) {
+    draft.groups.pop_back();
+  }
+  draft.groups.push_back({std::string(trimmed(name)), first_face});
+}
+
+/// Takes one line into the draft. Returns what is wrong, without the line.
+std::string take_line(const TextLines& line, ObjDraft& draft) {
+  std::string_view words = line.text();
+  const std::string_view keyword = take_word(words);
+  if (keyword == "v") {
+    draft.lines.vertices.push_back(line.number());
+    return take_point(words, draft.coordinates);
+  }
+  if (keyword == "f") {
+    draft.lines.faces.push_back(line.number());
+    return take_face(words, draft);
+  }
+  if (keyword == "g" || keyword == "o") start_group(words, draft);
+  return "";
+}
+
+/// Indices from 0, all in range.
+std::string resolve_corners(ObjDraft& draft) {
+  const auto count = draft.vertex_count();
+  std::size_t face = 0;
+  for (std::size_t k = 0; k < draft.corners.size(); ++k) {
+    while (static_cast<int>(k) >= draft.face_offsets[face + 1]) ++face;
+    if (draft.corners[k] > count) {
+      return line_text(draft.lines.faces[face],
+                       "a face uses vertex " + std::to_string(draft.corners[k]) +
+                           " (from 1), but the file has " +
+                           count_text(static_cast<std::size_t>(count), "vertex", "vertices"));
+    }
+    --draft.corners[k];
+  }
+  return "";
+}
+
+Mesh to_mesh(ObjDraft& draft) {
+  Mesh mesh;
+  mesh.positions = Eigen::Map<const Positions>(draft.coordinates.data(), 3,
+                                               static_cast<Eigen::Index>(draft.vertex_count()));
+  mesh.face_offsets = std::move(draft.face_offsets);
+  mesh.face_vertices = std::move(draft.corners);
+  if (!draft.groups.empty() && draft.groups.back().first_face == mesh.face_count()) {
+    draft.groups.pop_back();
+  }
+  mesh.groups = std::move(draft.groups);
+  return mesh;
+}
+
+/// A name must stay on its line.
+std::string one_line(std::string_view name) {
+  std::string result(name);
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\\') c = ' ';
+  }
+  return result;
+}
+
+}  // namespace
+
+ReadResult read_obj(std::string_view bytes) {
+  if (std::optional<std::string> refusal = refuse_as_text(bytes)) return ReadError{*refusal};
+  if (bytes.empty()) return ReadError{"the file is empty"};
+  ObjDraft draft;
+  TextLines line(bytes, TextLines::Continuation::kBackslash);
+  while (line.next()) {
+    if (const std::string problem = take_line(line, draft); !problem.empty()) {
+      return ReadError{line_text(line.number(), problem)};
+    }
+  }
+  if (draft.coordinates.empty()) return ReadError{"the file holds no vertices (no \"v\" lines)"};
+  if (draft.face_count() == 0) return ReadError{"the file holds no faces (no \"f\" lines)"};
+  if (std::string problem = resolve_corners(draft); !problem.empty()) return ReadError{problem};
+  Mesh mesh = to_mesh(draft);
+  return check_mesh(std::move(mesh), draft.lines);
+}
+
+std::string write_obj(const Mesh& mesh) {
+  std::string text = "# Planish, " + std::to_string(mesh.vertex_count()) + " vertices, " +
+                     std::to_string(mesh.face_count()) + " faces\n";
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    text += 'v';
+    for (int c = 0; c < 3; ++c) {
+      text += ' ';
+      append_exact(text, mesh.positions(c, v));
+    }
+    text += '\n';
+  }
+  auto group = mesh.groups.begin();
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (; group != mesh.groups.end() && group->first_face == f; ++group) {
+      text += "g " + one_line(group->name) + '\n';
+    }
+    text += 'f';
+    for (const int v : mesh.face(f)) {
+      text += ' ';
+      append_integer(text, v + 1LL);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace planish

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "io/text_lines.hpp"
+
+#include <limits>
+
+#include "io/sentence.hpp"
+
+namespace planish {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+std::string_view without_comment(std::string_view line) {
+  for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
+    // A name such as "part#2" keeps its '#'.
+    if (at == 0 || is_blank(line[at - 1])) return line.substr(0, at);
+  }
+  return line;
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view bytes, Continuation continuation)
+    : rest_(bytes), continuation_(continuation) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    rest_.remove_prefix(kByteOrderMark.size());
+  }
+}
+
+std::string_view TextLines::take_raw_line() {
+  std::size_t end = 0;
+  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+  const std::string_view line = rest_.substr(0, end);
+  if (end < rest_.size() && rest_[end] == '\r') ++end;
+  if (end < rest_.size() && rest_[end] == '\n' && (end == line.size() || rest_[end - 1] == '\r')) {
+    ++end;
+  }
+  rest_.remove_prefix(end);
+  ++next_number_;
+  return line;
+}
+
+bool TextLines::next() {
+  if (rest_.empty()) return false;
+  number_ = next_number_;
+  std::string_view line = take_raw_line();
+  if (continuation_ == Continuation::kBackslash && !line.empty() && line.back() == '\\') {
+    joined_.clear();
+    while (!line.empty() && line.back() == '\\') {
+      joined_ += line.substr(0, line.size() - 1);
+      joined_ += ' ';
+      line = rest_.empty() ? std::string_view() : take_raw_line();
+    }
+    joined_ += line;
+    line = joined_;
+  }
+  text_ = trimmed(without_comment(line));
+  return true;
+}
+
+std::string_view take_word(std::string_view& rest) {
+  std::size_t begin = 0;
+  while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !is_blank(rest[end])) ++end;
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<std::string> refuse_size(std::string_view bytes) {
+  if (bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    return std::nullopt;
+  }
+  return "the file is larger than 2 GiB";
+}
+
+std::optional<std::string> refuse_as_text(std::string_view bytes) {
+  if (std::optional<std::string> refusal = refuse_size(bytes)) return refusal;
+  int line = 1;
+  for (const char c : bytes) {
+    if (c == '\n') ++line;
+    const bool text = static_cast<unsigned char>(c) >= ' ' || (c >= '\t' && c <= '\r');
+    if (!text) return line_text(line, "the file is not text");
+  }
+  return std::nullopt;
+}
+
+}  // namespace planish

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// Walks over the lines of a text file without copying it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace planish {
+
+/// The lines of `bytes`, ended by LF, CR LF or CR; a byte order mark at the start is skipped.
+/// `bytes` must outlive the object.
+class TextLines {
+ public:
+  /// Whether a line that ends in a backslash goes on in the next one (OBJ).
+  enum class Continuation { kNone, kBackslash };
+
+  explicit TextLines(std::string_view bytes, Continuation continuation = Continuation::kNone);
+
+  /// Steps to the next line; false at the end of the file.
+  bool next();
+
+  /// The line with its comment (from '#' at the start or after a blank) and outer blanks removed.
+  [[nodiscard]] std::string_view text() const { return text_; }
+
+  /// Of the line's first part, from 1.
+  [[nodiscard]] int number() const { return number_; }
+
+  /// What follows the current line, untouched.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  [[nodiscard]] std::string_view take_raw_line();
+
+  std::string_view rest_, text_;
+  std::string joined_;  ///< holds a continued line
+  Continuation continuation_;
+  int number_ = 0, next_number_ = 1;
+};
+
+/// Removes the first word from `rest` and returns it; empty at the end.
+[[nodiscard]] std::string_view take_word(std::string_view& rest);
+
+/// `text` without blanks at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// A sentence if `bytes` hold a control character that no text has, naming its line; also if they
+/// are more than the 2 GiB that 32-bit counts can index.
+[[nodiscard]] std::optional<std::string> refuse_as_text(std::string_view bytes);
+
+/// The same limit for binary formats.
+[[nodiscard]] std::optional<std::string> refuse_size(std::string_view bytes);
+
+}  // namespace planish

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// Sine and cosine with the same bits on every platform: libm's differ between glibc and musl,
+/// and a shared link must rebuild its sample exactly.
+#pragma once
+
+namespace planish {
+
+/// π to double precision.
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// Sine of `angle` in radians, |angle| ≤ 1e5; error below 1 ulp of the result's size.
+[[nodiscard]] double sine(double angle);
+
+/// Cosine of `angle` in radians, |angle| ≤ 1e5; error below 1 ulp of the result's size.
+[[nodiscard]] double cosine(double angle);
+
+}  // namespace planish
