@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+/// The list of what JavaScript sees, and nothing else. Operations return "" when done, otherwise
+/// one sentence that says why nothing changed; no exception leaves the module, because it would
+/// arrive there without its text.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <exception>
+#include <functional>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "session.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::EditMode;
+using planish::EditTargets;
+using planish::Flow;
+using planish::HandleEditOptions;
+using planish::IterationRecord;
+using planish::Positions;
+using planish::Refusal;
+using planish::Session;
+using planish::SubspaceOptions;
+
+std::string attempt(const std::function<Refusal()>& operation) {
+  try {
+    return operation().value_or("");
+  } catch (const std::bad_alloc&) {
+    return "There is not enough memory for this mesh in the browser.";
+  } catch (const std::exception& error) {
+    return std::string("Internal error: ") + error.what();
+  }
+}
+
+/// A copy that JavaScript owns; a bare view dies when memory grows.
+template <class T>
+val copy(const std::vector<T>& data) {
+  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
+}
+
+val copy(const Positions& positions) {
+  return val(emscripten::typed_memory_view(static_cast<std::size_t>(positions.size()),
+                                           positions.data()))
+      .call<val>("slice");
+}
+
+Positions to_positions(const val& numbers) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
+}
+
+std::vector<int> to_indices(const val& numbers) {
+  return emscripten::convertJSArrayToNumberVector<int>(numbers);
+}
+
+/// `handles` holds vertex, x, y, z for each.
+EditTargets to_targets(const val& handles, const val& pins) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
+  EditTargets targets{.handles = {}, .pins = to_indices(pins)};
+  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
+    targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
+  }
+  return targets;
+}
+
+std::string open_sample(Session& s, const std::string& name, int size) {
+  return attempt([&] { return s.open_sample(name, size); });
+}
+std::string open_file(Session& s, const std::string& bytes, const std::string& format) {
+  return attempt([&] { return s.open_file(bytes, format); });
+}
+std::string planarise(Session& s) {
+  return attempt([&] { return s.planarise(); });
+}
+std::string set_options(Session& s, const HandleEditOptions& options) {
+  return attempt([&] { return s.set_options(options); });
+}
+std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, double budget) {
+  return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
+}
+std::string restore(Session& s, const val& handles, const val& pins, const val& moved,
+                    const val& positions) {
+  return attempt([&] {
+    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions));
+  });
+}
+std::string explore(Session& s, const SubspaceOptions& options) {
+  return attempt([&] { return s.explore(options); });
+}
+std::string vary(Session& s, const val& coefficients) {
+  return attempt([&] {
+    const auto x = emscripten::convertJSArrayToNumberVector<double>(coefficients);
+    return s.vary(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+  });
+}
+std::string make_exact(Session& s) {
+  return attempt([&] { return s.make_exact(); });
+}
+void on_progress(Session& s, const val& callback) {
+  s.set_progress([callback](const IterationRecord& record) {
+    return callback(record.primal_residual).as<bool>() ? Flow::kContinue : Flow::kStop;
+  });
+}
+val write(const Session& s, const std::string& format) {
+  const auto bytes = s.write(format).value_or("");
+  return val(emscripten::typed_memory_view(
+                 bytes.size(), reinterpret_cast<const unsigned char*>(bytes.data())))
+      .call<val>("slice");
+}
+
+val base_positions(const Session& s) { return copy(s.base().positions); }
+val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
+val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
+val display_base(const Session& s) { return copy(s.display_base()); }
+val take_changes(Session& s) { return copy(s.take_changes()); }
+val moved(const Session& s) { return copy(s.moved()); }
+val moved_positions(const Session& s) { return copy(s.moved_positions()); }
+val panel_figures(const Session& s) { return copy(s.panel_figures()); }
+std::string mesh_report(const Session& s) { return s.mesh_report(); }
+std::string report(const Session& s) { return s.report(); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish) {
+  emscripten::enum_<EditMode>("EditMode")
+      .value("drag", EditMode::kDrag)
+      .value("release", EditMode::kRelease)
+      .value("solve", EditMode::kSolve);
+  emscripten::enum_<planish::Engine>("Engine")
+      .value("newton", planish::Engine::kNewton)
+      .value("alm", planish::Engine::kAugmentedLagrangian);
+  emscripten::enum_<planish::FairnessKind>("FairnessKind")
+      .value("laplacian", planish::FairnessKind::kLaplacian)
+      .value("second", planish::FairnessKind::kSecondDifference)
+      .value("third", planish::FairnessKind::kThirdDifference);
+  emscripten::enum_<planish::Sparsity>("Sparsity")
+      .value("l21", planish::Sparsity::kL21)
+      .value("l2", planish::Sparsity::kL2)
+      .value("none", planish::Sparsity::kNone);
+  emscripten::class_<Session>("Session")
+      .constructor<>()
+      .function("openSample", &open_sample)
+      .function("openFile", &open_file)
+      .function("planarise", &planarise)
+      .function("setOptions", &set_options)
+      .function("edit", &edit)
+      .function("restore", &restore)
+      .function("explore", &explore)
+      .function("vary", &vary)
+      .function("makeExact", &make_exact)
+      .function("onProgress", &on_progress)
+      .function("write", &write)
+      .function("basePositions", &base_positions)
+      .function("faceOffsets", &face_offsets)
+      .function("faceVertices", &face_vertices)
+      .function("displayBase", &display_base)
+      .function("takeChanges", &take_changes)
+      .function("moved", &moved)
+      .function("movedPositions", &moved_positions)
+      .function("panelFigures", &panel_figures)
+      .function("meshReport", &mesh_report)
+      .function("report", &report);
+  emscripten::value_object<HandleEditOptions>("HandleEditOptions")
+      .field("attraction", &HandleEditOptions::attraction)
+      .field("locality", &HandleEditOptions::locality)
+      .field("smoothness", &HandleEditOptions::smoothness)
+      .field("fairness", &HandleEditOptions::fairness)
+      .field("sparsity", &HandleEditOptions::sparsity)
+      .field("hardHandles", &HandleEditOptions::hard_handles)
+      .field("engine", &HandleEditOptions::engine)
+      .field("tolerance", &HandleEditOptions::tolerance)
+      .field("maxIterations", &HandleEditOptions::max_iterations);
+  emscripten::value_object<SubspaceOptions>("SubspaceOptions")
+      .field("dimension", &SubspaceOptions::dimension)
+      .field("fairnessWeight", &SubspaceOptions::fairness_weight)
+      .field("sparsityWeight", &SubspaceOptions::sparsity_weight)
+      .field("closenessWeight", &SubspaceOptions::closeness_weight)
+      .field("correlation", &SubspaceOptions::correlation)
+      .field("reach", &SubspaceOptions::reach)
+      .field("eigenbasis", &SubspaceOptions::eigenbasis)
+      .field("fairness", &SubspaceOptions::fairness)
+      .field("engine", &SubspaceOptions::engine);
+}

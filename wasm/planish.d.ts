@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What bindings.cpp lists, by hand; tests/browser/bindings.test.ts holds the two together.
+// Operations return "" when done, otherwise one sentence that says why nothing changed.
+
+/** Opaque enumerator. */
+export interface EnumValue {
+  readonly value: number;
+}
+
+export interface HandleEditOptions {
+  attraction: number;
+  locality: number;
+  smoothness: number;
+  fairness: EnumValue;
+  sparsity: EnumValue;
+  hardHandles: boolean;
+  engine: EnumValue;
+  tolerance: number;
+  maxIterations: number;
+}
+
+export interface SubspaceOptions {
+  dimension: number;
+  fairnessWeight: number;
+  sparsityWeight: number;
+  closenessWeight: number;
+  correlation: number;
+  reach: number;
+  eigenbasis: boolean;
+  fairness: EnumValue;
+  engine: EnumValue;
+}
+
+export interface Session {
+  openSample(name: string, size: number): string;
+  openFile(bytes: Uint8Array, format: string): string;
+  planarise(): string;
+  setOptions(options: HandleEditOptions): string;
+  /** `handles`: vertex, x, y, z for each. */
+  edit(mode: EnumValue, handles: Float64Array, pins: Int32Array, budgetSeconds: number): string;
+  restore(
+    handles: Float64Array,
+    pins: Int32Array,
+    moved: Int32Array,
+    positions: Float64Array,
+  ): string;
+  explore(options: SubspaceOptions): string;
+  vary(coefficients: Float64Array): string;
+  makeExact(): string;
+  /** The callback returns false to cancel. */
+  onProgress(callback: (residual: number) => boolean): void;
+  write(format: string): Uint8Array;
+  basePositions(): Float64Array;
+  faceOffsets(): Int32Array;
+  faceVertices(): Int32Array;
+  displayBase(): Float32Array;
+  takeChanges(): Float32Array;
+  moved(): Int32Array;
+  movedPositions(): Float64Array;
+  panelFigures(): Float32Array;
+  meshReport(): string;
+  report(): string;
+  delete(): void;
+}
+
+export interface PlanishModule {
+  Session: new () => Session;
+  EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
+  Engine: { newton: EnumValue; alm: EnumValue };
+  FairnessKind: { laplacian: EnumValue; second: EnumValue; third: EnumValue };
+  Sparsity: { l21: EnumValue; l2: EnumValue; none: EnumValue };
+}
+
+export default function createPlanish(options?: object): Promise<PlanishModule>;

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
+
+#include "planish/io/mesh_format.hpp"
+#include "planish/mesh_check.hpp"
+#include "planish/metrics.hpp"
+#include "planish/shapes.hpp"
+
+namespace planish {
+namespace {
+
+using nlohmann::json;
+
+/// Display coordinates span about this much, whatever the unit of the model.
+constexpr double kDisplaySize = 10.0;
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Refusal unusable(const SolveReport& report, std::string_view what) {
+  if (report.usable()) return std::nullopt;
+  return std::string(what) + " did not reach a flat result (" +
+         std::string(status_name(report.status)) + "); the design is as it was.";
+}
+
+json residuals(const SolveReport& report) {
+  json list = json::array();
+  for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
+  return list;
+}
+
+}  // namespace
+
+Refusal Session::open_sample(const std::string& name, int size) {
+  std::optional<Mesh> mesh = make_sample(name, size);
+  if (!mesh) return "There is no sample \"" + name + "\" of size " + std::to_string(size) + ".";
+  adopt(std::move(*mesh), {});
+  return std::nullopt;
+}
+
+Refusal Session::open_file(std::string_view bytes, const std::string& format) {
+  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
+  if (!known) return "Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB.";
+  ReadResult result = read_mesh(bytes, *known);
+  if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
+  auto& file = std::get<MeshFile>(result);
+  adopt(std::move(file.mesh), std::move(file.warnings));
+  return std::nullopt;
+}
+
+Refusal Session::planarise() {
+  const ProjectionResult result = project_to_planar(base_, ProjectionOptions{}, {}, progress_);
+  if (!result.report.usable()) {
+    return std::to_string(result.failing_faces.size()) +
+           " panels cannot be made flat; the mesh is as it was.";
+  }
+  Mesh flat = base_;
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  const double max_move = result.max_move;
+  adopt(std::move(flat), warnings_);
+  report_ = json{{"status", status_name(result.report.status)}, {"maxMove", max_move}}.dump();
+  return std::nullopt;
+}
+
+void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
+  solver_.reset();  // it may refer to the old base
+  subspace_.reset();
+  base_ = std::move(mesh);
+  warnings_ = std::move(warnings);
+  adjacency_ = build_adjacency(base_);
+  const PlanaritySummary planarity = planarity_summary(base_);
+  base_worst_ = {.gap = planarity.max_gap, .mm_per_m = planarity.max};
+  const Eigen::Vector3d low = base_.positions.rowwise().minCoeff();
+  const Eigen::Vector3d high = base_.positions.rowwise().maxCoeff();
+  centre_ = 0.5 * (low + high);
+  const double extent = (high - low).norm();
+  scale_ = extent > 0.0 ? kDisplaySize / extent : 1.0;
+  current_ = base_.positions;
+  moved_.clear();
+  dirty_.clear();
+  targets_ = {};
+  report_ = "{}";
+}
+
+Refusal Session::require_flat_base() const {
+  if (base_.vertex_count() == 0) return "Open a mesh first.";
+  if (base_worst_.mm_per_m <= options_.tolerance) return std::nullopt;
+  return "This mesh has panels that are not flat. Planarise it first.";
+}
+
+Refusal Session::set_options(const HandleEditOptions& options) {
+  if (const auto problem = find_problem(options)) return *problem;
+  options_ = options;
+  if (solver_) solver_->set_options(options_);
+  return std::nullopt;
+}
+
+Refusal Session::edit(EditMode mode, const EditTargets& targets, double budget_seconds) {
+  if (const Refusal refusal = require_flat_base()) return refusal;
+  if (const auto problem = find_problem(targets, base_)) return *problem;
+  const Stopwatch watch;
+  if (!solver_) solver_.emplace(base_, options_);
+  const HandleEditResult result = mode == EditMode::kDrag ? solver_->drag(targets, budget_seconds)
+                                  : mode == EditMode::kRelease
+                                      ? solver_->release(targets, progress_)
+                                      : solver_->solve(targets, progress_);
+  if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
+  subspace_.reset();
+  targets_ = targets;
+  show(result.moved, result.moved_positions);
+  write_report(result.report, watch.seconds());
+  return std::nullopt;
+}
+
+Refusal Session::restore(const EditTargets& targets, const std::vector<int>& moved,
+                         const Positions& positions) {
+  if (const auto problem = find_problem(targets, base_)) return *problem;
+  const bool in_range = std::all_of(moved.begin(), moved.end(),
+                                    [&](int v) { return v >= 0 && v < base_.vertex_count(); });
+  const bool ascending =
+      std::adjacent_find(moved.begin(), moved.end(), std::greater_equal<>()) == moved.end();
+  if (!in_range || !ascending || static_cast<Eigen::Index>(moved.size()) != positions.cols() ||
+      !positions.allFinite()) {
+    return "This design does not belong to the mesh that is open.";
+  }
+  subspace_.reset();
+  targets_ = targets;
+  show(moved, positions);
+  SolveReport unchanged;
+  unchanged.status = SolveStatus::kConverged;
+  write_report(unchanged, 0.0);
+  return std::nullopt;
+}
+
+Refusal Session::explore(const SubspaceOptions& options) {
+  if (const Refusal refusal = require_flat_base()) return refusal;
+  if (const auto problem = find_problem(options)) return *problem;
+  if (moved_.empty()) return "Move a point first: variations are found around an edit.";
+  if (worst_panel().mm_per_m > options_.tolerance) return "Make the design exact first.";
+  std::vector<int> close;
+  for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
+  const Stopwatch watch;
+  Subspace found = compute_subspace(base_, current_, close, options, progress_);
+  if (found.dimension() == 0) return "No variation was found around this edit.";
+  subspace_ = std::move(found);
+  const SubspaceReport& r = subspace_->report;
+  report_ = json{{"status", status_name(r.status)},
+                 {"dimension", subspace_->dimension()},
+                 {"correlation", r.correlation},
+                 {"orthonormalityError", r.orthonormality_error},
+                 {"tangencyError", r.tangency_error},
+                 {"supportSizes", r.support_sizes},
+                 {"seconds", watch.seconds()}}
+                .dump();
+  return std::nullopt;
+}
+
+Refusal Session::vary(const Eigen::VectorXd& coefficients) {
+  if (!subspace_) return "Find variations first.";
+  if (coefficients.size() != subspace_->dimension() || !coefficients.allFinite()) {
+    return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+  }
+  const Stopwatch watch;
+  evaluate(*subspace_, coefficients, varied_);
+  show(subspace_->support, varied_);
+  SolveReport instant;
+  instant.status = SolveStatus::kConverged;
+  write_report(instant, watch.seconds());
+  return std::nullopt;
+}
+
+Refusal Session::make_exact() {
+  const Stopwatch watch;
+  const Mesh shown = shown_mesh();
+  const ProjectionResult result =
+      project_to_planar(shown, base_.positions, ProjectionOptions{}, targets_.pins, progress_);
+  if (const Refusal refusal = unusable(result.report, "The projection")) return refusal;
+  Positions exact = current_;
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    exact.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  std::vector<int> moved;
+  std::set_union(moved_.begin(), moved_.end(), result.moved.begin(), result.moved.end(),
+                 std::back_inserter(moved));
+  show(moved, exact(Eigen::all, moved));
+  write_report(result.report, watch.seconds());
+  return std::nullopt;
+}
+
+void Session::show(const std::vector<int>& moved, const Positions& positions) {
+  for (const int v : moved_) current_.col(v) = base_.positions.col(v);
+  dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
+  moved_.clear();
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const int v = moved[k];
+    current_.col(v) = positions.col(static_cast<Eigen::Index>(k));
+    if (current_.col(v) != base_.positions.col(v)) moved_.push_back(v);
+  }
+  dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
+}
+
+Session::Worst Session::worst_panel() const {
+  Worst worst = base_worst_;
+  if (base_worst_.mm_per_m > options_.tolerance && !moved_.empty()) {
+    const PlanaritySummary all = planarity_summary(base_, current_);
+    return {.gap = all.max_gap, .mm_per_m = all.max};
+  }
+  for (const int v : moved_) {
+    for (const int f : adjacency_.faces[v]) {
+      const FacePlanarity face = face_planarity(current_, base_.face(f));
+      worst.gap = std::max(worst.gap, face.gap);
+      worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+    }
+  }
+  return worst;
+}
+
+double Session::largest_move() const {
+  double largest = 0.0;
+  for (const int v : moved_) {
+    largest = std::max(largest, (current_.col(v) - base_.positions.col(v)).norm());
+  }
+  return largest;
+}
+
+Positions Session::moved_positions() const { return current_(Eigen::all, moved_); }
+
+Mesh Session::shown_mesh() const {
+  Mesh mesh = base_;
+  mesh.positions = current_;
+  return mesh;
+}
+
+void Session::write_report(const SolveReport& solve, double seconds) {
+  const Worst worst = worst_panel();
+  report_ = json{{"status", status_name(solve.status)},
+                 {"movedVertices", moved_.size()},
+                 {"maxDisplacement", largest_move()},
+                 {"worstGap", worst.gap},
+                 {"worstMmPerM", worst.mm_per_m},
+                 {"handleError", solve.handle_error},
+                 {"objective", solve.objective.total()},
+                 {"iterations", solve.iterations},
+                 {"seconds", seconds},
+                 {"residuals", residuals(solve)}}
+                .dump();
+}
+
+std::string Session::mesh_report() const {
+  const MeshSummary summary = summarize(base_);
+  json sizes = json::object();
+  for (const auto& [size, count] : summary.face_sizes) sizes[std::to_string(size)] = count;
+  return json{{"vertices", summary.vertices},
+              {"faces", summary.faces},
+              {"faceSizes", sizes},
+              {"boundaryLoops", summary.boundary_loops},
+              {"components", summary.components},
+              {"nonmanifoldEdges", summary.nonmanifold_edges},
+              {"isolatedVertices", summary.isolated_vertices},
+              {"meanEdge", summary.mean_edge},
+              {"degreesOfFreedom", degrees_of_freedom(base_)},
+              {"worstGap", base_worst_.gap},
+              {"worstMmPerM", base_worst_.mm_per_m},
+              {"flat", base_worst_.mm_per_m <= options_.tolerance},
+              {"centre", {centre_.x(), centre_.y(), centre_.z()}},
+              {"scale", scale_},
+              {"warnings", warnings_}}
+      .dump();
+}
+
+std::vector<float> Session::take_changes() {
+  std::sort(dirty_.begin(), dirty_.end());
+  dirty_.erase(std::unique(dirty_.begin(), dirty_.end()), dirty_.end());
+  std::vector<float> changes;
+  changes.reserve(4 * dirty_.size());
+  for (const int v : dirty_) {
+    const Eigen::Vector3f p = ((current_.col(v) - centre_) * scale_).cast<float>();
+    changes.insert(changes.end(), {static_cast<float>(v), p.x(), p.y(), p.z()});
+  }
+  dirty_.clear();
+  return changes;
+}
+
+std::vector<float> Session::display_base() const {
+  std::vector<float> display(static_cast<std::size_t>(base_.positions.size()));
+  Eigen::Map<Eigen::Matrix3Xf>(display.data(), 3, base_.positions.cols()) =
+      ((base_.positions.colwise() - centre_) * scale_).cast<float>();
+  return display;
+}
+
+std::vector<float> Session::panel_figures() const {
+  std::vector<float> figures;
+  figures.reserve(2 * static_cast<std::size_t>(base_.face_count()));
+  for (int f = 0; f < base_.face_count(); ++f) {
+    const FacePlanarity face = face_planarity(current_, base_.face(f));
+    figures.push_back(static_cast<float>(face.gap));
+    figures.push_back(static_cast<float>(face.mm_per_m));
+  }
+  return figures;
+}
+
+std::optional<std::string> Session::write(const std::string& format) const {
+  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
+  if (!known) return std::nullopt;
+  return write_mesh(shown_mesh(), *known);
+}
+
+}  // namespace planish

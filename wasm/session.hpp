@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// What one browser worker owns: a base mesh, the edit on it, the variations around the edit.
+/// Plain C++, tested natively; bindings.cpp only lists it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planish/adjacency.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/projection.hpp"
+#include "planish/subspace.hpp"
+
+namespace planish {
+
+/// One sentence that says why nothing changed; nullopt if the operation was done.
+using Refusal = std::optional<std::string>;
+
+/// How an edit is to be computed.
+enum class EditMode {
+  kDrag,     ///< within a time budget, may follow the path of the pointer
+  kRelease,  ///< the drag's end: depends on the targets alone
+  kSolve,    ///< from nothing, for typed targets and links
+};
+
+class Session {
+ public:
+  /// Called between solver steps with the step number and the constraint residual; returning
+  /// kStop cancels. Applies to every operation that runs longer than a drag frame.
+  void set_progress(Progress progress) { progress_ = std::move(progress); }
+
+  // Opening. A refused mesh leaves the session as it was.
+  [[nodiscard]] Refusal open_sample(const std::string& name, int size);
+  [[nodiscard]] Refusal open_file(std::string_view bytes, const std::string& format);
+  /// Replaces the base by its nearest flat mesh; an edit must be redone after it.
+  [[nodiscard]] Refusal planarise();
+
+  // Editing. A refused operation leaves the design as it was.
+  [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
+  [[nodiscard]] Refusal edit(EditMode mode, const EditTargets& targets, double budget_seconds);
+  /// Shows a design that was computed before: `moved` ascending, everything else at the base.
+  [[nodiscard]] Refusal restore(const EditTargets& targets, const std::vector<int>& moved,
+                                const Positions& positions);
+
+  // Exploring: variations around the design shown.
+  [[nodiscard]] Refusal explore(const SubspaceOptions& options);
+  [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
+  /// The nearest flat design to what is shown.
+  [[nodiscard]] Refusal make_exact();
+
+  // What is there.
+  [[nodiscard]] const Mesh& base() const { return base_; }
+  [[nodiscard]] const Positions& current() const { return current_; }
+  [[nodiscard]] const std::vector<int>& moved() const { return moved_; }
+  /// 3 × |moved|, model units.
+  [[nodiscard]] Positions moved_positions() const;
+  /// JSON about the base mesh: counts, planarity, warnings.
+  [[nodiscard]] std::string mesh_report() const;
+  /// JSON about the last operation that changed the design.
+  [[nodiscard]] const std::string& report() const { return report_; }
+  /// Vertex, x, y, z of every vertex that changed since the last call, in display coordinates:
+  /// (p − centre) · scale, so that float32 keeps its digits wherever the model lies.
+  [[nodiscard]] std::vector<float> take_changes();
+  /// All base vertices in display coordinates.
+  [[nodiscard]] std::vector<float> display_base() const;
+  /// Gap (model units) and mm/m of every face of the design shown, interleaved.
+  [[nodiscard]] std::vector<float> panel_figures() const;
+  /// The design shown as a file: obj, off, ply or glb. nullopt if the format is unknown.
+  [[nodiscard]] std::optional<std::string> write(const std::string& format) const;
+
+ private:
+  struct Worst {
+    double gap = 0.0, mm_per_m = 0.0;
+  };
+
+  void adopt(Mesh mesh, std::vector<std::string> warnings);
+  [[nodiscard]] Refusal require_flat_base() const;
+  void show(const std::vector<int>& moved, const Positions& positions);
+  [[nodiscard]] Worst worst_panel() const;
+  [[nodiscard]] double largest_move() const;
+  [[nodiscard]] Mesh shown_mesh() const;
+  void write_report(const SolveReport& solve, double seconds);
+
+  Mesh base_;
+  Adjacency adjacency_;
+  std::vector<std::string> warnings_;
+  Worst base_worst_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  double scale_ = 1.0;
+
+  HandleEditOptions options_;
+  std::optional<HandleEditSolver> solver_;
+  EditTargets targets_;
+  Positions current_;       ///< 3 × n, the design shown
+  std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
+  std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
+  std::optional<Subspace> subspace_;
+  Positions varied_;  ///< 3 × |subspace support|
+  std::string report_ = "{}";
+  Progress progress_;
+};
+
+}  // namespace planish

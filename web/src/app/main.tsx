@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+import "../ui/font.css";
+import "../ui/tokens.css";
+import "../ui/controls.css";
+import "../ui/layout.css";
+import "../ui/inspector.css";
+import firstMesh from "virtual:first-mesh";
+import { render } from "preact";
+import { openFirst } from "../state/opening.ts";
+import { displayMesh } from "../state/store.ts";
+import { App } from "./app.tsx";
+
+displayMesh.value = {
+  display: Float32Array.from(firstMesh.positions),
+  offsets: Int32Array.from(firstMesh.offsets),
+  vertices: Int32Array.from(firstMesh.vertices),
+};
+const root = document.getElementById("app");
+if (root) render(<App />, root);
+void openFirst();

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+import { redo, undo } from "../state/editing.ts";
+import { showBefore } from "../state/store.ts";
+
+const typing = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
+
+function down(event: KeyboardEvent): void {
+  if (typing(event.target)) return;
+  const command = event.ctrlKey || event.metaKey;
+  const key = event.key.toLowerCase();
+  if (command && (key === "y" || (key === "z" && event.shiftKey))) {
+    event.preventDefault();
+    void redo();
+  } else if (command && key === "z") {
+    event.preventDefault();
+    void undo();
+  } else if (!command && !event.altKey && key === "b") {
+    showBefore.value = true;
+  }
+}
+
+function up(event: KeyboardEvent): void {
+  if (event.key.toLowerCase() === "b") showBefore.value = false;
+}
+
+/** Undo, redo, and B held for before/after. Returns how to stop listening. */
+export function listenToShortcuts(): () => void {
+  const off = new AbortController();
+  window.addEventListener("keydown", down, { signal: off.signal });
+  window.addEventListener("keyup", up, { signal: off.signal });
+  window.addEventListener(
+    "blur",
+    () => {
+      showBefore.value = false;
+    },
+    { signal: off.signal },
+  );
+  return () => off.abort();
+}

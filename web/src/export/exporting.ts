@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+import type { FileFormat } from "../solver/protocol.ts";
+import { run } from "../state/connection.ts";
+import { designName, problem } from "../state/store.ts";
+
+const MEDIA: Readonly<Record<FileFormat, string>> = {
+  obj: "model/obj",
+  off: "text/plain",
+  ply: "application/octet-stream",
+  glb: "model/gltf-binary",
+};
+
+function save(blob: Blob, extension: string): void {
+  const name = designName.value.replace(/\.[a-z]+$/i, "").replace(/[^\p{L}\p{N}_-]+/gu, "-");
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = `${name.toLowerCase()}.${extension}`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/** The design shown, written by the core in float64. */
+export async function exportMesh(format: FileFormat): Promise<void> {
+  const answer = await run(
+    `writing ${format.toUpperCase()}`,
+    { kind: "export", format },
+    "exported",
+  );
+  if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);
+}
+
+type TakePicture = () => Promise<Blob | null>;
+let takePicture: TakePicture | null = null;
+
+/** The viewport says how to take a picture of itself. */
+export function providePicture(take: TakePicture | null): void {
+  takePicture = take;
+}
+
+export async function exportPicture(): Promise<void> {
+  const blob = (await takePicture?.()) ?? null;
+  if (blob) save(blob, "png");
+  else problem.value = "The picture could not be taken.";
+}

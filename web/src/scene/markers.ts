@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Handles, pins and the hovered point, drawn over the canvas at constant size.
+import { project, type View } from "./picking.ts";
+
+export interface Marker {
+  readonly vertex: number;
+  readonly kind: "handle" | "pin" | "hover" | "first";
+  readonly selected: boolean;
+}
+
+export class Markers {
+  readonly #layer: HTMLElement;
+  readonly #elements: HTMLElement[] = [];
+  #markers: readonly Marker[] = [];
+
+  constructor(layer: HTMLElement) {
+    this.#layer = layer;
+  }
+
+  set(markers: readonly Marker[]): void {
+    this.#markers = markers;
+    while (this.#elements.length < markers.length) {
+      const element = document.createElement("span");
+      this.#layer.append(element);
+      this.#elements.push(element);
+    }
+    for (const surplus of this.#elements.splice(markers.length)) surplus.remove();
+    markers.forEach((marker, k) => {
+      const element = this.#elements[k];
+      if (element) element.className = `marker ${marker.kind}${marker.selected ? " selected" : ""}`;
+    });
+  }
+
+  place(points: Float32Array, view: View): void {
+    this.#markers.forEach((marker, k) => {
+      const element = this.#elements[k];
+      const at = project(points, marker.vertex, view);
+      if (!element) return;
+      element.hidden = at === null;
+      if (at) element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
+    });
+  }
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What the worker does with each request; testable without a worker.
+import type { PlanishModule, Session } from "@wasm/planish.mjs";
+import type { EditSettings, OpenedMesh, Reply, Request, Shape, Targets } from "./protocol.ts";
+
+export type Post = (reply: Reply, transfer: Transferable[]) => void;
+
+type Job = Exclude<Request, { kind: "start" }>;
+
+/** Raised by an operation that the session refused; its message is for the user. */
+class Refused extends Error {}
+
+function insist(refusal: string): void {
+  if (refusal) throw new Refused(refusal);
+}
+
+function readMesh(session: Session): OpenedMesh {
+  return {
+    report: JSON.parse(session.meshReport()) as OpenedMesh["report"],
+    positions: session.basePositions(),
+    display: session.displayBase(),
+    offsets: session.faceOffsets(),
+    vertices: session.faceVertices(),
+  };
+}
+
+function toOptions(module: PlanishModule, settings: EditSettings) {
+  return {
+    attraction: settings.attraction,
+    locality: settings.locality,
+    smoothness: settings.smoothness,
+    fairness: module.FairnessKind[settings.fairness],
+    sparsity: module.Sparsity.l21,
+    hardHandles: false,
+    engine: module.Engine[settings.engine],
+    tolerance: 1e-6,
+    maxIterations: 0,
+  };
+}
+
+/** Answers requests in order on one session. A request that fails leaves the session as it was. */
+export class Dispatcher {
+  readonly #module: PlanishModule;
+  readonly #session: Session;
+  readonly #post: Post;
+  #settings: EditSettings | null = null;
+  #job = 0;
+  #step = 0;
+
+  constructor(module: PlanishModule, post: Post) {
+    this.#module = module;
+    this.#session = new module.Session();
+    this.#post = post;
+    this.#session.onProgress((residual) => {
+      this.#post({ kind: "progress", job: this.#job, step: ++this.#step, residual }, []);
+      return true;
+    });
+  }
+
+  handle(request: Job): void {
+    this.#job = request.job;
+    this.#step = 0;
+    try {
+      this.#run(request);
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#post({ kind: "failed", job: request.job, message }, []);
+    }
+  }
+
+  #run(request: Job): void {
+    const session = this.#session;
+    const { job } = request;
+    switch (request.kind) {
+      case "open": {
+        const { source } = request;
+        if (source.kind === "sample") insist(session.openSample(source.name, source.size));
+        else insist(session.openFile(source.bytes, source.format));
+        if (request.planarise) insist(session.planarise());
+        this.#postOpened(job);
+        return;
+      }
+      case "planarise":
+        insist(session.planarise());
+        this.#postOpened(job);
+        return;
+      case "edit":
+        this.#edit(request);
+        return;
+      case "restore":
+        insist(this.#restore(request.targets, request.shape));
+        this.#postShown(job, true);
+        return;
+      case "explore":
+        insist(session.explore(this.#exploreOptions(request.dimension, request.eigenbasis)));
+        this.#post({ kind: "explored", job, report: JSON.parse(session.report()) }, []);
+        return;
+      case "vary":
+        insist(session.vary(Float64Array.from(request.coefficients)));
+        this.#postShown(job, false);
+        return;
+      case "exact":
+        insist(session.makeExact());
+        this.#postShown(job, true);
+        return;
+      case "panels": {
+        const figures = session.panelFigures();
+        this.#post({ kind: "panels", job, figures }, [figures.buffer]);
+        return;
+      }
+      case "export": {
+        const bytes = session.write(request.format);
+        if (bytes.length === 0)
+          throw new Refused(`${request.format.toUpperCase()} cannot be written.`);
+        this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
+      }
+    }
+  }
+
+  #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
+    if (settings !== this.#settings) {
+      insist(this.#session.setOptions(toOptions(this.#module, settings)));
+      this.#settings = settings;
+    }
+    const handles = Float64Array.from(targets.handles);
+    const pins = Int32Array.from(targets.pins);
+    insist(this.#session.edit(this.#module.EditMode[mode], handles, pins, budget));
+    this.#postShown(job, mode !== "drag");
+  }
+
+  #restore(targets: Targets, shape: Shape): string {
+    const handles = Float64Array.from(targets.handles);
+    return this.#session.restore(
+      handles,
+      Int32Array.from(targets.pins),
+      shape.moved,
+      shape.positions,
+    );
+  }
+
+  #exploreOptions(dimension: number, eigenbasis: boolean) {
+    return {
+      dimension,
+      fairnessWeight: 3,
+      sparsityWeight: 1,
+      closenessWeight: 0,
+      correlation: 0.95,
+      reach: 2,
+      eigenbasis,
+      fairness: this.#module.FairnessKind[this.#settings?.fairness ?? "second"],
+      engine: this.#module.Engine[this.#settings?.engine ?? "newton"],
+    };
+  }
+
+  #postOpened(job: number): void {
+    const mesh = readMesh(this.#session);
+    const buffers = [mesh.positions, mesh.display, mesh.offsets, mesh.vertices].map(
+      (a) => a.buffer,
+    );
+    this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
+  }
+
+  #postShown(job: number, withShape: boolean): void {
+    const session = this.#session;
+    const changes = session.takeChanges();
+    const report = JSON.parse(session.report());
+    const shape = withShape
+      ? { moved: session.moved(), positions: session.movedPositions() }
+      : null;
+    const buffers: Transferable[] = [changes.buffer];
+    if (shape) buffers.push(shape.moved.buffer, shape.positions.buffer);
+    this.#post({ kind: "shown", job, changes, report, shape }, buffers);
+  }
+}

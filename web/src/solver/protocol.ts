@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What the page and the solver worker say to each other. Every request carries a job number;
+// every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
+// Progress messages may come before the reply.
+
+export type FileFormat = "obj" | "off" | "ply" | "glb";
+export type Fairness = "laplacian" | "second" | "third";
+export type EngineName = "newton" | "alm";
+export type EditMode = "drag" | "release" | "solve";
+
+/** Targets in model units. `handles`: vertex, x, y, z for each. */
+export interface Targets {
+  readonly handles: readonly number[];
+  readonly pins: readonly number[];
+}
+
+export interface EditSettings {
+  readonly attraction: number;
+  readonly locality: number;
+  readonly smoothness: number;
+  readonly fairness: Fairness;
+  readonly engine: EngineName;
+}
+
+/** A finished design: where it differs from its base, in float64. */
+export interface Shape {
+  readonly moved: Int32Array;
+  readonly positions: Float64Array;
+}
+
+export type Source =
+  | { readonly kind: "sample"; readonly name: string; readonly size: number }
+  | {
+      readonly kind: "file";
+      readonly name: string;
+      readonly format: FileFormat;
+      readonly bytes: Uint8Array;
+    };
+
+export type Request =
+  | { kind: "start"; job: 0; module: WebAssembly.Module }
+  | { kind: "open"; job: number; source: Source; planarise: boolean } // → opened
+  | { kind: "planarise"; job: number } // → opened
+  | {
+      kind: "edit";
+      job: number;
+      mode: EditMode;
+      targets: Targets;
+      settings: EditSettings;
+      budget: number;
+    } // → shown
+  | { kind: "restore"; job: number; targets: Targets; shape: Shape } // → shown
+  | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
+  | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
+  | { kind: "exact"; job: number } // → shown
+  | { kind: "panels"; job: number } // → panels
+  | { kind: "export"; job: number; format: FileFormat }; // → exported
+
+export interface MeshReport {
+  readonly vertices: number;
+  readonly faces: number;
+  readonly faceSizes: Readonly<Record<string, number>>;
+  readonly boundaryLoops: number;
+  readonly components: number;
+  readonly nonmanifoldEdges: number;
+  readonly isolatedVertices: number;
+  readonly meanEdge: number;
+  readonly degreesOfFreedom: number;
+  readonly worstGap: number;
+  readonly worstMmPerM: number;
+  readonly flat: boolean;
+  readonly centre: readonly [number, number, number];
+  readonly scale: number;
+  readonly warnings: readonly string[];
+}
+
+export interface ShapeReport {
+  readonly status: string;
+  readonly movedVertices: number;
+  readonly maxDisplacement: number;
+  readonly worstGap: number;
+  readonly worstMmPerM: number;
+  readonly handleError: number;
+  readonly objective: number;
+  readonly iterations: number;
+  readonly seconds: number;
+  readonly residuals: readonly number[];
+}
+
+export interface ExploreReport {
+  readonly status: string;
+  readonly dimension: number;
+  readonly correlation: readonly number[];
+  readonly supportSizes: readonly number[];
+  readonly seconds: number;
+}
+
+/** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
+export interface OpenedMesh {
+  readonly report: MeshReport;
+  readonly positions: Float64Array;
+  readonly display: Float32Array;
+  readonly offsets: Int32Array;
+  readonly vertices: Int32Array;
+}
+
+export type Reply =
+  | { kind: "ready"; job: 0 }
+  | { kind: "progress"; job: number; step: number; residual: number }
+  | { kind: "opened"; job: number; mesh: OpenedMesh }
+  /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
+  | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
+  | { kind: "explored"; job: number; report: ExploreReport }
+  /** Gap in model units and mm/m, for every panel. */
+  | { kind: "panels"; job: number; figures: Float32Array }
+  | { kind: "exported"; job: number; bytes: Uint8Array }
+  | { kind: "failed"; job: number; message: string };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A design is data: a source, a recipe, and the shape that the recipe gave.
+import type { EditSettings, Shape, ShapeReport, Source, Targets } from "../solver/protocol.ts";
+
+export type Point = readonly [number, number, number];
+
+export interface HandleRow {
+  readonly vertex: number;
+  /** Where the point should go, model units. */
+  readonly target: Point;
+  /** A pinned point keeps its base position; its target is not used. */
+  readonly pinned: boolean;
+}
+
+export interface Variation {
+  readonly dimension: number;
+  readonly coefficients: readonly number[];
+  /** Whether the shape has been projected since the sliders last moved. */
+  readonly exact: boolean;
+}
+
+export interface Design {
+  readonly source: Source;
+  readonly planarised: boolean;
+  readonly handles: readonly HandleRow[];
+  readonly settings: EditSettings;
+  readonly shape: Shape;
+  readonly report: ShapeReport;
+  readonly variation: Variation | null;
+}
+
+/** The command line's defaults. */
+export const DEFAULT_SETTINGS: EditSettings = {
+  attraction: 1000,
+  locality: 1,
+  smoothness: 1,
+  fairness: "second",
+  engine: "newton",
+};
+
+export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };
+
+export const NO_REPORT: ShapeReport = {
+  status: "converged",
+  movedVertices: 0,
+  maxDisplacement: 0,
+  worstGap: 0,
+  worstMmPerM: 0,
+  handleError: 0,
+  objective: 0,
+  iterations: 0,
+  seconds: 0,
+  residuals: [],
+};
+
+export function toTargets(handles: readonly HandleRow[]): Targets {
+  return {
+    handles: handles.filter((row) => !row.pinned).flatMap((row) => [row.vertex, ...row.target]),
+    pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
+  };
+}
+
+export const withHandle = (rows: readonly HandleRow[], row: HandleRow): HandleRow[] =>
+  rows.some((r) => r.vertex === row.vertex)
+    ? rows.map((r) => (r.vertex === row.vertex ? row : r))
+    : [...rows, row];
+
+export const withoutHandle = (rows: readonly HandleRow[], vertex: number): HandleRow[] =>
+  rows.filter((row) => row.vertex !== vertex);

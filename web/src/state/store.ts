@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Everything the page shows, as signals. Only the modules of state/ write them.
+import { computed, signal } from "@preact/signals";
+import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
+import type { Design } from "./design.ts";
+import { NO_REPORT } from "./design.ts";
+import type { History } from "./history.ts";
+import { FIRST_SAMPLE } from "./samples.ts";
+import type { Unit } from "./units.ts";
+
+/** What is running now, for the status line and Cancel. */
+export interface Activity {
+  readonly label: string;
+  readonly step: number;
+}
+
+/** The mesh that the scene draws: display coordinates and faces. */
+export type DisplayMesh = Pick<OpenedMesh, "display" | "offsets" | "vertices">;
+
+export type ColourBy = "displacement" | "planarity" | "none";
+
+/** False until the page can be used. */
+export const ready = signal(false);
+export const displayMesh = signal<DisplayMesh | null>(null);
+export const mesh = signal<OpenedMesh | null>(null);
+export const history = signal<History<Design> | null>(null);
+/** The design while it is being changed; equals the history's present in between. */
+export const draft = signal<Design | null>(null);
+export const figures = signal<ShapeReport>(NO_REPORT);
+export const activity = signal<Activity | null>(null);
+export const problem = signal<string | null>(null);
+export const notice = signal<string | null>(null);
+export const selected = signal<number | null>(null);
+export const unit = signal<Unit>("m");
+export const dimension = signal(4);
+export const colourBy = signal<ColourBy>("displacement");
+/** Shows the base instead of the design while held. */
+export const showBefore = signal(false);
+/** The first visit's sentence; gone after the first edit. */
+export const hintVertex = signal<number | null>(null);
+export const importReport = signal(false);
+export const designName = signal(FIRST_SAMPLE.label);
+
+export const handles = computed(() => draft.value?.handles ?? []);
+export const settings = computed(() => draft.value?.settings ?? null);
+export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
+export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
+export const busy = computed(() => activity.value !== null);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+import { makeExact } from "../state/exploring.ts";
+import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
+import { formatGap } from "../state/units.ts";
+
+function hold(on: boolean): void {
+  showBefore.value = on;
+}
+
+/** Step 3: project what is shown onto exactly flat panels, and judge the result. */
+export function ExactSection() {
+  const { worstGap, worstMmPerM } = figures.value;
+  const exact = worstMmPerM <= 1e-6;
+  return (
+    <section class="step" aria-labelledby="step-exact">
+      <h2 id="step-exact">
+        <span class="step-number">3</span> Make exact
+      </h2>
+      <p class={exact ? "verdict good" : "verdict"}>
+        {exact
+          ? "Every panel is flat."
+          : `Worst panel ${formatGap(worstGap, unit.value)} out of flat (${worstMmPerM.toPrecision(3)} mm/m).`}
+      </p>
+      <div class="row">
+        <button
+          type="button"
+          class={`button grow${exact ? "" : " primary"}`}
+          disabled={!ready.value}
+          onClick={() => void makeExact()}
+        >
+          Make exact
+        </button>
+        <button
+          type="button"
+          class="button"
+          aria-pressed={showBefore.value}
+          title="Hold to see the design before the edit (B)"
+          disabled={!mesh.value}
+          onPointerDown={() => hold(true)}
+          onPointerUp={() => hold(false)}
+          onPointerLeave={() => hold(false)}
+          onKeyDown={(event) => event.key === " " && hold(true)}
+          onKeyUp={() => hold(false)}
+        >
+          Before
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+import { useRef } from "preact/hooks";
+import { exportMesh, exportPicture } from "../export/exporting.ts";
+import { ready } from "../state/store.ts";
+import { Icon } from "./icon.tsx";
+
+const CHOICES = [
+  { name: "OBJ", about: "Polygons, every digit", run: () => exportMesh("obj") },
+  { name: "GLB", about: "3D scene, polygons kept", run: () => exportMesh("glb") },
+  { name: "PLY", about: "Polygons, binary", run: () => exportMesh("ply") },
+  { name: "PNG", about: "Picture of this view", run: () => exportPicture() },
+] as const;
+
+export function ExportMenu() {
+  const menu = useRef<HTMLDivElement>(null);
+  return (
+    <div class="menu-anchor">
+      <button
+        type="button"
+        class="bar-button"
+        disabled={!ready.value}
+        popovertarget="export-menu"
+        title="Export"
+      >
+        <Icon name="download" />
+        <span class="bar-label">Export</span>
+      </button>
+      <div id="export-menu" class="menu" popover="auto" ref={menu}>
+        {CHOICES.map(({ name, about, run }) => (
+          <button
+            key={name}
+            type="button"
+            class="menu-item"
+            aria-label={name}
+            aria-describedby={`export-${name}`}
+            onClick={() => {
+              menu.current?.hidePopover();
+              void run();
+            }}
+          >
+            <span class="menu-name">{name}</span>
+            <span class="menu-about" id={`export-${name}`}>
+              {about}
+            </span>
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { openFile } from "../state/opening.ts";
+import { ready } from "../state/store.ts";
+
+/** The whole page takes a dropped mesh. */
+export function FileDrop({ children }: { children: ComponentChildren }) {
+  const over = useSignal(false);
+  const drop = (event: DragEvent): void => {
+    event.preventDefault();
+    over.value = false;
+    const file = event.dataTransfer?.files[0];
+    if (file && ready.value) void openFile(file);
+  };
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the button Open file does the same
+    <div
+      class={`app${over.value ? " dropping" : ""}`}
+      onDragOver={(event) => {
+        event.preventDefault();
+        over.value = true;
+      }}
+      onDragLeave={(event) => {
+        if (event.relatedTarget === null) over.value = false;
+      }}
+      onDrop={drop}
+    >
+      {children}
+      {over.value && <div class="drop-note">Drop an OBJ, OFF, PLY or GLB mesh</div>}
+    </div>
+  );
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+import { useRef } from "preact/hooks";
+import { Icon } from "./icon.tsx";
+
+const KEYS: readonly (readonly [string, string])[] = [
+  ["Drag a point", "moves it; its neighbours follow"],
+  ["Drag beside the model", "turns the view; right button or two fingers pan, wheel zooms"],
+  ["Arrow keys in the view", "step from point to point"],
+  ["Shift + arrow keys", "turn the view; + and − zoom"],
+  ["B, held", "shows the design before the edit"],
+  ["Esc", "gives up a drag"],
+  ["Ctrl Z, Ctrl Shift Z", "undo, redo"],
+  ["Coordinates", "take units and arithmetic: 1.2m, 3*400mm, +50mm adds"],
+];
+
+export function HelpDialog() {
+  const dialog = useRef<HTMLDialogElement>(null);
+  return (
+    <>
+      <button
+        type="button"
+        class="bar-button"
+        onClick={() => dialog.current?.showModal()}
+        title="Help"
+      >
+        <Icon name="help" />
+        <span class="bar-label">Help</span>
+      </button>
+      <dialog ref={dialog} class="dialog" aria-labelledby="help-title">
+        <div class="dialog-head">
+          <h2 id="help-title">How it works</h2>
+          <button
+            type="button"
+            class="icon-button"
+            aria-label="Close"
+            onClick={() => dialog.current?.close()}
+          >
+            <Icon name="close" />
+          </button>
+        </div>
+        <p>
+          Move a point of a structure made of flat panels. The few points that must follow do;
+          everything else keeps its coordinates to the last bit, and every panel stays flat to one
+          millionth of a millimetre per metre.
+        </p>
+        <dl class="keys">
+          {KEYS.map(([key, what]) => (
+            <div key={key}>
+              <dt>{key}</dt>
+              <dd>{what}</dd>
+            </div>
+          ))}
+        </dl>
+        <p class="quiet">
+          Flatness of a panel is the distance between the two planes, parallel to its best-fit
+          plane, that hold all its corners; in mm/m it is divided by the panel's longest edge.
+        </p>
+      </dialog>
+    </>
+  );
+}

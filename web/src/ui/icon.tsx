@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+import box from "lucide-static/icons/box.svg?raw";
+import help from "lucide-static/icons/circle-question-mark.svg?raw";
+import download from "lucide-static/icons/download.svg?raw";
+import folder from "lucide-static/icons/folder-open.svg?raw";
+import plus from "lucide-static/icons/plus.svg?raw";
+import redo from "lucide-static/icons/redo-2.svg?raw";
+import share from "lucide-static/icons/share-2.svg?raw";
+import undo from "lucide-static/icons/undo-2.svg?raw";
+import close from "lucide-static/icons/x.svg?raw";
+
+const ICONS = { box, download, folder, help, plus, redo, share, undo, close } as const;
+
+export type IconName = keyof typeof ICONS;
+
+/** Decoration beside a name; the markup is ours, from the build. */
+export function Icon({ name }: { name: IconName }) {
+  return <span class="icon" aria-hidden="true" dangerouslySetInnerHTML={{ __html: ICONS[name] }} />;
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+import type { MeshReport } from "../solver/protocol.ts";
+import { planarise } from "../state/opening.ts";
+import { designName, importReport, mesh, unit } from "../state/store.ts";
+import { formatGap, isUnit, UNITS, unitWord } from "../state/units.ts";
+
+const SIZE_NAMES: Readonly<Record<string, string>> = {
+  3: "triangles",
+  4: "quads",
+  5: "pentagons",
+  6: "hexagons",
+};
+
+const faceWords = (sizes: MeshReport["faceSizes"]): string =>
+  Object.entries(sizes)
+    .map(([size, count]) => `${count} ${SIZE_NAMES[size] ?? `${size}-gons`}`)
+    .join(", ");
+
+function Facts({ report }: { report: MeshReport }) {
+  const facts: readonly (readonly [string, string])[] = [
+    ["Points", String(report.vertices)],
+    ["Panels", faceWords(report.faceSizes)],
+    ["Boundary loops", String(report.boundaryLoops)],
+    ["Separate parts", String(report.components)],
+    ["Non-manifold edges", String(report.nonmanifoldEdges)],
+    [
+      "Worst panel",
+      `${formatGap(report.worstGap, unit.value)} out of flat (${report.worstMmPerM.toPrecision(3)} mm/m)`,
+    ],
+  ];
+  return (
+    <dl class="facts">
+      {facts.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function UnitChooser() {
+  return (
+    <label class="field">
+      <span>Unit of the file</span>
+      <select
+        class="select"
+        value={unit.value}
+        onChange={({ currentTarget }) => {
+          if (isUnit(currentTarget.value)) unit.value = currentTarget.value;
+        }}
+      >
+        {UNITS.map((name) => (
+          <option key={name} value={name}>
+            {unitWord(name)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** What was found in an opened file, and what to do if it is not flat. */
+export function ImportReport() {
+  const report = mesh.value?.report;
+  const close = () => {
+    importReport.value = false;
+  };
+  if (!importReport.value) return null;
+  return (
+    <section class="card import-card" aria-labelledby="import-title">
+      <h2 id="import-title">{designName.value}</h2>
+      {report && <Facts report={report} />}
+      {report?.warnings.map((warning) => (
+        <p key={warning} class="quiet">
+          {warning}
+        </p>
+      ))}
+      <UnitChooser />
+      {report && !report.flat && (
+        <p>
+          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
+          then moves as little as possible.
+        </p>
+      )}
+      <div class="dialog-actions">
+        {report && !report.flat ? (
+          <>
+            <button type="button" class="button" onClick={close}>
+              Leave as it is
+            </button>
+            <button
+              type="button"
+              class="button primary"
+              onClick={() => {
+                close();
+                void planarise();
+              }}
+            >
+              Planarise
+            </button>
+          </>
+        ) : (
+          <button type="button" class="button primary" onClick={close}>
+            Start editing
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+import { commitSettings, previewSettings } from "../state/editing.ts";
+import { planarise } from "../state/opening.ts";
+import { mesh, ready, settings } from "../state/store.ts";
+import { ExactSection } from "./exact-section.tsx";
+import { ExploreSection } from "./explore-section.tsx";
+import { HandlesTable } from "./handles-table.tsx";
+import { Slider } from "./slider.tsx";
+
+function NotFlatNote() {
+  const report = mesh.value?.report;
+  if (!report || report.flat) return null;
+  return (
+    <div class="note warn">
+      <p>This mesh has panels that are not flat. Points can be moved once they are.</p>
+      <button type="button" class="button primary" onClick={() => void planarise()}>
+        Planarise
+      </button>
+    </div>
+  );
+}
+
+function Weights() {
+  const { locality = 1, smoothness = 1 } = settings.value ?? {};
+  return (
+    <>
+      <Slider
+        label="Locality"
+        value={locality}
+        min={0}
+        max={10}
+        step={0.1}
+        shown={locality.toFixed(1)}
+        disabled={!ready.value}
+        ends={["more points follow", "fewer follow"]}
+        onInput={(value) => previewSettings({ locality: value })}
+        onCommit={(value) => void commitSettings({ locality: value })}
+      />
+      <Slider
+        label="Smoothness"
+        value={smoothness}
+        min={0}
+        max={10}
+        step={0.1}
+        shown={smoothness.toFixed(1)}
+        disabled={!ready.value}
+        ends={["sharp, close by", "gentle, wider"]}
+        onInput={(value) => previewSettings({ smoothness: value })}
+        onCommit={(value) => void commitSettings({ smoothness: value })}
+      />
+    </>
+  );
+}
+
+export function Inspector() {
+  return (
+    <aside class="inspector" aria-label="Inspector">
+      <section class="step" aria-labelledby="step-edit">
+        <h2 id="step-edit">
+          <span class="step-number">1</span> Edit
+        </h2>
+        <NotFlatNote />
+        <HandlesTable />
+        <Weights />
+      </section>
+      <ExploreSection />
+      <ExactSection />
+    </aside>
+  );
+}

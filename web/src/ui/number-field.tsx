@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
+import { parseLength } from "../state/expression.ts";
+import { problem } from "../state/store.ts";
+import { formatCoordinate, type Unit, unitWord } from "../state/units.ts";
+
+interface NumberFieldProps {
+  readonly label: string;
+  readonly value: number;
+  readonly unit: Unit;
+  /** One press of an arrow key; ten times as much with Shift. */
+  readonly step: number;
+  readonly disabled: boolean;
+  readonly context: string;
+  readonly onApply: (value: number) => void;
+}
+
+/** A coordinate: typed with units and arithmetic, applied by Enter or on leaving. */
+export function NumberField({
+  label,
+  value,
+  unit,
+  step,
+  disabled,
+  context,
+  onApply,
+}: NumberFieldProps) {
+  /** What is being typed; null while the field only shows the value. */
+  const text = useSignal<string | null>(null);
+  const invalid = useSignal(false);
+
+  const apply = (): void => {
+    const typed = text.value;
+    if (typed === null || typed === formatCoordinate(value)) {
+      text.value = null;
+      return;
+    }
+    const parsed = parseLength(typed, value, unit);
+    invalid.value = !parsed.ok;
+    if (parsed.ok) {
+      text.value = null;
+      onApply(parsed.value);
+    } else problem.value = `${label}: ${parsed.reason}`;
+  };
+
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key === "Enter") apply();
+    else if (event.key === "Escape") {
+      text.value = null;
+      invalid.value = false;
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      event.preventDefault();
+      const size = event.shiftKey ? 10 * step : step;
+      text.value = null;
+      onApply(value + (event.key === "ArrowUp" ? size : -size));
+    }
+  };
+
+  return (
+    <input
+      type="text"
+      role="spinbutton"
+      inputMode="text"
+      autocomplete="off"
+      spellcheck={false}
+      class="number"
+      aria-label={label}
+      aria-description={`${unitWord(unit)}, ${context}`}
+      aria-valuenow={value}
+      aria-valuetext={`${formatCoordinate(value)} ${unitWord(unit)}`}
+      aria-invalid={invalid.value}
+      title={`${label} = ${value} ${unit}`}
+      disabled={disabled}
+      value={text.value ?? formatCoordinate(value)}
+      onFocus={({ currentTarget }) => currentTarget.select()}
+      onInput={({ currentTarget }) => {
+        text.value = currentTarget.value;
+      }}
+      onBlur={apply}
+      onKeyDown={onKeyDown}
+    />
+  );
+}

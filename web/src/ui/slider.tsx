@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+interface SliderProps {
+  readonly label: string;
+  readonly value: number;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  readonly disabled: boolean;
+  /** What the two ends mean, in words. */
+  readonly ends?: readonly [string, string];
+  readonly shown?: string;
+  readonly onInput: (value: number) => void;
+  readonly onCommit: (value: number) => void;
+}
+
+export function Slider(props: SliderProps) {
+  const { label, value, min, max, step, disabled, ends, onInput, onCommit } = props;
+  const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
+  const shown = props.shown ?? String(value);
+  return (
+    <div class="slider">
+      <label for={id}>{label}</label>
+      <output for={id}>{shown}</output>
+      <input
+        id={id}
+        type="range"
+        min={min}
+        max={max}
+        step={step}
+        value={value}
+        disabled={disabled}
+        style={{ "--fill": `${(100 * (value - min)) / (max - min)}%` }}
+        onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}
+        onChange={({ currentTarget }) => onCommit(currentTarget.valueAsNumber)}
+      />
+      {ends && (
+        <div class="slider-ends" aria-hidden="true">
+          <span>{ends[0]}</span>
+          <span>{ends[1]}</span>
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+import { redo, undo } from "../state/editing.ts";
+import { openFile, openSample } from "../state/opening.ts";
+import { SAMPLES } from "../state/samples.ts";
+import { canRedo, canUndo, history, ready } from "../state/store.ts";
+import { ExportMenu } from "./export-menu.tsx";
+import { HelpDialog } from "./help-dialog.tsx";
+import { Icon, type IconName } from "./icon.tsx";
+import { pickFile } from "./pick-file.ts";
+
+interface BarButtonProps {
+  readonly icon: IconName;
+  readonly label: string;
+  readonly keys?: string;
+  readonly disabled: boolean;
+  readonly onClick: () => void;
+}
+
+function BarButton({ icon, label, keys, disabled, onClick }: BarButtonProps) {
+  return (
+    <button
+      type="button"
+      class="bar-button"
+      disabled={disabled}
+      onClick={onClick}
+      title={keys ? `${label} (${keys})` : label}
+    >
+      <Icon name={icon} />
+      <span class="bar-label">{label}</span>
+    </button>
+  );
+}
+
+function SampleChooser() {
+  const source = history.value?.present.source;
+  const value = source?.kind === "sample" ? source.name : "";
+  return (
+    <select
+      aria-label="Sample"
+      class="select"
+      disabled={!ready.value}
+      value={value}
+      onChange={(event) => void openSample(event.currentTarget.value)}
+    >
+      {value === "" && (
+        <option value="" disabled>
+          Your mesh
+        </option>
+      )}
+      {SAMPLES.map((sample) => (
+        <option key={sample.name} value={sample.name}>
+          {sample.label}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+async function chooseFile(): Promise<void> {
+  const file = await pickFile(".obj,.off,.ply,.glb");
+  if (file) await openFile(file);
+}
+
+export function TopBar() {
+  return (
+    <header class="top-bar">
+      <h1 class="brand">Planish</h1>
+      <div class="bar-group grow">
+        <SampleChooser />
+        <BarButton
+          icon="folder"
+          label="Open file"
+          disabled={!ready.value}
+          onClick={() => void chooseFile()}
+        />
+      </div>
+      <div class="bar-group">
+        <BarButton
+          icon="undo"
+          label="Undo"
+          keys="Ctrl Z"
+          disabled={!canUndo.value}
+          onClick={() => void undo()}
+        />
+        <BarButton
+          icon="redo"
+          label="Redo"
+          keys="Ctrl Shift Z"
+          disabled={!canRedo.value}
+          onClick={() => void redo()}
+        />
+      </div>
+      <div class="bar-group">
+        <ExportMenu />
+        <HelpDialog />
+      </div>
+    </header>
+  );
+}

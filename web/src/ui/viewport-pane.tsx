@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+import { useEffect, useRef } from "preact/hooks";
+import { providePicture } from "../export/exporting.ts";
+import type { ViewName } from "../scene/stage.ts";
+import { Viewport } from "../scene/viewport.ts";
+import { figures, mesh, problem } from "../state/store.ts";
+import { Legend } from "./legend.tsx";
+import { ViewKeys } from "./view-keys.ts";
+
+const VIEWS: readonly ViewName[] = ["3D", "Top", "Front", "Side"];
+
+function Summary() {
+  const report = mesh.value?.report;
+  return (
+    <p id="view-summary" class="visually-hidden">
+      {report
+        ? `A structure of ${report.faces} flat panels and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
+        : "The model is being prepared."}
+    </p>
+  );
+}
+
+/** Nothing of the page works without WebGL; say so instead of leaving a hole. */
+function mount(parts: ConstructorParameters<typeof Viewport>[0]): Viewport | null {
+  try {
+    return new Viewport(parts);
+  } catch {
+    problem.value = "This browser cannot show 3D (WebGL is off). Everything else still works.";
+    return null;
+  }
+}
+
+export function ViewportPane() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const markers = useRef<HTMLDivElement>(null);
+  const hint = useRef<HTMLDivElement>(null);
+  const viewport = useRef<Viewport | null>(null);
+  useEffect(() => {
+    if (!canvas.current || !markers.current || !hint.current) return;
+    const view = mount({ canvas: canvas.current, markers: markers.current, hint: hint.current });
+    viewport.current = view;
+    if (!view) return;
+    const keys = new ViewKeys(canvas.current, view);
+    providePicture(() => view.picture());
+    return () => {
+      providePicture(null);
+      keys.dispose();
+      view.dispose();
+    };
+  }, []);
+  return (
+    <div class="viewport">
+      {/* biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: it takes keys of its own */}
+      <canvas
+        ref={canvas}
+        class="canvas"
+        role="application"
+        tabIndex={0}
+        aria-label="3D view"
+        aria-describedby="view-summary"
+      />
+      <Summary />
+      <div ref={markers} class="markers" aria-hidden="true" />
+      <div ref={hint} class="hint" hidden>
+        <span>Drag this point. Every panel stays flat.</span>
+      </div>
+      <Legend />
+      <fieldset class="views">
+        <legend class="visually-hidden">Views</legend>
+        {VIEWS.map((name) => (
+          <button key={name} type="button" onClick={() => viewport.current?.view(name)}>
+            {name}
+          </button>
+        ))}
+      </fieldset>
+    </div>
+  );
+}

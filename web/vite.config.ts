@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+import { firstMesh } from "./first-mesh.ts";
+
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+const wasm = process.env.PLANISH_WASM_DIR ?? here("../build/wasm/wasm");
+
+export default defineConfig({
+  root: here("."),
+  base: "./",
+  publicDir: here("public"),
+  resolve: { alias: { "@wasm": wasm } },
+  server: { fs: { allow: [here(".."), wasm] } },
+  plugins: [firstMesh(wasm)],
+  worker: { format: "es" },
+  build: {
+    outDir: here("../dist"),
+    emptyOutDir: true,
+    target: "es2022",
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 1200,
+  },
+});
