@@ -20,7 +20,7 @@ ExitCode run(const Arguments& arguments) {
     throw CommandError(kWrongUsage, "--size: " + std::to_string(size) + " is not in 3 … 2000");
   }
   std::string known;
-  for (const std::string_view sample : sample_names()) known += " " + std::string(sample);
+  for (const std::string_view sample : sample_names()) (known += ' ') += sample;
   throw CommandError(kWrongUsage, "there is no sample \"" + name + "\"; there are:" + known);
 }
 
