@@ -124,7 +124,7 @@ std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale) {
   const Eigen::Matrix3d h10 = -(h21.transpose() + h31.transpose());
   const Eigen::Matrix3d h20 = -(h21 + h32.transpose());
   const Eigen::Matrix3d h30 = -(h31 + h32);
-  return {h10, h20, h30, h21, h31, h32};
+  return {h10, h20, h21, h30, h31, h32};
 }
 
 namespace {
@@ -151,12 +151,14 @@ void append_flatness_equations(const Positions& positions, std::span<const int> 
   const auto point = [&](std::size_t k) -> Eigen::Vector3d { return positions.col(face[k]); };
   const std::size_t a =
       farthest(face, [&](int v) { return (positions.col(v) - mean).squaredNorm(); });
-  const std::size_t b =
-      farthest(face, [&](int v) { return (positions.col(v) - point(a)).squaredNorm(); });
+  // A vertex that is taken already never wins, not even where all measures are zero.
+  const std::size_t b = farthest(face, [&](int v) {
+    return v == face[a] ? -1.0 : (positions.col(v) - point(a)).squaredNorm();
+  });
   const Eigen::Vector3d side = point(b) - point(a);
   const std::size_t c = farthest(face, [&](int v) {
     const Eigen::Vector3d arm = positions.col(v) - point(a);
-    return side.cross(arm).squaredNorm();
+    return v == face[a] || v == face[b] ? -1.0 : side.cross(arm).squaredNorm();
   });
   const Eigen::Vector3d arm = point(c) - point(a);
   const double scale = bounded_scale(side.cross(arm).norm(), side.norm());

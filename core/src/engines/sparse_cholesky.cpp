@@ -339,6 +339,7 @@ bool SparseCholesky::eliminate(const Supernode& node) {
   Eigen::Ref<Eigen::MatrixXd> diagonal = panel.topRows(pivot);
   Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(diagonal);
   if (factor.info() != Eigen::Success) return false;
+  if (!(diagonal.diagonal().array() > 0.0).all()) return false;  // LLT lets NaN through
   if (side == 0) return true;
   auto below = panel.bottomRows(side);
   diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// Meshes, edits and random numbers that the numerical tests and the benchmarks share.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+#include "planish/problem.hpp"
+
+namespace planish::testing {
+
+/// The fixed seeds of every randomised test, and PLANISH_SEED from the environment if set.
+[[nodiscard]] std::vector<unsigned> seeds();
+
+/// Standard normal coordinates, 3 × count; the same on every platform.
+[[nodiscard]] Eigen::Matrix3Xd random_points(unsigned seed, Eigen::Index count);
+/// Standard normal values.
+[[nodiscard]] Eigen::VectorXd random_vector(unsigned seed, Eigen::Index count);
+
+/// columns × rows vertices at (i, j, height(i, j)), vertex j · columns + i, quads in between.
+[[nodiscard]] Mesh quad_grid(int columns, int rows,
+                             const std::function<double(double, double)>& height);
+/// The same, flat.
+[[nodiscard]] Mesh quad_grid(int columns, int rows);
+/// The same with each quad cut into two triangles: no constraints at all.
+[[nodiscard]] Mesh triangle_grid(int columns, int rows);
+/// A sample of shapes.hpp by name; aborts the test where it does not exist.
+[[nodiscard]] Mesh sample(const std::string& name, int size);
+
+/// The two public scenes of docs/math.md: vertex 16 · 32 + 16 of the 32 × 32 mesh, lifted by 1.5.
+[[nodiscard]] EditTargets public_scene_targets(const Mesh& mesh);
+/// One handle, moved by `move`.
+[[nodiscard]] EditTargets pull(const Mesh& mesh, int vertex, const Eigen::Vector3d& move);
+
+/// Vertices within `rings` face rings of `vertex`, ascending; an independent count.
+[[nodiscard]] std::vector<int> ring_neighbourhood(const Mesh& mesh, int vertex, int rings);
+/// Vertices that a result moves by more than `length`.
+[[nodiscard]] std::vector<int> moved_beyond(const Mesh& mesh, const HandleEditResult& result,
+                                            double length);
+/// The vertex nearest to the middle of the bounding box.
+[[nodiscard]] int middle_vertex(const Mesh& mesh);
+
+/// A mesh with the problem (3) on it: terms as HandleEditSolver sets them, nothing solved.
+class ProblemOnMesh {
+ public:
+  explicit ProblemOnMesh(const Mesh& mesh, FairnessKind kind = FairnessKind::kSecondDifference);
+
+  /// Makes `vertex` a handle with a displacement in solver units.
+  void add_handle(int vertex, const Eigen::Vector3d& target, double attraction = 1000.0);
+  [[nodiscard]] Patch cut(const std::vector<int>& free);
+  [[nodiscard]] Patch cut_all();
+
+  MeshModel model;
+  EditProblem problem;
+};
+
+}  // namespace planish::testing

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/patch_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+using testing::ProblemOnMesh;
+
+constexpr double kSmoothing = 0.1;
+constexpr double kPenalty = 100.0;
+constexpr double kShift = 5.0;  ///< enough to make a random state positive definite
+
+/// A patch with a halo that has moved, a handle, and random primal and dual variables.
+class SystemOn : public ::testing::TestWithParam<const char*> {
+ protected:
+  SystemOn() : on_mesh(testing::sample(GetParam(), 8)) {
+    const int middle = testing::middle_vertex(on_mesh.model.mesh);
+    on_mesh.problem.fairness_weight = 0.8;
+    on_mesh.add_handle(middle, {0.1, 0.2, 0.5});
+    patch = on_mesh.cut(testing::ring_neighbourhood(on_mesh.model.mesh, middle, 1));
+    patch.displacement = 0.1 * testing::random_points(1, patch.local_count());
+    state.displacement = 0.2 * testing::random_points(2, patch.free_count);
+    state.multipliers =
+        0.1 * testing::random_vector(3, static_cast<Eigen::Index>(patch.equations.size()));
+    state.norm_dual = consistent_dual(state.displacement);
+    system.attach(patch);
+  }
+
+  /// w = d/√(‖d‖² + ε²): with it the matrix is the exact Hessian.
+  static Eigen::Matrix3Xd consistent_dual(const Eigen::Matrix3Xd& d) {
+    Eigen::Matrix3Xd w = d;
+    for (auto column : w.colwise()) {
+      column /= std::sqrt(column.squaredNorm() + kSmoothing * kSmoothing);
+    }
+    return w;
+  }
+
+  [[nodiscard]] double lagrangian(const Eigen::Matrix3Xd& d) const {
+    Eigen::VectorXd c;
+    system.residuals(d, c);
+    return system.energy(d, kSmoothing) + state.multipliers.dot(c);
+  }
+
+  [[nodiscard]] Eigen::VectorXd gradient_at(const Eigen::Matrix3Xd& d) const {
+    PatchState there = state;
+    there.displacement = d;
+    Eigen::Matrix3Xd out;
+    system.lagrangian_gradient(there, kSmoothing, out);
+    return Eigen::Map<const Eigen::VectorXd>(out.data(), out.size());
+  }
+
+  /// Column k of the derivative of `function` at the state.
+  template <class Function>
+  [[nodiscard]] Eigen::MatrixXd differences(const Function& function) const {
+    constexpr double kStep = 1e-5;
+    Eigen::MatrixXd columns;
+    for (Eigen::Index k = 0; k < state.displacement.size(); ++k) {
+      Eigen::Matrix3Xd ahead = state.displacement, behind = state.displacement;
+      ahead.data()[k] += kStep;
+      behind.data()[k] -= kStep;
+      const Eigen::VectorXd column = (function(ahead) - function(behind)) / (2 * kStep);
+      columns.conservativeResize(column.size(), k + 1);
+      columns.col(k) = column;
+    }
+    return columns;
+  }
+
+  [[nodiscard]] Eigen::VectorXd residuals_of(const Eigen::Matrix3Xd& d) const {
+    Eigen::VectorXd c;
+    system.residuals(d, c);
+    return c;
+  }
+
+  ProblemOnMesh on_mesh;
+  Patch patch;
+  PatchState state;
+  PatchSystem system;
+};
+
+TEST_P(SystemOn, EnergyWithoutSmoothingIsTheObjective) {
+  Patch moved = patch;
+  moved.displacement.leftCols(patch.free_count) = state.displacement;
+  const double expected = objective(moved).total();
+  EXPECT_NEAR(system.energy(state.displacement, 0.0), expected, 1e-12 * expected);
+}
+
+TEST_P(SystemOn, GradientIsTheDerivativeOfTheLagrangian) {
+  const Eigen::VectorXd expected = differences([&](const Eigen::Matrix3Xd& d) {
+                                     return Eigen::VectorXd::Constant(1, lagrangian(d));
+                                   }).row(0);
+  const Eigen::VectorXd actual = gradient_at(state.displacement);
+  EXPECT_LT((actual - expected).lpNorm<Eigen::Infinity>(), 1e-7 * actual.norm());
+}
+
+TEST_P(SystemOn, JacobianIsTheDerivativeOfTheResiduals) {
+  ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
+  const Eigen::MatrixXd jacobian =
+      differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
+  const Eigen::Matrix3Xd delta = testing::random_points(9, patch.free_count);
+  Eigen::VectorXd image;
+  system.apply_jacobian(delta, image);
+  const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), delta.size());
+  EXPECT_LT((image - jacobian * flat).norm(), 1e-8 * image.norm());
+}
+
+/// [WSN-2]: [H + νI, Jᵀ; J, −I/μ] (δ, Δλ) = −(∇F + Jᵀλ, c), solved densely with H from finite
+/// differences of the gradient.
+TEST_P(SystemOn, StepSolvesTheKktSystem) {
+  ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
+  const Eigen::VectorXd c = residuals_of(state.displacement);
+  const Eigen::VectorXd g = gradient_at(state.displacement);
+  Eigen::Matrix3Xd delta;
+  system.step(Eigen::Map<const Eigen::Matrix3Xd>(g.data(), 3, patch.free_count), c, delta);
+
+  const Eigen::MatrixXd hessian =
+      differences([&](const Eigen::Matrix3Xd& d) { return gradient_at(d); });
+  const Eigen::MatrixXd jacobian =
+      differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
+  const Eigen::Index n = hessian.rows(), m = jacobian.rows();
+  EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-6 * hessian.norm());
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
+  kkt.topLeftCorner(n, n) = hessian + kShift * Eigen::MatrixXd::Identity(n, n);
+  kkt.topRightCorner(n, m) = jacobian.transpose();
+  kkt.bottomLeftCorner(m, n) = jacobian;
+  kkt.bottomRightCorner(m, m) = -Eigen::MatrixXd::Identity(m, m) / kPenalty;
+  Eigen::VectorXd right(n + m);
+  right << -g, -c;
+  const Eigen::VectorXd expected = kkt.fullPivLu().solve(right);
+  const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), n);
+  EXPECT_LT((flat - expected.head(n)).norm(), 1e-6 * expected.head(n).norm());
+  Eigen::VectorXd image;
+  system.apply_jacobian(delta, image);
+  EXPECT_LT((kPenalty * (c + image) - expected.tail(m)).norm(), 1e-5 * expected.tail(m).norm());
+}
+
+/// The factorization fails exactly when the KKT matrix does not have the inertia of a minimum.
+TEST_P(SystemOn, RefusesAnIndefiniteSystem) {
+  state.multipliers *= 1e4;  // curvature of the constraints overwhelms everything else
+  EXPECT_FALSE(system.factorize(state, kSmoothing, kPenalty, 0.0));
+  EXPECT_TRUE(system.factorize(state, kSmoothing, kPenalty, 1e5));
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, SystemOn, ::testing::Values("vault", "dome", "hex", "trihex"));
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "planish/constraints/planar_polygon.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+using testing::random_points;
+
+constexpr double kStep = 1e-6;             ///< of a central difference
+constexpr double kDifferenceError = 1e-8;  ///< what rounding leaves of it, values of order 1
+constexpr double kRounding = 1e-12;
+
+FourPoints four_points(unsigned seed) { return random_points(seed, 4); }
+
+class FlatnessEquationAt : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(FlatnessEquationAt, GradientIsTheDerivativeOfTheResidual) {
+  const FourPoints points = four_points(GetParam());
+  const FourPoints derivative = gradient(points, 0.7);
+  for (int k = 0; k < 12; ++k) {
+    FourPoints ahead = points, behind = points;
+    ahead(k % 3, k / 3) += kStep;
+    behind(k % 3, k / 3) -= kStep;
+    const double difference = (residual(ahead, 0.7) - residual(behind, 0.7)) / (2 * kStep);
+    EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
+  }
+}
+
+TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
+  const FourPoints points = four_points(GetParam());
+  const auto blocks = hessian(points, 0.7);
+  Eigen::Matrix<double, 12, 12> dense = Eigen::Matrix<double, 12, 12>::Zero();
+  int pair = 0;
+  for (int i = 1; i < 4; ++i) {
+    for (int j = 0; j < i; ++j, ++pair) {
+      dense.block<3, 3>(3 * i, 3 * j) = blocks[static_cast<std::size_t>(pair)];
+      dense.block<3, 3>(3 * j, 3 * i) = blocks[static_cast<std::size_t>(pair)].transpose();
+    }
+  }
+  for (int k = 0; k < 12; ++k) {
+    FourPoints ahead = points, behind = points;
+    ahead(k % 3, k / 3) += kStep;
+    behind(k % 3, k / 3) -= kStep;
+    const FourPoints column = (gradient(ahead, 0.7) - gradient(behind, 0.7)) / (2 * kStep);
+    EXPECT_LT((dense.col(k) - Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data()))
+                  .lpNorm<Eigen::Infinity>(),
+              kDifferenceError)
+        << "column " << k;
+  }
+}
+
+TEST_P(FlatnessEquationAt, ResidualIgnoresTranslationAndRotation) {
+  const FourPoints points = four_points(GetParam());
+  const Eigen::Vector3d axis = random_points(GetParam() + 100, 1).col(0).normalized();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, axis).toRotationMatrix();
+  const FourPoints moved = (turn * points).colwise() + Eigen::Vector3d(3, -2, 5);
+  EXPECT_NEAR(residual(moved, 1.0), residual(points, 1.0), 1e-11);
+}
+
+/// A residual is a length: the distance between the diagonals of a quad.
+TEST_P(FlatnessEquationAt, ResidualOfAQuadIsTheDistanceOfItsDiagonals) {
+  const Positions points = random_points(GetParam(), 4);
+  const std::vector<int> face{0, 1, 2, 3};
+  std::vector<FlatnessEquation> equations;
+  append_flatness_equations(points, face, equations);
+  ASSERT_EQ(equations.size(), 1u);
+  const Eigen::Vector3d first = points.col(2) - points.col(0);
+  const Eigen::Vector3d second = points.col(3) - points.col(1);
+  const double distance =
+      std::abs(first.cross(second).normalized().dot(points.col(1) - points.col(0)));
+  EXPECT_NEAR(std::abs(residual(points, equations[0].scale)), distance, kRounding);
+}
+
+/// n − 3 equations; all zero exactly where the polygon is flat, and one of them large where a
+/// vertex leaves the plane.
+TEST_P(FlatnessEquationAt, PolygonsHaveOneEquationPerVertexBeyondThree) {
+  for (int size = 3; size <= 12; ++size) {
+    Positions points(3, size);
+    const Eigen::VectorXd noise = testing::random_vector(GetParam(), size);
+    for (int k = 0; k < size; ++k) {
+      const double angle = 2 * std::acos(-1.0) * k / size;
+      const double radius = 1.0 + 0.1 * noise[k];
+      points.col(k) = Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    }
+    std::vector<int> face(static_cast<std::size_t>(size));
+    std::iota(face.begin(), face.end(), 0);
+    std::vector<FlatnessEquation> equations;
+    append_flatness_equations(points, face, equations);
+    ASSERT_EQ(equations.size(), static_cast<std::size_t>(size - 3));
+    const auto worst = [&] {
+      double largest = 0.0;
+      for (const FlatnessEquation& equation : equations) {
+        FourPoints corners;
+        for (int k = 0; k < 4; ++k)
+          corners.col(k) = points.col(equation.vertices[static_cast<std::size_t>(k)]);
+        largest = std::max(largest, std::abs(residual(corners, equation.scale)));
+      }
+      return largest;
+    };
+    EXPECT_LT(worst(), kRounding);
+    for (int k = 0; size > 3 && k < size; ++k) {
+      points(2, k) = 0.1;
+      EXPECT_GT(worst(), 0.02) << "size " << size << ", vertex " << k;
+      points(2, k) = 0.0;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, FlatnessEquationAt, ::testing::ValuesIn(testing::seeds()));
+
+TEST(FlatnessEquation, StaysFiniteOnDegenerateFaces) {
+  const std::vector<int> quad{0, 1, 2, 3}, pentagon{0, 1, 2, 3, 4};
+  const Positions point = Positions::Zero(3, 5);
+  Positions line = Positions::Zero(3, 5);
+  line.row(0) << 0, 1, 2, 3, 4;
+  for (const Positions& points : {point, line}) {
+    std::vector<FlatnessEquation> equations;
+    append_flatness_equations(points, quad, equations);
+    append_flatness_equations(points, pentagon, equations);
+    ASSERT_EQ(equations.size(), 3u);
+    for (const FlatnessEquation& equation : equations) EXPECT_TRUE(std::isfinite(equation.scale));
+  }
+}
+
+/// ‖Cn − λ₁n‖ is zero for a smallest eigenvector, also where it is not unique.
+void expect_smallest(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& guess) {
+  const Eigen::Vector3d n = smallest_direction(covariance, guess);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const double size = std::max(covariance.trace(), 1e-300);
+  EXPECT_NEAR(n.norm(), 1.0, kRounding);
+  EXPECT_NEAR(n.dot(covariance * n) / size, solver.eigenvalues()[0] / size, 1e-10);
+  EXPECT_LT((covariance * n - solver.eigenvalues()[0] * n).norm() / size, 1e-9)
+      << covariance << "\nguess " << guess.transpose();
+}
+
+class SmallestDirection : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(SmallestDirection, AgreesWithTheDecompositionForAnyGuess) {
+  const Eigen::Matrix3d basis =
+      Eigen::AngleAxisd(1.1, random_points(GetParam(), 1).col(0).normalized()).toRotationMatrix();
+  const std::vector<Eigen::Vector3d> spectra{
+      {1, 2, 3},          {0, 1, 2},     {0, 1, 1}, {1, 1, 2},        {1, 1, 1},
+      {0, 0, 1},          {1e-12, 1, 1}, {0, 0, 0}, {1, 1 + 1e-9, 2}, {1e-30, 2e-30, 3e-30},
+      {1e20, 2e20, 2e20}, {0, 1e-9, 1}};
+  for (const Eigen::Vector3d& values : spectra) {
+    const Eigen::Matrix3d covariance = basis * values.asDiagonal() * basis.transpose();
+    expect_smallest(covariance, Eigen::Vector3d::Zero());
+    for (int k = 0; k < 3; ++k) expect_smallest(covariance, basis.col(k));
+    const Eigen::Matrix3Xd guesses = random_points(GetParam() + 50, 4);
+    for (int k = 0; k < 4; ++k) expect_smallest(covariance, guesses.col(k).normalized());
+  }
+}
+
+TEST_P(SmallestDirection, IsRefinedFromANearbyGuess) {
+  const Eigen::Matrix3Xd points = random_points(GetParam(), 6);
+  const Eigen::Matrix3d covariance = points * points.transpose();
+  const Eigen::Vector3d exact = smallest_direction(covariance, Eigen::Vector3d::Zero());
+  const Eigen::Vector3d near =
+      (exact + 0.01 * random_points(GetParam() + 9, 1).col(0)).normalized();
+  const Eigen::Vector3d refined = smallest_direction(covariance, near);
+  EXPECT_LT(std::min((refined - exact).norm(), (refined + exact).norm()), 1e-9);
+  EXPECT_GT(refined.dot(near), 0.9) << "the sign follows the guess";
+}
+
+class PlaneProjection : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(PlaneProjection, IsIdempotent) {
+  for (const int size : {4, 5, 6, 9}) {
+    Eigen::Matrix3Xd once = random_points(GetParam(), size);
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    project_to_plane_centred(once, normal);
+    EXPECT_LT((normal.transpose() * once).norm(), kRounding);
+    EXPECT_LT(once.rowwise().mean().norm(), kRounding);
+    Eigen::Matrix3Xd twice = once;
+    Eigen::Vector3d again = normal;
+    project_to_plane_centred(twice, again);
+    EXPECT_LT((twice - once).norm(), kRounding);
+  }
+}
+
+/// (16): no other plane through the mean is nearer.
+TEST_P(PlaneProjection, MovesLessThanTheProjectionToAnyOtherPlane) {
+  Eigen::Matrix3Xd points = random_points(GetParam(), 6);
+  points.colwise() -= points.rowwise().mean().eval();
+  Eigen::Matrix3Xd nearest = points;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  project_to_plane_centred(nearest, normal);
+  const double moved = (nearest - points).norm();
+  const Eigen::Matrix3Xd others = random_points(GetParam() + 200, 50);
+  for (int k = 0; k < 50; ++k) {
+    EXPECT_LE(moved, (others.col(k).normalized().transpose() * points).norm() + kRounding);
+  }
+}
+
+TEST_P(PlaneProjection, TurnsWithItsPoints) {
+  const Eigen::Matrix3Xd points = random_points(GetParam(), 5);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2.0, random_points(GetParam() + 3, 1).col(0).normalized())
+          .toRotationMatrix();
+  Eigen::Matrix3Xd here = points, there = turn * points;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = Eigen::Vector3d::Zero();
+  project_to_plane_centred(here, first);
+  project_to_plane_centred(there, second);
+  EXPECT_LT((turn * here - there).norm(), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SmallestDirection, ::testing::ValuesIn(testing::seeds()));
+INSTANTIATE_TEST_SUITE_P(Seeds, PlaneProjection, ::testing::ValuesIn(testing::seeds()));
+
+}  // namespace
+}  // namespace planish
