@@ -33,7 +33,8 @@ class RowList {
 /// scale · (mean of `around` − vertex)
 Row mean_row(int vertex, std::span<const int> around, double scale) {
   Row row{{vertex, -scale}};
-  for (const int other : around) row.emplace_back(other, scale / static_cast<double>(around.size()));
+  for (const int other : around)
+    row.emplace_back(other, scale / static_cast<double>(around.size()));
   return row;
 }
 

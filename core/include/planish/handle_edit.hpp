@@ -54,8 +54,7 @@ struct HandleEditOptions {
 [[nodiscard]] std::optional<std::string> find_problem(const HandleEditOptions& options);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets,
-                                                      const Mesh& mesh);
+[[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh);
 
 /// Only what moved: everything else is the base mesh, bit for bit.
 struct HandleEditResult {

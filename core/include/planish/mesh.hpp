@@ -12,7 +12,8 @@ namespace planish {
 /// 3 × n, one point a column.
 using Positions = Eigen::Matrix3Xd;
 
-/// A named run of faces, kept from file to file: starts at `first_face`, ends where the next begins.
+/// A named run of faces, kept from file to file: starts at `first_face`, ends where the next
+/// begins.
 struct FaceGroup {
   std::string name;
   int first_face = 0;
@@ -20,10 +21,10 @@ struct FaceGroup {
 
 /// Vertices and faces in file order; immutable by convention once it has passed check_mesh().
 struct Mesh {
-  Positions positions;                ///< 3 × n_vertices, model units
-  std::vector<int> face_offsets{0};   ///< n_faces + 1; face f owns [offsets[f], offsets[f + 1])
-  std::vector<int> face_vertices;     ///< vertex indices from 0, in order around each face
-  std::vector<FaceGroup> groups;      ///< sorted by first_face; may be empty
+  Positions positions;               ///< 3 × n_vertices, model units
+  std::vector<int> face_offsets{0};  ///< n_faces + 1; face f owns [offsets[f], offsets[f + 1])
+  std::vector<int> face_vertices;    ///< vertex indices from 0, in order around each face
+  std::vector<FaceGroup> groups;     ///< sorted by first_face; may be empty
 
   [[nodiscard]] int vertex_count() const { return static_cast<int>(positions.cols()); }
   [[nodiscard]] int face_count() const { return static_cast<int>(face_offsets.size()) - 1; }

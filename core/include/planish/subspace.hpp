@@ -14,7 +14,7 @@
 namespace planish {
 
 struct SubspaceOptions {
-  int dimension = 4;            ///< s in 1 … 24
+  int dimension = 4;              ///< s in 1 … 24
   double fairness_weight = 3.0;   ///< β_f ≥ 0; higher: smoother, wider vectors [SUB-1]
   double sparsity_weight = 1.0;   ///< β_s > 0; higher: fewer vertices per vector [SUB-2]
   double closeness_weight = 0.0;  ///< β_h ≥ 0 on the handles Ψ; higher: they stay put [SUB-1]
@@ -46,7 +46,7 @@ struct Subspace {
   Positions origin;          ///< 3 × r, p⁺ on the support, model units
   Eigen::MatrixXd basis;     ///< 3r × s, orthonormal; row 3k + c is coordinate c of support[k]
   /// Model units per coefficient 1: |x| = 1 moves some vertex by the edit's own largest move.
-  Eigen::VectorXd scale;     ///< s
+  Eigen::VectorXd scale;  ///< s
   SubspaceReport report;
 
   [[nodiscard]] int dimension() const { return static_cast<int>(basis.cols()); }

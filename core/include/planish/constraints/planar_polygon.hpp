@@ -43,7 +43,8 @@ using FourPoints = Eigen::Matrix<double, 3, 4>;
 [[nodiscard]] FourPoints gradient(const FourPoints& points, double scale);
 
 /// ∂²c/∂(vertex k)∂(vertex l), 3 × 3, for k > l; each is a skew matrix, and the (l, k) block is
-/// its transpose; blocks on the diagonal are zero. Order: (1,0) (2,0) (3,0) (2,1) (3,1) (3,2). [PL-4]
+/// its transpose; blocks on the diagonal are zero. Order: (1,0) (2,0) (3,0) (2,1) (3,1) (3,2).
+/// [PL-4]
 [[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale);
 
 /// The n − 3 equations of `face`. Three well-spread vertices carry the plane; every other vertex

@@ -15,7 +15,8 @@ struct MeshFile {
   std::vector<std::string> warnings;  ///< one sentence each: what was found, what was done about it
 };
 
-/// One clear sentence with the line or face, for example "line 7: the coordinate "nan" is not finite".
+/// One clear sentence with the line or face, for example "line 7: the coordinate "nan" is not
+/// finite".
 struct ReadError {
   std::string message;
 };

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// Engine 1, the paper's: augmented Lagrangian with alternating minimisation (Sec. 3, Fig. 7).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "planish/engines/displacement_field.hpp"
+#include "planish/problem.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+/// Tuning of run_alm(). All values are pure numbers: lengths are in mean edges.
+struct AlmOptions {
+  double penalty = 10.0;         ///< first μ > 0. Larger: stiffer, less local first steps [ALM-2]
+  double penalty_growth = 2.0;   ///< factor > 1 of a penalty update [ALM-4]
+  double largest_penalty = 1e5;  ///< bound of μ; past it μ stays [ALM-4]
+  int max_inner = 10;            ///< l_max ≥ 1 steps of alternating minimisation [ALM-3]
+  double primal_tolerance = 1e-5;  ///< ε_p on ‖h‖ / √(number of rows), > 0 [ALM-5]
+  double dual_tolerance = 1e-4;    ///< ε_d on ‖r‖ / √(number of rows), > 0 [ALM-5]
+  int max_outer = 2000;            ///< dual updates ≥ 0; 0 returns the start point
+};
+
+/// What one pass of alternating minimisation measured.
+struct AlmResiduals {
+  double primal = 0.0;  ///< ‖h‖ = ‖x − A d − b‖ / √(number of rows)
+  double dual = 0.0;    ///< ‖r‖ = ‖μ A (d − d_previous)‖ / √(number of rows)
+};
+
+struct AlmRun {
+  SolveStatus status = SolveStatus::kIterationLimit;
+  int outer_steps = 0, inner_steps = 0;
+  std::vector<IterationRecord> records;  ///< one per dual update
+};
+
+/// The only augmented Lagrangian loop: (3), (7) and (8) differ in their Splitting alone. It owns
+/// the order of the steps of Fig. 7; the splitting owns d, x and λ. [ALM-1]
+///
+/// A Splitting has
+///   bool set_penalty(μ)           factor for this μ, at most once each; false: singular
+///   void update_auxiliaries()     x ← argmin L̂(d, x)                          [ALM-3]
+///   void update_primal()          d ← argmin L̂(d, x); remembers d − d_previous [ALM-3]
+///   double dual_residual()        of the last update_primal()
+///   double update_multipliers()   λ ← λ + μ h; returns the primal residual      [ALM-1]
+///   double objective()
+template <class Splitting>
+[[nodiscard]] AlmRun run_alm(Splitting& splitting, const AlmOptions& options,
+                             const Progress& progress) {
+  AlmRun run;
+  const auto ended = [&](SolveStatus status) {
+    run.status = status;
+    return std::move(run);
+  };
+  double penalty = options.penalty;
+  AlmResiduals previous{0.0, 0.0};
+  if (!splitting.set_penalty(penalty)) return ended(SolveStatus::kSingularSystem);
+  for (; run.outer_steps < options.max_outer; ++run.outer_steps) {
+    AlmResiduals now;
+    for (int inner = 0; inner < options.max_inner; ++inner) {
+      splitting.update_auxiliaries();
+      splitting.update_primal();
+      ++run.inner_steps;
+      now.dual = splitting.dual_residual();
+      if (now.dual <= options.dual_tolerance) break;
+    }
+    now.primal = splitting.update_multipliers();
+    run.records.push_back({splitting.objective(), now.primal, now.dual, penalty});
+    if (!std::isfinite(now.primal + now.dual)) return ended(SolveStatus::kNonFinite);
+    if (now.primal <= options.primal_tolerance && now.dual <= options.dual_tolerance) {
+      return ended(SolveStatus::kConverged);
+    }
+    if (progress && progress(run.records.back()) == Flow::kStop) {
+      return ended(SolveStatus::kCancelled);
+    }
+    // Sec. 3.3: only when ‖h‖ falls too slowly against ‖r̂‖, and never past the bound. [ALM-4]
+    const bool slow = run.outer_steps > 0 && now.primal > options.primal_tolerance &&
+                      now.primal * previous.dual > previous.primal * now.dual;
+    if (slow && penalty * options.penalty_growth <= options.largest_penalty) {
+      penalty *= options.penalty_growth;
+      if (!splitting.set_penalty(penalty)) return ended(SolveStatus::kSingularSystem);
+    }
+    previous = now;
+  }
+  return run;
+}
+
+/// How the reference engine ended; the field holds d, and `support` the vertices with y_i ≠ 0.
+struct AlmOutcome {
+  SolveStatus status = SolveStatus::kIterationLimit;
+  std::vector<int> support;
+  int outer_steps = 0, inner_steps = 0, factorizations = 0;
+  std::vector<IterationRecord> records;  ///< one per dual update
+};
+
+/// (3) or (8) by the reference engine: the whole mesh, then the rest of the problem on the support.
+[[nodiscard]] AlmOutcome solve_edit_by_alm(const EditProblem& problem, const AlmOptions& options,
+                                           DisplacementField& field, const Progress& progress);
+
+}  // namespace planish

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+/// Minimum-norm Newton steps back onto the constraints: the exact finish of every result. [COR-1]
+///
+///   δ = −Jᵀ (J Jᵀ + ρ I)⁻¹ c(d)
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planish/engines/sparse_cholesky.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+
+/// Corrects the free vertices of a patch; the halo and everything outside never moves.
+class ConstraintCorrection {
+ public:
+  /// Builds the pattern of J Jᵀ; O(patch). Keeps a reference to `patch`.
+  /// @returns false when a vertex carries so many equations that J Jᵀ would be dense
+  [[nodiscard]] bool attach(const Patch& patch);
+
+  /// Linearises at `displacement` (3 × free). False if the factorization failed.
+  [[nodiscard]] bool factorize(const Eigen::Matrix3Xd& displacement, double regularization);
+
+  /// δ for the residuals c with the Jacobian of the last factorization; multipliers y = −(…)⁻¹ c.
+  void step(const Eigen::VectorXd& residuals, Eigen::Matrix3Xd& delta);
+
+  /// J δ with J of the last factorization.
+  void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
+
+  [[nodiscard]] int factorizations() const { return factorizations_; }
+
+ private:
+  struct Coupling {
+    int row, column;  ///< equations, row eliminated later
+    BlockSlot slot;
+  };
+
+  const Patch* patch_ = nullptr;
+  SparseCholesky cholesky_;
+  std::vector<BlockSlot> diagonal_;
+  std::vector<Coupling> couplings_;
+  std::vector<FourPoints> gradients_;
+  Eigen::VectorXd multipliers_;
+  int factorizations_ = 0;
+};
+
+/// c at points + displacement. @param displacement 3 × free; the halo keeps the patch's own
+void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out);
+
+/// Newton steps until the residuals stop falling. Halves steps that do not help.
+/// @param displacement 3 × free, in and out; left at the best point seen
+/// @returns max |c| there, solver units
+double correct_constraints(const Patch& patch, int max_passes, Eigen::Matrix3Xd& displacement,
+                           int& factorizations);
+
+}  // namespace planish

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+/// One Newton system on a patch: assembly, factorization, step. [WSN-2]
+///
+///   (H + μ Jᵀ J + ν I) δ = −(∇F + Jᵀ(λ + μ c)),   λ⁺ = λ + μ (c + J δ)
+///
+/// which is the KKT system [H + νI, Jᵀ; J, −I/μ] with its second row eliminated: positive definite
+/// exactly when the KKT matrix has the inertia of a minimum, so a failed factorization is the test.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "planish/engines/sparse_cholesky.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+
+/// Primal and dual variables of a patch, solver units.
+struct PatchState {
+  Eigen::Matrix3Xd displacement;  ///< 3 × free
+  Eigen::Matrix3Xd norm_dual;     ///< 3 × free, w_i of Chan–Golub–Mulet, ‖w_i‖ ≤ 1
+  Eigen::VectorXd multipliers;    ///< one per equation
+};
+
+class PatchSystem {
+ public:
+  /// Builds the sparsity pattern; O(patch). Keeps a reference to `patch`.
+  void attach(const Patch& patch);
+
+  /// Assembles at `state`. @param smoothing ε > 0 of √(‖d‖² + ε²); @param shift ν ≥ 0
+  /// @returns false when not positive definite
+  [[nodiscard]] bool factorize(const PatchState& state, double smoothing, double penalty,
+                               double shift);
+
+  /// ∇F_ε + Jᵀ λ at `state`, 3 × free.
+  void lagrangian_gradient(const PatchState& state, double smoothing, Eigen::Matrix3Xd& out) const;
+
+  /// δ from the last factorization. @param gradient ∇F_ε + Jᵀλ; @param residuals c
+  void step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
+            Eigen::Matrix3Xd& delta);
+
+  /// J δ with J of the last factorization.
+  void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
+
+  /// F_ε(d), weights included; ε = 0 gives the objective itself.
+  [[nodiscard]] double energy(const Eigen::Matrix3Xd& displacement, double smoothing) const;
+
+  /// c(points + d).
+  void residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
+
+  [[nodiscard]] int factorizations() const { return factorizations_; }
+
+ private:
+  /// The ten blocks of four vertices, in order of elimination.
+  struct EquationSlots {
+    std::array<int, 4> order{};          ///< corners, latest eliminated first, halo last
+    int free = 0;                        ///< how many are free
+    std::array<BlockSlot, 10> blocks{};  ///< (0,0) (0,1) (1,1) (0,2) (1,2) (2,2) …
+  };
+
+  void build_graph();
+  void place_equations();
+  void fill_constant_part();
+  void add_equations(const PatchState& state, double penalty);
+  void add_norms(const PatchState& state, double smoothing, double shift);
+  void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
+  [[nodiscard]] FourPoints corners_at(const Eigen::Matrix3Xd& displacement,
+                                      const FlatnessEquation& equation) const;
+  [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
+
+  const Patch* patch_ = nullptr;
+  RaggedRows graph_;
+  SparseCholesky cholesky_;
+  std::vector<BlockSlot> diagonal_;
+  std::vector<EquationSlots> slots_;
+  std::vector<double> constant_;       ///< panel values of ω_f EᵀE + q I
+  std::vector<FourPoints> gradients_;  ///< of the last factorization
+  Eigen::VectorXd right_;
+  double penalty_ = 0.0;
+  int factorizations_ = 0;
+};
+
+}  // namespace planish

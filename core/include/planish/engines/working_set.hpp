@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/// Growing vertex sets over a mesh at the cost of the set, not of the mesh. [WSN-4]
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planish/problem.hpp"
+
+namespace planish {
+
+class WorkingSetGrower {
+ public:
+  explicit WorkingSetGrower(const MeshModel& model);
+
+  /// `seeds` and everything within `rings` face rings of them, ascending, no duplicates.
+  [[nodiscard]] std::vector<int> grow(std::span<const int> seeds, int rings);
+
+  /// The edge polylines through `vertex`, at most `length` edges each way, `vertex` included. Empty
+  /// where no line goes straight (odd interior valence).
+  [[nodiscard]] std::vector<int> lines_through(int vertex, int length) const;
+
+ private:
+  void follow(int from, int vertex, int length, std::vector<int>& out) const;
+
+  const MeshModel& model_;
+  std::vector<int> mark_;
+  int stamp_ = 0;
+};
+
+}  // namespace planish

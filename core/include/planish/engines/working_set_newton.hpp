@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+/// Engine 2: Newton's method on a working set that follows the support of the edit.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "planish/engines/displacement_field.hpp"
+#include "planish/engines/patch_system.hpp"
+#include "planish/engines/working_set.hpp"
+#include "planish/problem.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+/// Tuning of WorkingSetNewton. Lengths marked "share" are multiplied by the largest handle
+/// displacement; all others are in mean edges.
+struct NewtonOptions {
+  /// First ε of √(‖d‖² + ε²), share, > last. Too small: poor local minima. [WSN-3]
+  double first_smoothing = 0.05;
+  /// Last ε, share, > 0. Too large: rounded supports; too small: ill-conditioned.
+  double last_smoothing = 1e-4;
+  /// Factor in (0, 1) between two smoothings. Near 1: slower; near 0: worse minima.
+  double smoothing_shrink = 0.3;
+  /// The working set is the support grown by this many face rings, ≥ 1. [WSN-4]
+  int rings = 2;
+  /// Rings and lines of the starting set are kept until ε falls below this share.
+  double keep_start = 0.003;
+  /// μ > 0 of [WSN-2]; 1/μ regularises nearly dependent constraints.
+  double penalty = 1e6;
+  /// Largest movement of a vertex in one step, mean edges, > 0. Large: leaps to other minima.
+  double trust = 0.5;
+  /// Stop when the objective changes by less than this share of itself, > 0.
+  double stop = 1e-6;
+  int max_steps = 150;
+};
+
+/// Where a cold start looks first.
+struct StartSet {
+  int rings = 3;        ///< face rings around the handles
+  int line_length = 0;  ///< edges along each edge polyline through a handle, both ways
+  double first_smoothing = 0.05;
+};
+
+/// How a run ended; the field holds the state in every case.
+struct NewtonOutcome {
+  SolveStatus status = SolveStatus::kIterationLimit;
+  double objective = 0.0;  ///< [PB-1] of the working set's state, not yet exact
+  int steps = 0;
+  int factorizations = 0;
+  std::vector<IterationRecord> records;
+};
+
+/// Asked between steps; true ends the run.
+using Interruption = std::function<bool(const IterationRecord&)>;
+
+/// One engine per mesh; the state lives in the field that the caller passes. Costs follow the
+/// working set: O(n) memory once, nothing O(n) per run unless the problem has no norm term.
+class WorkingSetNewton {
+ public:
+  explicit WorkingSetNewton(const MeshModel& model);
+
+  /// From `field` = 0 with the vertices of `start` in the first working set.
+  NewtonOutcome run_cold(const EditProblem& problem, std::span<const int> handles,
+                         const StartSet& start, const NewtonOptions& options,
+                         DisplacementField& field, const Interruption& interrupted);
+
+  /// From the field of an earlier run and its support().
+  NewtonOutcome run_warm(const EditProblem& problem, std::span<const int> handles,
+                         const NewtonOptions& options, DisplacementField& field,
+                         const Interruption& interrupted);
+
+  /// The same problem with exactly support() free: what the smoothing left outside is gone, and the
+  /// norm is followed ten times closer. A few steps.
+  NewtonOutcome polish(const EditProblem& problem, std::span<const int> handles,
+                       const NewtonOptions& options, DisplacementField& field);
+
+  /// Vertices that the last run found to move, ascending; handles included.
+  [[nodiscard]] const std::vector<int>& support() const { return support_; }
+  void set_support(std::vector<int> support) { support_ = std::move(support); }
+
+ private:
+  enum class StepResult { kAccepted, kRejected, kBroken };
+
+  NewtonOutcome run(const EditProblem& problem, std::span<const int> handles, double scale,
+                    const NewtonOptions& options, DisplacementField& field,
+                    const Interruption& interrupted);
+  void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
+                          double relative_smoothing, DisplacementField& field);
+  [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);
+  [[nodiscard]] bool search_line(const NewtonOptions& options, double smoothing, double decrease);
+  void update_norm_duals(double smoothing, const Eigen::Matrix3Xd& before);
+  void find_support(double smoothing);
+
+  const MeshModel& model_;
+  PatchCutter cutter_;
+  WorkingSetGrower grower_;
+  Patch patch_;
+  PatchSystem system_;
+  PatchState state_;
+  std::vector<int> support_, start_, working_;
+  bool sparse_ = true;
+  bool frozen_ = false;  ///< the working set is the support and stays it
+
+  // One step's work space, kept so that the loop does not allocate.
+  Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;
+  Eigen::VectorXd residuals_, trial_residuals_, linear_, new_multipliers_, remainder_;
+  double shift_ = 0.0;         ///< ν
+  double merit_weight_ = 1.0;  ///< ρ of F + ρ‖c‖₁
+  double step_length_ = 1.0;
+  double largest_move_ = 0.0;
+};
+
+}  // namespace planish

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/constraint_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planish/engines/patch_system.hpp"
+
+namespace planish {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Corners of an equation with the free ones displaced.
+FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
+                      const FlatnessEquation& equation) {
+  FourPoints result;
+  for (int k = 0; k < 4; ++k) {
+    const int v = equation.vertices[at(k)];
+    result.col(k) = patch.points.col(v);
+    if (v < patch.free_count) {
+      result.col(k) += displacement.col(v);
+    } else {
+      result.col(k) += patch.displacement.col(v);
+    }
+  }
+  return result;
+}
+
+/// Equations of each free vertex.
+RaggedRows equations_of_vertices(const Patch& patch) {
+  RaggedRows rows;
+  rows.offsets.assign(at(patch.free_count) + 1, 0);
+  for (const auto& equation : patch.equations) {
+    for (const int v : equation.vertices) {
+      if (v < patch.free_count) ++rows.offsets[at(v) + 1];
+    }
+  }
+  for (std::size_t v = 1; v < rows.offsets.size(); ++v) rows.offsets[v] += rows.offsets[v - 1];
+  rows.values.resize(at(rows.offsets.back()));
+  std::vector<int> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
+    for (const int v : patch.equations[e].vertices) {
+      if (v < patch.free_count) rows.values[at(next[at(v)]++)] = static_cast<int>(e);
+    }
+  }
+  return rows;
+}
+
+/// Equations that share a free vertex.
+RaggedRows coupled_equations(const Patch& patch, const RaggedRows& by_vertex) {
+  RaggedRows graph;
+  std::vector<int> mark(patch.equations.size(), -1);
+  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
+    mark[e] = static_cast<int>(e);
+    for (const int v : patch.equations[e].vertices) {
+      if (v >= patch.free_count) continue;
+      for (const int other : by_vertex[v]) {
+        if (mark[at(other)] == static_cast<int>(e)) continue;
+        mark[at(other)] = static_cast<int>(e);
+        graph.values.push_back(other);
+      }
+    }
+    graph.offsets.push_back(static_cast<int>(graph.values.size()));
+  }
+  return graph;
+}
+
+}  // namespace
+
+bool ConstraintCorrection::attach(const Patch& patch) {
+  constexpr int kMostEquationsPerVertex = 64;
+  patch_ = &patch;
+  const RaggedRows by_vertex = equations_of_vertices(patch);
+  for (int v = 0; v < patch.free_count; ++v) {
+    if (by_vertex[v].size() > at(kMostEquationsPerVertex)) return false;
+  }
+  const RaggedRows graph = coupled_equations(patch, by_vertex);
+  cholesky_.analyze(graph, 1);
+  diagonal_.clear();
+  couplings_.clear();
+  for (int e = 0; e < graph.size(); ++e) {
+    diagonal_.push_back(cholesky_.slot(e, e));
+    for (const int other : graph[e]) {
+      if (cholesky_.position(e) > cholesky_.position(other)) {
+        couplings_.push_back({e, other, cholesky_.slot(e, other)});
+      }
+    }
+  }
+  gradients_.resize(patch.equations.size());
+  return true;
+}
+
+bool ConstraintCorrection::factorize(const Eigen::Matrix3Xd& displacement, double regularization) {
+  ++factorizations_;
+  cholesky_.set_zero();
+  std::vector<double>& values = cholesky_.values();
+  for (std::size_t e = 0; e < gradients_.size(); ++e) {
+    const FlatnessEquation& equation = patch_->equations[e];
+    gradients_[e] = gradient(corners_at(*patch_, displacement, equation), equation.scale);
+    double sum = regularization;
+    for (int k = 0; k < 4; ++k) {
+      if (equation.vertices[at(k)] < patch_->free_count) sum += gradients_[e].col(k).squaredNorm();
+    }
+    values[static_cast<std::size_t>(diagonal_[e].offset)] = sum;
+  }
+  for (const Coupling& coupling : couplings_) {
+    const auto& row = patch_->equations[at(coupling.row)].vertices;
+    const auto& column = patch_->equations[at(coupling.column)].vertices;
+    double sum = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      if (row[at(k)] >= patch_->free_count) continue;
+      for (int l = 0; l < 4; ++l) {
+        if (row[at(k)] != column[at(l)]) continue;
+        sum += gradients_[at(coupling.row)].col(k).dot(gradients_[at(coupling.column)].col(l));
+      }
+    }
+    values[static_cast<std::size_t>(coupling.slot.offset)] = sum;
+  }
+  return cholesky_.factorize();
+}
+
+void ConstraintCorrection::step(const Eigen::VectorXd& residuals, Eigen::Matrix3Xd& delta) {
+  multipliers_ = -residuals;
+  cholesky_.solve(multipliers_);
+  delta.setZero(3, patch_->free_count);
+  for (std::size_t e = 0; e < gradients_.size(); ++e) {
+    for (int k = 0; k < 4; ++k) {
+      const int v = patch_->equations[e].vertices[at(k)];
+      if (v < patch_->free_count) {
+        delta.col(v) += multipliers_[static_cast<Eigen::Index>(e)] * gradients_[e].col(k);
+      }
+    }
+  }
+}
+
+void ConstraintCorrection::apply_jacobian(const Eigen::Matrix3Xd& delta,
+                                          Eigen::VectorXd& out) const {
+  out.setZero(static_cast<Eigen::Index>(gradients_.size()));
+  for (std::size_t e = 0; e < gradients_.size(); ++e) {
+    for (int k = 0; k < 4; ++k) {
+      const int v = patch_->equations[e].vertices[at(k)];
+      if (v < patch_->free_count) {
+        out[static_cast<Eigen::Index>(e)] += gradients_[e].col(k).dot(delta.col(v));
+      }
+    }
+  }
+}
+
+void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) {
+  out.resize(static_cast<Eigen::Index>(patch.equations.size()));
+  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
+    const FlatnessEquation& equation = patch.equations[e];
+    out[static_cast<Eigen::Index>(e)] =
+        residual(corners_at(patch, displacement, equation), equation.scale);
+  }
+}
+
+namespace {
+
+/// One linearisation, whichever way suits the patch.
+class Corrector {
+ public:
+  explicit Corrector(const Patch& patch) : patch_(patch), dual_(correction_.attach(patch)) {
+    if (dual_) return;
+    // J Jᵀ would be dense: (I + μ JᵀJ) has the same limit and stays sparse.
+    unit_ = patch;
+    for (VertexTerm& term : unit_.terms) term = {.square_weight = 1.0};
+    unit_.fairness_weight = 0.0;
+    system_.attach(unit_);
+    state_.multipliers.setZero(static_cast<Eigen::Index>(patch.equations.size()));
+    state_.norm_dual.setZero(3, patch.free_count);
+    zero_.setZero(3, patch.free_count);
+  }
+
+  [[nodiscard]] bool linearise(const Eigen::Matrix3Xd& displacement, double regularization) {
+    if (dual_) return correction_.factorize(displacement, regularization);
+    constexpr double kPenalty = 1e8;
+    state_.displacement = displacement;
+    return system_.factorize(state_, 1.0, std::min(kPenalty, 1.0 / regularization), 0.0);
+  }
+
+  void step(const Eigen::VectorXd& residuals, Eigen::Matrix3Xd& delta) {
+    if (dual_) {
+      correction_.step(residuals, delta);
+    } else {
+      system_.step(zero_, residuals, delta);
+    }
+  }
+
+ private:
+  const Patch& patch_;
+  ConstraintCorrection correction_;
+  bool dual_ = true;
+  Patch unit_;
+  PatchSystem system_;
+  PatchState state_;
+  Eigen::Matrix3Xd zero_;
+};
+
+}  // namespace
+
+double correct_constraints(const Patch& patch, int max_passes, Eigen::Matrix3Xd& displacement,
+                           int& factorizations) {
+  constexpr double kRegularization = 1e-10;
+  constexpr double kRounding = 1e-13;
+  constexpr int kMostHalvings = 6;
+  if (patch.equations.empty()) return 0.0;
+  Corrector corrector(patch);
+  Eigen::VectorXd residuals;
+  Eigen::VectorXd trial_residuals;
+  Eigen::Matrix3Xd delta;
+  Eigen::Matrix3Xd trial;
+  residuals_at(patch, displacement, residuals);
+  double worst = residuals.cwiseAbs().maxCoeff();
+  double regularization = kRegularization;
+  for (int pass = 0; pass < max_passes && worst > kRounding; ++pass) {
+    ++factorizations;
+    if (!corrector.linearise(displacement, regularization)) {
+      regularization *= 100.0;
+      continue;
+    }
+    corrector.step(residuals, delta);
+    bool better = false;
+    double share = 1.0;
+    for (int halving = 0; halving < kMostHalvings && !better; ++halving, share *= 0.5) {
+      trial = displacement + share * delta;
+      residuals_at(patch, trial, trial_residuals);
+      better = trial_residuals.allFinite() && trial_residuals.norm() < residuals.norm();
+    }
+    if (!better) break;
+    displacement = trial;
+    residuals = trial_residuals;
+    worst = residuals.cwiseAbs().maxCoeff();
+  }
+  return worst;
+}
+
+}  // namespace planish

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/patch_system.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
+
+/// Adds a 3 × 3 block to the panels.
+void add_block(std::vector<double>& values, const BlockSlot& slot, const Eigen::Matrix3d& block) {
+  double* const target = values.data() + slot.offset;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) target[r + c * slot.stride] += block(r, c);
+  }
+}
+
+void add_diagonal(std::vector<double>& values, const BlockSlot& slot, double value) {
+  for (int c = 0; c < 3; ++c) values[at(slot.offset + c + c * slot.stride)] += value;
+}
+
+/// Index of block (i, j), i > j, in the order of hessian().
+int pair_index(int i, int j) { return i * (i - 1) / 2 + j; }
+
+}  // namespace
+
+void PatchSystem::attach(const Patch& patch) {
+  patch_ = &patch;
+  build_graph();
+  cholesky_.analyze(graph_, 3);
+  diagonal_.resize(at(patch.free_count));
+  for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
+  place_equations();
+  fill_constant_part();
+  gradients_.resize(patch.equations.size());
+  right_.resize(3 * patch.free_count);
+}
+
+void PatchSystem::build_graph() {
+  const int n = patch_->free_count;
+  std::vector<std::vector<int>> near(at(n));
+  const auto join = [&](int a, int b) {
+    if (a >= n || b >= n || a == b) return;
+    near[at(a)].push_back(b);
+    near[at(b)].push_back(a);
+  };
+  for (const FlatnessEquation& equation : patch_->equations) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t l = 0; l < k; ++l) join(equation.vertices[k], equation.vertices[l]);
+    }
+  }
+  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+    const auto row = patch_->fairness_vertices[r];
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      for (std::size_t l = 0; l < k; ++l) join(row[k], row[l]);
+    }
+  }
+  graph_.offsets.assign(1, 0);
+  graph_.values.clear();
+  for (auto& list : near) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    graph_.values.insert(graph_.values.end(), list.begin(), list.end());
+    graph_.offsets.push_back(static_cast<int>(graph_.values.size()));
+  }
+}
+
+void PatchSystem::place_equations() {
+  const int n = patch_->free_count;
+  slots_.resize(patch_->equations.size());
+  for (std::size_t e = 0; e < slots_.size(); ++e) {
+    const auto& vertices = patch_->equations[e].vertices;
+    EquationSlots& place = slots_[e];
+    place.order = {0, 1, 2, 3};
+    const auto rank = [&](int corner) {
+      const int v = vertices[at(corner)];
+      return v < n ? cholesky_.position(v) : -1;
+    };
+    std::sort(place.order.begin(), place.order.end(),
+              [&](int a, int b) { return rank(a) > rank(b); });
+    place.free = static_cast<int>(
+        std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < n; }));
+    std::size_t block = 0;
+    for (int late = 0; late < place.free; ++late) {
+      for (int early = 0; early <= late; ++early) {
+        // order[early] is eliminated later than order[late]: it is the row.
+        place.blocks[block++] = cholesky_.slot(vertices[at(place.order[at(early)])],
+                                               vertices[at(place.order[at(late)])]);
+      }
+    }
+  }
+}
+
+void PatchSystem::fill_constant_part() {
+  const int n = patch_->free_count;
+  cholesky_.set_zero();
+  std::vector<double>& values = cholesky_.values();
+  for (int v = 0; v < n; ++v) {
+    add_diagonal(values, diagonal_[at(v)], patch_->terms[at(v)].square_weight);
+  }
+  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+    const auto row = patch_->fairness_vertices[r];
+    const auto begin = at(patch_->fairness_vertices.offsets[at(r)]);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      for (std::size_t l = 0; l < row.size(); ++l) {
+        if (row[k] >= n || row[l] >= n) continue;
+        if (cholesky_.position(row[k]) < cholesky_.position(row[l])) continue;
+        add_diagonal(values, cholesky_.slot(row[k], row[l]),
+                     patch_->fairness_weight * patch_->fairness_values[begin + k] *
+                         patch_->fairness_values[begin + l]);
+      }
+    }
+  }
+  constant_ = values;
+}
+
+Eigen::Vector3d PatchSystem::displaced(const Eigen::Matrix3Xd& displacement, int v) const {
+  return v < patch_->free_count ? Eigen::Vector3d(displacement.col(v))
+                                : Eigen::Vector3d(patch_->displacement.col(v));
+}
+
+FourPoints PatchSystem::corners_at(const Eigen::Matrix3Xd& displacement,
+                                   const FlatnessEquation& equation) const {
+  FourPoints result;
+  for (int k = 0; k < 4; ++k) {
+    const int v = equation.vertices[at(k)];
+    result.col(k) = patch_->points.col(v) + displaced(displacement, v);
+  }
+  return result;
+}
+
+void PatchSystem::add_equations(const PatchState& state, double penalty) {
+  std::vector<double>& values = cholesky_.values();
+  for (std::size_t e = 0; e < slots_.size(); ++e) {
+    const FlatnessEquation& equation = patch_->equations[e];
+    const FourPoints points = corners_at(state.displacement, equation);
+    const FourPoints g = gradient(points, equation.scale);
+    const auto curvature = hessian(points, equation.scale);
+    gradients_[e] = g;
+    const double lambda = state.multipliers[static_cast<Eigen::Index>(e)];
+    const EquationSlots& place = slots_[e];
+    std::size_t block = 0;
+    for (int late = 0; late < place.free; ++late) {
+      const int column = place.order[at(late)];
+      for (int early = 0; early <= late; ++early) {
+        const int row = place.order[at(early)];
+        Eigen::Matrix3d sum = (penalty * g.col(row)) * g.col(column).transpose();
+        if (row > column) {
+          sum += lambda * curvature[at(pair_index(row, column))];
+        } else if (row < column) {
+          sum += lambda * curvature[at(pair_index(column, row))].transpose();
+        }
+        add_block(values, place.blocks[block++], sum);
+      }
+    }
+  }
+}
+
+void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {
+  std::vector<double>& values = cholesky_.values();
+  for (int v = 0; v < patch_->free_count; ++v) {
+    const double weight = 0.5 * patch_->terms[at(v)].norm_weight;
+    if (shift > 0.0) add_diagonal(values, diagonal_[at(v)], shift);
+    if (weight <= 0.0) continue;
+    const Eigen::Vector3d d = state.displacement.col(v);
+    const Eigen::Vector3d w = state.norm_dual.col(v);
+    const double s = std::sqrt(d.squaredNorm() + smoothing * smoothing);
+    const Eigen::Matrix3d outer = (0.5 / s) * (w * d.transpose() + d * w.transpose());
+    add_block(values, diagonal_[at(v)], (weight / s) * (Eigen::Matrix3d::Identity() - outer));
+  }
+}
+
+bool PatchSystem::factorize(const PatchState& state, double smoothing, double penalty,
+                            double shift) {
+  penalty_ = penalty;
+  ++factorizations_;
+  std::copy(constant_.begin(), constant_.end(), cholesky_.values().begin());
+  add_norms(state, smoothing, shift);
+  add_equations(state, penalty);
+  return cholesky_.factorize();
+}
+
+void PatchSystem::fairness_gradient(const Eigen::Matrix3Xd& displacement,
+                                    Eigen::Matrix3Xd& out) const {
+  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+    const auto row = patch_->fairness_vertices[r];
+    const double* const values =
+        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < row.size(); ++k) sum += values[k] * displaced(displacement, row[k]);
+    sum *= patch_->fairness_weight;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (row[k] < patch_->free_count) out.col(row[k]) += values[k] * sum;
+    }
+  }
+}
+
+void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
+                                      Eigen::Matrix3Xd& out) const {
+  out.setZero(3, patch_->free_count);
+  fairness_gradient(state.displacement, out);
+  for (int v = 0; v < patch_->free_count; ++v) {
+    const VertexTerm& term = patch_->terms[at(v)];
+    const Eigen::Vector3d d = state.displacement.col(v);
+    out.col(v) += term.square_weight * (d - term.target);
+    if (term.norm_weight > 0.0) {
+      out.col(v) +=
+          (0.5 * term.norm_weight / std::sqrt(d.squaredNorm() + smoothing * smoothing)) * d;
+    }
+  }
+  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
+    const FlatnessEquation& equation = patch_->equations[e];
+    const double lambda = state.multipliers[static_cast<Eigen::Index>(e)];
+    const FourPoints g = gradient(corners_at(state.displacement, equation), equation.scale);
+    for (int k = 0; k < 4; ++k) {
+      const int v = equation.vertices[at(k)];
+      if (v < patch_->free_count) out.col(v) += lambda * g.col(k);
+    }
+  }
+}
+
+void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
+                       Eigen::Matrix3Xd& delta) {
+  delta = -gradient;
+  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
+    const double push = penalty_ * residuals[static_cast<Eigen::Index>(e)];
+    for (int k = 0; k < 4; ++k) {
+      const int v = patch_->equations[e].vertices[at(k)];
+      if (v < patch_->free_count) delta.col(v) -= push * gradients_[e].col(k);
+    }
+  }
+  right_ = Eigen::Map<const Eigen::VectorXd>(delta.data(), delta.size());
+  cholesky_.solve(right_);
+  delta = Eigen::Map<const Eigen::Matrix3Xd>(right_.data(), 3, patch_->free_count);
+}
+
+void PatchSystem::apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
+  out.setZero(static_cast<Eigen::Index>(patch_->equations.size()));
+  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
+    for (int k = 0; k < 4; ++k) {
+      const int v = patch_->equations[e].vertices[at(k)];
+      if (v < patch_->free_count) {
+        out[static_cast<Eigen::Index>(e)] += gradients_[e].col(k).dot(delta.col(v));
+      }
+    }
+  }
+}
+
+double PatchSystem::energy(const Eigen::Matrix3Xd& displacement, double smoothing) const {
+  double sum = 0.0;
+  for (int v = 0; v < patch_->free_count; ++v) {
+    const VertexTerm& term = patch_->terms[at(v)];
+    const Eigen::Vector3d d = displacement.col(v);
+    sum += 0.5 * term.square_weight * (d - term.target).squaredNorm();
+    if (term.norm_weight > 0.0) {
+      sum += 0.5 * term.norm_weight * std::sqrt(d.squaredNorm() + smoothing * smoothing);
+    }
+  }
+  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+    const auto row = patch_->fairness_vertices[r];
+    const double* const values =
+        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < row.size(); ++k)
+      total += values[k] * displaced(displacement, row[k]);
+    sum += 0.5 * patch_->fairness_weight * total.squaredNorm();
+  }
+  return sum;
+}
+
+void PatchSystem::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {
+  out.resize(static_cast<Eigen::Index>(patch_->equations.size()));
+  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
+    const FlatnessEquation& equation = patch_->equations[e];
+    out[static_cast<Eigen::Index>(e)] =
+        residual(corners_at(displacement, equation), equation.scale);
+  }
+}
+
+}  // namespace planish

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/working_set.hpp"
+
+#include <algorithm>
+
+namespace planish {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+WorkingSetGrower::WorkingSetGrower(const MeshModel& model)
+    : model_(model), mark_(at(model.vertex_count()), 0) {}
+
+std::vector<int> WorkingSetGrower::grow(std::span<const int> seeds, int rings) {
+  ++stamp_;
+  std::vector<int> set;
+  const auto add = [&](int v) {
+    if (mark_[at(v)] == stamp_) return;
+    mark_[at(v)] = stamp_;
+    set.push_back(v);
+  };
+  for (const int v : seeds) add(v);
+  std::size_t begin = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::size_t end = set.size();
+    for (std::size_t k = begin; k < end; ++k) {
+      for (const int f : model_.adjacency.faces[set[k]]) {
+        for (const int w : model_.face(f)) add(w);
+      }
+    }
+    begin = end;
+  }
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+void WorkingSetGrower::follow(int from, int vertex, int length, std::vector<int>& out) const {
+  for (int step = 0; step < length; ++step) {
+    out.push_back(vertex);
+    const auto around = model_.adjacency.neighbours[vertex];
+    const auto found = std::find(around.begin(), around.end(), from);
+    if (model_.adjacency.boundary[at(vertex)] || around.size() % 2 != 0 || found == around.end()) {
+      return;
+    }
+    const auto index = static_cast<std::size_t>(found - around.begin());
+    const int next = around[(index + around.size() / 2) % around.size()];
+    from = vertex;
+    vertex = next;
+  }
+}
+
+std::vector<int> WorkingSetGrower::lines_through(int vertex, int length) const {
+  const auto around = model_.adjacency.neighbours[vertex];
+  if (!model_.adjacency.boundary[at(vertex)] && around.size() % 2 != 0) return {};
+  std::vector<int> line{vertex};
+  for (const int neighbour : around) follow(vertex, neighbour, length, line);
+  return line;
+}
+
+}  // namespace planish

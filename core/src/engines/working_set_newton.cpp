@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/working_set_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace planish {
+namespace {
+
+constexpr double kFirstShift = 1e-2;   ///< first ν tried when the system is not positive definite
+constexpr double kLargestShift = 1e6;  ///< beyond it the step is shorter than any progress
+constexpr double kDualActive = 0.9;    ///< ‖w‖ above which a vertex counts as moving
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Largest displacement asked for: the length that smoothing is measured against.
+double handle_scale(const EditProblem& problem, std::span<const int> handles) {
+  double scale = 0.0;
+  for (const int v : handles) scale = std::max(scale, problem.terms[at(v)].target.norm());
+  return scale;
+}
+
+}  // namespace
+
+WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
+    : model_(model),
+      cutter_(model.vertex_count(), model.mesh.face_count(),
+              static_cast<int>(model.fairness.rows())),
+      grower_(model) {}
+
+NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, std::span<const int> handles,
+                                         const StartSet& start, const NewtonOptions& options,
+                                         DisplacementField& field,
+                                         const Interruption& interrupted) {
+  support_.assign(handles.begin(), handles.end());
+  std::sort(support_.begin(), support_.end());
+  start_ = grower_.grow(handles, start.rings);
+  std::vector<int> lines;
+  for (const int v : handles) {
+    const std::vector<int> through = grower_.lines_through(v, start.line_length);
+    lines.insert(lines.end(), through.begin(), through.end());
+  }
+  const std::vector<int> band = grower_.grow(lines, 1);
+  std::vector<int> joined;
+  std::set_union(start_.begin(), start_.end(), band.begin(), band.end(),
+                 std::back_inserter(joined));
+  start_ = std::move(joined);
+  NewtonOptions cold = options;
+  cold.first_smoothing = start.first_smoothing;
+  return run(problem, handles, handle_scale(problem, handles), cold, field, interrupted);
+}
+
+NewtonOutcome WorkingSetNewton::run_warm(const EditProblem& problem, std::span<const int> handles,
+                                         const NewtonOptions& options, DisplacementField& field,
+                                         const Interruption& interrupted) {
+  std::vector<int> joined(handles.begin(), handles.end());
+  joined.insert(joined.end(), support_.begin(), support_.end());
+  std::sort(joined.begin(), joined.end());
+  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  support_ = std::move(joined);
+  start_.clear();
+  return run(problem, handles, handle_scale(problem, handles), options, field, interrupted);
+}
+
+NewtonOutcome WorkingSetNewton::polish(const EditProblem& problem, std::span<const int> handles,
+                                       const NewtonOptions& options, DisplacementField& field) {
+  frozen_ = true;
+  NewtonOptions fine = options;
+  fine.first_smoothing = fine.last_smoothing = 0.1 * options.last_smoothing;
+  fine.max_steps = 8;
+  NewtonOutcome outcome = run(problem, handles, handle_scale(problem, handles), fine, field, {});
+  frozen_ = false;
+  return outcome;
+}
+
+void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
+                                          double relative_smoothing, DisplacementField& field) {
+  std::vector<int> next;
+  if (!sparse_) {
+    next.resize(at(model_.vertex_count()));
+    std::iota(next.begin(), next.end(), 0);
+  } else {
+    next = grower_.grow(support_, options.rings);
+    if (relative_smoothing > options.keep_start && !start_.empty()) {
+      std::vector<int> joined;
+      std::set_union(next.begin(), next.end(), start_.begin(), start_.end(),
+                     std::back_inserter(joined));
+      next = std::move(joined);
+    }
+  }
+  if (frozen_) next = support_;
+  if (next == working_ && !working_.empty()) return;
+  // What an earlier run or set touched and this one does not hold is exactly zero from here on.
+  std::vector<int> before = working_.empty() ? field.touched_vertices() : working_;
+  std::sort(before.begin(), before.end());
+  std::vector<int> left;
+  std::set_difference(before.begin(), before.end(), next.begin(), next.end(),
+                      std::back_inserter(left));
+  for (const int v : left) field.reset_vertex(v);
+  working_ = std::move(next);
+  cutter_.cut(problem, working_, patch_);
+  system_.attach(patch_);
+  field.load(patch_, state_);
+  zero_.setZero(3, patch_.free_count);
+}
+
+void WorkingSetNewton::update_norm_duals(double smoothing, const Eigen::Matrix3Xd& before) {
+  for (int k = 0; k < patch_.free_count; ++k) {
+    const Eigen::Vector3d d = before.col(k);
+    const Eigen::Vector3d w = state_.norm_dual.col(k);
+    const double s = std::sqrt(d.squaredNorm() + smoothing * smoothing);
+    const Eigen::Vector3d moved = state_.displacement.col(k) - d;
+    Eigen::Vector3d next = (d + moved - w * (d.dot(moved) / s)) / s;
+    const double length = next.norm();
+    if (length > 1.0) next /= length;
+    state_.norm_dual.col(k) = next;
+  }
+}
+
+/// Backtracks on F + ρ‖c‖₁, each trial corrected to second order with the same factor.
+bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothing,
+                                   double decrease) {
+  constexpr int kMostHalvings = 10;
+  constexpr double kArmijo = 1e-4;
+  constexpr double kRounding = 1e-12;
+  const double start =
+      system_.energy(state_.displacement, smoothing) + merit_weight_ * residuals_.cwiseAbs().sum();
+  const double longest = delta_.colwise().norm().maxCoeff();
+  if (!std::isfinite(longest)) return false;
+  double length = std::min(1.0, options.trust / std::max(longest, 1e-300));
+  for (int halving = 0; halving < kMostHalvings; ++halving, length *= 0.5) {
+    trial_ = state_.displacement + length * delta_;
+    system_.residuals(trial_, trial_residuals_);
+    double merit =
+        system_.energy(trial_, smoothing) + merit_weight_ * trial_residuals_.cwiseAbs().sum();
+    remainder_ = trial_residuals_ - (1.0 - length) * residuals_;
+    system_.step(zero_, remainder_, correction_);
+    correction_ += trial_;
+    system_.residuals(correction_, linear_);
+    const double corrected =
+        system_.energy(correction_, smoothing) + merit_weight_ * linear_.cwiseAbs().sum();
+    if (corrected < merit) {
+      merit = corrected;
+      trial_.swap(correction_);
+      trial_residuals_.swap(linear_);
+    }
+    if (merit <= start - kArmijo * length * decrease + kRounding * std::abs(start)) {
+      step_length_ = length;
+      return true;
+    }
+  }
+  return false;
+}
+
+WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& options,
+                                                         double smoothing) {
+  system_.residuals(state_.displacement, residuals_);
+  system_.lagrangian_gradient(state_, smoothing, gradient_);
+  while (!system_.factorize(state_, smoothing, options.penalty, shift_)) {
+    shift_ = std::max(4.0 * shift_, kFirstShift);
+    if (!(shift_ < kLargestShift)) return StepResult::kBroken;
+  }
+  system_.step(gradient_, residuals_, delta_);
+  system_.apply_jacobian(delta_, linear_);
+  new_multipliers_ = state_.multipliers + options.penalty * (residuals_ + linear_);
+  const double largest = new_multipliers_.size() > 0 ? new_multipliers_.cwiseAbs().maxCoeff() : 0.0;
+  merit_weight_ = std::max(0.9 * merit_weight_, 1.2 * largest);
+  const double slope = gradient_.cwiseProduct(delta_).sum() - state_.multipliers.dot(linear_);
+  const double feasibility = residuals_.cwiseAbs().sum() - (residuals_ + linear_).cwiseAbs().sum();
+  const double decrease = -(slope - merit_weight_ * feasibility);
+  if (!search_line(options, smoothing, decrease)) {
+    shift_ = std::max(10.0 * shift_, kFirstShift);
+    return shift_ < kLargestShift ? StepResult::kRejected : StepResult::kBroken;
+  }
+  largest_move_ = (trial_ - state_.displacement).colwise().norm().maxCoeff();
+  state_.displacement.swap(trial_);  // trial_ is the state before the step from here on
+  state_.multipliers += step_length_ * (new_multipliers_ - state_.multipliers);
+  update_norm_duals(smoothing, trial_);
+  if (step_length_ == 1.0 && shift_ > 0.0) shift_ = shift_ < 1e-3 ? 0.0 : 0.2 * shift_;
+  return StepResult::kAccepted;
+}
+
+void WorkingSetNewton::find_support(double smoothing) {
+  if (frozen_) return;
+  support_.clear();
+  for (int k = 0; k < patch_.free_count; ++k) {
+    const bool moving = !sparse_ || patch_.terms[at(k)].handle ||
+                        state_.displacement.col(k).norm() > 2.0 * smoothing ||
+                        state_.norm_dual.col(k).norm() > kDualActive;
+    if (moving) support_.push_back(patch_.vertices[at(k)]);
+  }
+  std::sort(support_.begin(), support_.end());
+}
+
+NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, std::span<const int> handles,
+                                    double scale, const NewtonOptions& options,
+                                    DisplacementField& field, const Interruption& interrupted) {
+  NewtonOutcome outcome;
+  const int before = system_.factorizations();
+  sparse_ = problem.sparse && !handles.empty();
+  double smoothing = options.first_smoothing * scale;
+  const double last = options.last_smoothing * scale;
+  if (!sparse_) smoothing = last;
+  shift_ = 0.0;
+  merit_weight_ = 1.0;
+  working_.clear();
+  std::vector<int> fixed_seeds;
+  for (const int v : handles) {
+    if (problem.terms[at(v)].fixed) fixed_seeds.push_back(v);
+  }
+  double objective = 0.0;
+  for (; outcome.steps < options.max_steps; ++outcome.steps) {
+    choose_working_set(problem, options, smoothing / scale, field);
+    if (patch_.free_count == 0) break;
+    const StepResult result = take_step(options, smoothing);
+    if (result == StepResult::kBroken) {
+      outcome.status = SolveStatus::kSingularSystem;
+      break;
+    }
+    if (result == StepResult::kRejected) continue;
+    field.store(patch_, state_);
+    find_support(smoothing);
+    for (const int v : fixed_seeds) {
+      const auto place = std::lower_bound(support_.begin(), support_.end(), v);
+      if (place == support_.end() || *place != v) support_.insert(place, v);
+    }
+    const double previous = objective;
+    objective = system_.energy(state_.displacement, 0.0);
+    const double violation =
+        trial_residuals_.size() > 0 ? trial_residuals_.cwiseAbs().maxCoeff() : 0.0;
+    outcome.records.push_back({objective, violation, largest_move_, smoothing});
+    if (interrupted && interrupted(outcome.records.back())) {
+      outcome.status = SolveStatus::kCancelled;
+      break;
+    }
+    if (step_length_ < 1.0 || shift_ > 0.0) continue;
+    const bool settled =
+        std::abs(objective - previous) <= options.stop * objective || largest_move_ <= 1e-4 * scale;
+    if (smoothing <= last && settled) {
+      outcome.status = SolveStatus::kConverged;
+      break;
+    }
+    // A new smoothing only once the last one has been followed closely enough.
+    if (smoothing > last && largest_move_ < 0.5 * std::sqrt(smoothing * scale)) {
+      smoothing = std::max(last, options.smoothing_shrink * smoothing);
+    }
+  }
+  outcome.objective = objective;
+  outcome.factorizations = system_.factorizations() - before;
+  return outcome;
+}
+
+}  // namespace planish

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+#include "planish/handle_edit.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "planish/engines/augmented_lagrangian.hpp"
+#include "planish/engines/exact_finish.hpp"
+#include "planish/engines/working_set_newton.hpp"
+#include "planish/metrics.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Planarity of the base mesh, sorted so that "the worst panel outside a set" is found quickly.
+class BasePlanarity {
+ public:
+  explicit BasePlanarity(const Mesh& mesh)
+      : values_(at(mesh.face_count())), order_(values_.size()) {
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      values_[at(f)] = face_planarity(mesh.positions, mesh.face(f)).mm_per_m;
+    }
+    std::iota(order_.begin(), order_.end(), 0);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](int a, int b) { return values_[at(a)] > values_[at(b)]; });
+  }
+
+  [[nodiscard]] double worst() const { return order_.empty() ? 0.0 : values_[at(order_.front())]; }
+
+  /// @param touched faces, any order
+  [[nodiscard]] double worst_outside(std::vector<int> touched) const {
+    std::sort(touched.begin(), touched.end());
+    for (const int f : order_) {
+      if (!std::binary_search(touched.begin(), touched.end(), f)) return values_[at(f)];
+    }
+    return 0.0;
+  }
+
+ private:
+  std::vector<double> values_;
+  std::vector<int> order_;
+};
+
+}  // namespace
+
+std::optional<std::string> find_problem(const HandleEditOptions& options) {
+  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!weight(options.attraction) || options.attraction == 0.0) {
+    return "attraction must be a number greater than 0";
+  }
+  if (!weight(options.locality)) return "locality must be a number of at least 0";
+  if (!weight(options.smoothness)) return "smoothness must be a number of at least 0";
+  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
+    return "tolerance must be a number greater than 0 (mm/m)";
+  }
+  if (options.max_iterations < 0) return "max_iterations must be at least 0";
+  return std::nullopt;
+}
+
+std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh) {
+  std::vector<int> seen;
+  for (const Handle& handle : targets.handles) {
+    const std::string name = "handle " + std::to_string(handle.vertex);
+    if (handle.vertex < 0 || handle.vertex >= mesh.vertex_count()) {
+      return name + ": the mesh has vertices 0 to " + std::to_string(mesh.vertex_count() - 1);
+    }
+    if (!handle.target.allFinite()) return name + ": the target is not finite";
+    seen.push_back(handle.vertex);
+  }
+  std::sort(seen.begin(), seen.end());
+  if (const auto twice = std::adjacent_find(seen.begin(), seen.end()); twice != seen.end()) {
+    return "handle " + std::to_string(*twice) + " is given twice";
+  }
+  for (const int pin : targets.pins) {
+    if (pin < 0 || pin >= mesh.vertex_count()) {
+      return "pin " + std::to_string(pin) + ": the mesh has vertices 0 to " +
+             std::to_string(mesh.vertex_count() - 1);
+    }
+    if (std::binary_search(seen.begin(), seen.end(), pin)) {
+      return "vertex " + std::to_string(pin) + " is both a handle and a pin";
+    }
+  }
+  return std::nullopt;
+}
+
+Positions apply(const Mesh& mesh, const HandleEditResult& result) {
+  Positions positions = mesh.positions;
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  return positions;
+}
+
+class HandleEditSolver::State {
+ public:
+  State(const Mesh& mesh, const HandleEditOptions& options);
+
+  void set_options(const HandleEditOptions& options);
+  HandleEditResult solve(const EditTargets& targets, const Progress& progress);
+  HandleEditResult drag(const EditTargets& targets, double budget_seconds);
+
+ private:
+  void rebuild();
+  void set_targets(const EditTargets& targets);
+  void clear_targets();
+  ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
+  HandleEditResult result_of(const ExactDesign& design, SolveReport report);
+  HandleEditResult keep_base(SolveReport report);
+
+  HandleEditOptions options_;
+  std::unique_ptr<MeshModel> model_;
+  std::unique_ptr<BasePlanarity> planarity_;
+  std::unique_ptr<WorkingSetNewton> newton_;
+  std::unique_ptr<DisplacementField> field_;  ///< of the drag
+  std::unique_ptr<DisplacementField> trial_;  ///< of cold starts
+  std::unique_ptr<ExactFinish> finish_;
+  std::unique_ptr<PatchCutter> cutter_;
+  EditProblem problem_;
+  std::vector<int> drag_support_;
+  std::vector<int> overridden_;  ///< vertices whose term is not the default
+  std::optional<HandleEditResult> last_exact_;
+  double setup_seconds_ = 0.0;
+};
+
+HandleEditSolver::State::State(const Mesh& mesh, const HandleEditOptions& options)
+    : options_(options) {
+  const Stopwatch watch;
+  model_ = std::make_unique<MeshModel>(mesh, options.fairness);
+  planarity_ = std::make_unique<BasePlanarity>(mesh);
+  rebuild();
+  setup_seconds_ = watch.seconds();
+}
+
+/// What depends on the options: the terms, and the engines' marks for the fairness rows.
+void HandleEditSolver::State::rebuild() {
+  newton_ = std::make_unique<WorkingSetNewton>(*model_);
+  const int equations = static_cast<int>(model_->equations.size());
+  field_ = std::make_unique<DisplacementField>(model_->vertex_count(), equations);
+  trial_ = std::make_unique<DisplacementField>(model_->vertex_count(), equations);
+  finish_ = std::make_unique<ExactFinish>(*model_);
+  cutter_ = std::make_unique<PatchCutter>(model_->vertex_count(), model_->mesh.face_count(),
+                                          static_cast<int>(model_->fairness.rows()));
+  problem_ = {};
+  problem_.model = model_.get();
+  problem_.fairness_weight = options_.smoothness;
+  VertexTerm term;
+  if (options_.sparsity == Sparsity::kL21) term.norm_weight = options_.locality;
+  if (options_.sparsity == Sparsity::kL2) term.square_weight = options_.locality;
+  problem_.sparse = term.norm_weight > 0.0;
+  problem_.terms.assign(at(model_->vertex_count()), term);
+  overridden_.clear();
+  drag_support_.clear();
+  last_exact_.reset();
+}
+
+void HandleEditSolver::State::set_options(const HandleEditOptions& options) {
+  const bool same_operator = options.fairness == options_.fairness;
+  options_ = options;
+  if (!same_operator) {
+    const Mesh mesh = std::move(model_->mesh);
+    model_ = std::make_unique<MeshModel>(mesh, options.fairness);
+  }
+  rebuild();
+}
+
+void HandleEditSolver::State::clear_targets() {
+  VertexTerm term;
+  if (options_.sparsity == Sparsity::kL21) term.norm_weight = options_.locality;
+  if (options_.sparsity == Sparsity::kL2) term.square_weight = options_.locality;
+  for (const int v : overridden_) problem_.terms[at(v)] = term;
+  overridden_.clear();
+  problem_.handles.clear();
+}
+
+void HandleEditSolver::State::set_targets(const EditTargets& targets) {
+  clear_targets();
+  for (const Handle& handle : targets.handles) {
+    VertexTerm term;
+    term.square_weight = options_.attraction;
+    term.target = (handle.target - model_->mesh.positions.col(handle.vertex)) / model_->unit();
+    term.handle = true;
+    term.fixed = options_.hard_handles;
+    problem_.terms[at(handle.vertex)] = term;
+    overridden_.push_back(handle.vertex);
+    problem_.handles.push_back(handle.vertex);
+  }
+  std::sort(problem_.handles.begin(), problem_.handles.end());
+  for (const int v : targets.pins) {
+    VertexTerm term;
+    term.fixed = true;
+    problem_.terms[at(v)] = term;
+    overridden_.push_back(v);
+  }
+}
+
+HandleEditResult HandleEditSolver::State::keep_base(SolveReport report) {
+  ExactDesign design;
+  design.displacement.resize(3, 0);
+  design.positions.resize(3, 0);
+  return result_of(design, std::move(report));
+}
+
+HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, SolveReport report) {
+  HandleEditResult result;
+  const Positions& base = model_->mesh.positions;
+  std::vector<Eigen::Index> columns;
+  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    if (design.positions.col(column) != base.col(design.vertices[k])) columns.push_back(column);
+  }
+  result.moved_positions.resize(3, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const int v = design.vertices[static_cast<std::size_t>(columns[k])];
+    result.moved.push_back(v);
+    result.moved_positions.col(static_cast<Eigen::Index>(k)) = design.positions.col(columns[k]);
+    report.max_displacement =
+        std::max(report.max_displacement, (design.positions.col(columns[k]) - base.col(v)).norm());
+  }
+  report.moved_vertices = static_cast<int>(result.moved.size());
+  report.objective = design_objective(problem_, design, *cutter_);
+  report.planarity_before = planarity_->worst();
+  report.planarity_after = std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces));
+  for (const int v : problem_.handles) {
+    Eigen::Vector3d reached = Eigen::Vector3d::Zero();
+    const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), v);
+    if (found != design.vertices.end() && *found == v) {
+      reached = design.displacement.col(found - design.vertices.begin());
+    }
+    const double error = model_->unit() * (reached - problem_.terms[at(v)].target).norm();
+    report.handle_error = std::max(report.handle_error, error);
+  }
+  report.factorizations += design.factorizations;
+  report.setup_seconds = setup_seconds_;
+  result.report = std::move(report);
+  return result;
+}
+
+/// Several cold starts, the best kept: the problem has local minima, and a start is cheap.
+ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
+  constexpr int kLine = 16;
+  const std::array<StartSet, 3> starts{StartSet{3, kLine, 0.05}, StartSet{2, 0, 0.05},
+                                       StartSet{4, 0, 0.1}};
+  // The third start is for edits on which the first two have not settled.
+  constexpr std::size_t kAlways = 2;
+  NewtonOptions options;
+  if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
+  double best = std::numeric_limits<double>::infinity();
+  DisplacementField::Snapshot kept;
+  std::vector<int> support;
+  bool settled = false;
+  bool cancelled = false;
+  const Interruption interruption = [&](const IterationRecord& record) {
+    cancelled = progress && progress(record) == Flow::kStop;
+    return cancelled;
+  };
+  for (std::size_t s = 0; s < starts.size() && !cancelled; ++s) {
+    if (s >= kAlways && settled) break;
+    if (s > 0 && !problem_.sparse) break;
+    trial_->clear();
+    NewtonOutcome outcome =
+        newton_->run_cold(problem_, problem_.handles, starts[s], options, *trial_, interruption);
+    report.iterations += outcome.steps;
+    report.factorizations += outcome.factorizations;
+    const bool converged = outcome.status == SolveStatus::kConverged;
+    settled = settled || converged;
+    if (!std::isfinite(outcome.objective) || outcome.records.empty()) continue;
+    if (outcome.objective < best) {
+      best = outcome.objective;
+      kept = trial_->snapshot();
+      support = newton_->support();
+      report.status = outcome.status;
+      report.records = std::move(outcome.records);
+    }
+  }
+  if (cancelled) report.status = SolveStatus::kCancelled;
+  trial_->restore(kept);
+  if (problem_.sparse && !cancelled) {
+    newton_->set_support(support);
+    const NewtonOutcome fine = newton_->polish(problem_, problem_.handles, options, *trial_);
+    report.iterations += fine.steps;
+    report.factorizations += fine.factorizations;
+  }
+  return finish_->finish(problem_, support, *trial_, options_.tolerance);
+}
+
+ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,
+                                                                SolveReport& report) {
+  trial_->clear();
+  AlmOptions options;
+  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
+  const AlmOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, progress);
+  report.status = outcome.status;
+  report.iterations = outcome.inner_steps;
+  report.factorizations = outcome.factorizations;
+  report.records = outcome.records;
+  return finish_->finish(problem_, outcome.support, *trial_, options_.tolerance);
+}
+
+HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
+                                                const Progress& progress) {
+  const Stopwatch watch;
+  set_targets(targets);
+  SolveReport report;
+  const bool still = std::all_of(problem_.handles.begin(), problem_.handles.end(),
+                                 [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
+  if (still) {
+    report.status = SolveStatus::kConverged;
+    report.solve_seconds = watch.seconds();
+    return keep_base(std::move(report));
+  }
+  const ExactDesign design = options_.engine == Engine::kNewton
+                                 ? solve_newton(progress, report)
+                                 : solve_augmented_lagrangian(progress, report);
+  report.solve_seconds = watch.seconds();
+  if (!design.positions.allFinite()) {
+    report.status = SolveStatus::kNonFinite;
+    return keep_base(std::move(report));
+  }
+  HandleEditResult result = result_of(design, std::move(report));
+  if (result.report.planarity_after > options_.tolerance &&
+      result.report.planarity_after > planarity_->worst()) {
+    result.report.status = SolveStatus::kToleranceNotMet;
+  }
+  result.report.solve_seconds = watch.seconds();
+  return result;
+}
+
+HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
+  const Stopwatch watch;
+  set_targets(targets);
+  NewtonOptions options;
+  options.stop = 1e-5;
+  options.max_steps = 40;
+  const Interruption out_of_time = [&](const IterationRecord&) {
+    return watch.seconds() > budget_seconds;
+  };
+  SolveReport report;
+  NewtonOutcome outcome;
+  if (!last_exact_ || drag_support_.empty()) {
+    field_->clear();
+    outcome =
+        newton_->run_cold(problem_, problem_.handles, {3, 16, 0.05}, options, *field_, out_of_time);
+  } else {
+    options.first_smoothing = 1e-3;
+    newton_->set_support(drag_support_);
+    outcome = newton_->run_warm(problem_, problem_.handles, options, *field_, out_of_time);
+  }
+  drag_support_ = newton_->support();
+  report.status =
+      outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;
+  report.iterations = outcome.steps;
+  report.factorizations = outcome.factorizations;
+  const ExactDesign design = finish_->finish(problem_, drag_support_, *field_, options_.tolerance);
+  HandleEditResult result = result_of(design, std::move(report));
+  const bool exact =
+      design.positions.allFinite() &&
+      result.report.planarity_after <= std::max(options_.tolerance, planarity_->worst());
+  if (!exact) {  // the last exact state stands; the next frame starts afresh
+    drag_support_.clear();
+    if (last_exact_) {
+      result.moved = last_exact_->moved;
+      result.moved_positions = last_exact_->moved_positions;
+      result.report.planarity_after = last_exact_->report.planarity_after;
+      result.report.moved_vertices = last_exact_->report.moved_vertices;
+      result.report.max_displacement = last_exact_->report.max_displacement;
+    } else {
+      result = keep_base(std::move(result.report));
+    }
+    result.report.status = SolveStatus::kIterationLimit;
+  }
+  result.report.solve_seconds = watch.seconds();
+  if (exact) last_exact_ = result;
+  return result;
+}
+
+HandleEditSolver::HandleEditSolver(const Mesh& mesh, const HandleEditOptions& options)
+    : state_(std::make_unique<State>(mesh, options)) {}
+HandleEditSolver::~HandleEditSolver() = default;
+HandleEditSolver::HandleEditSolver(HandleEditSolver&&) noexcept = default;
+HandleEditSolver& HandleEditSolver::operator=(HandleEditSolver&&) noexcept = default;
+
+void HandleEditSolver::set_options(const HandleEditOptions& options) {
+  state_->set_options(options);
+}
+
+HandleEditResult HandleEditSolver::solve(const EditTargets& targets, const Progress& progress) {
+  return state_->solve(targets, progress);
+}
+
+HandleEditResult HandleEditSolver::drag(const EditTargets& targets, double budget_seconds) {
+  return state_->drag(targets, budget_seconds);
+}
+
+HandleEditResult HandleEditSolver::release(const EditTargets& targets, const Progress& progress) {
+  return state_->solve(targets, progress);
+}
+
+HandleEditResult solve_handle_edit(const Mesh& mesh, const EditTargets& targets,
+                                   const HandleEditOptions& options) {
+  return HandleEditSolver(mesh, options).solve(targets);
+}
+
+}  // namespace planish
