@@ -108,8 +108,8 @@ void on_progress(Session& s, const val& callback) {
 }
 val write(const Session& s, const std::string& format) {
   const auto bytes = s.write(format).value_or("");
-  return val(emscripten::typed_memory_view(
-                 bytes.size(), reinterpret_cast<const unsigned char*>(bytes.data())))
+  return val(emscripten::typed_memory_view(bytes.size(),
+                                           reinterpret_cast<const unsigned char*>(bytes.data())))
       .call<val>("slice");
 }
 

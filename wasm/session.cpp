@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "planish/io/mesh_format.hpp"
+#include "planish/io/obj.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
@@ -53,9 +53,8 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
-  if (!known) return "Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB.";
-  ReadResult result = read_mesh(bytes, *known);
+  if (format != "obj") return "Files of type ." + format + " cannot be read yet. Use OBJ.";
+  ReadResult result = read_obj(bytes);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
   auto& file = std::get<MeshFile>(result);
   adopt(std::move(file.mesh), std::move(file.warnings));
@@ -160,14 +159,12 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   const SubspaceReport& r = subspace_->report;
-  report_ = json{{"status", status_name(r.status)},
-                 {"dimension", subspace_->dimension()},
-                 {"correlation", r.correlation},
-                 {"orthonormalityError", r.orthonormality_error},
-                 {"tangencyError", r.tangency_error},
-                 {"supportSizes", r.support_sizes},
-                 {"seconds", watch.seconds()}}
-                .dump();
+  report_ =
+      json{{"status", status_name(r.status)},   {"dimension", subspace_->dimension()},
+           {"correlation", r.correlation},      {"orthonormalityError", r.orthonormality_error},
+           {"tangencyError", r.tangency_error}, {"supportSizes", r.support_sizes},
+           {"seconds", watch.seconds()}}
+          .dump();
   return std::nullopt;
 }
 
@@ -316,9 +313,8 @@ std::vector<float> Session::panel_figures() const {
 }
 
 std::optional<std::string> Session::write(const std::string& format) const {
-  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
-  if (!known) return std::nullopt;
-  return write_mesh(shown_mesh(), *known);
+  if (format != "obj") return std::nullopt;
+  return write_obj(shown_mesh());
 }
 
 }  // namespace planish
