@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "planish/io/obj.hpp"
+#include "planish/io/off.hpp"
+#include "planish/io/ply.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
@@ -37,6 +39,13 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          std::string(status_name(report.status)) + "); the design is as it was.";
 }
 
+ReadResult read(std::string_view bytes, const std::string& format) {
+  if (format == "obj") return read_obj(bytes);
+  if (format == "off") return read_off(bytes);
+  if (format == "ply") return read_ply(bytes);
+  return ReadError{"Files of type ." + format + " cannot be read. Use OBJ, OFF or PLY."};
+}
+
 json residuals(const SolveReport& report) {
   json list = json::array();
   for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
@@ -53,8 +62,7 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  if (format != "obj") return "Files of type ." + format + " cannot be read yet. Use OBJ.";
-  ReadResult result = read_obj(bytes);
+  ReadResult result = read(bytes, format);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
   auto& file = std::get<MeshFile>(result);
   adopt(std::move(file.mesh), std::move(file.warnings));
@@ -313,8 +321,10 @@ std::vector<float> Session::panel_figures() const {
 }
 
 std::optional<std::string> Session::write(const std::string& format) const {
-  if (format != "obj") return std::nullopt;
-  return write_obj(shown_mesh());
+  if (format == "obj") return write_obj(shown_mesh());
+  if (format == "off") return write_off(shown_mesh());
+  if (format == "ply") return write_ply(shown_mesh());
+  return std::nullopt;
 }
 
 }  // namespace planish
