@@ -275,8 +275,7 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
     if (s >= kAlways && settled) break;
     if (s > 0 && !problem_.sparse) break;
     trial_->clear();
-    NewtonOutcome outcome =
-        newton_->run_cold(problem_, problem_.handles, starts[s], options, *trial_, interruption);
+    NewtonOutcome outcome = newton_->run_cold(problem_, starts[s], options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
     const bool converged = outcome.status == SolveStatus::kConverged;
@@ -294,7 +293,7 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   trial_->restore(kept);
   if (problem_.sparse && !cancelled) {
     newton_->set_support(support);
-    const NewtonOutcome fine = newton_->polish(problem_, problem_.handles, options, *trial_);
+    const NewtonOutcome fine = newton_->polish(problem_, handle_scale(problem_), options, *trial_);
     report.iterations += fine.steps;
     report.factorizations += fine.factorizations;
   }
@@ -356,12 +355,11 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   NewtonOutcome outcome;
   if (!last_exact_ || drag_support_.empty()) {
     field_->clear();
-    outcome =
-        newton_->run_cold(problem_, problem_.handles, {3, 16, 0.05}, options, *field_, out_of_time);
+    outcome = newton_->run_cold(problem_, {3, 16, 0.05}, options, *field_, out_of_time);
   } else {
     options.first_smoothing = 1e-3;
     newton_->set_support(drag_support_);
-    outcome = newton_->run_warm(problem_, problem_.handles, options, *field_, out_of_time);
+    outcome = newton_->run_warm(problem_, options, *field_, out_of_time);
   }
   drag_support_ = newton_->support();
   report.status =

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "planish/metrics.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstring>
+
+#include "planish/constraints/planar_polygon.hpp"
 
 namespace planish {
 
@@ -24,8 +26,10 @@ FacePlanarity face_planarity(const Positions& positions, std::span<const int> fa
   }
   if (!(longest > 0.0)) return {};
   covariance /= longest * longest;  // the decomposition must not underflow on tiny models
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const Eigen::Vector3d first = positions.col(face[2]) - origin;
+  const Eigen::Vector3d second = positions.col(face[3]) - positions.col(face[1]);
+  const Eigen::Vector3d guess = first.cross(second).stableNormalized();
+  const Eigen::Vector3d normal = smallest_direction(covariance, guess);
   double low = 0.0;
   double high = 0.0;
   for (const int v : face) {

@@ -13,7 +13,8 @@
 namespace planish {
 
 struct ProjectionOptions {
-  double fairness_weight = 0.1;  ///< α_f ≥ 0; higher: the correction is smoother, larger [PRO-1]
+  /// α_f ≥ 0. 0: the nearest mesh. Higher: a smoother correction that moves more vertices. [PRO-1]
+  double fairness_weight = 0.0;
   double distance_weight = 1.0;  ///< α_d > 0; higher: closer to the given mesh [PRO-2]
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Engine engine = Engine::kNewton;

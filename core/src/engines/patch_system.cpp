@@ -28,8 +28,9 @@ int pair_index(int i, int j) { return i * (i - 1) / 2 + j; }
 
 }  // namespace
 
-void PatchSystem::attach(const Patch& patch) {
+void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   patch_ = &patch;
+  constraints_ = constraints;
   build_graph();
   cholesky_.analyze(graph_, 3);
   diagonal_.resize(at(patch.free_count));
@@ -37,7 +38,6 @@ void PatchSystem::attach(const Patch& patch) {
   place_equations();
   fill_constant_part();
   gradients_.resize(patch.equations.size());
-  right_.resize(3 * patch.free_count);
 }
 
 void PatchSystem::build_graph() {
@@ -128,7 +128,8 @@ FourPoints PatchSystem::corners_at(const Eigen::Matrix3Xd& displacement,
   FourPoints result;
   for (int k = 0; k < 4; ++k) {
     const int v = equation.vertices[at(k)];
-    result.col(k) = patch_->points.col(v) + displaced(displacement, v);
+    result.col(k) = patch_->points.col(v);
+    if (constraints_ == Constraints::kExact) result.col(k) += displaced(displacement, v);
   }
   return result;
 }
@@ -141,7 +142,8 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
     const FourPoints g = gradient(points, equation.scale);
     const auto curvature = hessian(points, equation.scale);
     gradients_[e] = g;
-    const double lambda = state.multipliers[static_cast<Eigen::Index>(e)];
+    const double lambda =
+        constraints_ == Constraints::kExact ? state.multipliers[static_cast<Eigen::Index>(e)] : 0.0;
     const EquationSlots& place = slots_[e];
     std::size_t block = 0;
     for (int late = 0; late < place.free; ++late) {
@@ -233,9 +235,11 @@ void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& 
       if (v < patch_->free_count) delta.col(v) -= push * gradients_[e].col(k);
     }
   }
-  right_ = Eigen::Map<const Eigen::VectorXd>(delta.data(), delta.size());
-  cholesky_.solve(right_);
-  delta = Eigen::Map<const Eigen::Matrix3Xd>(right_.data(), 3, patch_->free_count);
+  apply_inverse(delta);
+}
+
+void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x) {
+  cholesky_.solve(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
 }
 
 void PatchSystem::apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
@@ -276,8 +280,17 @@ void PatchSystem::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorX
   out.resize(static_cast<Eigen::Index>(patch_->equations.size()));
   for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
     const FlatnessEquation& equation = patch_->equations[e];
-    out[static_cast<Eigen::Index>(e)] =
-        residual(corners_at(displacement, equation), equation.scale);
+    const FourPoints points = corners_at(displacement, equation);
+    double& value = out[static_cast<Eigen::Index>(e)];
+    if (constraints_ == Constraints::kExact) {
+      value = residual(points, equation.scale);
+      continue;
+    }
+    const FourPoints g = gradient(points, equation.scale);
+    value = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      value += g.col(k).dot(displaced(displacement, equation.vertices[at(k)]));
+    }
   }
 }
 

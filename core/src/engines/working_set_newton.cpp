@@ -14,14 +14,13 @@ constexpr double kDualActive = 0.9;    ///< ‖w‖ above which a vertex counts 
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Largest displacement asked for: the length that smoothing is measured against.
-double handle_scale(const EditProblem& problem, std::span<const int> handles) {
+}  // namespace
+
+double handle_scale(const EditProblem& problem) {
   double scale = 0.0;
-  for (const int v : handles) scale = std::max(scale, problem.terms[at(v)].target.norm());
+  for (const int v : problem.handles) scale = std::max(scale, problem.terms[at(v)].target.norm());
   return scale;
 }
-
-}  // namespace
 
 WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
     : model_(model),
@@ -29,12 +28,11 @@ WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
               static_cast<int>(model.fairness.rows())),
       grower_(model) {}
 
-NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, std::span<const int> handles,
-                                         const StartSet& start, const NewtonOptions& options,
-                                         DisplacementField& field,
+NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
+                                         const NewtonOptions& options, DisplacementField& field,
                                          const Interruption& interrupted) {
-  support_.assign(handles.begin(), handles.end());
-  std::sort(support_.begin(), support_.end());
+  const std::vector<int>& handles = problem.handles;
+  support_ = handles;
   start_ = grower_.grow(handles, start.rings);
   std::vector<int> lines;
   for (const int v : handles) {
@@ -48,28 +46,38 @@ NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, std::span<c
   start_ = std::move(joined);
   NewtonOptions cold = options;
   cold.first_smoothing = start.first_smoothing;
-  return run(problem, handles, handle_scale(problem, handles), cold, field, interrupted);
+  return run(problem, handle_scale(problem), cold, field, interrupted);
 }
 
-NewtonOutcome WorkingSetNewton::run_warm(const EditProblem& problem, std::span<const int> handles,
-                                         const NewtonOptions& options, DisplacementField& field,
+NewtonOutcome WorkingSetNewton::run_warm(const EditProblem& problem, const NewtonOptions& options,
+                                         DisplacementField& field,
                                          const Interruption& interrupted) {
-  std::vector<int> joined(handles.begin(), handles.end());
+  std::vector<int> joined = problem.handles;
   joined.insert(joined.end(), support_.begin(), support_.end());
   std::sort(joined.begin(), joined.end());
   joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
   support_ = std::move(joined);
   start_.clear();
-  return run(problem, handles, handle_scale(problem, handles), options, field, interrupted);
+  return run(problem, handle_scale(problem), options, field, interrupted);
 }
 
-NewtonOutcome WorkingSetNewton::polish(const EditProblem& problem, std::span<const int> handles,
+NewtonOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span<const int> seeds,
+                                           double scale, const NewtonOptions& options,
+                                           DisplacementField& field,
+                                           const Interruption& interrupted) {
+  support_.assign(seeds.begin(), seeds.end());
+  std::sort(support_.begin(), support_.end());
+  start_ = support_;
+  return run(problem, scale, options, field, interrupted);
+}
+
+NewtonOutcome WorkingSetNewton::polish(const EditProblem& problem, double scale,
                                        const NewtonOptions& options, DisplacementField& field) {
   frozen_ = true;
   NewtonOptions fine = options;
   fine.first_smoothing = fine.last_smoothing = 0.1 * options.last_smoothing;
   fine.max_steps = 8;
-  NewtonOutcome outcome = run(problem, handles, handle_scale(problem, handles), fine, field, {});
+  NewtonOutcome outcome = run(problem, scale, fine, field, {});
   frozen_ = false;
   return outcome;
 }
@@ -193,12 +201,12 @@ void WorkingSetNewton::find_support(double smoothing) {
   std::sort(support_.begin(), support_.end());
 }
 
-NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, std::span<const int> handles,
-                                    double scale, const NewtonOptions& options,
-                                    DisplacementField& field, const Interruption& interrupted) {
+NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
+                                    const NewtonOptions& options, DisplacementField& field,
+                                    const Interruption& interrupted) {
   NewtonOutcome outcome;
   const int before = system_.factorizations();
-  sparse_ = problem.sparse && !handles.empty();
+  sparse_ = problem.sparse;
   double smoothing = options.first_smoothing * scale;
   const double last = options.last_smoothing * scale;
   if (!sparse_) smoothing = last;
@@ -206,7 +214,7 @@ NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, std::span<const 
   merit_weight_ = 1.0;
   working_.clear();
   std::vector<int> fixed_seeds;
-  for (const int v : handles) {
+  for (const int v : problem.handles) {
     if (problem.terms[at(v)].fixed) fixed_seeds.push_back(v);
   }
   double objective = 0.0;

@@ -28,6 +28,11 @@ class ConstraintCorrection {
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
 
+  /// max |y| of the last step().
+  [[nodiscard]] double largest_multiplier() const {
+    return multipliers_.size() > 0 ? multipliers_.cwiseAbs().maxCoeff() : 0.0;
+  }
+
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
  private:

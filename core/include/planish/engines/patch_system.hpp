@@ -25,8 +25,11 @@ struct PatchState {
 
 class PatchSystem {
  public:
+  /// What the constraints are: c(p + d) = 0, or their linearisation J(p) d = 0 for tangent spaces.
+  enum class Constraints { kExact, kLinearised };
+
   /// Builds the sparsity pattern; O(patch). Keeps a reference to `patch`.
-  void attach(const Patch& patch);
+  void attach(const Patch& patch, Constraints constraints = Constraints::kExact);
 
   /// Assembles at `state`. @param smoothing ε > 0 of √(‖d‖² + ε²); @param shift ν ≥ 0
   /// @returns false when not positive definite
@@ -39,6 +42,9 @@ class PatchSystem {
   /// δ from the last factorization. @param gradient ∇F_ε + Jᵀλ; @param residuals c
   void step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
             Eigen::Matrix3Xd& delta);
+
+  /// x ← (H + μJᵀJ + νI)⁻¹ x with the last factorization. @param x 3 × free
+  void apply_inverse(Eigen::Matrix3Xd& x);
 
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
@@ -70,13 +76,13 @@ class PatchSystem {
   [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
 
   const Patch* patch_ = nullptr;
+  Constraints constraints_ = Constraints::kExact;
   RaggedRows graph_;
   SparseCholesky cholesky_;
   std::vector<BlockSlot> diagonal_;
   std::vector<EquationSlots> slots_;
   std::vector<double> constant_;       ///< panel values of ω_f EᵀE + q I
   std::vector<FourPoints> gradients_;  ///< of the last factorization
-  Eigen::VectorXd right_;
   double penalty_ = 0.0;
   int factorizations_ = 0;
 };

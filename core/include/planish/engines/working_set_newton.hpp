@@ -43,6 +43,9 @@ struct StartSet {
   double first_smoothing = 0.05;
 };
 
+/// Largest displacement asked for: the length that smoothing is measured against.
+[[nodiscard]] double handle_scale(const EditProblem& problem);
+
 /// How a run ended; the field holds the state in every case.
 struct NewtonOutcome {
   SolveStatus status = SolveStatus::kIterationLimit;
@@ -62,19 +65,24 @@ class WorkingSetNewton {
   explicit WorkingSetNewton(const MeshModel& model);
 
   /// From `field` = 0 with the vertices of `start` in the first working set.
-  NewtonOutcome run_cold(const EditProblem& problem, std::span<const int> handles,
-                         const StartSet& start, const NewtonOptions& options,
-                         DisplacementField& field, const Interruption& interrupted);
-
-  /// From the field of an earlier run and its support().
-  NewtonOutcome run_warm(const EditProblem& problem, std::span<const int> handles,
+  NewtonOutcome run_cold(const EditProblem& problem, const StartSet& start,
                          const NewtonOptions& options, DisplacementField& field,
                          const Interruption& interrupted);
 
+  /// From the field of an earlier run and its support().
+  NewtonOutcome run_warm(const EditProblem& problem, const NewtonOptions& options,
+                         DisplacementField& field, const Interruption& interrupted);
+
+  /// From `field` = 0 on the whole mesh or, if sparse, around `seeds`, which need not be handles.
+  /// @param scale the length that smoothing is a share of, > 0
+  NewtonOutcome run_around(const EditProblem& problem, std::span<const int> seeds, double scale,
+                           const NewtonOptions& options, DisplacementField& field,
+                           const Interruption& interrupted);
+
   /// The same problem with exactly support() free: what the smoothing left outside is gone, and the
   /// norm is followed ten times closer. A few steps.
-  NewtonOutcome polish(const EditProblem& problem, std::span<const int> handles,
-                       const NewtonOptions& options, DisplacementField& field);
+  NewtonOutcome polish(const EditProblem& problem, double scale, const NewtonOptions& options,
+                       DisplacementField& field);
 
   /// Vertices that the last run found to move, ascending; handles included.
   [[nodiscard]] const std::vector<int>& support() const { return support_; }
@@ -83,9 +91,8 @@ class WorkingSetNewton {
  private:
   enum class StepResult { kAccepted, kRejected, kBroken };
 
-  NewtonOutcome run(const EditProblem& problem, std::span<const int> handles, double scale,
-                    const NewtonOptions& options, DisplacementField& field,
-                    const Interruption& interrupted);
+  NewtonOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
+                    DisplacementField& field, const Interruption& interrupted);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                           double relative_smoothing, DisplacementField& field);
   [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);

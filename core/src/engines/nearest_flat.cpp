@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/nearest_flat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planish/engines/constraint_correction.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kFlat = 1e-12;    ///< residual that counts as rounding, mean edges
+constexpr double kSettled = 1e-4;  ///< relative step below which t is the nearest point
+
+/// State of the iteration and its line search.
+class NearestFlat {
+ public:
+  NearestFlat(const Patch& patch, Eigen::Matrix3Xd& displacement)
+      : patch_(patch), t_(displacement) {}
+
+  [[nodiscard]] bool attach() { return linear_.attach(patch_); }
+  void start() { residuals_at(patch_, t_, residuals_); }
+  [[nodiscard]] double violation() const { return residuals_.cwiseAbs().maxCoeff(); }
+  [[nodiscard]] double move() const { return move_; }
+  [[nodiscard]] double objective() const { return 0.5 * t_.squaredNorm(); }
+  [[nodiscard]] int factorizations() const { return linear_.factorizations(); }
+
+  /// False when no step helps any more.
+  [[nodiscard]] bool step() {
+    if (!linear_.factorize(t_, regularization_)) {
+      regularization_ *= 100.0;
+      return regularization_ < 1.0;
+    }
+    linear_.apply_jacobian(t_, linearised_);
+    linearised_ = residuals_ - linearised_;
+    linear_.step(linearised_, delta_);  // −Jᵀ(JJᵀ)⁻¹(c − J t) = t⁺
+    merit_weight_ = std::max(merit_weight_, 2.0 * linear_.largest_multiplier());
+    delta_ -= t_;
+    return search_line();
+  }
+
+ private:
+  [[nodiscard]] bool search_line() {
+    constexpr int kMostHalvings = 12;
+    const double start = objective() + merit_weight_ * residuals_.cwiseAbs().sum();
+    const double before = residuals_.cwiseAbs().sum();
+    double share = 1.0;
+    for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
+      trial_ = t_ + share * delta_;
+      residuals_at(patch_, trial_, trial_residuals_);
+      const double sum = trial_residuals_.cwiseAbs().sum();
+      const double merit = 0.5 * trial_.squaredNorm() + merit_weight_ * sum;
+      // Near the end both merits agree to rounding; less violation is then progress enough.
+      if (merit < start || (sum < before && merit < start * (1.0 + 1e-9))) {
+        move_ = share * delta_.norm() / std::max(trial_.norm(), 1e-300);
+        t_.swap(trial_);
+        residuals_.swap(trial_residuals_);
+        if (share < 0.25) regularization_ = std::min(1e-2, 10.0 * regularization_);
+        if (share == 1.0) regularization_ = std::max(1e-10, 0.1 * regularization_);
+        return true;
+      }
+    }
+    regularization_ *= 100.0;
+    return regularization_ < 1.0;
+  }
+
+  const Patch& patch_;
+  Eigen::Matrix3Xd& t_;
+  ConstraintCorrection linear_;
+  Eigen::VectorXd residuals_, linearised_, trial_residuals_;
+  Eigen::Matrix3Xd delta_, trial_;
+  double regularization_ = 1e-10;
+  double merit_weight_ = 0.0;
+  double move_ = 1.0;
+};
+
+}  // namespace
+
+NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Progress& progress,
+                                     Eigen::Matrix3Xd& displacement) {
+  NearestFlatOutcome outcome;
+  if (patch.equations.empty()) {
+    outcome.status = SolveStatus::kConverged;
+    return outcome;
+  }
+  NearestFlat solver(patch, displacement);
+  if (!solver.attach()) {
+    // A vertex with very many equations: correct along the primal form instead.
+    (void)correct_constraints(patch, max_steps, displacement, outcome.factorizations);
+    outcome.status = SolveStatus::kConverged;
+    return outcome;
+  }
+  solver.start();
+  for (; outcome.steps < max_steps; ++outcome.steps) {
+    if (solver.violation() <= kFlat && solver.move() <= kSettled) {
+      outcome.status = SolveStatus::kConverged;
+      break;
+    }
+    if (!solver.step()) break;
+    outcome.records.push_back({solver.objective(), solver.violation(), solver.move(), 0.0});
+    if (progress && progress(outcome.records.back()) == Flow::kStop) {
+      outcome.status = SolveStatus::kCancelled;
+      break;
+    }
+  }
+  // A last step that rounding refused is the end of the road, not a failure.
+  if (outcome.status == SolveStatus::kIterationLimit && solver.violation() <= 10.0 * kFlat &&
+      solver.move() <= 10.0 * kSettled) {
+    outcome.status = SolveStatus::kConverged;
+  }
+  outcome.factorizations = solver.factorizations();
+  return outcome;
+}
+
+}  // namespace planish

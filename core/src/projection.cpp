@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "planish/projection.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "planish/engines/augmented_lagrangian.hpp"
+#include "planish/engines/exact_finish.hpp"
+#include "planish/engines/nearest_flat.hpp"
+#include "planish/engines/working_set_newton.hpp"
+#include "planish/metrics.hpp"
+
+namespace planish {
+namespace {
+
+constexpr int kNewtonLimit = 100;
+constexpr int kRounds = 3;  ///< how often planes may be carried by other vertices
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Faces above the tolerance, worst first.
+std::vector<int> failing_faces(const Mesh& mesh, const Positions& positions, double tolerance) {
+  std::vector<std::pair<double, int>> found;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const double gap = face_planarity(positions, mesh.face(f)).mm_per_m;
+    if (!(gap <= tolerance)) found.emplace_back(-gap, f);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<int> faces;
+  for (const auto& [gap, face] : found) faces.push_back(face);
+  return faces;
+}
+
+/// One projection: the problem, the engine that suits it, and the result.
+class Projector {
+ public:
+  Projector(const Mesh& mesh, const ProjectionOptions& options, const std::vector<int>& pins)
+      : options_(options),
+        model_(mesh, options.fairness),
+        field_(model_.vertex_count(), static_cast<int>(model_.equations.size())) {
+    problem_.model = &model_;
+    problem_.fairness_weight = 2.0 * options.fairness_weight;
+    problem_.terms.resize(at(model_.vertex_count()));
+    for (const int v : pins) problem_.terms[at(v)].fixed = true;
+  }
+
+  /// α_d ‖t̃‖², every vertex free. [PRO-2]
+  void penalise_squares() {
+    problem_.sparse = false;
+    for (VertexTerm& term : problem_.terms) term.square_weight = 2.0 * options_.distance_weight;
+  }
+
+  /// α_d Σ w_i ‖t̃_i‖ with w_i = s / (s + ‖p̃_i − p⁰_i‖): 1 where nothing moved yet. [PRO-3]
+  void penalise_unmoved(const Positions& reference) {
+    problem_.sparse = true;
+    const Positions moved = (model_.mesh.positions - reference) / model_.unit();
+    const double largest = moved.cols() > 0 ? moved.colwise().norm().maxCoeff() : 0.0;
+    const double soft = std::max(0.05 * largest, 1e-6);
+    for (int v = 0; v < model_.vertex_count(); ++v) {
+      const double weight = soft / (soft + moved.col(v).norm());
+      problem_.terms[at(v)].norm_weight = 2.0 * options_.distance_weight * weight;
+    }
+  }
+
+  ProjectionResult run(const std::vector<int>& failing, const Progress& progress);
+
+ private:
+  void solve_nearest(const Progress& progress);
+  void solve_newton(const std::vector<int>& failing, const Progress& progress);
+  void solve_augmented_lagrangian(const Progress& progress);
+  [[nodiscard]] std::vector<int> everything() const {
+    std::vector<int> all(at(model_.vertex_count()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  ProjectionOptions options_;
+  MeshModel model_;
+  EditProblem problem_;
+  DisplacementField field_;
+  std::vector<int> support_;
+  SolveReport report_;
+};
+
+void Projector::solve_nearest(const Progress& progress) {
+  support_ = everything();
+  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
+                     static_cast<int>(model_.fairness.rows()));
+  Patch patch;
+  cutter.cut(problem_, support_, patch);
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  const int limit = options_.max_iterations > 0 ? options_.max_iterations : kNewtonLimit;
+  NearestFlatOutcome outcome = find_nearest_flat(patch, limit, progress, displacement);
+  for (int k = 0; k < patch.free_count; ++k) {
+    field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
+  }
+  report_.status = outcome.status;
+  report_.iterations = outcome.steps;
+  report_.factorizations = outcome.factorizations;
+  report_.records = std::move(outcome.records);
+}
+
+void Projector::solve_newton(const std::vector<int>& failing, const Progress& progress) {
+  WorkingSetNewton newton(model_);
+  NewtonOptions options;
+  options.max_steps = options_.max_iterations > 0 ? options_.max_iterations : 2 * kNewtonLimit;
+  const Interruption interrupted = [&](const IterationRecord& record) {
+    return progress && progress(record) == Flow::kStop;
+  };
+  std::vector<int> seeds;
+  double gap = 0.0;
+  for (const int f : failing) {
+    const auto face = model_.face(f);
+    seeds.insert(seeds.end(), face.begin(), face.end());
+    gap = std::max(gap, face_planarity(model_.points, face).gap);
+  }
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  const NewtonOutcome outcome =
+      newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, interrupted);
+  support_ = problem_.sparse ? newton.support() : everything();
+  report_.status = outcome.status;
+  report_.iterations += outcome.steps;
+  report_.factorizations += outcome.factorizations;
+  report_.records.insert(report_.records.end(), outcome.records.begin(), outcome.records.end());
+}
+
+void Projector::solve_augmented_lagrangian(const Progress& progress) {
+  AlmOptions options;
+  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
+  const AlmOutcome outcome = solve_edit_by_alm(problem_, options, field_, progress);
+  support_ = problem_.sparse ? outcome.support : everything();
+  report_.status = outcome.status;
+  report_.iterations = outcome.inner_steps;
+  report_.factorizations = outcome.factorizations;
+  report_.records = outcome.records;
+}
+
+ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options_.engine == Engine::kAugmentedLagrangian) {
+    solve_augmented_lagrangian(progress);
+  } else if (!problem_.sparse && problem_.fairness_weight == 0.0) {
+    solve_nearest(progress);
+  } else {
+    solve_newton(failing, progress);
+  }
+  ExactFinish finish(model_);
+  ExactDesign design = finish.finish(problem_, support_, field_, options_.tolerance);
+  ProjectionResult result;
+  result.moved_positions.resize(3, 0);
+  result.report = std::move(report_);
+  result.report.factorizations += design.factorizations;
+  if (!design.positions.allFinite()) {
+    result.report.status = SolveStatus::kNonFinite;
+    return result;
+  }
+  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
+                     static_cast<int>(model_.fairness.rows()));
+  result.report.objective = design_objective(problem_, design, cutter);
+  result.moved = design.vertices;
+  result.moved_positions = design.positions;
+  result.report.solve_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+/// What moved from `mesh` to `after`, and how far.
+void record_moves(const Mesh& mesh, const Positions& after, ProjectionResult& result) {
+  double squares = 0.0;
+  result.moved.clear();
+  result.max_move = 0.0;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const double move = (after.col(v) - mesh.positions.col(v)).norm();
+    if (move == 0.0) continue;
+    result.moved.push_back(v);
+    squares += move * move;
+    result.max_move = std::max(result.max_move, move);
+  }
+  result.moved_positions.resize(3, static_cast<Eigen::Index>(result.moved.size()));
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    result.moved_positions.col(static_cast<Eigen::Index>(k)) = after.col(result.moved[k]);
+  }
+  result.rms_move = std::sqrt(squares / std::max(1, mesh.vertex_count()));
+  result.report.moved_vertices = static_cast<int>(result.moved.size());
+  result.report.max_displacement = result.max_move;
+}
+
+ProjectionResult project(const Mesh& mesh, const Positions* reference,
+                         const ProjectionOptions& options, const std::vector<int>& pins,
+                         const Progress& progress) {
+  ProjectionResult result;
+  result.moved_positions.resize(3, 0);
+  const std::vector<int> failing = failing_faces(mesh, mesh.positions, options.tolerance);
+  const double before = planarity_summary(mesh).max;
+  result.report.planarity_before = before;
+  result.report.planarity_after = before;
+  result.report.status = SolveStatus::kConverged;
+  if (failing.empty()) return result;  // flat already: the same bits
+  Mesh current = mesh;
+  std::vector<int> remaining = failing;
+  // A large correction can make the vertices that carry a panel's plane collinear; the next round
+  // chooses them anew on the mesh as it is by then.
+  for (int round = 0; round < kRounds && !remaining.empty(); ++round) {
+    Projector projector(current, options, pins);
+    if (reference != nullptr) {
+      projector.penalise_unmoved(*reference);
+    } else {
+      projector.penalise_squares();
+    }
+    ProjectionResult step = projector.run(remaining, progress);
+    for (std::size_t k = 0; k < step.moved.size(); ++k) {
+      current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
+    }
+    remaining = failing_faces(mesh, current.positions, options.tolerance);
+    step.report.iterations += result.report.iterations;
+    step.report.factorizations += result.report.factorizations;
+    step.report.solve_seconds += result.report.solve_seconds;
+    result.report = std::move(step.report);
+    if (!result.report.usable()) break;
+  }
+  record_moves(mesh, current.positions, result);
+  result.report.planarity_before = before;
+  result.report.planarity_after = planarity_summary(mesh, current.positions).max;
+  result.failing_faces = std::move(remaining);
+  if (!result.failing_faces.empty() && result.report.usable()) {
+    result.report.status = SolveStatus::kToleranceNotMet;
+  } else if (result.failing_faces.empty() && result.report.status == SolveStatus::kSingularSystem) {
+    result.report.status = SolveStatus::kIterationLimit;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::string> find_problem(const ProjectionOptions& options) {
+  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!weight(options.fairness_weight)) return "fairness_weight must be a number of at least 0";
+  if (!weight(options.distance_weight) || options.distance_weight == 0.0) {
+    return "distance_weight must be a number greater than 0";
+  }
+  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
+    return "tolerance must be a number greater than 0 (mm/m)";
+  }
+  if (options.max_iterations < 0) return "max_iterations must be at least 0";
+  return std::nullopt;
+}
+
+ProjectionResult project_to_planar(const Mesh& mesh, const ProjectionOptions& options,
+                                   const std::vector<int>& pins, const Progress& progress) {
+  return project(mesh, nullptr, options, pins, progress);
+}
+
+ProjectionResult project_to_planar(const Mesh& mesh, const Positions& reference,
+                                   const ProjectionOptions& options, const std::vector<int>& pins,
+                                   const Progress& progress) {
+  return project(mesh, &reference, options, pins, progress);
+}
+
+}  // namespace planish
