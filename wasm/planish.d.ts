@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bindings.cpp lists, by hand; tests/browser/bindings.test.ts holds the two together.
+// What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together.
 // Operations return "" when done, otherwise one sentence that says why nothing changed.
 
 /** Opaque enumerator. */
