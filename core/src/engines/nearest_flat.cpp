@@ -34,7 +34,7 @@ class NearestFlat {
     linear_.apply_jacobian(t_, linearised_);
     linearised_ = residuals_ - linearised_;
     linear_.step(linearised_, delta_);  // −Jᵀ(JJᵀ)⁻¹(c − J t) = t⁺
-    merit_weight_ = std::max(merit_weight_, 2.0 * linear_.largest_multiplier());
+    merit_weight_ = std::max(0.5 * merit_weight_, 2.0 * linear_.largest_multiplier());
     delta_ -= t_;
     return search_line();
   }
