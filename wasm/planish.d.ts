@@ -49,7 +49,7 @@ export interface Session {
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
-  write(format: string): Uint8Array;
+  write(format: string, design: string): Uint8Array;
   basePositions(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;

@@ -8,9 +8,8 @@
 #include <utility>
 #include <variant>
 
-#include "planish/io/obj.hpp"
-#include "planish/io/off.hpp"
-#include "planish/io/ply.hpp"
+#include "planish/io/gltf.hpp"
+#include "planish/io/mesh_format.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
@@ -39,11 +38,15 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          std::string(status_name(report.status)) + "); the design is as it was.";
 }
 
-ReadResult read(std::string_view bytes, const std::string& format) {
-  if (format == "obj") return read_obj(bytes);
-  if (format == "off") return read_off(bytes);
-  if (format == "ply") return read_ply(bytes);
-  return ReadError{"Files of type ." + format + " cannot be read. Use OBJ, OFF or PLY."};
+/// What each slider does at value 1, for a GLB's morph targets.
+GlbVariations to_variations(const Subspace& subspace) {
+  GlbVariations variations{.support = subspace.support, .displacements = {}};
+  const Eigen::Index rows = static_cast<Eigen::Index>(subspace.support.size());
+  for (int k = 0; k < subspace.dimension(); ++k) {
+    const Eigen::VectorXd move = subspace.scale[k] * subspace.basis.col(k);
+    variations.displacements.push_back(Eigen::Map<const Positions>(move.data(), 3, rows));
+  }
+  return variations;
 }
 
 json residuals(const SolveReport& report) {
@@ -62,7 +65,9 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  ReadResult result = read(bytes, format);
+  const std::optional<MeshFormat> known = format_from_name("." + format);
+  if (!known) return "Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB.";
+  ReadResult result = read_mesh(bytes, *known);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
   auto& file = std::get<MeshFile>(result);
   adopt(std::move(file.mesh), std::move(file.warnings));
@@ -320,11 +325,14 @@ std::vector<float> Session::panel_figures() const {
   return figures;
 }
 
-std::optional<std::string> Session::write(const std::string& format) const {
-  if (format == "obj") return write_obj(shown_mesh());
-  if (format == "off") return write_off(shown_mesh());
-  if (format == "ply") return write_ply(shown_mesh());
-  return std::nullopt;
+std::optional<std::string> Session::write(const std::string& format,
+                                          const std::string& design) const {
+  const std::optional<MeshFormat> known = format_from_name("." + format);
+  if (!known) return std::nullopt;
+  if (*known != MeshFormat::kGlb) return write_mesh(shown_mesh(), *known);
+  GlbContent content{.base = base_.positions, .variations = {}, .design = design};
+  if (subspace_) content.variations = to_variations(*subspace_);
+  return write_glb(shown_mesh(), content);
 }
 
 }  // namespace planish
