@@ -165,6 +165,7 @@ TEST(Gltf, ReorderedTrianglesAreMergedBackOrRefused) {
   EXPECT_EQ(glb.file.warnings.size(), 2u);
   EXPECT_EQ(glb.file.mesh.face_count(), mesh.face_count());
   EXPECT_EQ(glb.file.mesh.face_vertices.size(), mesh.face_vertices.size());
+  EXPECT_TRUE(same_bits(glb.file.mesh.positions, mesh.positions));
 
   // A flat grid: every panel lies in the plane of the next, so nothing tells them apart.
   Mesh flat = *make_sample("vault", 5);

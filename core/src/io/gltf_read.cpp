@@ -294,10 +294,11 @@ Mesh joined_mesh(const std::vector<Piece>& pieces, std::vector<std::string>& war
 }
 
 /// Puts the stored exact design in place of what the triangles say, where both still agree.
-GlbFile restored(const std::vector<Piece>& pieces, std::optional<StoredDesign> stored) {
+GlbFile restored(std::vector<Piece> pieces, std::optional<StoredDesign> stored) {
   GlbFile glb;
   if (stored && pieces.size() == 1 && pieces[0].sizes &&
       still_matches(pieces[0].positions, stored->positions)) {
+    pieces[0].positions = stored->positions;  // exact, even if only the panels fit no more
     const auto faces = decode_fans(pieces[0].triangles, *pieces[0].sizes);
     if (faces && same_up_to_rotation(*faces, stored->faces)) {
       glb.file.mesh = {std::move(stored->positions), std::move(stored->faces.offsets),
