@@ -106,10 +106,10 @@ void on_progress(Session& s, const val& callback) {
     return callback(record.primal_residual).as<bool>() ? Flow::kContinue : Flow::kStop;
   });
 }
-val write(const Session& s, const std::string& format) {
-  const auto bytes = s.write(format).value_or("");
-  return val(emscripten::typed_memory_view(
-                 bytes.size(), reinterpret_cast<const unsigned char*>(bytes.data())))
+val write(const Session& s, const std::string& format, const std::string& design) {
+  const auto bytes = s.write(format, design).value_or("");
+  return val(emscripten::typed_memory_view(bytes.size(),
+                                           reinterpret_cast<const unsigned char*>(bytes.data())))
       .call<val>("slice");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bindings.cpp lists, by hand; tests/browser/bindings.test.ts holds the two together.
+// What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together.
 // Operations return "" when done, otherwise one sentence that says why nothing changed.
 
 /** Opaque enumerator. */
@@ -49,7 +49,7 @@ export interface Session {
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
-  write(format: string): Uint8Array;
+  write(format: string, design: string): Uint8Array;
   basePositions(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "planish/io/gltf.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
@@ -37,6 +38,17 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          std::string(status_name(report.status)) + "); the design is as it was.";
 }
 
+/// What each slider does at value 1, for a GLB's morph targets.
+GlbVariations to_variations(const Subspace& subspace) {
+  GlbVariations variations{.support = subspace.support, .displacements = {}};
+  const Eigen::Index rows = static_cast<Eigen::Index>(subspace.support.size());
+  for (int k = 0; k < subspace.dimension(); ++k) {
+    const Eigen::VectorXd move = subspace.scale[k] * subspace.basis.col(k);
+    variations.displacements.push_back(Eigen::Map<const Positions>(move.data(), 3, rows));
+  }
+  return variations;
+}
+
 json residuals(const SolveReport& report) {
   json list = json::array();
   for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
@@ -53,7 +65,7 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
+  const std::optional<MeshFormat> known = format_from_name("." + format);
   if (!known) return "Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB.";
   ReadResult result = read_mesh(bytes, *known);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
@@ -160,14 +172,12 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   const SubspaceReport& r = subspace_->report;
-  report_ = json{{"status", status_name(r.status)},
-                 {"dimension", subspace_->dimension()},
-                 {"correlation", r.correlation},
-                 {"orthonormalityError", r.orthonormality_error},
-                 {"tangencyError", r.tangency_error},
-                 {"supportSizes", r.support_sizes},
-                 {"seconds", watch.seconds()}}
-                .dump();
+  report_ =
+      json{{"status", status_name(r.status)},   {"dimension", subspace_->dimension()},
+           {"correlation", r.correlation},      {"orthonormalityError", r.orthonormality_error},
+           {"tangencyError", r.tangency_error}, {"supportSizes", r.support_sizes},
+           {"seconds", watch.seconds()}}
+          .dump();
   return std::nullopt;
 }
 
@@ -315,10 +325,14 @@ std::vector<float> Session::panel_figures() const {
   return figures;
 }
 
-std::optional<std::string> Session::write(const std::string& format) const {
-  const std::optional<MeshFormat> known = mesh_format_from_extension(format);
+std::optional<std::string> Session::write(const std::string& format,
+                                          const std::string& design) const {
+  const std::optional<MeshFormat> known = format_from_name("." + format);
   if (!known) return std::nullopt;
-  return write_mesh(shown_mesh(), *known);
+  if (*known != MeshFormat::kGlb) return write_mesh(shown_mesh(), *known);
+  GlbContent content{.base = base_.positions, .variations = {}, .design = design};
+  if (subspace_) content.variations = to_variations(*subspace_);
+  return write_glb(shown_mesh(), content);
 }
 
 }  // namespace planish

@@ -70,7 +70,9 @@ class Session {
   /// Gap (model units) and mm/m of every face of the design shown, interleaved.
   [[nodiscard]] std::vector<float> panel_figures() const;
   /// The design shown as a file: obj, off, ply or glb. nullopt if the format is unknown.
-  [[nodiscard]] std::optional<std::string> write(const std::string& format) const;
+  /// @param design the recipe as text, kept inside a glb; "" for none
+  [[nodiscard]] std::optional<std::string> write(const std::string& format,
+                                                 const std::string& design = {}) const;
 
  private:
   struct Worst {

@@ -35,6 +35,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   cholesky_.analyze(graph_, 3);
   diagonal_.resize(at(patch.free_count));
   for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
+  place_edges();
   place_equations();
   fill_constant_part();
   gradients_.resize(patch.equations.size());
@@ -42,31 +43,63 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
 
 void PatchSystem::build_graph() {
   const int n = patch_->free_count;
-  std::vector<std::vector<int>> near(at(n));
-  const auto join = [&](int a, int b) {
-    if (a >= n || b >= n || a == b) return;
-    near[at(a)].push_back(b);
-    near[at(b)].push_back(a);
+  // Room for every pair first, then each row sorted and made unique: no list grows.
+  const auto each_pair = [&](const auto& use) {
+    for (const FlatnessEquation& equation : patch_->equations) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < k; ++l) use(equation.vertices[k], equation.vertices[l]);
+      }
+    }
+    for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+      const auto row = patch_->fairness_vertices[r];
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        for (std::size_t l = 0; l < k; ++l) use(row[k], row[l]);
+      }
+    }
   };
-  for (const FlatnessEquation& equation : patch_->equations) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t l = 0; l < k; ++l) join(equation.vertices[k], equation.vertices[l]);
-    }
-  }
-  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-    const auto row = patch_->fairness_vertices[r];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < k; ++l) join(row[k], row[l]);
-    }
-  }
+  std::vector<int> begin(at(n) + 1, 0);
+  each_pair([&](int a, int b) {
+    if (a >= n || b >= n || a == b) return;
+    ++begin[at(a) + 1];
+    ++begin[at(b) + 1];
+  });
+  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+  std::vector<int> pairs(at(begin.back()));
+  std::vector<int> next(begin.begin(), begin.end() - 1);
+  each_pair([&](int a, int b) {
+    if (a >= n || b >= n || a == b) return;
+    pairs[at(next[at(a)]++)] = b;
+    pairs[at(next[at(b)]++)] = a;
+  });
   graph_.offsets.assign(1, 0);
   graph_.values.clear();
-  for (auto& list : near) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    graph_.values.insert(graph_.values.end(), list.begin(), list.end());
+  for (int v = 0; v < n; ++v) {
+    const auto first = pairs.begin() + begin[at(v)];
+    const auto last = pairs.begin() + begin[at(v) + 1];
+    std::sort(first, last);
+    graph_.values.insert(graph_.values.end(), first, std::unique(first, last));
     graph_.offsets.push_back(static_cast<int>(graph_.values.size()));
   }
+}
+
+/// One slot per edge of the graph: equations and fairness rows then look edges up by row.
+void PatchSystem::place_edges() {
+  edge_slots_.assign(graph_.values.size(), {});
+  for (int v = 0; v < patch_->free_count; ++v) {
+    const auto row = graph_[v];
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (cholesky_.position(v) < cholesky_.position(row[k])) continue;
+      edge_slots_[at(graph_.offsets[at(v)]) + k] = cholesky_.slot(v, row[k]);
+    }
+  }
+}
+
+/// Index of (row, column) in graph_.values.
+std::size_t PatchSystem::edge(int row, int column) const {
+  const auto around = graph_[row];
+  const auto found = std::lower_bound(around.begin(), around.end(), column);
+  assert(found != around.end() && *found == column);
+  return at(graph_.offsets[at(row)]) + static_cast<std::size_t>(found - around.begin());
 }
 
 void PatchSystem::place_equations() {
@@ -86,34 +119,43 @@ void PatchSystem::place_equations() {
         std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < n; }));
     std::size_t block = 0;
     for (int late = 0; late < place.free; ++late) {
-      for (int early = 0; early <= late; ++early) {
+      const int column = vertices[at(place.order[at(late)])];
+      for (int early = 0; early < late; ++early) {
         // order[early] is eliminated later than order[late]: it is the row.
-        place.blocks[block++] = cholesky_.slot(vertices[at(place.order[at(early)])],
-                                               vertices[at(place.order[at(late)])]);
+        const int row = vertices[at(place.order[at(early)])];
+        place.blocks[block++] = edge_slots_[edge(row, column)];
       }
+      place.blocks[block++] = diagonal_[at(column)];
     }
   }
 }
 
 void PatchSystem::fill_constant_part() {
   const int n = patch_->free_count;
-  cholesky_.set_zero();
-  std::vector<double>& values = cholesky_.values();
-  for (int v = 0; v < n; ++v) {
-    add_diagonal(values, diagonal_[at(v)], patch_->terms[at(v)].square_weight);
-  }
+  std::vector<double> diagonal(at(n));
+  for (int v = 0; v < n; ++v) diagonal[at(v)] = patch_->terms[at(v)].square_weight;
+  edge_weights_.assign(graph_.values.size(), 0.0);
   for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
     const auto row = patch_->fairness_vertices[r];
-    const auto begin = at(patch_->fairness_vertices.offsets[at(r)]);
+    const double* const entries =
+        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
     for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < row.size(); ++l) {
-        if (row[k] >= n || row[l] >= n) continue;
-        if (cholesky_.position(row[k]) < cholesky_.position(row[l])) continue;
-        add_diagonal(values, cholesky_.slot(row[k], row[l]),
-                     patch_->fairness_weight * patch_->fairness_values[begin + k] *
-                         patch_->fairness_values[begin + l]);
+      if (row[k] >= n) continue;
+      const double weight = patch_->fairness_weight * entries[k];
+      diagonal[at(row[k])] += weight * entries[k];
+      for (std::size_t l = 0; l < k; ++l) {
+        if (row[l] >= n) continue;
+        const bool later = cholesky_.position(row[k]) > cholesky_.position(row[l]);
+        const std::size_t index = later ? edge(row[k], row[l]) : edge(row[l], row[k]);
+        edge_weights_[index] += weight * entries[l];
       }
     }
+  }
+  cholesky_.set_zero();
+  std::vector<double>& values = cholesky_.values();
+  for (int v = 0; v < n; ++v) add_diagonal(values, diagonal_[at(v)], diagonal[at(v)]);
+  for (std::size_t k = 0; k < edge_weights_.size(); ++k) {
+    if (edge_weights_[k] != 0.0) add_diagonal(values, edge_slots_[k], edge_weights_[k]);
   }
   constant_ = values;
 }

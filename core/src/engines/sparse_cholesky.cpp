@@ -8,6 +8,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "panel_kernels.hpp"
+
 namespace planish {
 namespace {
 
@@ -327,6 +329,12 @@ bool SparseCholesky::eliminate(const Supernode& node) {
   const Eigen::Index height = static_cast<Eigen::Index>(node.columns + node.below()) * block_;
   const Eigen::Index pivot = static_cast<Eigen::Index>(node.columns) * block_;
   const Eigen::Index side = height - pivot;
+  if (block_ == 3) {
+    if (!eliminate_panel(values_.data() + node.values, height, pivot)) return false;
+    const auto at_stack = update_at_[static_cast<std::size_t>(&node - supernodes_.data())];
+    update_front(values_.data() + node.values, height, pivot, updates_.data() + at_stack);
+    return true;
+  }
   Panel panel(values_.data() + node.values, height, pivot, Eigen::OuterStride<>(height));
   Eigen::Ref<Eigen::MatrixXd> diagonal = panel.topRows(pivot);
   Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(diagonal);

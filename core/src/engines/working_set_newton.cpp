@@ -8,9 +8,10 @@
 namespace planish {
 namespace {
 
-constexpr double kFirstShift = 1e-2;   ///< first ν tried when the system is not positive definite
-constexpr double kLargestShift = 1e6;  ///< beyond it the step is shorter than any progress
-constexpr double kDualActive = 0.9;    ///< ‖w‖ above which a vertex counts as moving
+constexpr double kFirstShift = 1e-2;    ///< first ν tried when the system is not positive definite
+constexpr double kLargestShift = 1e6;   ///< beyond it the step is shorter than any progress
+constexpr double kSlowProgress = 1e-4;  ///< relative change per step at which a smoothing is spent
+constexpr double kDualActive = 0.9;     ///< ‖w‖ above which a vertex counts as moving
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -98,7 +99,14 @@ void WorkingSetNewton::choose_working_set(const EditProblem& problem, const Newt
     }
   }
   if (frozen_) next = support_;
-  if (next == working_ && !working_.empty()) return;
+  // A set that still holds the support with its rings, and not much more, need not be cut again.
+  constexpr double kSlack = 1.05;
+  const bool roomy =
+      static_cast<double>(working_.size()) <= kSlack * static_cast<double>(next.size());
+  if (!working_.empty() && roomy && !frozen_ &&
+      std::includes(working_.begin(), working_.end(), next.begin(), next.end())) {
+    return;
+  }
   // What an earlier run or set touched and this one does not hold is exactly zero from here on.
   std::vector<int> before = working_.empty() ? field.touched_vertices() : working_;
   std::sort(before.begin(), before.end());
@@ -126,29 +134,31 @@ void WorkingSetNewton::update_norm_duals(double smoothing, const Eigen::Matrix3X
   }
 }
 
-/// Backtracks on F + ρ‖c‖₁, each trial corrected to second order with the same factor.
+/// Backtracks on the augmented Lagrangian F + λ⁺ᵀc + ρ/2 ‖c‖², each trial corrected to second order
+/// with the same factor.
 bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothing,
                                    double decrease) {
   constexpr int kMostHalvings = 10;
   constexpr double kArmijo = 1e-4;
-  constexpr double kRounding = 1e-12;
-  const double start =
-      system_.energy(state_.displacement, smoothing) + merit_weight_ * residuals_.cwiseAbs().sum();
+  constexpr double kRounding = 1e-11;
+  const auto merit_of = [&](const Eigen::Matrix3Xd& d, const Eigen::VectorXd& c) {
+    return system_.energy(d, smoothing) + new_multipliers_.dot(c) +
+           0.5 * options.merit_penalty * c.squaredNorm();
+  };
+  const double start = merit_of(state_.displacement, residuals_);
   const double longest = delta_.colwise().norm().maxCoeff();
   if (!std::isfinite(longest)) return false;
   double length = std::min(1.0, options.trust / std::max(longest, 1e-300));
   for (int halving = 0; halving < kMostHalvings; ++halving, length *= 0.5) {
     trial_ = state_.displacement + length * delta_;
     system_.residuals(trial_, trial_residuals_);
-    double merit =
-        system_.energy(trial_, smoothing) + merit_weight_ * trial_residuals_.cwiseAbs().sum();
+    double merit = merit_of(trial_, trial_residuals_);
     remainder_ = trial_residuals_ - (1.0 - length) * residuals_;
     system_.step(zero_, remainder_, correction_);
     correction_ += trial_;
     system_.residuals(correction_, linear_);
-    const double corrected =
-        system_.energy(correction_, smoothing) + merit_weight_ * linear_.cwiseAbs().sum();
-    if (corrected < merit) {
+    const double corrected = merit_of(correction_, linear_);
+    if (corrected < merit || linear_.squaredNorm() < 1e-2 * trial_residuals_.squaredNorm()) {
       merit = corrected;
       trial_.swap(correction_);
       trial_residuals_.swap(linear_);
@@ -172,11 +182,10 @@ WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& op
   system_.step(gradient_, residuals_, delta_);
   system_.apply_jacobian(delta_, linear_);
   new_multipliers_ = state_.multipliers + options.penalty * (residuals_ + linear_);
-  const double largest = new_multipliers_.size() > 0 ? new_multipliers_.cwiseAbs().maxCoeff() : 0.0;
-  merit_weight_ = std::max(0.9 * merit_weight_, 1.2 * largest);
-  const double slope = gradient_.cwiseProduct(delta_).sum() - state_.multipliers.dot(linear_);
-  const double feasibility = residuals_.cwiseAbs().sum() - (residuals_ + linear_).cwiseAbs().sum();
-  const double decrease = -(slope - merit_weight_ * feasibility);
+  // Directional derivative of the merit: ∇F·δ + λ⁺ᵀJδ + ρ cᵀJδ.
+  const double decrease = -(gradient_.cwiseProduct(delta_).sum() +
+                            (new_multipliers_ - state_.multipliers).dot(linear_) +
+                            options.merit_penalty * residuals_.dot(linear_));
   if (!search_line(options, smoothing, decrease)) {
     shift_ = std::max(10.0 * shift_, kFirstShift);
     return shift_ < kLargestShift ? StepResult::kRejected : StepResult::kBroken;
@@ -211,7 +220,6 @@ NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
   const double last = options.last_smoothing * scale;
   if (!sparse_) smoothing = last;
   shift_ = 0.0;
-  merit_weight_ = 1.0;
   working_.clear();
   std::vector<int> fixed_seeds;
   for (const int v : problem.handles) {
@@ -242,16 +250,19 @@ NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
       outcome.status = SolveStatus::kCancelled;
       break;
     }
-    if (step_length_ < 1.0 || shift_ > 0.0) continue;
-    const bool settled =
-        std::abs(objective - previous) <= options.stop * objective || largest_move_ <= 1e-4 * scale;
-    if (smoothing <= last && settled) {
+    const double change = std::abs(objective - previous);
+    const bool free_step = step_length_ == 1.0 && shift_ == 0.0;
+    if (smoothing > last) {
+      // A new smoothing once the last one has been followed closely enough: lowering it too fast
+      // lands in worse minima, staying too long only costs time.
+      const bool close = free_step && largest_move_ < 0.5 * std::sqrt(smoothing * scale);
+      if (close || change <= kSlowProgress * objective) {
+        smoothing = std::max(last, options.smoothing_shrink * smoothing);
+      }
+    } else if (change <= options.stop * objective || largest_move_ <= 1e-4 * scale) {
       outcome.status = SolveStatus::kConverged;
+      ++outcome.steps;
       break;
-    }
-    // A new smoothing only once the last one has been followed closely enough.
-    if (smoothing > last && largest_move_ < 0.5 * std::sqrt(smoothing * scale)) {
-      smoothing = std::max(last, options.smoothing_shrink * smoothing);
     }
   }
   outcome.objective = objective;

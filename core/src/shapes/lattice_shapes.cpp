@@ -93,7 +93,7 @@ Eigen::Vector3d ridge_point(const Eigen::Vector2d& p, const Eigen::Vector2d& q) 
 }  // namespace
 
 Mesh make_hex_shell(int size) {
-  constexpr double kRadius = 0.62;
+  constexpr double kRadius = 0.54;
   // A rounded triangle: r² − k r³ cos 3φ ≤ radius², written without angles.
   const auto inside = [](const Eigen::Vector2d& p) {
     const double cubic = p.x() * (p.x() * p.x() - 3.0 * p.y() * p.y());
@@ -116,12 +116,15 @@ Mesh make_hex_shell(int size) {
 }
 
 Mesh make_trihex_shell(int size) {
-  constexpr double kLong = 1.3;
+  // A long hexagon along the lattice's own directions has straight sides.
+  constexpr double kHalfWidth = 0.92, kHalfLength = 1.4, kSlant = 0.57735026918962576;
   const auto inside = [](const Eigen::Vector2d& p) {
-    return p.x() * p.x() / (kLong * kLong) + p.y() * p.y() <= 1.0;
+    return std::abs(p.y()) <= kHalfWidth &&
+           std::abs(p.x()) + kSlant * std::abs(p.y()) <= kHalfLength;
   };
+  constexpr double kArea = 4.0 * kHalfWidth * (kHalfLength - 0.5 * kSlant * kHalfWidth);
   const double points = size * (size / 3.0);  // each hexagon brings three vertices
-  const LatticePatch patch(spacing_for(3.1416 * kLong, points), kLong, inside);
+  const LatticePatch patch(spacing_for(kArea, points), kHalfLength, inside);
   CellMesh cells(patch);
   for (const LatticePoint point : patch.points()) cells.add_face(edges_around(point));
   // A triangle between two hexagons closes the notch between them; so no vertex is a pinch.

@@ -23,7 +23,7 @@ function save(blob: Blob, extension: string): void {
 export async function exportMesh(format: FileFormat): Promise<void> {
   const answer = await run(
     `writing ${format.toUpperCase()}`,
-    { kind: "export", format },
+    { kind: "export", format, design: "" },
     "exported",
   );
   if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);

@@ -19,6 +19,9 @@ import { buildTopology, row, type Topology } from "../state/topology.ts";
 import type { Palette } from "./palette.ts";
 import { makeRamp, type Ramp, writeRamp } from "./ramp.ts";
 
+/** Below this share of the largest displacement the ghost would only double the edges. */
+const GHOST_SHARE = 0.04;
+
 /** Every panel as a fan of triangles over its own corners, so that it can be shaded by itself. */
 function fanIndex(offsets: Int32Array): Uint32Array {
   const triangles: number[] = [];
@@ -47,6 +50,8 @@ export class Shell {
   readonly #colour: Float32Array;
   #ramp: Ramp = [];
   #panelRamp: Ramp = [];
+  /** Largest displacement shown, display coordinates. */
+  #largest = 0;
   #figures: Float32Array | null = null;
   #tolerance = 1e-6;
 
@@ -187,9 +192,9 @@ export class Shell {
   }
 
   #colourMoved(): void {
-    let largest = 0;
-    for (const v of this.#moved) largest = Math.max(largest, this.#displacement(v));
-    for (const v of this.#moved) this.#colourVertex(v, this.#displacement(v) / largest);
+    this.#largest = 0;
+    for (const v of this.#moved) this.#largest = Math.max(this.#largest, this.#displacement(v));
+    for (const v of this.#moved) this.#colourVertex(v, this.#displacement(v) / this.#largest);
     this.#uploadColours();
   }
 
@@ -215,11 +220,14 @@ export class Shell {
     if (color) color.needsUpdate = true;
   }
 
-  /** Edges of the base at vertices that moved. */
+  /** Edges of the base at vertices that moved visibly. */
   #drawGhost(): void {
     const { edges, edgeEnds } = this.topology;
     const seen = new Set<number>();
-    for (const v of this.#moved) for (const end of row(edgeEnds, v)) seen.add(end >> 1);
+    for (const v of this.#moved) {
+      if (this.#displacement(v) < GHOST_SHARE * this.#largest) continue;
+      for (const end of row(edgeEnds, v)) seen.add(end >> 1);
+    }
     const index = new Uint32Array(2 * seen.size);
     let k = 0;
     for (const edge of seen) {

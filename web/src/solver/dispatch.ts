@@ -109,7 +109,7 @@ export class Dispatcher {
         return;
       }
       case "export": {
-        const bytes = session.write(request.format);
+        const bytes = session.write(request.format, request.design);
         if (bytes.length === 0)
           throw new Refused(`${request.format.toUpperCase()} cannot be written.`);
         this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);

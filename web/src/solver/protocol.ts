@@ -54,7 +54,7 @@ export type Request =
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
   | { kind: "exact"; job: number } // → shown
   | { kind: "panels"; job: number } // → panels
-  | { kind: "export"; job: number; format: FileFormat }; // → exported
+  | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
 
 export interface MeshReport {
   readonly vertices: number;

@@ -52,13 +52,16 @@ export async function run<K extends Answer["kind"]>(
   }
 }
 
-/** A frame of a drag: overtaken frames are dropped in silence, a refused one says why. */
+/**
+ * A frame of a drag or a slider. Overtaken frames are dropped; a refused one keeps the frame
+ * before it on screen, and what ends the drag says why if it is refused too.
+ */
 export async function frame(question: Question): Promise<void> {
   try {
     apply(await client.stream(question));
     problem.value = null;
-  } catch (error) {
-    if (!(error instanceof Abandoned)) problem.value = sentence(error);
+  } catch {
+    // The last good frame stays.
   }
 }
 

@@ -20,7 +20,9 @@ export function Slider(props: SliderProps) {
   return (
     <div class="slider">
       <label for={id}>{label}</label>
-      <output for={id}>{shown}</output>
+      <span class="slider-value" aria-hidden="true">
+        {shown}
+      </span>
       <input
         id={id}
         type="range"
@@ -28,6 +30,7 @@ export function Slider(props: SliderProps) {
         max={max}
         step={step}
         value={value}
+        aria-valuetext={ends ? `${shown}: from ${ends[0]} to ${ends[1]}` : shown}
         disabled={disabled}
         style={{ "--fill": `${(100 * (value - min)) / (max - min)}%` }}
         onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}

@@ -66,6 +66,8 @@ class PatchSystem {
   };
 
   void build_graph();
+  void place_edges();
+  [[nodiscard]] std::size_t edge(int row, int column) const;
   void place_equations();
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
@@ -80,6 +82,8 @@ class PatchSystem {
   RaggedRows graph_;
   SparseCholesky cholesky_;
   std::vector<BlockSlot> diagonal_;
+  std::vector<BlockSlot> edge_slots_;  ///< layout of graph_.values; set where the row is the later
+  std::vector<double> edge_weights_;   ///< ω_f EᵀE, same layout
   std::vector<EquationSlots> slots_;
   std::vector<double> constant_;       ///< panel values of ω_f EᵀE + q I
   std::vector<FourPoints> gradients_;  ///< of the last factorization

@@ -29,6 +29,9 @@ struct NewtonOptions {
   double keep_start = 0.003;
   /// μ > 0 of [WSN-2]; 1/μ regularises nearly dependent constraints.
   double penalty = 1e6;
+  /// ρ > 0 of the merit F + λᵀc + ρ/2 ‖c‖² that steps are judged by. Small: wanders off the
+  /// constraints; large: short steps along curved ones.
+  double merit_penalty = 1e5;
   /// Largest movement of a vertex in one step, mean edges, > 0. Large: leaps to other minima.
   double trust = 0.5;
   /// Stop when the objective changes by less than this share of itself, > 0.
@@ -113,8 +116,7 @@ class WorkingSetNewton {
   // One step's work space, kept so that the loop does not allocate.
   Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;
   Eigen::VectorXd residuals_, trial_residuals_, linear_, new_multipliers_, remainder_;
-  double shift_ = 0.0;         ///< ν
-  double merit_weight_ = 1.0;  ///< ρ of F + ρ‖c‖₁
+  double shift_ = 0.0;  ///< ν
   double step_length_ = 1.0;
   double largest_move_ = 0.0;
 };

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Builds the command line (build/native/planish), the wasm core and the static site (dist/).
+# With names, only those: native, wasm, site.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bash .tools/setup.sh
+
+jobs=${PLANISH_JOBS:-$(nproc)}
+
+configure() { # preset
+  [ -e "build/$1/build.ninja" ] || cmake --preset "$1" --log-level=WARNING
+}
+
+build() { # preset target
+  configure "$1"
+  cmake --build --preset "$1" --target "$2" -j "$jobs" | grep -v '^\[' || [ "${PIPESTATUS[0]}" -eq 0 ]
+}
+
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(native wasm site)
+for part in "${parts[@]}"; do
+  case $part in
+    native) build native planish && echo "build: build/native/planish" ;;
+    wasm) build wasm planish_wasm && echo "build: build/wasm/wasm/planish.wasm" ;;
+    site) npx --no-install vite build --config web/vite.config.ts --logLevel warn && echo "build: dist/" ;;
+    *) echo "build: unknown part '$part' (native, wasm, site)" >&2 && exit 2 ;;
+  esac
+done

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+import type { Server } from "node:http";
+
+export function serve(
+  directory: string,
+  options?: { port?: number; prefix?: string },
+): Promise<{ server: Server; url: string }>;

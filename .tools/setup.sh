@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Makes this machine able to build and test Planish. Safe to run again: it only adds what is missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev
+  nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
+  python3-numpy python3-scipy clang-format clang-tidy)
+
+has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+install_debian_packages() {
+  local missing=()
+  for package in "${packages[@]}"; do has_package "$package" || missing+=("$package"); done
+  [ ${#missing[@]} -eq 0 ] && return
+  if [ "$(id -u)" -ne 0 ]; then
+    echo "setup: missing Debian packages. Run as root:  apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "setup: installing Debian packages: ${missing[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+name_missing_tools() {
+  local missing=()
+  for tool in g++ cmake ninja emcc clang-format clang-tidy; do
+    command -v "$tool" >/dev/null || missing+=("$tool")
+  done
+  for header in eigen3/Eigen/Core tiny_gltf.h nlohmann/json.hpp; do
+    [ -e "/usr/include/$header" ] || missing+=("/usr/include/$header")
+  done
+  [ -d /usr/src/googletest ] || missing+=(/usr/src/googletest)
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "setup: this is not Debian, so nothing was installed. Missing: ${missing[*]}" >&2
+  exit 1
+}
+
+install_node_packages() {
+  local major
+  major=$(node -p 'process.versions.node.split(".")[0]' 2>/dev/null || echo 0)
+  if [ "$major" -lt 20 ]; then
+    echo "setup: Node.js 20 or newer is needed (found: $(node --version 2>/dev/null || echo none))." >&2
+    exit 1
+  fi
+  local stamp=node_modules/.planish-lock
+  cmp -s package-lock.json "$stamp" && return
+  echo "setup: installing npm packages from package-lock.json"
+  npm ci --no-audit --no-fund --loglevel=error
+  cp package-lock.json "$stamp"
+}
+
+if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
+  install_debian_packages
+else
+  name_missing_tools
+fi
+install_node_packages

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Every check there is. With names, only those: format lint types architecture native wasm unit
+# parity browser tidy. The last line counts.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+bash .tools/setup.sh || exit 1
+
+jobs=${PLANISH_JOBS:-$(nproc)}
+logs=build/test-logs
+mkdir -p "$logs"
+passed=0
+failed=0
+failures=()
+
+sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
+
+ready() { # preset target
+  [ -e "build/$1/build.ninja" ] || cmake --preset "$1" --log-level=WARNING || return 1
+  cmake --build --preset "$1" --target "$2" -j "$jobs"
+}
+
+check_format() { sources | xargs clang-format --dry-run -Werror; }
+check_lint() { npx --no-install biome ci --reporter=summary; }
+check_types() { npx --no-install tsc -p web/tsconfig.json; }
+check_architecture() { python3 .tools/check-architecture.py; }
+check_native() { ready native planish_tests && ctest --preset native -j "$jobs"; }
+check_wasm() { ready wasm planish_tests && node --no-experimental-fetch build/wasm/tests/planish_tests.cjs; }
+check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir tests/web; }
+check_parity() {
+  bash .tools/build.sh native wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/parity
+}
+check_browser() {
+  bash .tools/build.sh wasm site && npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser
+}
+check_tidy() { bash .tools/tidy.sh; }
+
+# How many tests a log speaks of: "passed failed"; a check without tests counts as one.
+count() { # log status
+  python3 - "$1" "$2" <<'PY'
+import re, sys
+text = re.sub(r"\x1b\[[0-9;]*m", "", open(sys.argv[1], errors="replace").read())
+status = int(sys.argv[2])
+good = bad = 0
+if m := re.search(r"(\d+) tests? failed out of (\d+)", text):  # ctest
+    bad = int(m[1]); good = int(m[2]) - bad
+elif m := re.search(r"\[  PASSED  \] (\d+) test", text):  # GoogleTest
+    good = int(m[1])
+    if f := re.search(r"\[  FAILED  \] (\d+) test", text): bad = int(f[1])
+elif m := re.search(r"Tests\s+(?:(\d+) failed)?[ |]*(?:(\d+) passed)?", text):  # vitest
+    bad = int(m[1] or 0); good = int(m[2] or 0)
+if status == 0: good, bad = max(good, 1), 0
+else: bad = max(bad, 1)
+print(good, bad)
+PY
+}
+
+run() { # name
+  local log="$logs/$1.log" start=$SECONDS status=0
+  "check_$1" >"$log" 2>&1 || status=$?
+  local good bad
+  read -r good bad < <(count "$log" "$status")
+  passed=$((passed + good))
+  failed=$((failed + bad))
+  if [ "$status" -eq 0 ]; then
+    printf '  ok    %-13s %4d passed  %4d s\n' "$1" "$good" $((SECONDS - start))
+  else
+    failures+=("$1")
+    printf '  FAIL  %-13s %4d failed  %4d s   %s\n' "$1" "$bad" $((SECONDS - start)) "$log"
+    tail -n 60 "$log" | sed 's/^/        /'
+  fi
+}
+
+checks=("$@")
+if [ ${#checks[@]} -eq 0 ]; then
+  checks=(format lint types)
+  [ -e .tools/check-architecture.py ] && checks+=(architecture)
+  checks+=(native wasm unit parity browser tidy)
+fi
+for check in "${checks[@]}"; do run "$check"; done
+echo
+[ ${#failures[@]} -eq 0 ] || echo "Failed: ${failures[*]}"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace planish::cli {
+namespace {
+
+/// "--size=12" as name and value; the value is empty without '='.
+std::pair<std::string_view, std::optional<std::string_view>> split_option(std::string_view word) {
+  const std::size_t equals = word.find('=');
+  if (word.substr(0, 2) != "--" || equals == std::string_view::npos) return {word, std::nullopt};
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
+CommandError usage_error(std::string_view what, std::string_view text, std::string_view problem) {
+  return {kWrongUsage,
+          std::string(what) + ": \"" + std::string(text) + "\" " + std::string(problem)};
+}
+
+}  // namespace
+
+Arguments::Arguments(std::span<const std::string_view> words, std::span<const OptionRow> table) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string_view word = words[k];
+    if (word.size() < 2 || word[0] != '-') {
+      positional_.emplace_back(word);
+      continue;
+    }
+    const auto [name, attached] = split_option(word);
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const OptionRow& r) { return r.name == name; });
+    if (row == table.end()) {
+      throw CommandError(kWrongUsage, "unknown option " + std::string(name));
+    }
+    if (row->value.empty()) {
+      if (attached) throw CommandError(kWrongUsage, std::string(name) + " takes no value");
+      options_.emplace_back(name, "");
+    } else if (attached) {
+      options_.emplace_back(name, *attached);
+    } else if (k + 1 < words.size()) {
+      options_.emplace_back(name, words[++k]);
+    } else {
+      throw CommandError(kWrongUsage,
+                         std::string(name) + " needs a value: " + std::string(row->value));
+    }
+  }
+}
+
+bool Arguments::has(std::string_view option) const { return value(option).has_value(); }
+
+std::optional<std::string> Arguments::value(std::string_view option) const {
+  const auto found = std::find_if(options_.rbegin(), options_.rend(),
+                                  [&](const auto& entry) { return entry.first == option; });
+  if (found == options_.rend()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<std::string> Arguments::values(std::string_view option) const {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : options_) {
+    if (name == option) result.push_back(value);
+  }
+  return result;
+}
+
+std::string Arguments::only_positional(std::string_view what) const {
+  if (positional_.empty()) throw CommandError(kWrongUsage, std::string(what) + " is missing");
+  if (positional_.size() > 1) {
+    throw CommandError(kWrongUsage, "unexpected argument \"" + positional_[1] + "\"");
+  }
+  return positional_[0];
+}
+
+double parse_finite(std::string_view text, std::string_view what) {
+  const std::string_view digits = !text.empty() && text[0] == '+' ? text.substr(1) : text;
+  double value = 0.0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool whole = result.ec == std::errc() && result.ptr == digits.data() + digits.size();
+  if (!whole || digits.empty()) throw usage_error(what, text, "is not a number");
+  if (!std::isfinite(value)) throw usage_error(what, text, "is not finite");
+  return value;
+}
+
+int parse_whole(std::string_view text, std::string_view what) {
+  int value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+    throw usage_error(what, text, "is not a whole number");
+  }
+  return value;
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t comma = text.find(','); comma != std::string_view::npos;
+       comma = text.find(',')) {
+    parts.push_back(text.substr(0, comma));
+    text.remove_prefix(comma + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+}  // namespace planish::cli

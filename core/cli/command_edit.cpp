@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "edit_options.hpp"
+#include "files.hpp"
+
+namespace planish::cli {
+namespace {
+
+ExitCode run(const Arguments& arguments) {
+  const auto output = arguments.value("-o");
+  if (output) check_output_name(*output);
+  const HandleEditOptions options = edit_options(arguments);
+  const EditRun run = run_edit_solver(arguments, options);
+  if (output) {
+    Mesh result = run.base.mesh;
+    result.positions = run.edited;
+    GlbContent content;
+    content.base = run.base.mesh.positions;
+    save_mesh(*output, result, content);
+  }
+  save_report(arguments, edit_json(run, run.edited, options.engine));
+  return exit_code(run.report);
+}
+
+}  // namespace
+
+Command edit_command() {
+  std::vector<OptionRow> rows = edit_option_rows();
+  rows.insert(rows.end(), {kOutputRow, kReportRow});
+  return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json]",
+          "move a few vertices; panels stay flat, the rest stays put", rows, run};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include "commands.hpp"
+#include "edit_options.hpp"
+#include "files.hpp"
+#include "planish/projection.hpp"
+#include "planish/subspace.hpp"
+
+namespace planish::cli {
+namespace {
+
+SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOptions& edit) {
+  SubspaceOptions options;
+  const auto dimension = arguments.value("--dimension");
+  if (!dimension) throw CommandError(kWrongUsage, "--dimension is missing");
+  options.dimension = parse_whole(*dimension, "--dimension");
+  options.eigenbasis = arguments.has("--eigen");
+  options.fairness = edit.fairness;
+  options.engine = edit.engine;
+  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  return options;
+}
+
+/// Slider values, all 0 without --coefficients.
+Eigen::VectorXd coefficients(const Arguments& arguments, int dimension) {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(dimension);
+  const auto text = arguments.value("--coefficients");
+  if (!text) return values;
+  const auto words = split_at_commas(*text);
+  if (words.size() != static_cast<std::size_t>(dimension)) {
+    throw CommandError(kWrongUsage, "--coefficients needs " + std::to_string(dimension) +
+                                        " values, here are " + std::to_string(words.size()));
+  }
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    values[k] = parse_finite(words[static_cast<std::size_t>(k)], "--coefficients");
+  }
+  return values;
+}
+
+/// The edited mesh with the sliders at `values`.
+Positions with_sliders(const Positions& edited, const Subspace& subspace,
+                       const Eigen::VectorXd& values) {
+  Positions support_positions(3, static_cast<Eigen::Index>(subspace.support.size()));
+  // The solver may find fewer vectors than asked for; the sliders of the others do nothing.
+  evaluate(subspace, values.head(subspace.dimension()), support_positions);
+  Positions result = edited;
+  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+    result.col(subspace.support[k]) = support_positions.col(static_cast<Eigen::Index>(k));
+  }
+  return result;
+}
+
+/// One morph target a vector, at slider value 1.
+GlbVariations variations_of(const Subspace& subspace) {
+  GlbVariations variations;
+  variations.support = subspace.support;
+  const auto count = static_cast<Eigen::Index>(subspace.support.size());
+  for (Eigen::Index k = 0; k < subspace.basis.cols(); ++k) {
+    const Eigen::VectorXd column = subspace.scale[k] * subspace.basis.col(k);
+    variations.displacements.emplace_back(Eigen::Map<const Positions>(column.data(), 3, count));
+  }
+  return variations;
+}
+
+/// The exact mesh next to `explored`, unmoved vertices of the base staying where they are.
+ProjectionResult make_exact(const EditRun& run, const Positions& explored,
+                            const HandleEditOptions& edit) {
+  Mesh mesh = run.base.mesh;
+  mesh.positions = explored;
+  ProjectionOptions options;
+  options.fairness = edit.fairness;
+  options.engine = edit.engine;
+  options.tolerance = edit.tolerance;
+  ProjectionResult result =
+      project_to_planar(mesh, run.base.mesh.positions, options, run.targets.pins, progress_line());
+  clear_progress_line();
+  return result;
+}
+
+std::vector<int> handle_vertices(const EditTargets& targets) {
+  std::vector<int> vertices;
+  for (const Handle& handle : targets.handles) vertices.push_back(handle.vertex);
+  return vertices;
+}
+
+ExitCode run(const Arguments& arguments) {
+  const auto output = arguments.value("-o");
+  if (output) check_output_name(*output);
+  const HandleEditOptions options = edit_options(arguments);
+  const SubspaceOptions basis_options = subspace_options(arguments, options);
+  const Eigen::VectorXd values = coefficients(arguments, basis_options.dimension);
+  const EditRun run = run_edit_solver(arguments, options);
+  const Subspace subspace = compute_subspace(
+      run.base.mesh, run.edited, handle_vertices(run.targets), basis_options, progress_line());
+  clear_progress_line();
+  Mesh result = run.base.mesh;
+  result.positions = with_sliders(run.edited, subspace, values);
+  ExitCode code = exit_code(run.report);
+  Json exact;
+  if (arguments.has("--exact")) {
+    const ProjectionResult projection = make_exact(run, result.positions, options);
+    for (std::size_t k = 0; k < projection.moved.size(); ++k) {
+      result.positions.col(projection.moved[k]) =
+          projection.moved_positions.col(static_cast<Eigen::Index>(k));
+    }
+    exact = {{"status", status_name(projection.report.status)},
+             {"rms_move", projection.rms_move},
+             {"max_move", projection.max_move}};
+    if (code == kDone) code = exit_code(projection.report);
+  }
+  if (output) {
+    GlbContent content;
+    content.base = run.base.mesh.positions;
+    content.variations = variations_of(subspace);
+    save_mesh(*output, result, content);
+  }
+  Json json = edit_json(run, result.positions, options.engine);
+  json["subspace"] = subspace_json(subspace.report, subspace.dimension());
+  if (!exact.is_null()) json["exact"] = exact;
+  save_report(arguments, json);
+  return code;
+}
+
+}  // namespace
+
+Command explore_command() {
+  std::vector<OptionRow> rows = edit_option_rows();
+  rows.insert(rows.end(), {{"--dimension", "S", "number of variations, 1 … 24"},
+                           {"--coefficients", "x1,...,xS", "slider values, default all 0"},
+                           {"--exact", "", "make every panel flat again before writing"},
+                           {"--eigen", "", "order the variations from smooth to stiff"},
+                           kOutputRow,
+                           kReportRow});
+  return {"explore", "MESH <edit options> --dimension S [options] [-o OUT] [--report R.json]",
+          "an edit with a family of local variations around it", rows, run};
+}
+
+}  // namespace planish::cli

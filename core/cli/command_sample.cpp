@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "files.hpp"
+#include "planish/shapes.hpp"
+
+namespace planish::cli {
+namespace {
+
+ExitCode run(const Arguments& arguments) {
+  const std::string name = arguments.only_positional("NAME");
+  const auto output = arguments.value("-o");
+  if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
+  check_output_name(*output);
+  const int size = parse_whole(arguments.value("--size").value_or("32"), "--size");
+  if (const auto mesh = make_sample(name, size)) {
+    save_mesh(*output, *mesh);
+    return kDone;
+  }
+  if (make_sample(name, 3)) {
+    throw CommandError(kWrongUsage, "--size: " + std::to_string(size) + " is not in 3 … 2000");
+  }
+  std::string known;
+  for (const std::string_view sample : sample_names()) (known += ' ') += sample;
+  throw CommandError(kWrongUsage, "there is no sample \"" + name + "\"; there are:" + known);
+}
+
+}  // namespace
+
+Command sample_command() {
+  return {"sample",
+          "NAME [--size N] -o OUT",
+          "a mesh to try: vault dome freeform hex trihex",
+          {{"--size", "N", "about N × N vertices, 3 … 2000, default 32"}, kOutputRow},
+          run};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+/// The commands: one table row and one function each.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace planish::cli {
+
+struct Command {
+  std::string_view name;
+  std::string_view usage;    ///< the words that follow the name
+  std::string_view summary;  ///< one line for the list of commands
+  std::vector<OptionRow> options;
+  ExitCode (*run)(const Arguments& arguments);  ///< throws CommandError
+};
+
+[[nodiscard]] Command info_command();
+[[nodiscard]] Command edit_command();
+[[nodiscard]] Command explore_command();
+[[nodiscard]] Command project_command();
+[[nodiscard]] Command convert_command();
+[[nodiscard]] Command sample_command();
+
+/// Rows that several commands share.
+inline constexpr OptionRow kOutputRow = {"-o", "OUT",
+                                         "where the mesh goes (.obj .off .ply .glb, -)"};
+inline constexpr OptionRow kReportRow = {"--report", "R.json", "where the JSON report goes (or -)"};
+
+}  // namespace planish::cli

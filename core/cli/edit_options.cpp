@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "edit_options.hpp"
+
+#include <utility>
+
+#include "files.hpp"
+#include "planish/metrics.hpp"
+
+namespace planish::cli {
+namespace {
+
+/// One of a few words, each with its meaning.
+template <class Value, std::size_t kCount>
+Value parse_word(std::string_view text, std::string_view what,
+                 const std::pair<std::string_view, Value> (&words)[kCount]) {
+  std::string known;
+  for (const auto& [word, value] : words) {
+    if (word == text) return value;
+    known += (known.empty() ? "" : ", ") + std::string(word);
+  }
+  throw CommandError(kWrongUsage,
+                     std::string(what) + ": \"" + std::string(text) + "\" is none of " + known);
+}
+
+void set_number(const Arguments& arguments, std::string_view option, double& value) {
+  if (const auto text = arguments.value(option)) value = parse_finite(*text, option);
+}
+
+int parse_vertex(std::string_view text, std::string_view what, const Mesh& mesh) {
+  const int vertex = parse_whole(text, what);
+  if (vertex < 0 || vertex >= mesh.vertex_count()) {
+    throw CommandError(kWrongUsage, std::string(what) + ": there is no vertex " +
+                                        std::string(text) + "; the mesh has " +
+                                        std::to_string(mesh.vertex_count()) + " (from 0)");
+  }
+  return vertex;
+}
+
+/// "V=x,y,z" or "V+=dx,dy,dz".
+Handle parse_handle(std::string_view text, const Mesh& base) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    throw CommandError(kWrongUsage,
+                       "--handle: \"" + std::string(text) + "\" is not V=x,y,z or V+=dx,dy,dz");
+  }
+  const bool relative = text[equals - 1] == '+';
+  Handle handle;
+  handle.vertex = parse_vertex(text.substr(0, equals - (relative ? 1 : 0)), "--handle", base);
+  const auto numbers = split_at_commas(text.substr(equals + 1));
+  if (numbers.size() != 3) {
+    throw CommandError(kWrongUsage, "--handle: \"" + std::string(text) + "\" needs 3 coordinates");
+  }
+  for (int c = 0; c < 3; ++c) {
+    handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
+  }
+  if (relative) handle.target += base.positions.col(handle.vertex);
+  return handle;
+}
+
+ProjectionOptions projection_options(const HandleEditOptions& options) {
+  ProjectionOptions projection;
+  projection.fairness = options.fairness;
+  projection.engine = options.engine;
+  projection.tolerance = options.tolerance;
+  return projection;
+}
+
+}  // namespace
+
+std::vector<OptionRow> edit_option_rows() {
+  return {{"--handle", "V=x,y,z", "move vertex V (from 0) there; V+=dx,dy,dz moves it by that"},
+          {"--pin", "V,V,...", "vertices that stay where they are"},
+          {"--hard", "", "handles reach their targets exactly"},
+          {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
+          {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
+          {"--attraction", "W", "weight ω_h, default 1000: higher meets the handles closer"},
+          {"--fairness", "KIND", "laplacian, second or third; default second"},
+          {"--sparsity", "KIND", "l21, l2 or none; default l21"},
+          {"--solver", "NAME", "newton or alm; default newton"},
+          {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+}
+
+FairnessKind parse_fairness(std::string_view text) {
+  return parse_word<FairnessKind>(text, "--fairness",
+                                  {{"laplacian", FairnessKind::kLaplacian},
+                                   {"second", FairnessKind::kSecondDifference},
+                                   {"third", FairnessKind::kThirdDifference}});
+}
+
+Engine parse_engine(std::string_view text) {
+  return parse_word<Engine>(text, "--solver",
+                            {{"newton", Engine::kNewton}, {"alm", Engine::kAugmentedLagrangian}});
+}
+
+HandleEditOptions edit_options(const Arguments& arguments) {
+  HandleEditOptions options;
+  set_number(arguments, "--locality", options.locality);
+  set_number(arguments, "--smoothness", options.smoothness);
+  set_number(arguments, "--attraction", options.attraction);
+  set_number(arguments, "--tolerance", options.tolerance);
+  options.hard_handles = arguments.has("--hard");
+  if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
+  if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
+  if (const auto text = arguments.value("--sparsity")) {
+    options.sparsity = parse_word<Sparsity>(
+        *text, "--sparsity",
+        {{"l21", Sparsity::kL21}, {"l2", Sparsity::kL2}, {"none", Sparsity::kNone}});
+  }
+  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  return options;
+}
+
+std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh) {
+  std::vector<int> pins;
+  for (const std::string& list : arguments.values("--pin")) {
+    for (const std::string_view word : split_at_commas(list)) {
+      pins.push_back(parse_vertex(word, "--pin", mesh));
+    }
+  }
+  return pins;
+}
+
+EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
+  EditTargets targets;
+  for (const std::string& text : arguments.values("--handle")) {
+    targets.handles.push_back(parse_handle(text, base));
+  }
+  targets.pins = parse_pins(arguments, base);
+  if (targets.handles.empty()) throw CommandError(kWrongUsage, "--handle is missing");
+  if (const auto problem = find_problem(targets, base)) {
+    throw CommandError(kWrongUsage, *problem);
+  }
+  return targets;
+}
+
+FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
+  FlatBase base{mesh, std::nullopt};
+  if (planarity_summary(mesh).max <= options.tolerance) return base;
+  base.planarised = project_to_planar(mesh, projection_options(options), {}, progress_line());
+  clear_progress_line();
+  for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
+    base.mesh.positions.col(base.planarised->moved[k]) =
+        base.planarised->moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  return base;
+}
+
+EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
+  EditRun run;
+  run.given = load_mesh(arguments.only_positional("MESH")).mesh;
+  // Wrong targets must not cost a projection first; the vertices are the same after it.
+  static_cast<void>(edit_targets(arguments, run.given));
+  run.base = flat_base(run.given, options);
+  run.targets = edit_targets(arguments, run.base.mesh);
+  run.edited = run.base.mesh.positions;
+  if (run.base.planarised && !run.base.planarised->report.usable()) {
+    run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
+    return run;
+  }
+  HandleEditSolver solver(run.base.mesh, options);
+  const HandleEditResult result = solver.solve(run.targets, progress_line());
+  clear_progress_line();
+  run.edited = apply(run.base.mesh, result);
+  run.report = result.report;
+  return run;
+}
+
+Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
+  Json json = Json::object();
+  add_solve(json, run.report, engine);
+  json["mesh"] = mesh_json(run.given);
+  json["planarity_mm_per_m"] = planarity_json(run.given, run.given.positions, after);
+  if (run.base.planarised) {
+    json["planarised_first"] = {{"max_move", run.base.planarised->max_move},
+                                {"rms_move", run.base.planarised->rms_move}};
+  }
+  return json;
+}
+
+}  // namespace planish::cli

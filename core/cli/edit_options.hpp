@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// What `edit`, `explore` and `project` have in common: options, targets, a flat base.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arguments.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+
+/// Rows of the option table for handles, pins, weights, fairness and solver.
+[[nodiscard]] std::vector<OptionRow> edit_option_rows();
+
+[[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
+
+/// Handles and pins; "V+=" counts from the positions of `base`. Throws CommandError.
+[[nodiscard]] EditTargets edit_targets(const Arguments& arguments, const Mesh& base);
+
+[[nodiscard]] FairnessKind parse_fairness(std::string_view text);
+[[nodiscard]] Engine parse_engine(std::string_view text);
+[[nodiscard]] std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh);
+
+/// A mesh whose panels are flat to the tolerance.
+struct FlatBase {
+  Mesh mesh;
+  std::optional<ProjectionResult> planarised;  ///< set if the file's mesh was not flat
+};
+
+/// `mesh` itself if it is flat to the tolerance, else its projection.
+[[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options);
+
+/// An edit with everything that the commands report about it.
+struct EditRun {
+  Mesh given;  ///< as in the file
+  FlatBase base;
+  EditTargets targets;
+  Positions edited;  ///< 3 × n
+  SolveReport report;
+};
+
+/// Loads, planarises if needed, and edits. Throws CommandError for wrong options or targets.
+[[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options);
+
+/// Everything of the report that does not depend on the command.
+[[nodiscard]] Json edit_json(const EditRun& run, const Positions& after, Engine engine);
+
+}  // namespace planish::cli

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "files.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <system_error>
+
+#include "arguments.hpp"
+#include "planish/io/mesh_format.hpp"
+
+namespace planish::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+MeshFormat format_of(const std::string& path) {
+  if (path == "-") return MeshFormat::kObj;
+  if (const auto format = format_from_name(path)) return *format;
+  throw CommandError(kWrongUsage, path + ": the extension must be .obj, .off, .ply or .glb");
+}
+
+std::string read_bytes(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw CommandError(kInvalidMesh, path + ": is a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw CommandError(kInvalidMesh, path + ": cannot be opened");
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw CommandError(kInvalidMesh, path + ": cannot be read");
+  return bytes;
+}
+
+/// True if all bytes reached the file.
+bool write_directly(const fs::path& path, std::string_view bytes) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return !file.fail();
+}
+
+/// Writes beside `path`, then renames. A link is followed, so that it stays one.
+bool write_and_rename(fs::path path, std::string_view bytes) {
+  std::error_code error;
+  const bool exists = fs::exists(path, error);
+  if (exists) path = fs::canonical(path, error);
+  if (error) return false;
+  fs::path temporary = path;
+  temporary += ".planish-" + std::to_string(getpid());
+  bool done = write_directly(temporary, bytes);
+  if (done && exists) fs::permissions(temporary, fs::status(path).permissions(), error);
+  if (done) fs::rename(temporary, path, error);
+  done = done && !error;
+  if (!done) fs::remove(temporary, error);
+  return done;
+}
+
+}  // namespace
+
+void print_message(const std::string& message) {
+  std::string line = "planish: " + message;
+  for (char& c : line) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  std::cerr << line << '\n';
+}
+
+MeshFile load_mesh(const std::string& path) {
+  const MeshFormat format = format_of(path);
+  ReadResult result = read_mesh(read_bytes(path), format);
+  if (const auto* error = std::get_if<ReadError>(&result)) {
+    throw CommandError(kInvalidMesh, shown_name(path) + ": " + error->message);
+  }
+  auto& file = std::get<MeshFile>(result);
+  for (const std::string& warning : file.warnings) {
+    print_message(shown_name(path) + ": warning: " + warning);
+  }
+  return std::move(file);
+}
+
+void check_output_name(const std::string& path) { static_cast<void>(format_of(path)); }
+
+void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content) {
+  const MeshFormat format = format_of(path);
+  save_bytes(path,
+             format == MeshFormat::kGlb ? write_glb(mesh, content) : write_mesh(mesh, format));
+}
+
+void save_bytes(const std::string& path, std::string_view bytes) {
+  if (path == "-") {
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    if (!std::cout) throw CommandError(kInvalidMesh, "standard output cannot be written");
+    return;
+  }
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  // A device or a pipe must be written itself: a rename would put a file in its place.
+  const bool special = fs::exists(status) && !fs::is_regular_file(status);
+  const bool done = special ? write_directly(path, bytes) : write_and_rename(path, bytes);
+  if (!done) throw CommandError(kInvalidMesh, path + ": cannot be written");
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// Meshes in from files, results out to them; "-" is standard input or output.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "planish/io/gltf.hpp"
+#include "planish/io/read_result.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish::cli {
+
+/// The mesh in `path`, checked. Warnings go to standard error. Throws CommandError.
+[[nodiscard]] MeshFile load_mesh(const std::string& path);
+
+/// Throws CommandError unless `path` is "-" or has the extension of a mesh format. Commands call
+/// it before the work, so that a typing error does not cost a solve.
+void check_output_name(const std::string& path);
+
+/// Writes `mesh` in the format of `path`'s extension; `content` is used by GLB only.
+void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content = {});
+
+/// Writes `bytes` so that `path` holds either all of them or what it held before.
+void save_bytes(const std::string& path, std::string_view bytes);
+
+/// One line on standard error, whatever `message` holds.
+void print_message(const std::string& message);
+
+}  // namespace planish::cli

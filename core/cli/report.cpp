@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "files.hpp"
+#include "planish/mesh_check.hpp"
+#include "planish/metrics.hpp"
+
+namespace planish::cli {
+
+Json mesh_json(const Mesh& mesh) {
+  const MeshSummary summary = summarize(mesh);
+  Json sizes = Json::object();
+  for (const auto& [size, count] : summary.face_sizes) sizes[std::to_string(size)] = count;
+  return {{"vertices", summary.vertices},
+          {"faces", summary.faces},
+          {"face_sizes", sizes},
+          {"boundary_loops", summary.boundary_loops},
+          {"components", summary.components},
+          {"mean_edge", summary.mean_edge},
+          {"degrees_of_freedom", degrees_of_freedom(mesh)},
+          {"nonmanifold_edges", summary.nonmanifold_edges},
+          {"isolated_vertices", summary.isolated_vertices}};
+}
+
+Json planarity_json(const Mesh& mesh, const Positions& before, const Positions& after) {
+  const PlanaritySummary now = planarity_summary(mesh, after);
+  return {{"before_max", planarity_summary(mesh, before).max},
+          {"after_max", now.max},
+          {"after_mean", now.mean}};
+}
+
+Json subspace_json(const SubspaceReport& report, int dimension) {
+  return {{"dimension", dimension},
+          {"status", status_name(report.status)},
+          {"orthonormality_error", report.orthonormality_error},
+          {"tangency_error", report.tangency_error},
+          {"correlation", report.correlation},
+          {"fairness", report.fairness},
+          {"edit_fairness", report.edit_fairness},
+          {"support_sizes", report.support_sizes}};
+}
+
+void add_solve(Json& json, const SolveReport& report, Engine engine) {
+  json["status"] = status_name(report.status);
+  json["solver"] = engine == Engine::kNewton ? "newton" : "alm";
+  json["objective"] = {{"total", report.objective.total()},
+                       {"handle", report.objective.handle},
+                       {"sparsity", report.objective.sparsity},
+                       {"fairness", report.objective.fairness}};
+  json["moved_vertices"] = report.moved_vertices;
+  json["max_displacement"] = report.max_displacement;
+  json["handle_error"] = report.handle_error;
+  json["iterations"] = report.iterations;
+  json["factorizations"] = report.factorizations;
+  json["seconds"] = {{"setup", report.setup_seconds}, {"solve", report.solve_seconds}};
+}
+
+void save_report(const Arguments& arguments, const Json& json) {
+  if (const auto path = arguments.value("--report")) save_bytes(*path, json.dump(2) + "\n");
+}
+
+ExitCode exit_code(const SolveReport& report) { return report.usable() ? kDone : kToleranceNotMet; }
+
+Progress progress_line() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [step = 0](const IterationRecord& record) mutable {
+    std::fprintf(stderr, "\rstep %d  objective %.6g  residual %.2g\033[K", ++step, record.objective,
+                 record.primal_residual);
+    return Flow::kContinue;
+  };
+}
+
+void clear_progress_line() {
+  if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// The JSON report of docs/architecture.md.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "arguments.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+#include "planish/solve_report.hpp"
+#include "planish/subspace.hpp"
+
+namespace planish::cli {
+
+/// Keeps the order in which keys are added.
+using Json = nlohmann::ordered_json;
+
+[[nodiscard]] Json mesh_json(const Mesh& mesh);
+[[nodiscard]] Json planarity_json(const Mesh& mesh, const Positions& before,
+                                  const Positions& after);
+[[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
+
+/// Status, objective, counts and times of a solve.
+void add_solve(Json& json, const SolveReport& report, Engine engine);
+
+/// Writes `json` to the place that --report names; nothing without that option.
+void save_report(const Arguments& arguments, const Json& json);
+
+/// kDone if the result is exact to the tolerance, kToleranceNotMet otherwise.
+[[nodiscard]] ExitCode exit_code(const SolveReport& report);
+
+/// Shows steps on one line of a terminal; empty where standard error is none.
+[[nodiscard]] Progress progress_line();
+
+/// Removes the progress line.
+void clear_progress_line();
+
+}  // namespace planish::cli

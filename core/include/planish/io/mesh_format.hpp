@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// The mesh formats behind one door, chosen by the file's name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "planish/io/read_result.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+enum class MeshFormat { kObj, kOff, kPly, kGlb };
+
+/// By the extension .obj, .off, .ply or .glb, in any case; nullopt for any other name.
+[[nodiscard]] std::optional<MeshFormat> format_from_name(std::string_view name);
+
+/// read_obj(), read_off(), read_ply() or read_glb().
+[[nodiscard]] ReadResult read_mesh(std::string_view bytes, MeshFormat format);
+
+/// The same for writing; PLY as little-endian binary.
+[[nodiscard]] std::string write_mesh(const Mesh& mesh, MeshFormat format);
+
+}  // namespace planish

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// Stanford PLY: text and both binary byte orders.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "planish/io/read_result.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// How a PLY file stores its values.
+enum class PlyEncoding { kAscii, kBinaryLittleEndian, kBinaryBigEndian };
+
+/// Reads element `vertex` (x, y, z of any number type) and element `face` (vertex_indices or
+/// vertex_index); all other elements and properties are passed over. The result has passed
+/// check_mesh(); an error names the line (header, ASCII) or the element.
+/// @param bytes the file, up to 2 GiB; its counts are checked against what is there
+[[nodiscard]] ReadResult read_ply(std::string_view bytes);
+
+/// Coordinates as doubles, the same bits in every encoding; groups have no place in the format.
+[[nodiscard]] std::string write_ply(const Mesh& mesh,
+                                    PlyEncoding encoding = PlyEncoding::kBinaryLittleEndian);
+
+}  // namespace planish

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf_container.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include "io/text_lines.hpp"
+
+namespace planish {
+namespace {
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof word);
+  return word;
+}
+
+constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+
+/// What is wrong with the lengths and marks, or "". tinygltf 2.7 forgets the 8 bytes of the second
+/// chunk's header when it compares lengths, so all are compared here.
+std::string refuse_container(std::string_view bytes) {
+  constexpr std::uint32_t kJson = 0x4E4F534A;
+  if (bytes.substr(0, 4) != "glTF") return "this is not a GLB file: it does not start with glTF";
+  if (bytes.size() < kHeader + kChunkHeader) return "the GLB file ends in its header";
+  if (word_at(bytes, 4) != 2) return "only version 2 of GLB can be read";
+  if (word_at(bytes, 8) > bytes.size()) return "the GLB file ends early";
+  const std::uint64_t length = word_at(bytes, 8), json = word_at(bytes, 12);
+  if (word_at(bytes, 16) != kJson) return "the GLB file does not start with its JSON";
+  if (kHeader + kChunkHeader + json > length) return "the GLB file ends in its JSON";
+  const std::uint64_t second = kHeader + kChunkHeader + json;
+  if (second < length) {
+    if (second + kChunkHeader > length) return "the GLB file ends in a chunk header";
+    const std::uint64_t binary = word_at(bytes, static_cast<std::size_t>(second));
+    if (second + kChunkHeader + binary > length) return "the GLB file ends in its binary data";
+  }
+  return "";
+}
+
+bool is_too_deep(std::string_view json) {
+  constexpr int kDeepest = 64;
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    const char c = json[k];
+    if (in_string) {
+      if (c == '\\') ++k;
+      if (c == '"') in_string = false;
+      continue;
+    }
+    if (c == '"') in_string = true;
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') --depth;
+    if (depth > kDeepest) return true;
+  }
+  return false;
+}
+
+/// Several buffers would each copy the binary chunk; other files cannot be reached.
+std::string refuse_document(std::string_view text) {
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  if (!document.is_object()) return "the GLB file's JSON is damaged";
+  if (!document.contains("buffers")) return "the GLB file holds no mesh";
+  const nlohmann::json& buffers = document["buffers"];
+  if (!buffers.is_array() || buffers.size() != 1 || !buffers[0].is_object() ||
+      buffers[0].contains("uri")) {
+    return "the GLB file refers to data outside of itself";
+  }
+  if (document.contains("extensionsRequired")) {
+    const nlohmann::json& required = document["extensionsRequired"];
+    if (!required.is_array() || required.empty()) return "";
+    const std::string name = required[0].is_string() ? required[0].get<std::string>() : "?";
+    return "the GLB file requires the extension " + name + ", which is not supported";
+  }
+  return "";
+}
+
+/// Textures mean nothing for a mesh, so no image is decoded.
+bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                  const unsigned char*, int, void*) {
+  return true;
+}
+
+std::string first_line(const std::string& text) {
+  const std::string line(trimmed(std::string_view(text).substr(0, text.find('\n'))));
+  return line.empty() ? "unknown error" : line;
+}
+
+}  // namespace
+
+std::variant<tinygltf::Model, std::string> load_glb_model(std::string_view bytes) {
+  if (std::optional<std::string> refusal = refuse_size(bytes)) return *refusal;
+  if (std::string problem = refuse_container(bytes); !problem.empty()) return problem;
+  const std::string_view json = bytes.substr(kHeader + kChunkHeader, word_at(bytes, kHeader));
+  if (is_too_deep(json)) return "the GLB file's JSON is nested too deeply";
+  if (std::string problem = refuse_document(json); !problem.empty()) return problem;
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(ignore_image, nullptr);
+  tinygltf::Model model;
+  std::string error, warning;
+  try {
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    if (loader.LoadBinaryFromMemory(&model, &error, &warning, data,
+                                    static_cast<unsigned int>(bytes.size()))) {
+      return model;
+    }
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  return "the GLB file is damaged: " + first_line(error);
+}
+
+}  // namespace planish

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// The exact float64 design that rides along in a GLB's asset.extras, as base64 text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/polygon_fans.hpp"
+#include "io/tinygltf_api.hpp"
+#include "planish/io/gltf.hpp"
+
+namespace planish {
+
+struct StoredDesign {
+  Positions positions;
+  FaceList faces;
+  std::vector<FaceGroup> groups;
+  std::optional<Positions> base;
+  std::string design;
+};
+
+[[nodiscard]] tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content);
+
+/// nullopt if `extras` holds none, or a damaged one; indices are checked against the positions.
+[[nodiscard]] std::optional<StoredDesign> load_design(const tinygltf::Value& extras);
+
+}  // namespace planish

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The first minute of a visitor, by accessible names only; the exported file is judged by
+// code that shares nothing with the product.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
+import { exportAs, idle, movedCount, openSite, type Site, status } from "./support/page.ts";
+
+/** mm/m: what a finished edit promises. */
+const TOLERANCE = 1e-6;
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+const exportObj = async (page: Page): Promise<ObjMesh> =>
+  readObj((await exportAs(page, "OBJ")).toString());
+
+/** Everything flat, everything that is not counted as moved written with the same digits. */
+function expectLocalAndFlat(before: ObjMesh, after: ObjMesh, moved: number): void {
+  expect(after.faces).toEqual(before.faces);
+  expect(worstFlatness(after)).toBeLessThan(TOLERANCE);
+  const differing = after.lines.filter((line, v) => line !== before.lines[v]).length;
+  expect(differing).toBe(moved);
+  expect(moved).toBeGreaterThan(0);
+  expect(moved).toBeLessThan(before.lines.length / 2);
+}
+
+describe("the first minute", () => {
+  it("moves a point by typing", async () => {
+    const page = await site.open();
+    await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
+    await idle(page);
+    const before = await exportObj(page);
+    await page.getByRole("button", { name: "Add handle" }).click();
+    const z = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+    await z.fill("+300mm");
+    await z.press("Enter");
+    await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+    await idle(page);
+    expect(await status(page)).toMatch(/largest (29|30|28)\d mm · worst panel 0\.0000 mm/);
+    expectLocalAndFlat(before, await exportObj(page), await movedCount(page));
+    await page.context().close();
+  });
+
+  it("moves a point by dragging, undoes and redoes it", async () => {
+    const page = await site.open();
+    const before = await exportObj(page);
+    const box = await page.getByLabel("3D view").boundingBox();
+    if (!box) throw new Error("no 3D view");
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let k = 1; k <= 6; ++k) await page.mouse.move(x, y - 5 * k);
+    await page.mouse.up();
+    await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+    await idle(page);
+    const moved = await movedCount(page);
+    const after = await exportObj(page);
+    expectLocalAndFlat(before, after, moved);
+
+    await page.getByRole("button", { name: "Undo" }).click();
+    await expect.poll(() => movedCount(page)).toBe(0);
+    await idle(page);
+    expect((await exportObj(page)).lines).toEqual(before.lines);
+    await page.getByRole("button", { name: "Redo" }).click();
+    await expect.poll(() => movedCount(page)).toBe(moved);
+    await idle(page);
+    expect((await exportObj(page)).lines).toEqual(after.lines);
+    await page.context().close();
+  });
+
+  it("explains what it cannot read, and keeps the design", async () => {
+    const page = await site.open();
+    const chooser = page.waitForEvent("filechooser");
+    await page.getByRole("button", { name: "Open file" }).click();
+    await (await chooser).setFiles({
+      name: "broken.obj",
+      mimeType: "text/plain",
+      buffer: Buffer.from("v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
+    });
+    await expect.poll(() => page.getByRole("alert").textContent()).toMatch(/line 3/);
+    expect(await status(page)).toMatch(/0 of 441 points move/);
+    await page.context().close();
+  });
+});

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// An independent reading of exported OBJ files: shares no code with the product.
+
+export interface ObjMesh {
+  /** Coordinates as written, one line a vertex. */
+  readonly lines: readonly string[];
+  readonly points: readonly (readonly number[])[];
+  readonly faces: readonly (readonly number[])[];
+}
+
+export function readObj(text: string): ObjMesh {
+  const lines: string[] = [];
+  const faces: number[][] = [];
+  for (const line of text.split("\n")) {
+    const [kind, ...words] = line.trim().split(/\s+/);
+    if (kind === "v") lines.push(words.join(" "));
+    if (kind === "f") faces.push(words.map((word) => Number.parseInt(word, 10) - 1));
+  }
+  return { lines, points: lines.map((line) => line.split(" ").map(Number)), faces };
+}
+
+type Vec = [number, number, number];
+
+const subtract = (a: readonly number[], b: readonly number[]): Vec => [
+  (a[0] ?? 0) - (b[0] ?? 0),
+  (a[1] ?? 0) - (b[1] ?? 0),
+  (a[2] ?? 0) - (b[2] ?? 0),
+];
+const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vec, b: Vec): Vec => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/**
+ * Flatness in mm/m of a polygon about the plane of its area vector (Newell's normal). For a nearly
+ * flat polygon that plane and the best-fit one give the same figure to first order.
+ */
+export function flatness(points: readonly (readonly number[])[]): number {
+  const origin = points[0] ?? [0, 0, 0];
+  const arms = points.map((point) => subtract(point, origin));
+  const next = (k: number): Vec => arms[(k + 1) % arms.length] ?? [0, 0, 0];
+  let normal: Vec = [0, 0, 0];
+  let longest = 0;
+  arms.forEach((arm, k) => {
+    const area = cross(arm, next(k));
+    normal = [normal[0] + area[0], normal[1] + area[1], normal[2] + area[2]];
+    const edge = subtract(next(k), arm);
+    longest = Math.max(longest, Math.sqrt(dot(edge, edge)));
+  });
+  const length = Math.sqrt(dot(normal, normal));
+  const heights = arms.map((arm) => dot(arm, normal) / length);
+  return (1000 * (Math.max(...heights) - Math.min(...heights))) / longest;
+}
+
+export const worstFlatness = ({ points, faces }: ObjMesh): number =>
+  Math.max(...faces.map((face) => flatness(face.map((v) => points[v] ?? []))));

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A real browser on the built site, served as plain files under a sub-path.
+import { readFile } from "node:fs/promises";
+import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import { expect } from "vitest";
+import { serve } from "../../../.tools/serve.mjs";
+
+const FLAGS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
+
+export interface Site {
+  readonly url: string;
+  open(options?: BrowserContextOptions): Promise<Page>;
+  close(): Promise<void>;
+}
+
+/** Fails the test that uses the page if anything is logged as an error or fetched from elsewhere. */
+function watch(page: Page, origin: string, complaints: string[]): void {
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.message}`));
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(`console: ${message.text()}`);
+  });
+  page.on("request", (request) => {
+    const { protocol, origin: from } = new URL(request.url());
+    if (protocol.startsWith("http") && from !== origin)
+      complaints.push(`request: ${request.url()}`);
+  });
+}
+
+export async function openSite(): Promise<Site> {
+  const { server, url } = await serve("dist", { prefix: "/under/a/path/" });
+  const browser: Browser = await chromium.launch({
+    executablePath: "/usr/bin/chromium",
+    args: FLAGS,
+  });
+  const complaints: string[] = [];
+  return {
+    url,
+    async open(options = {}) {
+      const context = await browser.newContext({
+        viewport: { width: 900, height: 640 },
+        ...options,
+      });
+      const page = await context.newPage();
+      watch(page, new URL(url).origin, complaints);
+      await page.goto(url);
+      await expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
+      return page;
+    },
+    async close() {
+      await browser.close();
+      server.close();
+      expect(complaints).toEqual([]);
+    },
+  };
+}
+
+export const status = async (page: Page): Promise<string> =>
+  (await page.getByRole("status").textContent()) ?? "";
+
+export const movedCount = async (page: Page): Promise<number> =>
+  Number(/(\d+) of \d+ points move/.exec(await status(page))?.[1] ?? Number.NaN);
+
+/** Waits until nothing runs. */
+export const idle = (page: Page): Promise<void> =>
+  expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
+
+export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"): Promise<Buffer> {
+  await page.getByRole("button", { name: "Export" }).click();
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: format, exact: true }).click();
+  return readFile(await (await download).path());
+}

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The `planish` command as scripts see it: exit codes, files, messages.
+#ifndef __EMSCRIPTEN__
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "planish/io/mesh_format.hpp"
+#include "planish/shapes.hpp"
+#include "support/mesh_builders.hpp"
+
+namespace planish {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs the command in a directory of its own, beside the test program in the build tree.
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    program_ = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "planish";
+    if (!fs::exists(program_)) GTEST_SKIP() << "skipped: the planish command is not built";
+    directory_ = fs::temp_directory_path() / ("planish-cli-" + std::to_string(getpid()));
+    fs::create_directories(directory_);
+  }
+  void TearDown() override {
+    if (!directory_.empty()) fs::remove_all(directory_);
+  }
+
+  /// The exit code; output and messages stay in out() and err().
+  int run(const std::string& words) {
+    const std::string line = "cd '" + directory_.string() + "' && '" + program_.string() + "' " +
+                             words + " >out 2>err </dev/null";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] std::string out() const { return contents(directory_ / "out"); }
+  [[nodiscard]] std::string err() const { return contents(directory_ / "err"); }
+
+  Mesh load(const std::string& name) {
+    const auto result = read_mesh(contents(directory_ / name), *format_from_name(name));
+    EXPECT_EQ(testing::error_text(result), "") << name;
+    const auto* file = std::get_if<MeshFile>(&result);
+    return file ? file->mesh : Mesh();
+  }
+  void save(const std::string& name, const std::string& bytes) {
+    std::ofstream(directory_ / name, std::ios::binary) << bytes;
+  }
+  [[nodiscard]] std::size_t file_count() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
+  }
+
+  fs::path program_, directory_;
+};
+
+TEST_F(Cli, ConvertsThroughEveryFormatToTheSameBits) {
+  ASSERT_EQ(run("sample trihex --size 9 -o a.obj"), 0) << err();
+  ASSERT_EQ(run("convert a.obj -o b.ply"), 0);
+  ASSERT_EQ(run("convert b.ply -o c.off"), 0);
+  ASSERT_EQ(run("convert c.off -o d.glb"), 0);
+  ASSERT_EQ(run("convert d.glb -o -"), 0);
+  EXPECT_EQ(out(), contents(directory_ / "a.obj"));
+  EXPECT_TRUE(testing::same_bits(load("a.obj"), *make_sample("trihex", 9)));
+}
+
+TEST_F(Cli, InfoPrintsJson) {
+  ASSERT_EQ(run("sample vault --size 5 -o a.obj"), 0);
+  ASSERT_EQ(run("info a.obj"), 0) << err();
+  const auto json = nlohmann::json::parse(out());
+  EXPECT_EQ(json["mesh"]["vertices"], 25);
+  EXPECT_EQ(json["mesh"]["face_sizes"]["4"], 16);
+  EXPECT_EQ(json["mesh"]["boundary_loops"], 1);
+}
+
+TEST_F(Cli, WrongUsageIsExitCodeTwoAndOneLine) {
+  ASSERT_EQ(run("sample vault --size 6 -o a.obj"), 0);
+  for (const char* words : {"",
+                            "fly",
+                            "edit",
+                            "edit a.obj",
+                            "edit a.obj --handle 3",
+                            "edit a.obj --handle 3=1,2",
+                            "edit a.obj --handle 3=nan,0,0",
+                            "edit a.obj --handle 3=inf,0,0",
+                            "edit a.obj --handle 3=1e999,0,0",
+                            "edit a.obj --handle 36=0,0,0",
+                            "edit a.obj --handle -1=0,0,0",
+                            "edit a.obj --handle 99999999999=0,0,0",
+                            "edit a.obj --handle 3=0,0,0 --pin 77",
+                            "edit a.obj --handle 3=0,0,0 --locality -1",
+                            "edit a.obj --handle 3=0,0,0 --fairness soft",
+                            "edit a.obj --handle 3=0,0,0 --hard=1",
+                            "edit a.obj --handle 3=0,0,0 -o b.stl",
+                            "edit a.obj b.obj --handle 3=0,0,0",
+                            "edit a.obj --handle 3=0,0,0 --wobble",
+                            "edit a.obj --handle",
+                            "sample vault",
+                            "sample teapot -o b.obj",
+                            "sample vault --size 2 -o b.obj",
+                            "convert a.obj",
+                            "explore a.obj --handle 3+=0,0,1",
+                            "explore a.obj --handle 3+=0,0,1 --dimension 0",
+                            "explore a.obj --handle 3+=0,0,1 --dimension 2 --coefficients 1",
+                            "edit a.obj --handle 3+=0,0,1 -o - --report -"}) {
+    EXPECT_EQ(run(words), 2) << words;
+    const std::string message = err();
+    EXPECT_EQ(message.rfind("planish: ", 0), 0u) << words;
+    EXPECT_EQ(message.find('\n'), message.size() - 1) << words << ": " << message;
+  }
+  EXPECT_EQ(file_count(), 3u);  // a.obj, out, err: nothing half written
+}
+
+TEST_F(Cli, AnInvalidMeshIsExitCodeThreeAndNamesTheLine) {
+  save("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
+  EXPECT_EQ(run("info bad.obj"), 3);
+  EXPECT_EQ(err(), "planish: bad.obj: line 3: \"x\" is not a coordinate\n");
+  EXPECT_EQ(run("info missing.obj"), 3);
+  EXPECT_EQ(run("convert bad.obj -o out.ply"), 3);
+  EXPECT_FALSE(fs::exists(directory_ / "out.ply"));
+}
+
+TEST_F(Cli, AnOutputThatCannotBeWrittenLeavesNothing) {
+  EXPECT_EQ(run("sample vault -o no/such/place.obj"), 3);
+  EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(Cli, EditMovesTheHandleAndReports) {
+  ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
+  ASSERT_EQ(run("edit a.obj --handle 65+=0,0,0.5 --pin 0,11 -o b.obj --report r.json"), 0) << err();
+  EXPECT_EQ(err(), "");
+  const Mesh before = load("a.obj"), after = load("b.obj");
+  EXPECT_GT(after.positions(2, 65), before.positions(2, 65) + 0.3);
+  EXPECT_EQ(after.positions.col(11), before.positions.col(11));
+  const auto json = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(json["solver"], "newton");
+  EXPECT_LE(json["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
+  int moved = 0;
+  for (int v = 0; v < before.vertex_count(); ++v) {
+    moved += before.positions.col(v) != after.positions.col(v) ? 1 : 0;
+  }
+  EXPECT_EQ(json["moved_vertices"], moved);
+  EXPECT_FALSE(json.contains("planarised_first"));
+}
+
+TEST_F(Cli, AnEditOfAMeshThatIsNotFlatSaysSo) {
+  ASSERT_EQ(run("sample dome --size 10 -o a.obj"), 0);
+  Mesh bent = load("a.obj");
+  bent.positions(2, 44) += 0.02;
+  save("bent.obj", write_mesh(bent, MeshFormat::kObj));
+  ASSERT_EQ(run("edit bent.obj --handle 55+=0,0,0.4 -o b.obj --report -"), 0) << err();
+  const auto json = nlohmann::json::parse(out());
+  EXPECT_GT(json["planarised_first"]["max_move"].get<double>(), 0.0);
+  EXPECT_GT(json["planarity_mm_per_m"]["before_max"].get<double>(), 1.0);
+  EXPECT_LE(json["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
+}
+
+TEST_F(Cli, ProjectLeavesAFlatMeshBitForBit) {
+  ASSERT_EQ(run("sample freeform --size 12 -o a.obj"), 0);
+  ASSERT_EQ(run("project a.obj -o b.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
+}
+
+TEST_F(Cli, ExploreReportsItsSubspace) {
+  ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
+  ASSERT_EQ(run("explore a.obj --handle 65+=0,0,0.5 --dimension 2 -o b.glb --report r.json"), 0)
+      << err();
+  const auto json = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(json["subspace"]["dimension"], 2);
+  EXPECT_LE(json["subspace"]["orthonormality_error"].get<double>(), 1e-8);
+  EXPECT_EQ(load("b.glb").face_count(), 121);
+}
+
+TEST_F(Cli, EveryCommandHasHelp) {
+  for (const char* name : {"info", "edit", "explore", "project", "convert", "sample"}) {
+    EXPECT_EQ(run(std::string(name) + " --help"), 0);
+    EXPECT_NE(out().find(name), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace planish
+
+#endif  // __EMSCRIPTEN__

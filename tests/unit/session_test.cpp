@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace planish {
+namespace {
+
+constexpr double kToleranceMmPerM = 1e-6;
+
+Session open_vault() {
+  Session session;
+  EXPECT_EQ(session.open_sample("vault", 17), std::nullopt);
+  return session;
+}
+
+/// The middle of the 17 × 17 vault, raised.
+EditTargets lift(const Session& session, double height) {
+  constexpr int kMiddle = 8 * 17 + 8;
+  Eigen::Vector3d target = session.base().positions.col(kMiddle);
+  target.z() += height;
+  return {.handles = {{kMiddle, target}}, .pins = {}};
+}
+
+TEST(Session, RefusesBeforeAMeshIsOpen) {
+  Session session;
+  EXPECT_NE(session.edit(EditMode::kSolve, {}, 1.0), std::nullopt);
+  EXPECT_NE(session.explore({}), std::nullopt);
+  EXPECT_NE(session.vary(Eigen::VectorXd::Zero(1)), std::nullopt);
+}
+
+TEST(Session, ARefusedFileLeavesTheSessionAsItWas) {
+  Session session = open_vault();
+  const std::string before = session.mesh_report();
+  const Refusal refusal = session.open_file("v 0 0 0\nf 1 2 3\n", "obj");
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_NE(refusal->find("line 2"), std::string::npos) << *refusal;
+  EXPECT_NE(session.open_file("", "dwg"), std::nullopt);
+  EXPECT_NE(session.open_sample("castle", 9), std::nullopt);
+  EXPECT_EQ(session.mesh_report(), before);
+}
+
+TEST(Session, AnEditIsLocalAndFlat) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  const auto report = nlohmann::json::parse(session.report());
+  EXPECT_LE(report["worstMmPerM"].get<double>(), kToleranceMmPerM);
+  EXPECT_EQ(report["movedVertices"].get<std::size_t>(), session.moved().size());
+  int differing = 0;
+  for (Eigen::Index v = 0; v < session.current().cols(); ++v) {
+    if (session.current().col(v) != session.base().positions.col(v)) ++differing;
+  }
+  EXPECT_EQ(static_cast<std::size_t>(differing), session.moved().size());
+  EXPECT_GT(differing, 0);
+  EXPECT_LT(differing, session.base().vertex_count());
+}
+
+TEST(Session, ChangesCoverWhatMovedAndWhatMovedBack) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  const std::size_t moved = session.moved().size();
+  EXPECT_EQ(session.take_changes().size(), 4 * moved);
+  EXPECT_TRUE(session.take_changes().empty());
+  ASSERT_EQ(session.restore({}, {}, Positions(3, 0)), std::nullopt);
+  EXPECT_TRUE(session.moved().empty());
+  EXPECT_EQ(session.current(), session.base().positions);
+  EXPECT_EQ(session.take_changes().size(), 4 * moved);
+}
+
+TEST(Session, ARestoredDesignIsTheSameToTheLastBit) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 0.5);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
+  const std::vector<int> moved = session.moved();
+  const Positions positions = session.moved_positions();
+  const auto file = session.write("obj");
+  ASSERT_EQ(session.restore({}, {}, Positions(3, 0)), std::nullopt);
+  ASSERT_EQ(session.restore(targets, moved, positions), std::nullopt);
+  EXPECT_EQ(session.write("obj"), file);
+}
+
+TEST(Session, RefusesADesignOfAnotherMesh) {
+  Session session = open_vault();
+  EXPECT_NE(session.restore({}, {9999}, Positions::Zero(3, 1)), std::nullopt);
+  EXPECT_NE(session.restore({}, {3, 2}, Positions::Zero(3, 2)), std::nullopt);
+  EXPECT_NE(session.restore({}, {3}, Positions::Zero(3, 2)), std::nullopt);
+  EXPECT_TRUE(session.moved().empty());
+}
+
+TEST(Session, ARefusedEditKeepsTheLastOne) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  const Positions before = session.current();
+  EXPECT_NE(session.edit(EditMode::kSolve, {.handles = {{-1, {0, 0, 0}}}, .pins = {}}, 1.0),
+            std::nullopt);
+  HandleEditOptions nonsense;
+  nonsense.attraction = -1.0;
+  EXPECT_NE(session.set_options(nonsense), std::nullopt);
+  EXPECT_EQ(session.current(), before);
+}
+
+TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {
+  Session session;
+  const std::string far =
+      "v 500000 6200000 100\nv 500001 6200000 100\nv 500001 6200001 100\n"
+      "v 500000 6200001 100\nf 1 2 3 4\n";
+  ASSERT_EQ(session.open_file(far, "obj"), std::nullopt);
+  const std::vector<float> display = session.display_base();
+  const auto [low, high] = std::minmax_element(display.begin(), display.end());
+  EXPECT_NEAR(*high - *low, 10.0 / std::sqrt(2.0), 1e-5);
+}
+
+TEST(Session, UnknownFormatsAreNotWritten) { EXPECT_EQ(open_vault().write("dwg"), std::nullopt); }
+
+}  // namespace
+}  // namespace planish

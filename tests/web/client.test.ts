@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+import { describe, expect, it } from "vitest";
+import { Abandoned, SolverClient } from "../../web/src/solver/client.ts";
+import type { Request } from "../../web/src/solver/protocol.ts";
+
+/** A worker that answers only when told to. */
+class SlowWorker {
+  onmessage: ((event: { data: unknown }) => void) | null = null;
+  onerror: ((event: unknown) => void) | null = null;
+  readonly received: Request[] = [];
+  terminated = false;
+
+  postMessage(request: Request): void {
+    this.received.push(request);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  reply(data: unknown): void {
+    this.onmessage?.({ data });
+  }
+}
+
+async function connect() {
+  const workers: SlowWorker[] = [];
+  const steps: number[] = [];
+  const spawn = async () => {
+    const worker = new SlowWorker();
+    workers.push(worker);
+    setTimeout(() => worker.reply({ kind: "ready", job: 0 }));
+    return worker as unknown as Worker;
+  };
+  const client = new SolverClient(spawn, (step) => steps.push(step));
+  await client.ready;
+  const [worker] = workers;
+  if (!worker) throw new Error("no worker");
+  return { client, worker, workers, steps };
+}
+
+const settled = (promise: Promise<unknown>): Promise<unknown> => promise.catch((error) => error);
+
+describe("the solver client", () => {
+  it("has one job in flight and keeps only the newest frame waiting", async () => {
+    const { client, worker } = await connect();
+    const frames = [1, 2, 3].map((x) =>
+      settled(client.stream({ kind: "vary", coefficients: [x] })),
+    );
+    expect(worker.received).toMatchObject([{ job: 1, coefficients: [1] }]);
+    worker.reply({ kind: "exported", job: 1, bytes: new Uint8Array() });
+    expect(worker.received).toMatchObject([{ job: 1 }, { job: 2, coefficients: [3] }]);
+    worker.reply({ kind: "exported", job: 2, bytes: new Uint8Array() });
+    const [first, second, third] = await Promise.all(frames);
+    expect(first).toMatchObject({ job: 1 });
+    expect(second).toBeInstanceOf(Abandoned);
+    expect(third).toMatchObject({ job: 2 });
+  });
+
+  it("ignores answers to jobs that are gone, and reports progress", async () => {
+    const { client, worker, steps } = await connect();
+    const asked = client.ask({ kind: "exact" });
+    worker.reply({ kind: "failed", job: 77, message: "stale" });
+    worker.reply({ kind: "progress", job: 1, step: 5, residual: 1 });
+    worker.reply({ kind: "panels", job: 1, figures: new Float32Array() });
+    expect(await asked).toMatchObject({ kind: "panels" });
+    expect(steps).toEqual([5]);
+  });
+
+  it("turns a failure into its sentence and goes on", async () => {
+    const { client, worker } = await connect();
+    const asked = settled(client.ask({ kind: "exact" }));
+    const next = client.ask({ kind: "panels" });
+    worker.reply({ kind: "failed", job: 1, message: "No." });
+    expect(await asked).toMatchObject({ message: "No." });
+    worker.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    expect(await next).toMatchObject({ kind: "panels" });
+  });
+
+  it("cancels by replacing the worker; later jobs go to the new one", async () => {
+    const { client, worker, workers } = await connect();
+    const asked = settled(client.ask({ kind: "exact" }));
+    client.cancel();
+    expect(await asked).toBeInstanceOf(Abandoned);
+    expect(worker.terminated).toBe(true);
+    const next = client.ask({ kind: "panels" });
+    await client.ready;
+    workers[1]?.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    expect(await next).toMatchObject({ kind: "panels" });
+  });
+});
