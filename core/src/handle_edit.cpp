@@ -123,7 +123,11 @@ class HandleEditSolver::State {
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
-  HandleEditResult keep_base(SolveReport report);
+  [[nodiscard]] bool nothing_to_do() const;
+  [[nodiscard]] bool is_exact(const ExactDesign& design) const;
+  [[nodiscard]] static ExactDesign unmoved();
+  ExactDesign run_engine(const Progress& progress, SolveReport& report);
+  ExactDesign come_nearer(const Progress& progress, SolveReport& report);
 
   HandleEditOptions options_;
   std::unique_ptr<MeshModel> model_;
@@ -211,11 +215,12 @@ void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   }
 }
 
-HandleEditResult HandleEditSolver::State::keep_base(SolveReport report) {
+/// The base mesh as a design.
+ExactDesign HandleEditSolver::State::unmoved() {
   ExactDesign design;
   design.displacement.resize(3, 0);
   design.positions.resize(3, 0);
-  return result_of(design, std::move(report));
+  return design;
 }
 
 HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, SolveReport report) {
@@ -313,31 +318,69 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   return finish_->finish(problem_, outcome.support, *trial_, options_.tolerance);
 }
 
+bool HandleEditSolver::State::nothing_to_do() const {
+  return std::all_of(problem_.handles.begin(), problem_.handles.end(),
+                     [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
+}
+
+bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
+  if (!design.positions.allFinite()) return false;
+  return std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces)) <=
+         std::max(options_.tolerance, planarity_->worst());
+}
+
+ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
+  return options_.engine == Engine::kNewton ? solve_newton(progress, report)
+                                            : solve_augmented_lagrangian(progress, report);
+}
+
+/// For targets that no flat design was found for: handles that may stay short of them, then targets
+/// that are less far. The base mesh is the last resort, and always valid.
+ExactDesign HandleEditSolver::State::come_nearer(const Progress& progress, SolveReport& report) {
+  constexpr std::array<double, 4> kShares{1.0, 0.5, 0.25, 0.125};
+  const std::vector<VertexTerm> terms = problem_.terms;
+  ExactDesign design;
+  bool exact = false;
+  for (const double share : kShares) {
+    for (const int v : problem_.handles) {
+      problem_.terms[at(v)].fixed = false;
+      problem_.terms[at(v)].target = share * terms[at(v)].target;
+    }
+    SolveReport attempt;
+    design = run_engine(progress, attempt);
+    report.iterations += attempt.iterations;
+    report.factorizations += attempt.factorizations;
+    report.status = attempt.status;
+    exact = is_exact(design);
+    if (exact || attempt.status == SolveStatus::kCancelled) break;
+  }
+  problem_.terms = terms;
+  if (!exact) design = unmoved();
+  if (report.status != SolveStatus::kCancelled) report.status = SolveStatus::kInfeasibleHandles;
+  return design;
+}
+
 HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
                                                 const Progress& progress) {
   const Stopwatch watch;
   set_targets(targets);
   SolveReport report;
-  const bool still = std::all_of(problem_.handles.begin(), problem_.handles.end(),
-                                 [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
-  if (still) {
+  if (nothing_to_do()) {
     report.status = SolveStatus::kConverged;
     report.solve_seconds = watch.seconds();
-    return keep_base(std::move(report));
+    return result_of(unmoved(), std::move(report));
   }
-  const ExactDesign design = options_.engine == Engine::kNewton
-                                 ? solve_newton(progress, report)
-                                 : solve_augmented_lagrangian(progress, report);
-  report.solve_seconds = watch.seconds();
-  if (!design.positions.allFinite()) {
-    report.status = SolveStatus::kNonFinite;
-    return keep_base(std::move(report));
+  ExactDesign design = run_engine(progress, report);
+  if (!is_exact(design)) {
+    if (report.status == SolveStatus::kCancelled) {
+      design = unmoved();
+    } else {
+      design = come_nearer(progress, report);
+    }
+  } else if (report.status == SolveStatus::kSingularSystem) {
+    report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
   HandleEditResult result = result_of(design, std::move(report));
-  if (result.report.planarity_after > options_.tolerance &&
-      result.report.planarity_after > planarity_->worst()) {
-    result.report.status = SolveStatus::kToleranceNotMet;
-  }
   result.report.solve_seconds = watch.seconds();
   return result;
 }
@@ -345,6 +388,13 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
   const Stopwatch watch;
   set_targets(targets);
+  if (nothing_to_do()) {  // back where the drag began: the path that led here is forgotten
+    drag_support_.clear();
+    SolveReport report;
+    report.status = SolveStatus::kConverged;
+    last_exact_ = result_of(unmoved(), std::move(report));
+    return *last_exact_;
+  }
   NewtonOptions options;
   options.stop = 1e-5;
   options.max_steps = 40;
@@ -380,7 +430,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
       result.report.moved_vertices = last_exact_->report.moved_vertices;
       result.report.max_displacement = last_exact_->report.max_displacement;
     } else {
-      result = keep_base(std::move(result.report));
+      result = result_of(unmoved(), std::move(result.report));
     }
     result.report.status = SolveStatus::kIterationLimit;
   }
