@@ -80,14 +80,16 @@ TEST(HostileGeometry, GivesARightAnswerOrAnHonestStatus) {
     EXPECT_LT(clock.seconds(), kPatience) << "project";
     Mesh base = scene.mesh;
     base.positions = testing::apply(scene.mesh, flat);
+    std::cout << "  " << scene.name << ": " << status_name(flat.report.status) << " "
+              << flat.report.planarity_before << " -> " << flat.report.planarity_after << " ("
+              << clock.seconds() << " s), edits";
     for (const double edges : {0.5, 3.0}) {
       HandleEditResult result;
-      edit(base, scene.handle, edges, &result);
+      std::cout << " " << status_name(edit(base, scene.handle, edges, &result)) << " ("
+                << result.moved.size() << " moved)";
       explore(base, apply(base, result), scene.handle);
     }
-    if (clock.seconds() > 1.0) {
-      std::cout << "  " << scene.name << ": " << clock.seconds() << " s\n";
-    }
+    std::cout << ", " << clock.seconds() << " s\n";
   }
 }
 
