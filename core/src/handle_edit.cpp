@@ -121,6 +121,7 @@ class HandleEditSolver::State {
   void set_targets(const EditTargets& targets);
   void clear_targets();
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
   [[nodiscard]] bool nothing_to_do() const;
@@ -305,6 +306,46 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   return finish_->finish(problem_, support, *trial_, options_.tolerance);
 }
 
+/// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
+/// an exact design, though perhaps short of the targets.
+ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
+  constexpr int kParts = 8;
+  NewtonOptions options;
+  options.stop = 1e-5;
+  options.max_steps = 60;
+  std::vector<VertexTerm> whole;
+  for (const int v : problem_.handles) whole.push_back(problem_.terms[at(v)]);
+  const Interruption interruption = [&](const IterationRecord& record) {
+    return progress && progress(record) == Flow::kStop;
+  };
+  ExactDesign best = unmoved();
+  trial_->clear();
+  report.status = SolveStatus::kInfeasibleHandles;
+  for (int part = 1; part <= kParts; ++part) {
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      const double share = static_cast<double>(part) / kParts;
+      problem_.terms[at(problem_.handles[k])].target = share * whole[k].target;
+    }
+    const NewtonOutcome outcome =
+        part == 1 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, interruption)
+                  : newton_->run_warm(problem_, options, *trial_, interruption);
+    report.iterations += outcome.steps;
+    report.factorizations += outcome.factorizations;
+    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
+    if (!is_exact(next)) break;
+    best = std::move(next);
+    if (outcome.status == SolveStatus::kCancelled) {
+      report.status = SolveStatus::kCancelled;
+      break;
+    }
+    if (part == kParts) report.status = SolveStatus::kIterationLimit;
+  }
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    problem_.terms[at(problem_.handles[k])] = whole[k];
+  }
+  return best;
+}
+
 ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,
                                                                 SolveReport& report) {
   trial_->clear();
@@ -334,29 +375,20 @@ ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveR
                                             : solve_augmented_lagrangian(progress, report);
 }
 
-/// For targets that no flat design was found for: handles that may stay short of them, then targets
-/// that are less far. The base mesh is the last resort, and always valid.
+/// For targets that no flat design was found for: handles that may stay short of them, approached
+/// in parts. The base mesh is the last resort, and always valid.
 ExactDesign HandleEditSolver::State::come_nearer(const Progress& progress, SolveReport& report) {
-  constexpr std::array<double, 4> kShares{1.0, 0.5, 0.25, 0.125};
   const std::vector<VertexTerm> terms = problem_.terms;
-  ExactDesign design;
-  bool exact = false;
-  for (const double share : kShares) {
-    for (const int v : problem_.handles) {
-      problem_.terms[at(v)].fixed = false;
-      problem_.terms[at(v)].target = share * terms[at(v)].target;
-    }
-    SolveReport attempt;
-    design = run_engine(progress, attempt);
-    report.iterations += attempt.iterations;
-    report.factorizations += attempt.factorizations;
-    report.status = attempt.status;
-    exact = is_exact(design);
-    if (exact || attempt.status == SolveStatus::kCancelled) break;
+  bool softened = false;
+  for (const int v : problem_.handles) {
+    softened = softened || problem_.terms[at(v)].fixed;
+    problem_.terms[at(v)].fixed = false;
   }
+  ExactDesign design = solve_in_parts(progress, report);
   problem_.terms = terms;
-  if (!exact) design = unmoved();
-  if (report.status != SolveStatus::kCancelled) report.status = SolveStatus::kInfeasibleHandles;
+  if (softened && report.status != SolveStatus::kCancelled) {
+    report.status = SolveStatus::kInfeasibleHandles;
+  }
   return design;
 }
 

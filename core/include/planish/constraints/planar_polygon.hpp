@@ -32,20 +32,31 @@ void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector
 struct FlatnessEquation {
   std::array<int, 4> vertices{};
   double scale = 1.0;
+  /// > 0 where a, b, c carry the plane of a larger polygon: then the scale follows their triangle,
+  /// down to this doubled area. Otherwise "all three on a line" would solve every equation of the
+  /// polygon at once without making it flat.
+  double least_area = 0.0;
 };
 
 /// Four points, one a column, in the order of FlatnessEquation::vertices.
 using FourPoints = Eigen::Matrix<double, 3, 4>;
 
-[[nodiscard]] double residual(const FourPoints& points, double scale);
+/// The factor of det() for the equation with its corners at `points`.
+[[nodiscard]] double scale_at(const FlatnessEquation& equation, const FourPoints& points);
+
+/// c with the corners at `points`.
+[[nodiscard]] double residual(const FlatnessEquation& equation, const FourPoints& points);
 
 /// ∂c/∂(vertex k) in column k. [PL-3]
-[[nodiscard]] FourPoints gradient(const FourPoints& points, double scale);
+[[nodiscard]] FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points);
 
 /// ∂²c/∂(vertex k)∂(vertex l), 3 × 3, for k > l; each is a skew matrix, and the (l, k) block is
 /// its transpose; blocks on the diagonal are zero. Order, row by row: (1,0) (2,0) (2,1) (3,0) (3,1)
 /// (3,2). [PL-4]
-[[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale);
+/// Where the scale follows the triangle it is held constant here: the terms left out are multiples of
+/// c and of ∇c, which do not change a Newton step on the constraints.
+[[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
+                                                     const FourPoints& points);
 
 /// The n − 3 equations of `face`. Three well-spread vertices carry the plane; every other vertex
 /// gives one equation. Appends nothing for a triangle.
