@@ -33,8 +33,26 @@ TEST_P(FlatnessEquationAt, GradientIsTheDerivativeOfTheResidual) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const double difference = (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
+    const double difference =
+        (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
     EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
+  }
+}
+
+/// Where the scale follows the triangle that carries a polygon's plane, its derivative counts.
+TEST_P(FlatnessEquationAt, GradientFollowsTheScaleOfAPolygon) {
+  for (const double least_area : {1e-3, 100.0}) {  // following, and at its bound
+    const FlatnessEquation equation{{0, 1, 2, 3}, 0.7, least_area};
+    const FourPoints points = four_points(GetParam());
+    const FourPoints derivative = gradient(equation, points);
+    for (int k = 0; k < 12; ++k) {
+      FourPoints ahead = points, behind = points;
+      ahead(k % 3, k / 3) += kStep;
+      behind(k % 3, k / 3) -= kStep;
+      const double difference =
+          (residual(equation, ahead) - residual(equation, behind)) / (2 * kStep);
+      EXPECT_NEAR(derivative(k % 3, k / 3), difference, 1e-7 * (1 + derivative.norm()));
+    }
   }
 }
 
@@ -53,7 +71,8 @@ TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const FourPoints column = (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
+    const FourPoints column =
+        (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
     EXPECT_LT((dense.col(k) - Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data()))
                   .lpNorm<Eigen::Infinity>(),
               kDifferenceError)
@@ -66,7 +85,7 @@ TEST_P(FlatnessEquationAt, ResidualIgnoresTranslationAndRotation) {
   const Eigen::Vector3d axis = random_points(GetParam() + 100, 1).col(0).normalized();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, axis).toRotationMatrix();
   const FourPoints moved = (turn * points).colwise() + Eigen::Vector3d(3, -2, 5);
-  EXPECT_NEAR(residual(moved, 1.0), residual(points, 1.0), 1e-11);
+  EXPECT_NEAR(residual(kEquation, moved), residual(kEquation, points), 1e-11);
 }
 
 /// A residual is a length: the distance between the diagonals of a quad.
