@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "planish/constraints/planar_polygon.hpp"
+#include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
 #include "support/scenes.hpp"
@@ -70,8 +71,7 @@ TEST_P(SubspaceOn, IsTangent) {
         points.col(k) = model.points.col(v);
         motion.col(k) = t.col(v);
       }
-      worst =
-          std::max(worst, std::abs(gradient(equation, points).cwiseProduct(motion).sum()));
+      worst = std::max(worst, std::abs(gradient(equation, points).cwiseProduct(motion).sum()));
     }
     EXPECT_LT(worst, kPromise) << "vector " << j;
   }

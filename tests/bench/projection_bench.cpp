@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/// Planarising a perturbed PQ grid: ours against local/global iteration, in one run.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "bench/local_global.hpp"
+#include "planish/projection.hpp"
+#include "support/scenes.hpp"
+
+namespace planish::bench {
+namespace {
+
+Mesh perturbed_grid(int size) {
+  Mesh mesh = testing::sample("vault", size);
+  mesh.positions /= mean_edge_length(mesh);
+  mesh.positions += 0.05 * testing::random_points(1, mesh.vertex_count());
+  return mesh;
+}
+
+/// @param state range(0) vertices a side; range(1) exponent of the planarity to reach
+void local_global(benchmark::State& state, int window) {
+  const Mesh mesh = perturbed_grid(static_cast<int>(state.range(0)));
+  LocalGlobalOptions options;
+  options.window = window;
+  options.planarity = std::pow(10.0, -static_cast<double>(state.range(1)));
+  LocalGlobalRun run;
+  for (auto _ : state) {
+    LocalGlobal solver(mesh, options.closeness);
+    run = solver.run(options);
+  }
+  state.counters["planarity"] = run.planarity;
+  state.counters["iterations"] = run.iterations;
+  state.counters["reached"] = run.reached ? 1.0 : 0.0;
+}
+
+void LocalGlobalPlain(benchmark::State& state) { local_global(state, 0); }
+void LocalGlobalAnderson(benchmark::State& state) { local_global(state, 5); }
+
+/// Distance alone, and the page's default with a little fairness.
+void project(benchmark::State& state, double fairness) {
+  const Mesh mesh = perturbed_grid(static_cast<int>(state.range(0)));
+  ProjectionOptions options;
+  options.fairness_weight = fairness;
+  options.tolerance = 1000.0 * std::pow(10.0, -static_cast<double>(state.range(1)));
+  ProjectionResult result;
+  for (auto _ : state) result = project_to_planar(mesh, options);
+  state.counters["planarity"] = 1e-3 * result.report.planarity_after;
+  state.counters["iterations"] = result.report.iterations;
+  state.counters["reached"] = result.failing_faces.empty() ? 1.0 : 0.0;
+}
+
+void ProjectNearest(benchmark::State& state) { project(state, 0.0); }
+void ProjectFair(benchmark::State& state) { project(state, 0.1); }
+
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Unit(benchmark::kMillisecond)->Iterations(1);
+  for (const int size : {32, 100, 316}) benchmark->Args({size, 4});
+}
+
+BENCHMARK(ProjectNearest)->Apply(sizes)->Args({32, 9})->Args({100, 9})->Args({316, 9});
+BENCHMARK(ProjectFair)->Apply(sizes)->Args({32, 9})->Args({100, 9});
+BENCHMARK(LocalGlobalAnderson)->Apply(sizes)->Args({32, 6});
+BENCHMARK(LocalGlobalPlain)->Apply(sizes)->Args({32, 6});
+
+}  // namespace
+}  // namespace planish::bench
