@@ -6,9 +6,9 @@ import "../ui/layout.css";
 import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
-import { openFirst } from "../state/opening.ts";
 import { displayMesh } from "../state/store.ts";
 import { App } from "./app.tsx";
+import { begin } from "./beginning.ts";
 
 displayMesh.value = {
   display: Float32Array.from(firstMesh.positions),
@@ -17,4 +17,4 @@ displayMesh.value = {
 };
 const root = document.getElementById("app");
 if (root) render(<App />, root);
-void openFirst();
+void begin();
