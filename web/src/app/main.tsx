@@ -6,6 +6,7 @@ import "../ui/layout.css";
 import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
+import { keepPanelFigures } from "../state/analysis.ts";
 import { displayMesh } from "../state/store.ts";
 import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
@@ -17,4 +18,5 @@ displayMesh.value = {
 };
 const root = document.getElementById("app");
 if (root) render(<App />, root);
+keepPanelFigures();
 void begin();

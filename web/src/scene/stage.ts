@@ -121,6 +121,18 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Brings a few points to the middle, near enough to judge them, without turning the view. */
+  lookAt(points: Float32Array): void {
+    const box = new Box3().setFromArray(points);
+    const centre = box.getCenter(new Vector3());
+    const arm = this.camera.position.clone().sub(this.orbit.target);
+    const near = 7 * box.getSize(new Vector3()).length();
+    this.orbit.target.copy(centre);
+    this.camera.position.copy(centre).add(arm.setLength(Math.min(arm.length(), near)));
+    this.orbit.update();
+    this.invalidate();
+  }
+
   /** Turns about the target, radians. */
   turn(right: number, down: number): void {
     const arm = this.camera.position.clone().sub(this.orbit.target);

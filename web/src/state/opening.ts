@@ -17,8 +17,10 @@ import {
   importReport,
   mesh,
   notice,
+  panelFigures,
   problem,
   selected,
+  selectedPanel,
   settings,
 } from "./store.ts";
 import { buildTopology } from "./topology.ts";
@@ -58,6 +60,8 @@ export function adoptMesh(
     draft.value = design;
     figures.value = design.report;
     selected.value = null;
+    selectedPanel.value = null;
+    panelFigures.value = null;
     hintVertex.value = null;
     notice.value = null;
     importReport.value = false;

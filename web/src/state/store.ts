@@ -34,6 +34,10 @@ export const selected = signal<number | null>(null);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
 export const colourBy = signal<ColourBy>("displacement");
+/** Gap (model units) and mm/m of every panel of the last finished design. */
+export const panelFigures = signal<Float32Array | null>(null);
+/** The panel that the table and the view point at. */
+export const selectedPanel = signal<number | null>(null);
 /** Shows the base instead of the design while held. */
 export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */
