@@ -121,6 +121,8 @@ class HandleEditSolver::State {
   void set_targets(const EditTargets& targets);
   void clear_targets();
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
+  [[nodiscard]] bool is_exact(const ExactDesign& design) const;
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
   HandleEditResult keep_base(SolveReport report);
@@ -300,6 +302,51 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   return finish_->finish(problem_, support, *trial_, options_.tolerance);
 }
 
+/// Whether no panel is above the tolerance, or above the base's worst where that is worse.
+bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
+  return design.positions.allFinite() &&
+         design.worst_mm_per_m <= std::max(options_.tolerance, planarity_->worst());
+}
+
+/// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
+/// an exact design, though perhaps short of the targets.
+ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
+  constexpr int kParts = 8;
+  NewtonOptions options;
+  options.stop = 1e-5;
+  options.max_steps = 60;
+  std::vector<VertexTerm> whole;
+  for (const int v : problem_.handles) whole.push_back(problem_.terms[at(v)]);
+  const Interruption interruption = [&](const IterationRecord& record) {
+    return progress && progress(record) == Flow::kStop;
+  };
+  ExactDesign best;
+  best.displacement.resize(3, 0);
+  best.positions.resize(3, 0);
+  trial_->clear();
+  report.status = SolveStatus::kInfeasibleHandles;
+  for (int part = 1; part <= kParts; ++part) {
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      const double share = static_cast<double>(part) / kParts;
+      problem_.terms[at(problem_.handles[k])].target = share * whole[k].target;
+    }
+    const NewtonOutcome outcome =
+        part == 1 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, interruption)
+                  : newton_->run_warm(problem_, options, *trial_, interruption);
+    report.iterations += outcome.steps;
+    report.factorizations += outcome.factorizations;
+    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
+    if (!is_exact(next)) break;
+    best = std::move(next);
+    if (outcome.status == SolveStatus::kCancelled) break;
+    if (part == kParts) report.status = SolveStatus::kIterationLimit;
+  }
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    problem_.terms[at(problem_.handles[k])] = whole[k];
+  }
+  return best;
+}
+
 ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,
                                                                 SolveReport& report) {
   trial_->clear();
@@ -325,9 +372,14 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
     report.solve_seconds = watch.seconds();
     return keep_base(std::move(report));
   }
-  const ExactDesign design = options_.engine == Engine::kNewton
-                                 ? solve_newton(progress, report)
-                                 : solve_augmented_lagrangian(progress, report);
+  ExactDesign design = options_.engine == Engine::kNewton
+                           ? solve_newton(progress, report)
+                           : solve_augmented_lagrangian(progress, report);
+  const bool cancelled = report.status == SolveStatus::kCancelled;
+  if (!is_exact(design) && problem_.sparse && !cancelled) {
+    ExactDesign partial = solve_in_parts(progress, report);
+    design = std::move(partial);
+  }
   report.solve_seconds = watch.seconds();
   if (!design.positions.allFinite()) {
     report.status = SolveStatus::kNonFinite;

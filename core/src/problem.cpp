@@ -142,8 +142,8 @@ FourPoints corners(const Patch& patch, const FlatnessEquation& equation) {
 void residuals(const Patch& patch, Eigen::VectorXd& out) {
   out.resize(static_cast<Eigen::Index>(patch.equations.size()));
   for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    out[static_cast<Eigen::Index>(e)] =
-        residual(corners(patch, patch.equations[e]), patch.equations[e].scale);
+    const FourPoints points = corners(patch, patch.equations[e]);
+    out[static_cast<Eigen::Index>(e)] = residual(points, scale_at(patch.equations[e], points));
   }
 }
 

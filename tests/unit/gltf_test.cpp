@@ -114,7 +114,7 @@ TEST(Gltf, HoldsWhatViewersNeed) {
             json["meshes"][1]["primitives"][0]["attributes"]["POSITION"]);
   EXPECT_EQ(panels["extras"]["targetNames"].size(), 2u);
   EXPECT_EQ(panels["extras"]["polygonSizes"].size(), static_cast<std::size_t>(mesh.face_count()));
-  const auto& target = json["accessors"][primitive["targets"][1]["POSITION"].get<int>()];
+  const auto& target = json["accessors"][primitive["targets"][1]["POSITION"].get<std::size_t>()];
   EXPECT_EQ(target["sparse"]["count"], 3);
   EXPECT_EQ(target["count"], mesh.vertex_count());
   EXPECT_EQ(json["extensionsUsed"][0], "KHR_materials_variants");

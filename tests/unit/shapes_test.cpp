@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "planish/mesh_check.hpp"
@@ -118,6 +120,28 @@ TEST(Shapes, StayFlatWithAMillionVertices) {
     const PlanaritySummary planarity = planarity_summary(*make_sample(name, 1000));
     EXPECT_LT(planarity.max, 1e-6) << name;
     RecordProperty(std::string(name), std::to_string(planarity.max));
+  }
+}
+
+/// FNV-1a of the coordinates' bytes.
+std::uint64_t fingerprint(const Positions& positions) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (Eigen::Index k = 0; k < positions.size(); ++k) {
+    unsigned char bytes[sizeof(double)];
+    std::memcpy(bytes, positions.data() + k, sizeof bytes);
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211u;
+  }
+  return hash;
+}
+
+/// Shared links rebuild a sample from its name: native and wasm must agree to the last bit.
+TEST(Shapes, HaveTheSameBitsOnEveryPlatform) {
+  const std::uint64_t expected[] = {10321117945600688182u, 10921236294740059089u,
+                                    6703126293268417846u, 9374817436665464385u,
+                                    133475846086015987u};
+  for (std::size_t k = 0; k < sample_names().size(); ++k) {
+    const std::string_view name = sample_names()[k];
+    EXPECT_EQ(fingerprint(make_sample(name, 32)->positions), expected[k]) << name;
   }
 }
 

@@ -93,6 +93,13 @@ void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector
   }
 }
 
+double scale_at(const FlatnessEquation& equation, const FourPoints& points) {
+  if (equation.least_area <= 0.0) return equation.scale;
+  const Eigen::Vector3d b = points.col(1) - points.col(0);
+  const Eigen::Vector3d c = points.col(2) - points.col(0);
+  return 1.0 / std::max(b.cross(c).norm(), equation.least_area);
+}
+
 double residual(const FourPoints& points, double scale) {
   const Eigen::Vector3d b = points.col(1) - points.col(0);
   const Eigen::Vector3d c = points.col(2) - points.col(0);
@@ -134,7 +141,8 @@ FlatnessEquation quad_equation(const Positions& positions, std::span<const int> 
   const Eigen::Vector3d first = positions.col(face[2]) - positions.col(face[0]);
   const Eigen::Vector3d second = positions.col(face[3]) - positions.col(face[1]);
   const double extent = std::max(first.norm(), second.norm());
-  return {{face[0], face[1], face[2], face[3]}, bounded_scale(first.cross(second).norm(), extent)};
+  return {
+      {face[0], face[1], face[2], face[3]}, bounded_scale(first.cross(second).norm(), extent), 0.0};
 }
 
 }  // namespace
@@ -162,8 +170,10 @@ void append_flatness_equations(const Positions& positions, std::span<const int> 
   });
   const Eigen::Vector3d arm = point(c) - point(a);
   const double scale = bounded_scale(side.cross(arm).norm(), side.norm());
+  constexpr double kLeastShare = 1e-3;  // of the carrying triangle, before the scale stops growing
   for (std::size_t k = 0; k < face.size(); ++k) {
-    if (k != a && k != b && k != c) out.push_back({{face[a], face[b], face[c], face[k]}, scale});
+    if (k != a && k != b && k != c)
+      out.push_back({{face[a], face[b], face[c], face[k]}, scale, kLeastShare / scale});
   }
 }
 

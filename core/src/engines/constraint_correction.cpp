@@ -97,7 +97,8 @@ bool ConstraintCorrection::factorize(const Eigen::Matrix3Xd& displacement, doubl
   std::vector<double>& values = cholesky_.values();
   for (std::size_t e = 0; e < gradients_.size(); ++e) {
     const FlatnessEquation& equation = patch_->equations[e];
-    gradients_[e] = gradient(corners_at(*patch_, displacement, equation), equation.scale);
+    const FourPoints points = corners_at(*patch_, displacement, equation);
+    gradients_[e] = gradient(points, scale_at(equation, points));
     double sum = regularization;
     for (int k = 0; k < 4; ++k) {
       if (equation.vertices[at(k)] < patch_->free_count) sum += gradients_[e].col(k).squaredNorm();
@@ -151,8 +152,8 @@ void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eige
   out.resize(static_cast<Eigen::Index>(patch.equations.size()));
   for (std::size_t e = 0; e < patch.equations.size(); ++e) {
     const FlatnessEquation& equation = patch.equations[e];
-    out[static_cast<Eigen::Index>(e)] =
-        residual(corners_at(patch, displacement, equation), equation.scale);
+    const FourPoints points = corners_at(patch, displacement, equation);
+    out[static_cast<Eigen::Index>(e)] = residual(points, scale_at(equation, points));
   }
 }
 

@@ -32,10 +32,18 @@ void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector
 struct FlatnessEquation {
   std::array<int, 4> vertices{};
   double scale = 1.0;
+  /// > 0 where a, b, c carry the plane of a larger polygon: then the scale follows their triangle,
+  /// down to this doubled area. Otherwise "all three on a line" would solve every equation of the
+  /// polygon at once without making it flat.
+  double least_area = 0.0;
 };
 
 /// Four points, one a column, in the order of FlatnessEquation::vertices.
 using FourPoints = Eigen::Matrix<double, 3, 4>;
+
+/// The factor of det() for the equation with its corners at `points`. Derivatives hold it constant:
+/// the terms they leave out are multiples of c and of ∇c, which vanish where the equation holds.
+[[nodiscard]] double scale_at(const FlatnessEquation& equation, const FourPoints& points);
 
 [[nodiscard]] double residual(const FourPoints& points, double scale);
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/// Dragging: every frame is exact, and what is released depends on the handles alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planish/handle_edit.hpp"
+#include "planish/metrics.hpp"
+#include "support/mesh_builders.hpp"
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kTolerance = 1e-6;  ///< mm/m
+constexpr double kAmpleSeconds = 10.0;
+
+class DragOn : public ::testing::TestWithParam<const char*> {
+ protected:
+  DragOn()
+      : mesh(testing::sample(GetParam(), 32)),
+        handle(mesh.vertex_count() == 1024 ? 16 * 32 + 16 : testing::middle_vertex(mesh)) {}
+
+  [[nodiscard]] EditTargets at(double share, const Eigen::Vector3d& way = {0, 0, 1.5}) const {
+    return testing::pull(mesh, handle, share * way);
+  }
+
+  void expect_exact(const HandleEditResult& frame) const {
+    const Positions edited = apply(mesh, frame);
+    EXPECT_LE(planarity_summary(mesh, edited).max, kTolerance);
+    EXPECT_EQ(moved_vertex_count(mesh.positions, edited), static_cast<int>(frame.moved.size()));
+  }
+
+  Mesh mesh;
+  int handle;
+};
+
+TEST_P(DragOn, EveryFrameIsExactAndFollowsTheHandle) {
+  HandleEditSolver solver(mesh, {});
+  for (int frame = 1; frame <= 60; ++frame) {
+    SCOPED_TRACE(frame);
+    const HandleEditResult result = solver.drag(at(frame / 60.0), kAmpleSeconds);
+    expect_exact(result);
+    EXPECT_LT(result.report.handle_error, 0.1);
+  }
+}
+
+TEST_P(DragOn, ADragEndsNearTheColdResult) {
+  HandleEditSolver solver(mesh, {});
+  double last = 0.0;
+  for (int frame = 1; frame <= 30; ++frame) {
+    last = solver.drag(at(frame / 30.0), kAmpleSeconds).report.objective.total();
+  }
+  const double cold = solver.solve(at(1.0)).report.objective.total();
+  EXPECT_LE(last, 1.1 * cold);
+}
+
+TEST_P(DragOn, ReleaseDoesNotDependOnThePath) {
+  HandleEditSolver straight(mesh, {}), winding(mesh, {});
+  for (int frame = 1; frame <= 10; ++frame) {
+    (void)straight.drag(at(frame / 10.0), kAmpleSeconds);
+  }
+  for (const double share : {0.2, -1.0, 2.0, 0.5}) {
+    (void)winding.drag(at(share, {0.7, -0.4, 1.0}), kAmpleSeconds);
+  }
+  const Positions first = apply(mesh, straight.release(at(1.0)));
+  const Positions second = apply(mesh, winding.release(at(1.0)));
+  const Positions alone = apply(mesh, solve_handle_edit(mesh, at(1.0)));
+  EXPECT_TRUE(testing::same_bits(first, second));
+  EXPECT_TRUE(testing::same_bits(first, alone));
+}
+
+/// The budget is spent before the first step: what comes back is exact all the same.
+TEST_P(DragOn, NoTimeAtAllStillGivesAnExactDesign) {
+  HandleEditSolver solver(mesh, {});
+  for (int frame = 1; frame <= 10; ++frame) {
+    SCOPED_TRACE(frame);
+    expect_exact(solver.drag(at(frame / 10.0), 0.0));
+  }
+}
+
+TEST_P(DragOn, ReturningToTheStartMovesNothing) {
+  HandleEditSolver solver(mesh, {});
+  for (const double share : {0.3, 0.6, 0.3, 0.0}) {
+    SCOPED_TRACE(share);
+    expect_exact(solver.drag(at(share), kAmpleSeconds));
+  }
+  EXPECT_LT(solver.drag(at(0.0), kAmpleSeconds).report.max_displacement, 1e-6);
+}
+
+TEST_P(DragOn, JumpsAndNewHandlesStayExact) {
+  HandleEditSolver solver(mesh, {});
+  expect_exact(solver.drag(at(1.0), kAmpleSeconds));
+  expect_exact(solver.drag(at(-2.0), kAmpleSeconds));
+  EditTargets other = testing::pull(mesh, mesh.vertex_count() / 4, {0, 0, 0.5});
+  expect_exact(solver.drag(other, kAmpleSeconds));
+  other.handles.push_back(at(0.5).handles[0]);
+  expect_exact(solver.drag(other, kAmpleSeconds));
+  solver.set_options({.smoothness = 10.0});
+  expect_exact(solver.drag(other, kAmpleSeconds));
+  EXPECT_TRUE(
+      testing::same_bits(apply(mesh, solver.release(at(1.0))),
+                         apply(mesh, solve_handle_edit(mesh, at(1.0), {.smoothness = 10.0}))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, DragOn, ::testing::Values("vault", "dome", "hex", "trihex"));
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+/// What the closeness and fairness terms do to an edit: Figs 2, 3, 8 and 9 of the paper.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planish/handle_edit.hpp"
+#include "planish/metrics.hpp"
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kLift = 0.5;
+constexpr double kNoticeable = 0.01;  ///< of the handle's displacement
+
+std::size_t noticeable(const Mesh& mesh, const HandleEditResult& result, double lift) {
+  return testing::moved_beyond(mesh, result, kNoticeable * lift).size();
+}
+
+class EditWith : public ::testing::TestWithParam<Engine> {};
+
+/// Fig. 3, left: ω_f = 0 recovers [Hof10].
+TEST_P(EditWith, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
+  const Mesh mesh = testing::sample("vault", 17);
+  const int handle = 8 * 17 + 8;
+  const HandleEditResult result = solve_handle_edit(
+      mesh, testing::pull(mesh, handle, {0, 0, kLift}), {.smoothness = 0.0, .engine = GetParam()});
+  EXPECT_TRUE(result.report.usable()) << status_name(result.report.status);
+  const std::vector<int> moved = testing::moved_beyond(mesh, result, kNoticeable * kLift);
+  const std::vector<int> near = testing::ring_neighbourhood(mesh, handle, 2);
+  EXPECT_LE(moved.size(), 16u);
+  EXPECT_TRUE(std::includes(near.begin(), near.end(), moved.begin(), moved.end()));
+  EXPECT_LE(planarity_summary(mesh, apply(mesh, result)).max, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, EditWith,
+                         ::testing::Values(Engine::kNewton, Engine::kAugmentedLagrangian));
+
+/// Fig. 3: the higher ω_f, the wider and smoother.
+TEST(EditLocality, GrowsWithSmoothness) {
+  const Mesh mesh = testing::sample("dome", 24);
+  const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, kLift});
+  const auto count = [&](double smoothness) {
+    return noticeable(mesh, solve_handle_edit(mesh, targets, {.smoothness = smoothness}), kLift);
+  };
+  const std::size_t none = count(0.0), some = count(1.0), much = count(30.0);
+  EXPECT_LT(none, some);
+  EXPECT_LT(some, much);
+}
+
+TEST(EditLocality, ShrinksWithItsWeight) {
+  const Mesh mesh = testing::sample("dome", 24);
+  const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, kLift});
+  const auto count = [&](double locality) {
+    return solve_handle_edit(mesh, targets, {.locality = locality}).moved.size();
+  };
+  EXPECT_GT(count(0.1), count(1.0));
+  EXPECT_GE(count(1.0), count(5.0));
+}
+
+/// Fig. 2: with equal fairness energy, ℓ2,1 moves at most 0.7 times as many vertices as ℓ2.
+TEST(EditLocality, L21IsMoreLocalThanL2AtEqualFairness) {
+  for (const char* name : {"vault", "dome"}) {
+    const Mesh mesh = testing::sample(name, 24);
+    const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, kLift});
+    const HandleEditResult sparse = solve_handle_edit(mesh, targets);
+    const double wanted = sparse.report.objective.fairness;
+    double low = 1e-4, high = 1e3;
+    HandleEditResult square;
+    for (int k = 0; k < 24; ++k) {
+      const double middle = std::sqrt(low * high);
+      square = solve_handle_edit(mesh, targets, {.locality = middle, .sparsity = Sparsity::kL2});
+      (square.report.objective.fairness < wanted ? low : high) = middle;
+    }
+    ASSERT_NEAR(square.report.objective.fairness, wanted, 0.02 * wanted) << name;
+    EXPECT_LE(static_cast<double>(noticeable(mesh, sparse, kLift)),
+              0.7 * static_cast<double>(noticeable(mesh, square, kLift)))
+        << name;
+  }
+}
+
+/// Figs 8 and 9: fewer degrees of freedom per vertex need a larger region.
+TEST(EditLocality, HexagonsNeedALargerRegionThanTriHex) {
+  const auto area = [](const char* name) {
+    const Mesh mesh = testing::sample(name, 24);
+    const HandleEditResult result =
+        solve_handle_edit(mesh, testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, kLift}));
+    EXPECT_TRUE(result.report.usable()) << name;
+    return testing::moved_beyond(mesh, result, kNoticeable * kLift).size();
+  };
+  EXPECT_GT(area("hex"), area("trihex"));
+}
+
+}  // namespace
+}  // namespace planish
