@@ -4,6 +4,7 @@ import { client } from "../state/connection.ts";
 import { openFirst } from "../state/opening.ts";
 import { replay } from "../state/replaying.ts";
 import { problem, ready } from "../state/store.ts";
+import { keepOffline } from "./offline.ts";
 
 /** Opens the design of the page's own address; false if there is none to open. */
 async function openAddress(): Promise<boolean> {
@@ -28,5 +29,6 @@ export async function begin(): Promise<void> {
     problem.value = said;
   }
   ready.value = true;
+  void keepOffline();
   window.addEventListener("hashchange", () => void openAddress());
 }

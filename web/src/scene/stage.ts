@@ -83,7 +83,7 @@ export class Stage {
     this.#key.castShadow = true;
     shadow.mapSize.set(1024, 1024);
     shadow.radius = 4;
-    shadow.bias = -0.0035;
+    shadow.bias = -0.008;
     Object.assign(shadow.camera, { left: -8, right: 8, top: 8, bottom: -8, near: 1, far: 40 });
     this.#ground.receiveShadow = true;
     this.scene.add(this.#sky, this.#key, this.#ground);

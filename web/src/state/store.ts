@@ -30,6 +30,8 @@ export const figures = signal<ShapeReport>(NO_REPORT);
 export const activity = signal<Activity | null>(null);
 export const problem = signal<string | null>(null);
 export const notice = signal<string | null>(null);
+/** Changes to a newer version of the page; null while there is none. */
+export const update = signal<(() => void) | null>(null);
 export const selected = signal<number | null>(null);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
