@@ -122,10 +122,13 @@ class HandleEditSolver::State {
   void clear_targets();
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
-  [[nodiscard]] bool is_exact(const ExactDesign& design) const;
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
-  HandleEditResult keep_base(SolveReport report);
+  [[nodiscard]] bool nothing_to_do() const;
+  [[nodiscard]] bool is_exact(const ExactDesign& design) const;
+  [[nodiscard]] static ExactDesign unmoved();
+  ExactDesign run_engine(const Progress& progress, SolveReport& report);
+  ExactDesign come_nearer(const Progress& progress, SolveReport& report);
 
   HandleEditOptions options_;
   std::unique_ptr<MeshModel> model_;
@@ -213,11 +216,12 @@ void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   }
 }
 
-HandleEditResult HandleEditSolver::State::keep_base(SolveReport report) {
+/// The base mesh as a design.
+ExactDesign HandleEditSolver::State::unmoved() {
   ExactDesign design;
   design.displacement.resize(3, 0);
   design.positions.resize(3, 0);
-  return result_of(design, std::move(report));
+  return design;
 }
 
 HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, SolveReport report) {
@@ -302,12 +306,6 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   return finish_->finish(problem_, support, *trial_, options_.tolerance);
 }
 
-/// Whether no panel is above the tolerance, or above the base's worst where that is worse.
-bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
-  return design.positions.allFinite() &&
-         design.worst_mm_per_m <= std::max(options_.tolerance, planarity_->worst());
-}
-
 /// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
 /// an exact design, though perhaps short of the targets.
 ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
@@ -320,9 +318,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   const Interruption interruption = [&](const IterationRecord& record) {
     return progress && progress(record) == Flow::kStop;
   };
-  ExactDesign best;
-  best.displacement.resize(3, 0);
-  best.positions.resize(3, 0);
+  ExactDesign best = unmoved();
   trial_->clear();
   report.status = SolveStatus::kInfeasibleHandles;
   for (int part = 1; part <= kParts; ++part) {
@@ -338,7 +334,10 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
     ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
     if (!is_exact(next)) break;
     best = std::move(next);
-    if (outcome.status == SolveStatus::kCancelled) break;
+    if (outcome.status == SolveStatus::kCancelled) {
+      report.status = SolveStatus::kCancelled;
+      break;
+    }
     if (part == kParts) report.status = SolveStatus::kIterationLimit;
   }
   for (std::size_t k = 0; k < whole.size(); ++k) {
@@ -360,36 +359,60 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   return finish_->finish(problem_, outcome.support, *trial_, options_.tolerance);
 }
 
+bool HandleEditSolver::State::nothing_to_do() const {
+  return std::all_of(problem_.handles.begin(), problem_.handles.end(),
+                     [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
+}
+
+bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
+  if (!design.positions.allFinite()) return false;
+  return std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces)) <=
+         std::max(options_.tolerance, planarity_->worst());
+}
+
+ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
+  return options_.engine == Engine::kNewton ? solve_newton(progress, report)
+                                            : solve_augmented_lagrangian(progress, report);
+}
+
+/// For targets that no flat design was found for: handles that may stay short of them, approached
+/// in parts. The base mesh is the last resort, and always valid.
+ExactDesign HandleEditSolver::State::come_nearer(const Progress& progress, SolveReport& report) {
+  const std::vector<VertexTerm> terms = problem_.terms;
+  bool softened = false;
+  for (const int v : problem_.handles) {
+    softened = softened || problem_.terms[at(v)].fixed;
+    problem_.terms[at(v)].fixed = false;
+  }
+  ExactDesign design = solve_in_parts(progress, report);
+  problem_.terms = terms;
+  if (softened && report.status != SolveStatus::kCancelled) {
+    report.status = SolveStatus::kInfeasibleHandles;
+  }
+  return design;
+}
+
 HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
                                                 const Progress& progress) {
   const Stopwatch watch;
   set_targets(targets);
   SolveReport report;
-  const bool still = std::all_of(problem_.handles.begin(), problem_.handles.end(),
-                                 [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
-  if (still) {
+  if (nothing_to_do()) {
     report.status = SolveStatus::kConverged;
     report.solve_seconds = watch.seconds();
-    return keep_base(std::move(report));
+    return result_of(unmoved(), std::move(report));
   }
-  ExactDesign design = options_.engine == Engine::kNewton
-                           ? solve_newton(progress, report)
-                           : solve_augmented_lagrangian(progress, report);
-  const bool cancelled = report.status == SolveStatus::kCancelled;
-  if (!is_exact(design) && problem_.sparse && !cancelled) {
-    ExactDesign partial = solve_in_parts(progress, report);
-    design = std::move(partial);
-  }
-  report.solve_seconds = watch.seconds();
-  if (!design.positions.allFinite()) {
-    report.status = SolveStatus::kNonFinite;
-    return keep_base(std::move(report));
+  ExactDesign design = run_engine(progress, report);
+  if (!is_exact(design)) {
+    if (report.status == SolveStatus::kCancelled) {
+      design = unmoved();
+    } else {
+      design = come_nearer(progress, report);
+    }
+  } else if (report.status == SolveStatus::kSingularSystem) {
+    report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
   HandleEditResult result = result_of(design, std::move(report));
-  if (result.report.planarity_after > options_.tolerance &&
-      result.report.planarity_after > planarity_->worst()) {
-    result.report.status = SolveStatus::kToleranceNotMet;
-  }
   result.report.solve_seconds = watch.seconds();
   return result;
 }
@@ -397,6 +420,13 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
   const Stopwatch watch;
   set_targets(targets);
+  if (nothing_to_do()) {  // back where the drag began: the path that led here is forgotten
+    drag_support_.clear();
+    SolveReport report;
+    report.status = SolveStatus::kConverged;
+    last_exact_ = result_of(unmoved(), std::move(report));
+    return *last_exact_;
+  }
   NewtonOptions options;
   options.stop = 1e-5;
   options.max_steps = 40;
@@ -432,7 +462,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
       result.report.moved_vertices = last_exact_->report.moved_vertices;
       result.report.max_displacement = last_exact_->report.max_displacement;
     } else {
-      result = keep_base(std::move(result.report));
+      result = result_of(unmoved(), std::move(result.report));
     }
     result.report.status = SolveStatus::kIterationLimit;
   }

@@ -143,7 +143,7 @@ void residuals(const Patch& patch, Eigen::VectorXd& out) {
   out.resize(static_cast<Eigen::Index>(patch.equations.size()));
   for (std::size_t e = 0; e < patch.equations.size(); ++e) {
     const FourPoints points = corners(patch, patch.equations[e]);
-    out[static_cast<Eigen::Index>(e)] = residual(points, scale_at(patch.equations[e], points));
+    out[static_cast<Eigen::Index>(e)] = residual(patch.equations[e], points);
   }
 }
 

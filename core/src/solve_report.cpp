@@ -8,17 +8,17 @@ std::string_view status_name(SolveStatus status) {
     case SolveStatus::kConverged:
       return "converged";
     case SolveStatus::kIterationLimit:
-      return "iteration limit";
+      return "iteration_limit";
     case SolveStatus::kCancelled:
       return "cancelled";
     case SolveStatus::kInfeasibleHandles:
-      return "infeasible handles";
+      return "infeasible_handles";
     case SolveStatus::kToleranceNotMet:
-      return "tolerance not met";
+      return "tolerance_not_met";
     case SolveStatus::kSingularSystem:
-      return "singular system";
+      return "singular_system";
     case SolveStatus::kNonFinite:
-      return "non-finite";
+      return "non_finite";
   }
   return "unknown";
 }

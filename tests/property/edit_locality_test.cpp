@@ -19,14 +19,12 @@ std::size_t noticeable(const Mesh& mesh, const HandleEditResult& result, double 
   return testing::moved_beyond(mesh, result, kNoticeable * lift).size();
 }
 
-class EditWith : public ::testing::TestWithParam<Engine> {};
-
 /// Fig. 3, left: ω_f = 0 recovers [Hof10].
-TEST_P(EditWith, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
+TEST(EditLocality, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
   const Mesh mesh = testing::sample("vault", 17);
   const int handle = 8 * 17 + 8;
-  const HandleEditResult result = solve_handle_edit(
-      mesh, testing::pull(mesh, handle, {0, 0, kLift}), {.smoothness = 0.0, .engine = GetParam()});
+  const HandleEditResult result =
+      solve_handle_edit(mesh, testing::pull(mesh, handle, {0, 0, kLift}), {.smoothness = 0.0});
   EXPECT_TRUE(result.report.usable()) << status_name(result.report.status);
   const std::vector<int> moved = testing::moved_beyond(mesh, result, kNoticeable * kLift);
   const std::vector<int> near = testing::ring_neighbourhood(mesh, handle, 2);
@@ -34,9 +32,6 @@ TEST_P(EditWith, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
   EXPECT_TRUE(std::includes(near.begin(), near.end(), moved.begin(), moved.end()));
   EXPECT_LE(planarity_summary(mesh, apply(mesh, result)).max, 1e-6);
 }
-
-INSTANTIATE_TEST_SUITE_P(Engines, EditWith,
-                         ::testing::Values(Engine::kNewton, Engine::kAugmentedLagrangian));
 
 /// Fig. 3: the higher ω_f, the wider and smoother.
 TEST(EditLocality, GrowsWithSmoothness) {
@@ -65,16 +60,22 @@ TEST(EditLocality, L21IsMoreLocalThanL2AtEqualFairness) {
   for (const char* name : {"vault", "dome"}) {
     const Mesh mesh = testing::sample(name, 24);
     const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, kLift});
-    const HandleEditResult sparse = solve_handle_edit(mesh, targets);
+    // Hard handles: a strong ℓ2 term would otherwise hold the handle back as well.
+    const HandleEditResult sparse = solve_handle_edit(mesh, targets, {.hard_handles = true});
     const double wanted = sparse.report.objective.fairness;
     double low = 1e-4, high = 1e3;
-    HandleEditResult square;
+    HandleEditResult square;  // at least as rough as `sparse`, so at least as local as at equality
     for (int k = 0; k < 24; ++k) {
       const double middle = std::sqrt(low * high);
-      square = solve_handle_edit(mesh, targets, {.locality = middle, .sparsity = Sparsity::kL2});
-      (square.report.objective.fairness < wanted ? low : high) = middle;
+      const HandleEditResult tried = solve_handle_edit(
+          mesh, targets, {.locality = middle, .sparsity = Sparsity::kL2, .hard_handles = true});
+      const bool rougher = tried.report.objective.fairness >= wanted;
+      (rougher ? high : low) = middle;
+      if (rougher) square = tried;
     }
-    ASSERT_NEAR(square.report.objective.fairness, wanted, 0.02 * wanted) << name;
+    ASSERT_GE(square.report.objective.fairness, wanted) << name;
+    RecordProperty(std::string(name) + "_l21", static_cast<int>(noticeable(mesh, sparse, kLift)));
+    RecordProperty(std::string(name) + "_l2", static_cast<int>(noticeable(mesh, square, kLift)));
     EXPECT_LE(static_cast<double>(noticeable(mesh, sparse, kLift)),
               0.7 * static_cast<double>(noticeable(mesh, square, kLift)))
         << name;

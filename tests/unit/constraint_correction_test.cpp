@@ -19,7 +19,7 @@ Eigen::MatrixXd dense_jacobian(const Patch& patch, const Eigen::Matrix3Xd& displ
   Patch moved = patch;
   moved.displacement.leftCols(patch.free_count) = displacement;
   for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FourPoints g = gradient(corners(moved, patch.equations[e]), patch.equations[e].scale);
+    const FourPoints g = gradient(patch.equations[e], corners(moved, patch.equations[e]));
     for (int k = 0; k < 4; ++k) {
       const int v = patch.equations[e].vertices[static_cast<std::size_t>(k)];
       if (v < patch.free_count) {

@@ -19,25 +19,28 @@ constexpr double kStep = 1e-6;             ///< of a central difference
 constexpr double kDifferenceError = 1e-8;  ///< what rounding leaves of it, values of order 1
 constexpr double kRounding = 1e-12;
 
+/// A quad whose corners are the four points, in order.
+const FlatnessEquation kEquation{{0, 1, 2, 3}, 0.7, 0.0};
+
 FourPoints four_points(unsigned seed) { return random_points(seed, 4); }
 
 class FlatnessEquationAt : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(FlatnessEquationAt, GradientIsTheDerivativeOfTheResidual) {
   const FourPoints points = four_points(GetParam());
-  const FourPoints derivative = gradient(points, 0.7);
+  const FourPoints derivative = gradient(kEquation, points);
   for (int k = 0; k < 12; ++k) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const double difference = (residual(ahead, 0.7) - residual(behind, 0.7)) / (2 * kStep);
+    const double difference = (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
     EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
   }
 }
 
 TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
   const FourPoints points = four_points(GetParam());
-  const auto blocks = hessian(points, 0.7);
+  const auto blocks = hessian(kEquation, points);
   Eigen::Matrix<double, 12, 12> dense = Eigen::Matrix<double, 12, 12>::Zero();
   int pair = 0;
   for (int i = 1; i < 4; ++i) {
@@ -50,7 +53,7 @@ TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const FourPoints column = (gradient(ahead, 0.7) - gradient(behind, 0.7)) / (2 * kStep);
+    const FourPoints column = (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
     EXPECT_LT((dense.col(k) - Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data()))
                   .lpNorm<Eigen::Infinity>(),
               kDifferenceError)
@@ -77,7 +80,7 @@ TEST_P(FlatnessEquationAt, ResidualOfAQuadIsTheDistanceOfItsDiagonals) {
   const Eigen::Vector3d second = points.col(3) - points.col(1);
   const double distance =
       std::abs(first.cross(second).normalized().dot(points.col(1) - points.col(0)));
-  EXPECT_NEAR(std::abs(residual(points, equations[0].scale)), distance, kRounding);
+  EXPECT_NEAR(std::abs(residual(equations[0], points)), distance, kRounding);
 }
 
 /// n − 3 equations; all zero exactly where the polygon is flat, and one of them large where a
@@ -102,7 +105,7 @@ TEST_P(FlatnessEquationAt, PolygonsHaveOneEquationPerVertexBeyondThree) {
         FourPoints corners;
         for (int k = 0; k < 4; ++k)
           corners.col(k) = points.col(equation.vertices[static_cast<std::size_t>(k)]);
-        largest = std::max(largest, std::abs(residual(corners, equation.scale)));
+        largest = std::max(largest, std::abs(residual(equation, corners)));
       }
       return largest;
     };

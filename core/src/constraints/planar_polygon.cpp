@@ -100,26 +100,37 @@ double scale_at(const FlatnessEquation& equation, const FourPoints& points) {
   return 1.0 / std::max(b.cross(c).norm(), equation.least_area);
 }
 
-double residual(const FourPoints& points, double scale) {
+double residual(const FlatnessEquation& equation, const FourPoints& points) {
   const Eigen::Vector3d b = points.col(1) - points.col(0);
   const Eigen::Vector3d c = points.col(2) - points.col(0);
   const Eigen::Vector3d d = points.col(3) - points.col(0);
-  return scale * b.cross(c).dot(d);
+  return scale_at(equation, points) * b.cross(c).dot(d);
 }
 
-FourPoints gradient(const FourPoints& points, double scale) {
+FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) {
   const Eigen::Vector3d b = points.col(1) - points.col(0);
   const Eigen::Vector3d c = points.col(2) - points.col(0);
   const Eigen::Vector3d d = points.col(3) - points.col(0);
+  const double scale = scale_at(equation, points);
+  const Eigen::Vector3d normal = b.cross(c);
   FourPoints result;
   result.col(1) = scale * c.cross(d);
   result.col(2) = scale * d.cross(b);
-  result.col(3) = scale * b.cross(c);
+  result.col(3) = scale * normal;
+  if (equation.least_area > 0.0 && scale * equation.least_area < 1.0) {
+    // c = det / |b × c|: the quotient's second term, −c ∇|b × c| / |b × c|.
+    const Eigen::Vector3d unit = scale * normal;
+    const double share = scale * unit.dot(d);
+    result.col(1) -= share * c.cross(unit);
+    result.col(2) -= share * unit.cross(b);
+  }
   result.col(0) = -(result.col(1) + result.col(2) + result.col(3));
   return result;
 }
 
-std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale) {
+std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
+                                       const FourPoints& points) {
+  const double scale = scale_at(equation, points);
   const Eigen::Matrix3d b = scale * skew(points.col(1) - points.col(0));
   const Eigen::Matrix3d c = scale * skew(points.col(2) - points.col(0));
   const Eigen::Matrix3d d = scale * skew(points.col(3) - points.col(0));

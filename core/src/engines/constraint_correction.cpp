@@ -98,7 +98,7 @@ bool ConstraintCorrection::factorize(const Eigen::Matrix3Xd& displacement, doubl
   for (std::size_t e = 0; e < gradients_.size(); ++e) {
     const FlatnessEquation& equation = patch_->equations[e];
     const FourPoints points = corners_at(*patch_, displacement, equation);
-    gradients_[e] = gradient(points, scale_at(equation, points));
+    gradients_[e] = gradient(equation, points);
     double sum = regularization;
     for (int k = 0; k < 4; ++k) {
       if (equation.vertices[at(k)] < patch_->free_count) sum += gradients_[e].col(k).squaredNorm();
@@ -153,7 +153,7 @@ void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eige
   for (std::size_t e = 0; e < patch.equations.size(); ++e) {
     const FlatnessEquation& equation = patch.equations[e];
     const FourPoints points = corners_at(patch, displacement, equation);
-    out[static_cast<Eigen::Index>(e)] = residual(points, scale_at(equation, points));
+    out[static_cast<Eigen::Index>(e)] = residual(equation, points);
   }
 }
 
@@ -162,7 +162,7 @@ namespace {
 /// One linearisation, whichever way suits the patch.
 class Corrector {
  public:
-  explicit Corrector(const Patch& patch) : patch_(patch), dual_(correction_.attach(patch)) {
+  explicit Corrector(const Patch& patch) : dual_(correction_.attach(patch)) {
     if (dual_) return;
     // J Jᵀ would be dense: (I + μ JᵀJ) has the same limit and stays sparse.
     unit_ = patch;
@@ -190,7 +190,6 @@ class Corrector {
   }
 
  private:
-  const Patch& patch_;
   ConstraintCorrection correction_;
   bool dual_ = true;
   Patch unit_;

@@ -181,9 +181,8 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
   for (std::size_t e = 0; e < slots_.size(); ++e) {
     const FlatnessEquation& equation = patch_->equations[e];
     const FourPoints points = corners_at(state.displacement, equation);
-    const double scale = scale_at(equation, points);
-    const FourPoints g = gradient(points, scale);
-    const auto curvature = hessian(points, scale);
+    const FourPoints g = gradient(equation, points);
+    const auto curvature = hessian(equation, points);
     gradients_[e] = g;
     const double lambda =
         constraints_ == Constraints::kExact ? state.multipliers[static_cast<Eigen::Index>(e)] : 0.0;
@@ -261,7 +260,7 @@ void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
     const FlatnessEquation& equation = patch_->equations[e];
     const double lambda = state.multipliers[static_cast<Eigen::Index>(e)];
     const FourPoints points = corners_at(state.displacement, equation);
-    const FourPoints g = gradient(points, scale_at(equation, points));
+    const FourPoints g = gradient(equation, points);
     for (int k = 0; k < 4; ++k) {
       const int v = equation.vertices[at(k)];
       if (v < patch_->free_count) out.col(v) += lambda * g.col(k);
@@ -327,10 +326,10 @@ void PatchSystem::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorX
     const FourPoints points = corners_at(displacement, equation);
     double& value = out[static_cast<Eigen::Index>(e)];
     if (constraints_ == Constraints::kExact) {
-      value = residual(points, scale_at(equation, points));
+      value = residual(equation, points);
       continue;
     }
-    const FourPoints g = gradient(points, scale_at(equation, points));
+    const FourPoints g = gradient(equation, points);
     value = 0.0;
     for (int k = 0; k < 4; ++k) {
       value += g.col(k).dot(displaced(displacement, equation.vertices[at(k)]));

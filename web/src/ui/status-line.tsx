@@ -22,7 +22,7 @@ function numbers(): string {
     `worst panel ${formatGap(worstGap, unit.value)}`,
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
-  if (status === "infeasible handles") parts.push("the targets cannot be reached with flat panels");
+  if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
   return parts.join(" · ");
 }
 

@@ -41,19 +41,22 @@ struct FlatnessEquation {
 /// Four points, one a column, in the order of FlatnessEquation::vertices.
 using FourPoints = Eigen::Matrix<double, 3, 4>;
 
-/// The factor of det() for the equation with its corners at `points`. Derivatives hold it constant:
-/// the terms they leave out are multiples of c and of ∇c, which vanish where the equation holds.
+/// The factor of det() for the equation with its corners at `points`.
 [[nodiscard]] double scale_at(const FlatnessEquation& equation, const FourPoints& points);
 
-[[nodiscard]] double residual(const FourPoints& points, double scale);
+/// c with the corners at `points`.
+[[nodiscard]] double residual(const FlatnessEquation& equation, const FourPoints& points);
 
 /// ∂c/∂(vertex k) in column k. [PL-3]
-[[nodiscard]] FourPoints gradient(const FourPoints& points, double scale);
+[[nodiscard]] FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points);
 
 /// ∂²c/∂(vertex k)∂(vertex l), 3 × 3, for k > l; each is a skew matrix, and the (l, k) block is
 /// its transpose; blocks on the diagonal are zero. Order, row by row: (1,0) (2,0) (2,1) (3,0) (3,1)
 /// (3,2). [PL-4]
-[[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FourPoints& points, double scale);
+/// Where the scale follows the triangle it is held constant here: the terms left out are multiples of
+/// c and of ∇c, which do not change a Newton step on the constraints.
+[[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
+                                                     const FourPoints& points);
 
 /// The n − 3 equations of `face`. Three well-spread vertices carry the plane; every other vertex
 /// gives one equation. Appends nothing for a triangle.

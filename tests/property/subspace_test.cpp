@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+/// Problem (7): an orthonormal, tangent, local family of variations; and Proposition 1.
+#include "planish/subspace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "planish/constraints/planar_polygon.hpp"
+#include "planish/metrics.hpp"
+#include "planish/problem.hpp"
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kPromise = 1e-8;  ///< orthonormality and tangency
+
+class SubspaceOn : public ::testing::TestWithParam<const char*> {
+ protected:
+  SubspaceOn()
+      : mesh(testing::sample(GetParam(), 20)),
+        handle(testing::middle_vertex(mesh)),
+        edit(solve_handle_edit(mesh, testing::pull(mesh, handle, {0, 0, 0.6}))),
+        edited(mesh) {
+    edited.positions = apply(mesh, edit);
+  }
+
+  [[nodiscard]] Subspace compute(const SubspaceOptions& options) const {
+    return compute_subspace(mesh, edited.positions, {handle}, options);
+  }
+
+  /// Column j as a displacement of the whole mesh.
+  [[nodiscard]] Positions vector(const Subspace& subspace, Eigen::Index j) const {
+    Positions t = Positions::Zero(3, mesh.vertex_count());
+    for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+      t.col(subspace.support[k]) =
+          subspace.basis.col(j).segment<3>(3 * static_cast<Eigen::Index>(k));
+    }
+    return t;
+  }
+
+  Mesh mesh;
+  int handle;
+  HandleEditResult edit;
+  Mesh edited;
+};
+
+TEST_P(SubspaceOn, IsOrthonormal) {
+  const Subspace subspace = compute({.dimension = 4});
+  ASSERT_EQ(subspace.dimension(), 4) << status_name(subspace.report.status);
+  const Eigen::MatrixXd gram = subspace.basis.transpose() * subspace.basis;
+  EXPECT_LT((gram - Eigen::MatrixXd::Identity(4, 4)).lpNorm<Eigen::Infinity>(), kPromise);
+  EXPECT_LT(subspace.report.orthonormality_error, kPromise);
+}
+
+/// J t = 0 with J assembled here, at p⁺, in units of the mean edge.
+TEST_P(SubspaceOn, IsTangent) {
+  const Subspace subspace = compute({.dimension = 4});
+  const MeshModel model(edited, FairnessKind::kSecondDifference);
+  for (Eigen::Index j = 0; j < subspace.dimension(); ++j) {
+    const Positions t = vector(subspace, j);
+    double worst = 0.0;
+    for (const FlatnessEquation& equation : model.equations) {
+      FourPoints points, motion;
+      for (int k = 0; k < 4; ++k) {
+        const int v = equation.vertices[static_cast<std::size_t>(k)];
+        points.col(k) = model.points.col(v);
+        motion.col(k) = t.col(v);
+      }
+      worst =
+          std::max(worst, std::abs(gradient(points, equation.scale).cwiseProduct(motion).sum()));
+    }
+    EXPECT_LT(worst, kPromise) << "vector " << j;
+  }
+  EXPECT_LT(subspace.report.tangency_error, kPromise);
+}
+
+TEST_P(SubspaceOn, StaysWithinReachOfTheEdit) {
+  for (const int reach : {1, 2}) {
+    const Subspace subspace = compute({.dimension = 3, .reach = reach});
+    std::vector<int> allowed;
+    for (const int v : edit.moved) {
+      const std::vector<int> near = testing::ring_neighbourhood(mesh, v, reach);
+      allowed.insert(allowed.end(), near.begin(), near.end());
+    }
+    std::sort(allowed.begin(), allowed.end());
+    EXPECT_TRUE(std::is_sorted(subspace.support.begin(), subspace.support.end()));
+    for (const int v : subspace.support) {
+      EXPECT_TRUE(std::binary_search(allowed.begin(), allowed.end(), v)) << v;
+    }
+  }
+}
+
+/// [SUB-3]: ξ(d̄, t) is between 0 and 1, and the vectors overlap the edit.
+TEST_P(SubspaceOn, OverlapsTheEdit) {
+  const Subspace subspace = compute({.dimension = 4});
+  const Positions d =
+      (edited.positions - mesh.positions) / (edited.positions - mesh.positions).norm();
+  for (Eigen::Index j = 0; j < subspace.dimension(); ++j) {
+    const double expected = vector(subspace, j).colwise().norm().dot(d.colwise().norm());
+    const double reported = subspace.report.correlation[static_cast<std::size_t>(j)];
+    EXPECT_NEAR(reported, expected, 1e-9);
+    EXPECT_GE(reported, 0.1);
+    EXPECT_LE(reported, 1.0 + 1e-12);
+  }
+}
+
+/// [SUB-1]: each vector is about as fair as the edit itself, not a spike.
+TEST_P(SubspaceOn, IsAsFairAsTheEdit) {
+  const Subspace subspace = compute({.dimension = 4});
+  const FairnessOperator e =
+      fairness_operator(mesh, build_adjacency(mesh), FairnessKind::kSecondDifference);
+  for (Eigen::Index j = 0; j < subspace.dimension(); ++j) {
+    const double fairness = (e * vector(subspace, j).transpose()).squaredNorm();
+    EXPECT_NEAR(subspace.report.fairness[static_cast<std::size_t>(j)], fairness,
+                1e-9 * (1 + fairness));
+    EXPECT_LT(fairness, 3.0 * subspace.report.edit_fairness);
+  }
+}
+
+/// Small coefficients leave the panels flat to second order.
+TEST_P(SubspaceOn, BendsPanelsOnlyToSecondOrder) {
+  const Subspace subspace = compute({.dimension = 3});
+  const auto planarity = [&](double size) {
+    Positions rows, all = edited.positions;
+    evaluate(subspace, size * Eigen::VectorXd::Ones(subspace.dimension()), rows);
+    for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+      all.col(subspace.support[k]) = rows.col(static_cast<Eigen::Index>(k));
+    }
+    return planarity_summary(mesh, all).max;
+  };
+  const double coarse = planarity(0.02), fine = planarity(0.002);
+  EXPECT_LT(fine, 0.015 * coarse + 1e-6);
+}
+
+/// [SUB-5]: another basis of the same space, smallest Q first.
+TEST_P(SubspaceOn, EigenbasisSpansTheSameSpaceFairestFirst) {
+  const Subspace plain = compute({.dimension = 4});
+  const Subspace eigen = compute({.dimension = 4, .eigenbasis = true});
+  ASSERT_EQ(plain.support, eigen.support);
+  const Eigen::MatrixXd overlap = plain.basis.transpose() * eigen.basis;
+  EXPECT_LT((overlap.transpose() * overlap - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-7);
+  EXPECT_TRUE(std::is_sorted(eigen.report.fairness.begin(), eigen.report.fairness.end(),
+                             [](double a, double b) { return a < b - 1e-9; }));
+}
+
+/// [SUB-6]: Appendix B as the paper has it, finished exactly.
+TEST_P(SubspaceOn, TheReferenceEngineKeepsTheSamePromises) {
+  const Subspace subspace = compute({.dimension = 2, .engine = Engine::kAugmentedLagrangian});
+  EXPECT_EQ(subspace.dimension(), 2);
+  EXPECT_LT(subspace.report.orthonormality_error, kPromise);
+  EXPECT_LT(subspace.report.tangency_error, kPromise);
+}
+
+TEST_P(SubspaceOn, ZeroCoefficientsAreTheEditBitForBit) {
+  const Subspace subspace = compute({.dimension = 2});
+  Positions rows;
+  evaluate(subspace, Eigen::VectorXd::Zero(subspace.dimension()), rows);
+  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+    EXPECT_EQ(Eigen::Vector3d(rows.col(static_cast<Eigen::Index>(k))),
+              Eigen::Vector3d(edited.positions.col(subspace.support[k])));
+  }
+}
+
+/// [SUB-2]: coefficient 1 moves some vertex by the edit's own largest move.
+TEST_P(SubspaceOn, ScalesCoefficientsToTheEdit) {
+  const Subspace subspace = compute({.dimension = 2});
+  Positions rows;
+  evaluate(subspace, Eigen::VectorXd::Unit(subspace.dimension(), 0), rows);
+  EXPECT_NEAR((rows - subspace.origin).colwise().norm().maxCoeff(), edit.report.max_displacement,
+              1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, SubspaceOn, ::testing::Values("vault", "dome", "hex", "trihex"));
+
+/// [SUB-2]: a higher sparsity weight never gives a wider family.
+TEST(Subspace, ShrinksWithItsSparsityWeight) {
+  const Mesh mesh = testing::sample("dome", 24);
+  const int handle = testing::middle_vertex(mesh);
+  const Positions edited =
+      apply(mesh, solve_handle_edit(mesh, testing::pull(mesh, handle, {0, 0, 0.6})));
+  const auto first_support = [&](double weight) {
+    return compute_subspace(mesh, edited, {handle}, {.dimension = 1, .sparsity_weight = weight})
+        .report.support_sizes[0];
+  };
+  EXPECT_LE(first_support(10.0), first_support(0.1));
+}
+
+TEST(Subspace, OfAMeshThatDidNotMoveIsEmpty) {
+  const Mesh mesh = testing::sample("vault", 10);
+  const Subspace subspace = compute_subspace(mesh, mesh.positions, {}, {});
+  EXPECT_EQ(subspace.dimension(), 0);
+  EXPECT_TRUE(subspace.support.empty());
+}
+
+TEST(SubspaceOptions, NameWhatIsWrong) {
+  const auto problem = [](const SubspaceOptions& options) {
+    return find_problem(options).value_or("");
+  };
+  EXPECT_EQ(problem({}), "");
+  EXPECT_NE(problem({.dimension = 0}).find("dimension"), std::string::npos);
+  EXPECT_NE(problem({.dimension = 25}).find("dimension"), std::string::npos);
+  EXPECT_NE(problem({.correlation = 1.0}).find("correlation"), std::string::npos);
+  EXPECT_NE(problem({.reach = -1}).find("reach"), std::string::npos);
+}
+
+/// Proposition 1 of the paper, by quadrature over the circle.
+class PropositionOne : public ::testing::TestWithParam<unsigned> {
+ protected:
+  static constexpr int kSamples = 4096;
+
+  static double angle(int k) { return 2 * std::acos(-1.0) * (k + 0.5) / kSamples; }
+
+  static double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
+    return u.colwise().norm().dot(v.colwise().norm());
+  }
+
+  static double gap(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
+    double sum = 0.0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double x = std::cos(angle(k)), y = std::sin(angle(k));
+      sum += std::abs(x) * u.colwise().norm().sum() + std::abs(y) * v.colwise().norm().sum() -
+             (x * u + y * v).colwise().norm().sum();
+    }
+    return sum * 2 * std::acos(-1.0) / kSamples;
+  }
+
+  /// 4 / max_i max (‖x u_i‖ + ‖y v_i‖ + ‖x u_i + y v_i‖)
+  static double factor(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
+    double largest = 0.0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double x = std::cos(angle(k)), y = std::sin(angle(k));
+      const Eigen::RowVectorXd sums =
+          (x * u).colwise().norm() + (y * v).colwise().norm() + (x * u + y * v).colwise().norm();
+      largest = std::max(largest, sums.maxCoeff());
+    }
+    return 4.0 / largest;
+  }
+};
+
+TEST_P(PropositionOne, TheGapBoundsTheCorrelation) {
+  Eigen::Matrix3Xd u = testing::random_points(GetParam(), 12);
+  Eigen::Matrix3Xd v = testing::random_points(GetParam() + 400, 12);
+  u.normalize();
+  v.normalize();
+  EXPECT_GE(gap(u, v), factor(u, v) * correlation(u, v) * (1 - 1e-6));
+  EXPECT_LE(correlation(u, v), 1.0);
+}
+
+TEST_P(PropositionOne, DisjointRegionsHaveNeither) {
+  Eigen::Matrix3Xd u = testing::random_points(GetParam(), 12);
+  Eigen::Matrix3Xd v = testing::random_points(GetParam() + 400, 12);
+  u.rightCols(6).setZero();
+  v.leftCols(6).setZero();
+  u.normalize();
+  v.normalize();
+  EXPECT_EQ(correlation(u, v), 0.0);
+  EXPECT_NEAR(gap(u, v), 0.0, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, PropositionOne, ::testing::ValuesIn(testing::seeds()));
+
+}  // namespace
+}  // namespace planish
