@@ -20,8 +20,10 @@ it("works without a network after the first visit", async () => {
 
 it("works inside a frame of another page", async () => {
   const page = await site.open();
-  await page.goto("about:blank");
-  await page.setContent(`<iframe width="800" height="600" src="${site.url}"></iframe>`);
+  const host = new URL("/host", site.url).href;
+  const body = `<!doctype html><iframe width="800" height="600" src="${site.url}"></iframe>`;
+  await page.route(host, (route) => route.fulfill({ contentType: "text/html", body }));
+  await page.goto(host);
   const frame = page.frameLocator("iframe");
   await expect
     .poll(() => frame.getByRole("status").textContent(), { timeout: 20_000 })

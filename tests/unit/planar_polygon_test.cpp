@@ -66,7 +66,7 @@ TEST_P(FlatnessEquationAt, ResidualIgnoresTranslationAndRotation) {
   const Eigen::Vector3d axis = random_points(GetParam() + 100, 1).col(0).normalized();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, axis).toRotationMatrix();
   const FourPoints moved = (turn * points).colwise() + Eigen::Vector3d(3, -2, 5);
-  EXPECT_NEAR(residual(moved, 1.0), residual(points, 1.0), 1e-11);
+  EXPECT_NEAR(residual(kEquation, moved), residual(kEquation, points), 1e-11);
 }
 
 /// A residual is a length: the distance between the diagonals of a quad.
