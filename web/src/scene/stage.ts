@@ -27,6 +27,11 @@ const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, number]>> 
   Side: [1, 0, 0],
 };
 
+/** Milliseconds: a slower frame leaves shadows out while something moves. */
+const QUICK = 8;
+/** Milliseconds without a change after which they are cast again. */
+const REST = 160;
+
 /** Share of the view that a fitted subject fills. */
 const FILL = 0.86;
 
@@ -58,6 +63,8 @@ export class Stage {
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
   readonly #onDraw: () => void;
   #pending = 0;
+  #drawMilliseconds = 0;
+  #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #target: Object3D | null = null;
 
   constructor(canvas: HTMLCanvasElement, onDraw: () => void) {
@@ -161,8 +168,15 @@ export class Stage {
     this.invalidate();
   }
 
-  /** The geometry changed: shadows too. */
+  /** The geometry changed. Shadows follow at once if drawing is quick, else when it rests. */
   moved(): void {
+    clearTimeout(this.#shadowTimer);
+    if (this.#drawMilliseconds < QUICK) this.renderer.shadowMap.needsUpdate = true;
+    else this.#shadowTimer = setTimeout(() => this.#castShadows(), REST);
+    this.invalidate();
+  }
+
+  #castShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
@@ -173,12 +187,15 @@ export class Stage {
 
   draw(): void {
     this.#pending = 0;
+    const begin = performance.now();
     this.renderer.render(this.scene, this.camera);
+    this.#drawMilliseconds = performance.now() - begin;
     this.#onDraw();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.#pending);
+    clearTimeout(this.#shadowTimer);
     this.orbit.dispose();
     this.renderer.dispose();
   }
