@@ -16,7 +16,7 @@ struct LocalGlobalOptions {
   int window = 0;           ///< m of Anderson acceleration; 0: plain
   double planarity = 1e-4;  ///< stop at max gap / longest edge
   int max_iterations = 20000;
-  double max_seconds = 20.0;  ///< processor time
+  double max_seconds = 15.0;  ///< processor time
 };
 
 struct LocalGlobalRun {

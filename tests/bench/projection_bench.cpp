@@ -53,15 +53,25 @@ void project(benchmark::State& state, double fairness) {
 void ProjectNearest(benchmark::State& state) { project(state, 0.0); }
 void ProjectFair(benchmark::State& state) { project(state, 0.1); }
 
-void sizes(benchmark::internal::Benchmark* benchmark) {
-  benchmark->Unit(benchmark::kMillisecond)->Iterations(1);
-  for (const int size : {32, 100, 316}) benchmark->Args({size, 4});
-}
-
-BENCHMARK(ProjectNearest)->Apply(sizes)->Args({32, 9})->Args({100, 9})->Args({316, 9});
-BENCHMARK(ProjectFair)->Apply(sizes)->Args({32, 9})->Args({100, 9});
-BENCHMARK(LocalGlobalAnderson)->Apply(sizes)->Args({32, 6});
-BENCHMARK(LocalGlobalPlain)->Apply(sizes)->Args({32, 6});
+BENCHMARK(ProjectNearest)
+    ->ArgsProduct({{32, 100}, {4, 9}})
+    ->Args({316, 9})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(ProjectFair)
+    ->ArgsProduct({{32, 100}, {4, 9}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(LocalGlobalAnderson)
+    ->ArgsProduct({{32, 100, 316}, {4}})
+    ->Args({32, 6})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(LocalGlobalPlain)
+    ->ArgsProduct({{32, 100, 316}, {4}})
+    ->Args({32, 6})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 }  // namespace
 }  // namespace planish::bench
