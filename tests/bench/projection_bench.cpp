@@ -30,7 +30,7 @@ void local_global(benchmark::State& state, int window) {
     run = solver.run(options);
   }
   state.counters["planarity"] = run.planarity;
-  state.counters["iterations"] = run.iterations;
+  state.counters["steps"] = run.iterations;
   state.counters["reached"] = run.reached ? 1.0 : 0.0;
 }
 
@@ -46,7 +46,7 @@ void project(benchmark::State& state, double fairness) {
   ProjectionResult result;
   for (auto _ : state) result = project_to_planar(mesh, options);
   state.counters["planarity"] = 1e-3 * result.report.planarity_after;
-  state.counters["iterations"] = result.report.iterations;
+  state.counters["steps"] = result.report.iterations;
   state.counters["reached"] = result.failing_faces.empty() ? 1.0 : 0.0;
 }
 
