@@ -34,8 +34,10 @@ class Stopwatch {
 
 Refusal unusable(const SolveReport& report, std::string_view what) {
   if (report.usable()) return std::nullopt;
-  return std::string(what) + " did not reach a flat result (" +
-         std::string(status_name(report.status)) + "); the design is as it was.";
+  std::string reason(status_name(report.status));
+  std::replace(reason.begin(), reason.end(), '_', ' ');
+  return std::string(what) + " did not reach a flat result (" + reason +
+         "); the design is as it was.";
 }
 
 /// What each slider does at value 1, for a GLB's morph targets.

@@ -2,6 +2,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { firstMesh } from "./first-mesh.ts";
+import { offline } from "./offline.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const wasm = process.env.PLANISH_WASM_DIR ?? here("../build/wasm/wasm");
@@ -12,7 +13,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [firstMesh(wasm)],
+  plugins: [firstMesh(wasm), offline()],
   worker: { format: "es" },
   build: {
     outDir: here("../dist"),

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "planish/constraints/planar_polygon.hpp"
+#include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
 #include "support/scenes.hpp"

@@ -173,7 +173,7 @@ TEST(RunAlm, StopsWhenBothResidualsAreSmall) {
 /// Sec. 3.3: μ grows only when ‖h‖ falls too slowly against ‖r̂‖.
 TEST(RunAlm, RaisesThePenaltyOnlyWhereThePrimalResidualLags) {
   ScriptedSplitting lagging{.script = {{1.0, 1.0}, {0.9, 0.1}, {0.8, 0.01}}};
-  (void)run_alm(lagging, {.max_outer = 3}, {});
+  (void)run_alm(lagging, {.penalty_growth = 2.0, .max_outer = 3}, {});
   EXPECT_EQ(lagging.penalties, (std::vector<double>{10.0, 20.0, 40.0}));
   ScriptedSplitting leading{.script = {{1.0, 1.0}, {0.1, 0.9}, {0.01, 0.8}}};
   (void)run_alm(leading, {.max_outer = 3}, {});
@@ -184,7 +184,7 @@ TEST(RunAlm, NeverRaisesThePenaltyPastItsBound) {
   ScriptedSplitting splitting;
   double dual = 1.0;
   for (int k = 0; k < 50; ++k) splitting.script.push_back({1.0, dual *= 0.9});
-  (void)run_alm(splitting, {.largest_penalty = 100.0, .max_outer = 50}, {});
+  (void)run_alm(splitting, {.penalty_growth = 2.0, .largest_penalty = 100.0, .max_outer = 50}, {});
   EXPECT_EQ(splitting.penalties, (std::vector<double>{10.0, 20.0, 40.0, 80.0}));
 }
 

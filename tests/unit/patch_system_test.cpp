@@ -112,7 +112,8 @@ TEST_P(SystemOn, JacobianIsTheDerivativeOfTheResiduals) {
 /// [WSN-2]: [H + νI, Jᵀ; J, −I/μ] (δ, Δλ) = −(∇F + Jᵀλ, c), solved densely with H from finite
 /// differences of the gradient.
 TEST_P(SystemOn, StepSolvesTheKktSystem) {
-  // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ there.
+  // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ
+  // there.
   if (patch.equations.front().least_area > 0.0) state.multipliers.setZero();
   ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
   const Eigen::VectorXd c = residuals_of(state.displacement);

@@ -33,8 +33,26 @@ TEST_P(FlatnessEquationAt, GradientIsTheDerivativeOfTheResidual) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const double difference = (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
+    const double difference =
+        (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
     EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
+  }
+}
+
+/// Where the scale follows the triangle that carries a polygon's plane, its derivative counts.
+TEST_P(FlatnessEquationAt, GradientFollowsTheScaleOfAPolygon) {
+  for (const double least_area : {1e-3, 100.0}) {  // following, and at its bound
+    const FlatnessEquation equation{{0, 1, 2, 3}, 0.7, least_area};
+    const FourPoints points = four_points(GetParam());
+    const FourPoints derivative = gradient(equation, points);
+    for (int k = 0; k < 12; ++k) {
+      FourPoints ahead = points, behind = points;
+      ahead(k % 3, k / 3) += kStep;
+      behind(k % 3, k / 3) -= kStep;
+      const double difference =
+          (residual(equation, ahead) - residual(equation, behind)) / (2 * kStep);
+      EXPECT_NEAR(derivative(k % 3, k / 3), difference, 1e-7 * (1 + derivative.norm()));
+    }
   }
 }
 
@@ -53,7 +71,8 @@ TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
     FourPoints ahead = points, behind = points;
     ahead(k % 3, k / 3) += kStep;
     behind(k % 3, k / 3) -= kStep;
-    const FourPoints column = (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
+    const FourPoints column =
+        (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
     EXPECT_LT((dense.col(k) - Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data()))
                   .lpNorm<Eigen::Infinity>(),
               kDifferenceError)

@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "planish/energies.hpp"
+#include "planish/engine.hpp"
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
-
-/// Which solver runs. Both read the same problem.
-enum class Engine {
-  kNewton,               ///< second order on a working set: interactive, exact [WSN-1]
-  kAugmentedLagrangian,  ///< the paper's: the reference [ALM-1]
-};
 
 /// A vertex and where it should go.
 struct Handle {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
+#include "planish/energies.hpp"
+#include "planish/engine.hpp"
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
 

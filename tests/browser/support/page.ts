@@ -17,7 +17,7 @@ const FLAGS = [
 
 export interface Site {
   readonly url: string;
-  open(options?: BrowserContextOptions): Promise<Page>;
+  open(options?: BrowserContextOptions, hash?: string): Promise<Page>;
   close(): Promise<void>;
 }
 
@@ -43,14 +43,14 @@ export async function openSite(): Promise<Site> {
   const complaints: string[] = [];
   return {
     url,
-    async open(options = {}) {
+    async open(options = {}, hash = "") {
       const context = await browser.newContext({
         viewport: { width: 900, height: 640 },
         ...options,
       });
       const page = await context.newPage();
       watch(page, new URL(url).origin, complaints);
-      await page.goto(url);
+      await page.goto(url + hash);
       await expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
       return page;
     },

@@ -6,9 +6,10 @@ import "../ui/layout.css";
 import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
-import { openFirst } from "../state/opening.ts";
+import { keepPanelFigures } from "../state/analysis.ts";
 import { displayMesh } from "../state/store.ts";
 import { App } from "./app.tsx";
+import { begin } from "./beginning.ts";
 
 displayMesh.value = {
   display: Float32Array.from(firstMesh.positions),
@@ -17,4 +18,5 @@ displayMesh.value = {
 };
 const root = document.getElementById("app");
 if (root) render(<App />, root);
-void openFirst();
+keepPanelFigures();
+void begin();

@@ -19,6 +19,16 @@ export function writeRamp(ramp: Ramp, t: number, out: Float32Array, offset: numb
   out[offset + 2] = a.b + (b.b - a.b) * mix;
 }
 
+/** mm/m: what a finished design promises, and the limit of the paper's fabricators. */
+export const FLAT = 1e-6;
+export const FABRICATION_LIMIT = 10;
+
+/** Place on the planarity ramp: 0 when flat, 1 at the fabrication limit, logarithmic between. */
+export function planarityShare(mmPerM: number): number {
+  if (mmPerM <= FLAT) return 0;
+  return 0.15 + (0.85 * Math.log10(mmPerM / FLAT)) / Math.log10(FABRICATION_LIMIT / FLAT);
+}
+
 /** The same ramp for a legend. */
 export const cssGradient = (stops: readonly string[]): string =>
   `linear-gradient(to right in oklab, ${stops.join(", ")})`;

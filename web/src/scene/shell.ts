@@ -14,10 +14,10 @@ import {
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { DisplayMesh } from "../state/store.ts";
+import type { ColourBy, DisplayMesh } from "../state/store.ts";
 import { buildTopology, row, type Topology } from "../state/topology.ts";
 import type { Palette } from "./palette.ts";
-import { makeRamp, type Ramp, writeRamp } from "./ramp.ts";
+import { makeRamp, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
 
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.04;
@@ -44,6 +44,7 @@ export class Shell {
   readonly #moved = new Set<number>();
   readonly #panels: Mesh<BufferGeometry, MeshStandardMaterial>;
   readonly #edges: LineSegments2;
+  readonly #outline: LineSegments2;
   readonly #ends: Float32Array;
   readonly #ghost: LineSegments<BufferGeometry, LineBasicMaterial>;
   readonly #corner: Float32Array;
@@ -53,7 +54,8 @@ export class Shell {
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
   #figures: Float32Array | null = null;
-  #tolerance = 1e-6;
+  #plain = false;
+  #outlined: number | null = null;
 
   constructor({ display, offsets, vertices }: DisplayMesh, palette: Palette) {
     this.base = Float32Array.from(display);
@@ -65,9 +67,12 @@ export class Shell {
     this.#colour = new Float32Array(3 * vertices.length);
     this.#panels = this.#makePanels();
     this.#ends = new Float32Array(3 * this.topology.edges.length);
-    this.#edges = this.#makeEdges();
+    this.#edges = this.#makeLines(1.1);
+    this.#outline = this.#makeLines(3);
+    this.#outline.visible = false;
+    this.#outline.renderOrder = 1;
     this.#ghost = this.#makeGhost();
-    this.group.add(this.#panels, this.#edges, this.#ghost);
+    this.group.add(this.#panels, this.#edges, this.#ghost, this.#outline);
     for (let v = 0; v < this.base.length / 3; ++v) this.#place(v);
     this.#edges.geometry.setPositions(this.#ends);
     this.setPalette(palette);
@@ -97,11 +102,10 @@ export class Shell {
     return panels;
   }
 
-  #makeEdges(): LineSegments2 {
-    const geometry = new LineSegmentsGeometry();
-    const edges = new LineSegments2(geometry, new LineMaterial({ linewidth: 1.1 }));
-    edges.frustumCulled = false;
-    return edges;
+  #makeLines(linewidth: number): LineSegments2 {
+    const lines = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth }));
+    lines.frustumCulled = false;
+    return lines;
   }
 
   #makeGhost(): LineSegments<BufferGeometry, LineBasicMaterial> {
@@ -119,6 +123,7 @@ export class Shell {
     this.#panelRamp = makeRamp(palette.planarity);
     this.#edges.material.color.set(palette.edge);
     this.#ghost.material.color.set(palette.ghost);
+    this.#outline.material.color.set(palette.ghost);
     this.#colourAll();
   }
 
@@ -135,13 +140,33 @@ export class Shell {
     this.#colourMoved();
     this.#uploadPositions();
     this.#drawGhost();
+    if (this.#outlined !== null) this.outlinePanel(this.#outlined);
   }
 
-  /** Colours panels by mm/m over the tolerance instead of by displacement; null ends it. */
-  colourByPanel(figures: Float32Array | null, tolerance: number): void {
-    this.#figures = figures;
-    this.#tolerance = tolerance;
+  /** Panels by how far they are out of flat, points by how far they moved, or neither. */
+  colourBy(kind: ColourBy, figures: Float32Array | null): void {
+    this.#figures = kind === "planarity" ? figures : null;
+    this.#plain = kind === "none";
     this.#colourAll();
+  }
+
+  /** Draws a line around one panel and gives its corners; null for none. */
+  outlinePanel(panel: number | null): Float32Array | null {
+    this.#outlined = panel;
+    const begin = panel === null ? 0 : (this.#offsets[panel] ?? 0);
+    const end = panel === null ? 0 : (this.#offsets[panel + 1] ?? 0);
+    this.#outline.visible = end > begin;
+    if (end <= begin) return null;
+    const corners = this.#corner.slice(3 * begin, 3 * end);
+    const lines = new Float32Array(2 * corners.length);
+    for (let k = 0; k < end - begin; ++k) {
+      const next = (k + 1) % (end - begin);
+      lines.set(corners.subarray(3 * k, 3 * k + 3), 6 * k);
+      lines.set(corners.subarray(3 * next, 3 * next + 3), 6 * k + 3);
+    }
+    this.#outline.geometry.dispose();
+    this.#outline.geometry = new LineSegmentsGeometry().setPositions(lines);
+    return corners;
   }
 
   showBase(on: boolean): void {
@@ -152,13 +177,16 @@ export class Shell {
 
   setSize(width: number, height: number): void {
     this.#edges.material.resolution.set(width, height);
+    this.#outline.material.resolution.set(width, height);
   }
 
   dispose(): void {
     this.#panels.geometry.dispose();
     this.#panels.material.dispose();
-    this.#edges.geometry.dispose();
-    this.#edges.material.dispose();
+    for (const lines of [this.#edges, this.#outline]) {
+      lines.geometry.dispose();
+      lines.material.dispose();
+    }
     this.#ghost.geometry.dispose();
     this.#ghost.material.dispose();
   }
@@ -194,7 +222,9 @@ export class Shell {
   #colourMoved(): void {
     this.#largest = 0;
     for (const v of this.#moved) this.#largest = Math.max(this.#largest, this.#displacement(v));
-    for (const v of this.#moved) this.#colourVertex(v, this.#displacement(v) / this.#largest);
+    if (!this.#plain) {
+      for (const v of this.#moved) this.#colourVertex(v, this.#displacement(v) / this.#largest);
+    }
     this.#uploadColours();
   }
 
@@ -204,11 +234,10 @@ export class Shell {
     this.#colourMoved();
   }
 
-  /** Neutral up to the tolerance, then on a logarithmic scale over five decades. */
+  /** Neutral up to the tolerance, then logarithmic up to the fabrication limit. */
   #colourPanels(figures: Float32Array): void {
     for (let f = 0; f + 1 < this.#offsets.length; ++f) {
-      const over = (figures[2 * f + 1] ?? 0) / this.#tolerance;
-      const t = over <= 1 ? 0 : 0.15 + (0.85 * Math.log10(over)) / 7;
+      const t = planarityShare(figures[2 * f + 1] ?? 0);
       for (let c = this.#offsets[f] ?? 0; c < (this.#offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

@@ -27,6 +27,11 @@ const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, number]>> 
   Side: [1, 0, 0],
 };
 
+/** Milliseconds: a slower frame leaves shadows out while something moves. */
+const QUICK = 8;
+/** Milliseconds without a change after which they are cast again. */
+const REST = 160;
+
 /** Share of the view that a fitted subject fills. */
 const FILL = 0.86;
 
@@ -58,6 +63,8 @@ export class Stage {
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
   readonly #onDraw: () => void;
   #pending = 0;
+  #drawMilliseconds = 0;
+  #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #target: Object3D | null = null;
 
   constructor(canvas: HTMLCanvasElement, onDraw: () => void) {
@@ -83,7 +90,7 @@ export class Stage {
     this.#key.castShadow = true;
     shadow.mapSize.set(1024, 1024);
     shadow.radius = 4;
-    shadow.bias = -0.0035;
+    shadow.bias = -0.008;
     Object.assign(shadow.camera, { left: -8, right: 8, top: 8, bottom: -8, near: 1, far: 40 });
     this.#ground.receiveShadow = true;
     this.scene.add(this.#sky, this.#key, this.#ground);
@@ -121,6 +128,18 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Brings a few points to the middle, near enough to judge them, without turning the view. */
+  lookAt(points: Float32Array): void {
+    const box = new Box3().setFromArray(points);
+    const centre = box.getCenter(new Vector3());
+    const arm = this.camera.position.clone().sub(this.orbit.target);
+    const near = 7 * box.getSize(new Vector3()).length();
+    this.orbit.target.copy(centre);
+    this.camera.position.copy(centre).add(arm.setLength(Math.min(arm.length(), near)));
+    this.orbit.update();
+    this.invalidate();
+  }
+
   /** Turns about the target, radians. */
   turn(right: number, down: number): void {
     const arm = this.camera.position.clone().sub(this.orbit.target);
@@ -149,8 +168,15 @@ export class Stage {
     this.invalidate();
   }
 
-  /** The geometry changed: shadows too. */
+  /** The geometry changed. Shadows follow at once if drawing is quick, else when it rests. */
   moved(): void {
+    clearTimeout(this.#shadowTimer);
+    if (this.#drawMilliseconds < QUICK) this.renderer.shadowMap.needsUpdate = true;
+    else this.#shadowTimer = setTimeout(() => this.#castShadows(), REST);
+    this.invalidate();
+  }
+
+  #castShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
@@ -161,12 +187,15 @@ export class Stage {
 
   draw(): void {
     this.#pending = 0;
+    const begin = performance.now();
     this.renderer.render(this.scene, this.camera);
+    this.#drawMilliseconds = performance.now() - begin;
     this.#onDraw();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.#pending);
+    clearTimeout(this.#shadowTimer);
     this.orbit.dispose();
     this.renderer.dispose();
   }

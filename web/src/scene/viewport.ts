@@ -7,13 +7,16 @@ import type { Point } from "../state/design.ts";
 import { abandonDrag, basePoint, dragHandle, endDrag, handleOf } from "../state/editing.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
+  colourBy,
   displayMesh,
   draft,
   handles,
   hintVertex,
   mesh,
+  panelFigures,
   ready,
   selected,
+  selectedPanel,
   showBefore,
 } from "../state/store.ts";
 import { Gizmo } from "./gizmo.ts";
@@ -167,6 +170,16 @@ export class Viewport {
       () => observer.disconnect(),
       onChanges((changes) => this.#apply(changes)),
       effect(() => this.#build()),
+      effect(() => {
+        const panels = colourBy.value === "planarity" ? panelFigures.value : null;
+        this.#shell?.colourBy(colourBy.value, panels);
+        this.stage.invalidate();
+      }),
+      effect(() => {
+        const corners = this.#shell?.outlinePanel(selectedPanel.value);
+        if (corners) this.stage.lookAt(corners);
+        this.stage.invalidate();
+      }),
       effect(() => {
         this.#shell?.showBase(showBefore.value);
         this.stage.moved();

@@ -15,7 +15,7 @@ import {
 } from "./design.ts";
 import * as steps from "./history.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { draft, figures, hintVertex, history, mesh, problem, selected } from "./store.ts";
+import { draft, figures, hintVertex, history, mesh, notice, problem, selected } from "./store.ts";
 import { buildTopology } from "./topology.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -38,6 +38,7 @@ function question(design: Design, mode: EditMode): Question {
 /** Computes `next` and records it; a failure keeps the last design, on screen and in the solver. */
 export async function commit(next: Design, ask: Question, label: string): Promise<void> {
   draft.value = next;
+  notice.value = null;
   const answer = await run(label, ask, "shown");
   const steady = history.value;
   if (!steady) return;
@@ -50,7 +51,7 @@ export async function commit(next: Design, ask: Question, label: string): Promis
   if (draft.value === next) draft.value = done;
 }
 
-const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
+export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
   commit({ ...next, variation: null }, question(next, mode), "computing");
 
 /** Puts a known design back, without solving. */

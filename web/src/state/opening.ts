@@ -2,7 +2,7 @@
 // Opening samples and files, planarising what is not flat.
 import { batch } from "@preact/signals";
 import type { FileFormat, OpenedMesh, Source } from "../solver/protocol.ts";
-import { client, run } from "./connection.ts";
+import { run } from "./connection.ts";
 import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE } from "./design.ts";
 import { begin } from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
@@ -16,9 +16,11 @@ import {
   history,
   importReport,
   mesh,
+  notice,
+  panelFigures,
   problem,
-  ready,
   selected,
+  selectedPanel,
   settings,
 } from "./store.ts";
 import { buildTopology } from "./topology.ts";
@@ -38,8 +40,18 @@ function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): D
   };
 }
 
+export const sourceName = (source: Source): string =>
+  source.kind === "file"
+    ? source.name
+    : (SAMPLES.find((s) => s.name === source.name)?.label ?? source.name);
+
 /** Takes over a base mesh that the worker has opened; what was shown before is gone. */
-function adopt(source: Source, name: string, planarised: boolean, opened: OpenedMesh): void {
+export function adoptMesh(
+  source: Source,
+  name: string,
+  planarised: boolean,
+  opened: OpenedMesh,
+): void {
   const design = freshDesign(source, planarised, opened);
   batch(() => {
     mesh.value = opened;
@@ -48,7 +60,11 @@ function adopt(source: Source, name: string, planarised: boolean, opened: Opened
     draft.value = design;
     figures.value = design.report;
     selected.value = null;
+    selectedPanel.value = null;
+    panelFigures.value = null;
     hintVertex.value = null;
+    notice.value = null;
+    importReport.value = false;
     designName.value = name;
   });
 }
@@ -62,7 +78,7 @@ export async function openSample(name: string): Promise<void> {
     { kind: "open", source, planarise: false },
     "opened",
   );
-  if (answer) adopt(source, sample.label, false, answer.mesh);
+  if (answer) adoptMesh(source, sample.label, false, answer.mesh);
 }
 
 export async function openFile(file: File): Promise<void> {
@@ -80,7 +96,7 @@ export async function openFile(file: File): Promise<void> {
     "opened",
   );
   if (!answer) return;
-  adopt(source, file.name, false, answer.mesh);
+  adoptMesh(source, file.name, false, answer.mesh);
   importReport.value = true;
 }
 
@@ -88,23 +104,14 @@ export async function planarise(): Promise<void> {
   const design = draft.value;
   if (!design) return;
   const answer = await run("making every panel flat", { kind: "planarise" }, "opened");
-  if (answer) adopt(design.source, designName.value, true, answer.mesh);
+  if (answer) adoptMesh(design.source, designName.value, true, answer.mesh);
 }
 
 /** The first visit: the painted sample becomes live, and one point asks to be dragged. */
 export async function openFirst(): Promise<void> {
-  try {
-    await client.ready;
-  } catch (error) {
-    problem.value = error instanceof Error ? error.message : String(error);
-    return;
-  }
   await openSample(FIRST_SAMPLE.name);
   const opened = mesh.value;
   if (!opened) return;
   const { boundary } = buildTopology(opened.offsets, opened.vertices, opened.report.vertices);
-  batch(() => {
-    hintVertex.value = sensibleVertex(opened.display, boundary, []);
-    ready.value = true;
-  });
+  hintVertex.value = sensibleVertex(opened.display, boundary, []);
 }

@@ -30,10 +30,16 @@ export const figures = signal<ShapeReport>(NO_REPORT);
 export const activity = signal<Activity | null>(null);
 export const problem = signal<string | null>(null);
 export const notice = signal<string | null>(null);
+/** Changes to a newer version of the page; null while there is none. */
+export const update = signal<(() => void) | null>(null);
 export const selected = signal<number | null>(null);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
 export const colourBy = signal<ColourBy>("displacement");
+/** Gap (model units) and mm/m of every panel of the last finished design. */
+export const panelFigures = signal<Float32Array | null>(null);
+/** The panel that the table and the view point at. */
+export const selectedPanel = signal<number | null>(null);
 /** Shows the base instead of the design while held. */
 export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */

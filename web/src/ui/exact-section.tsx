@@ -2,6 +2,7 @@
 import { makeExact } from "../state/exploring.ts";
 import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
 import { formatGap } from "../state/units.ts";
+import { PanelsTable } from "./panels-table.tsx";
 
 function hold(on: boolean): void {
   showBefore.value = on;
@@ -45,6 +46,7 @@ export function ExactSection() {
           Before
         </button>
       </div>
+      <PanelsTable />
     </section>
   );
 }

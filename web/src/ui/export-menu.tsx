@@ -27,22 +27,21 @@ export function ExportMenu() {
       </button>
       <div id="export-menu" class="menu" popover="auto" ref={menu}>
         {CHOICES.map(({ name, about, run }) => (
-          <button
-            key={name}
-            type="button"
-            class="menu-item"
-            aria-label={name}
-            aria-describedby={`export-${name}`}
-            onClick={() => {
-              menu.current?.hidePopover();
-              void run();
-            }}
-          >
-            <span class="menu-name">{name}</span>
+          <div key={name} class="menu-item">
+            <button
+              type="button"
+              aria-describedby={`export-${name}`}
+              onClick={() => {
+                menu.current?.hidePopover();
+                void run();
+              }}
+            >
+              {name}
+            </button>
             <span class="menu-about" id={`export-${name}`}>
               {about}
             </span>
-          </button>
+          </div>
         ))}
       </div>
     </div>

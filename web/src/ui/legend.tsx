@@ -1,28 +1,62 @@
 // SPDX-License-Identifier: MIT
-import { DARK, LIGHT } from "../scene/palette.ts";
-import { cssGradient } from "../scene/ramp.ts";
-import { colourBy, figures, unit } from "../state/store.ts";
+import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
+import { cssGradient, FABRICATION_LIMIT } from "../scene/ramp.ts";
+import { type ColourBy, colourBy, figures, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+
+const CHOICES: readonly (readonly [ColourBy, string])[] = [
+  ["displacement", "Displacement"],
+  ["planarity", "Planarity"],
+  ["none", "Nothing"],
+];
+
+function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
+  return (
+    <>
+      <div class="legend-bar light-only" style={{ backgroundImage: cssGradient(ramp(LIGHT)) }} />
+      <div class="legend-bar dark-only" style={{ backgroundImage: cssGradient(ramp(DARK)) }} />
+    </>
+  );
+}
+
+function Scale() {
+  if (colourBy.value === "none") return null;
+  const moved = colourBy.value === "displacement";
+  const ends = moved
+    ? ["0 mm, untouched", formatLength(figures.value.maxDisplacement, unit.value)]
+    : ["flat", `${FABRICATION_LIMIT} mm/m or more`];
+  return (
+    <>
+      <Bar ramp={(palette) => (moved ? palette.displacement : palette.planarity)} />
+      <div class="legend-ends">
+        <span>{ends[0]}</span>
+        <span>{ends[1]}</span>
+      </div>
+    </>
+  );
+}
 
 /** What the colours of the model mean. */
 export function Legend() {
-  const { maxDisplacement, movedVertices } = figures.value;
-  if (colourBy.value !== "displacement" || movedVertices === 0) return null;
   return (
-    <figure class="legend">
-      <figcaption>How far points moved</figcaption>
-      <div
-        class="legend-bar light-only"
-        style={{ backgroundImage: cssGradient(LIGHT.displacement) }}
-      />
-      <div
-        class="legend-bar dark-only"
-        style={{ backgroundImage: cssGradient(DARK.displacement) }}
-      />
-      <div class="legend-ends">
-        <span>0 mm, untouched</span>
-        <span>{formatLength(maxDisplacement, unit.value)}</span>
-      </div>
-    </figure>
+    <div class="legend">
+      <label>
+        Colour by
+        <select
+          class="select"
+          value={colourBy.value}
+          onChange={({ currentTarget }) => {
+            colourBy.value = CHOICES.find(([kind]) => kind === currentTarget.value)?.[0] ?? "none";
+          }}
+        >
+          {CHOICES.map(([kind, label]) => (
+            <option key={kind} value={kind}>
+              {label}
+            </option>
+          ))}
+        </select>
+      </label>
+      <Scale />
+    </div>
   );
 }

@@ -16,6 +16,9 @@ interface SliderProps {
 export function Slider(props: SliderProps) {
   const { label, value, min, max, step, disabled, ends, onInput, onCommit } = props;
   const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
+  /** Where the filled part begins: zero if it lies inside, else the low end. */
+  const rest = Math.max(min, Math.min(0, max));
+  const share = (x: number): string => `${(100 * (x - min)) / (max - min)}%`;
   const shown = props.shown ?? String(value);
   return (
     <div class="slider">
@@ -32,7 +35,7 @@ export function Slider(props: SliderProps) {
         value={value}
         aria-valuetext={ends ? `${shown}: from ${ends[0]} to ${ends[1]}` : shown}
         disabled={disabled}
-        style={{ "--fill": `${(100 * (value - min)) / (max - min)}%` }}
+        style={{ "--from": share(Math.min(value, rest)), "--to": share(Math.max(value, rest)) }}
         onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}
         onChange={({ currentTarget }) => onCommit(currentTarget.valueAsNumber)}
       />

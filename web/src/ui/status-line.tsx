@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: MIT
 import { cancel } from "../state/editing.ts";
-import { activity, busy, figures, mesh, notice, problem, ready, unit } from "../state/store.ts";
+import {
+  activity,
+  busy,
+  figures,
+  mesh,
+  notice,
+  problem,
+  ready,
+  unit,
+  update,
+} from "../state/store.ts";
 import { formatGap, formatLength } from "../state/units.ts";
 
 function numbers(): string {
@@ -29,6 +39,11 @@ export function StatusLine() {
         </div>
       )}
       {notice.value && <div class="notice">{notice.value}</div>}
+      {update.value && (
+        <button type="button" class="button small" onClick={update.value}>
+          Update to the new version
+        </button>
+      )}
       <div class="activity" aria-hidden="true">
         {running &&
           ready.value &&

@@ -7,6 +7,7 @@ import { ExportMenu } from "./export-menu.tsx";
 import { HelpDialog } from "./help-dialog.tsx";
 import { Icon, type IconName } from "./icon.tsx";
 import { pickFile } from "./pick-file.ts";
+import { ShareDialog } from "./share-dialog.tsx";
 
 interface BarButtonProps {
   readonly icon: IconName;
@@ -92,6 +93,7 @@ export function TopBar() {
       </div>
       <div class="bar-group">
         <ExportMenu />
+        <ShareDialog />
         <HelpDialog />
       </div>
     </header>

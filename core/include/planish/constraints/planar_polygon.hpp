@@ -53,8 +53,8 @@ using FourPoints = Eigen::Matrix<double, 3, 4>;
 /// ∂²c/∂(vertex k)∂(vertex l), 3 × 3, for k > l; each is a skew matrix, and the (l, k) block is
 /// its transpose; blocks on the diagonal are zero. Order, row by row: (1,0) (2,0) (2,1) (3,0) (3,1)
 /// (3,2). [PL-4]
-/// Where the scale follows the triangle it is held constant here: the terms left out are multiples of
-/// c and of ∇c, which do not change a Newton step on the constraints.
+/// Where the scale follows the triangle it is held constant here: the terms left out are multiples
+/// of c and of ∇c, which do not change a Newton step on the constraints.
 [[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
                                                      const FourPoints& points);
 

@@ -16,12 +16,12 @@ namespace planish {
 /// Tuning of run_alm(). All values are pure numbers: lengths are in mean edges.
 struct AlmOptions {
   double penalty = 10.0;         ///< first μ > 0. Larger: stiffer, less local first steps [ALM-2]
-  double penalty_growth = 2.0;   ///< factor > 1 of a penalty update [ALM-4]
-  double largest_penalty = 1e5;  ///< bound of μ; past it μ stays [ALM-4]
-  int max_inner = 10;            ///< l_max ≥ 1 steps of alternating minimisation [ALM-3]
+  double penalty_growth = 1.5;   ///< factor > 1 of a penalty update [ALM-4]
+  double largest_penalty = 1e4;  ///< bound of μ; past it μ stays [ALM-4]
+  int max_inner = 30;            ///< l_max ≥ 1 steps of alternating minimisation [ALM-3]
   double primal_tolerance = 1e-5;  ///< ε_p on ‖h‖ / √(number of rows), > 0 [ALM-5]
-  double dual_tolerance = 1e-4;    ///< ε_d on ‖r‖ / √(number of rows), > 0 [ALM-5]
-  int max_outer = 2000;            ///< dual updates ≥ 0; 0 returns the start point
+  double dual_tolerance = 3e-4;    ///< ε_d on ‖r‖ / √(number of rows), > 0 [ALM-5]
+  int max_outer = 400;            ///< dual updates ≥ 0; 0 returns the start point
 };
 
 /// What one pass of alternating minimisation measured.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// Planarising a perturbed PQ grid: ours against local/global iteration, in one run.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "bench/local_global.hpp"
+#include "planish/projection.hpp"
+#include "support/scenes.hpp"
+
+namespace planish::bench {
+namespace {
+
+Mesh perturbed_grid(int size) {
+  Mesh mesh = testing::sample("vault", size);
+  mesh.positions /= mean_edge_length(mesh);
+  mesh.positions += 0.05 * testing::random_points(1, mesh.vertex_count());
+  return mesh;
+}
+
+/// @param state range(0) vertices a side; range(1) exponent of the planarity to reach
+void local_global(benchmark::State& state, int window) {
+  const Mesh mesh = perturbed_grid(static_cast<int>(state.range(0)));
+  LocalGlobalOptions options;
+  options.window = window;
+  options.planarity = std::pow(10.0, -static_cast<double>(state.range(1)));
+  LocalGlobalRun run;
+  for (auto _ : state) {
+    LocalGlobal solver(mesh, options.closeness);
+    run = solver.run(options);
+  }
+  state.counters["planarity"] = run.planarity;
+  state.counters["steps"] = run.iterations;
+  state.counters["reached"] = run.reached ? 1.0 : 0.0;
+}
+
+void LocalGlobalPlain(benchmark::State& state) { local_global(state, 0); }
+void LocalGlobalAnderson(benchmark::State& state) { local_global(state, 5); }
+
+/// Distance alone, and the page's default with a little fairness.
+void project(benchmark::State& state, double fairness) {
+  const Mesh mesh = perturbed_grid(static_cast<int>(state.range(0)));
+  ProjectionOptions options;
+  options.fairness_weight = fairness;
+  options.tolerance = 1000.0 * std::pow(10.0, -static_cast<double>(state.range(1)));
+  ProjectionResult result;
+  for (auto _ : state) result = project_to_planar(mesh, options);
+  state.counters["planarity"] = 1e-3 * result.report.planarity_after;
+  state.counters["steps"] = result.report.iterations;
+  state.counters["reached"] = result.failing_faces.empty() ? 1.0 : 0.0;
+}
+
+void ProjectNearest(benchmark::State& state) { project(state, 0.0); }
+void ProjectFair(benchmark::State& state) { project(state, 0.1); }
+
+BENCHMARK(ProjectNearest)
+    ->ArgsProduct({{32, 100}, {4, 9}})
+    ->Args({316, 9})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(ProjectFair)
+    ->ArgsProduct({{32, 100}, {4, 9}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(LocalGlobalAnderson)
+    ->ArgsProduct({{32, 100, 316}, {4}})
+    ->Args({32, 6})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(LocalGlobalPlain)
+    ->ArgsProduct({{32, 100, 316}, {4}})
+    ->Args({32, 6})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+}  // namespace
+}  // namespace planish::bench

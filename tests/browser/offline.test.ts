@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { exportAs, openSite, type Site, status } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+it("works without a network after the first visit", async () => {
+  const page = await site.open();
+  await page.evaluate("navigator.serviceWorker.ready");
+  await page.context().setOffline(true);
+  await page.reload();
+  await expect.poll(() => status(page), { timeout: 20_000 }).toMatch(/0 of 441 points move/);
+  expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
+  await page.context().close();
+});
+
+it("works inside a frame of another page", async () => {
+  const page = await site.open();
+  const host = new URL("/host", site.url).href;
+  const body = `<!doctype html><iframe width="800" height="600" src="${site.url}"></iframe>`;
+  await page.route(host, (route) => route.fulfill({ contentType: "text/html", body }));
+  await page.goto(host);
+  const frame = page.frameLocator("iframe");
+  await expect
+    .poll(() => frame.getByRole("status").textContent(), { timeout: 20_000 })
+    .toMatch(/0 of 441 points move/);
+  await page.context().close();
+});

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+import { describe, expect, it } from "vitest";
+import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
+import { crc32, deviation, markOf, type Recipe } from "../../web/src/state/recipe.ts";
+
+const shape = {
+  moved: Int32Array.of(3, 7),
+  positions: Float64Array.of(0.1, 0.2, 0.3, 1 / 3, 2 / 3, 1),
+};
+
+const recipe: Recipe = {
+  source: { kind: "sample", name: "vault", size: 21 },
+  planarised: false,
+  handles: [
+    { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
+    { vertex: 5, target: [0, 0, 0], pinned: true },
+  ],
+  settings: {
+    attraction: 1000,
+    locality: 1,
+    smoothness: 0.5,
+    fairness: "second",
+    engine: "newton",
+  },
+  variation: [0.5, -0.25],
+  unit: "m",
+  mark: markOf(shape),
+};
+
+const withFile: Recipe = {
+  ...recipe,
+  planarised: true,
+  variation: null,
+  source: { kind: "file", name: "röof.obj", format: "obj", bytes: Uint8Array.of(1, 2, 250) },
+};
+
+/** Version 1 as it was when it was published: it must open for ever. */
+const GOLDEN =
+  "#v1=XY4xDsIwEATzlq0X6-zgOPFP0MkFgkgUkCCSECRExU94DRVvQqZByky5xezz9d58iqK4Y0BUXLfTcQSdTcQZUYgDoqpzQivGsjENxZQLKInqKT9tSsSMqFZEaCnGE0O767s9iK6dx75DIm6ImreVGOcTMSHiBOKCqC74qm7WQWo6asmcFuNymmFxgGKqPyH3H18";
+
+describe("links", () => {
+  it.each([
+    ["a sample", recipe],
+    ["a file", withFile],
+  ])("give back %s exactly", async (_, original) => {
+    const link = await encodeLink(original);
+    expect(link).toMatch(/^#v1=[\w-]+$/);
+    expect(await decodeLink(link)).toEqual({ ok: true, value: original });
+  });
+
+  it("of a sample with one edit stay short", async () => {
+    const link = await encodeLink({
+      ...recipe,
+      handles: recipe.handles.slice(0, 1),
+      variation: null,
+    });
+    expect(link.length).toBeLessThan(600);
+  });
+
+  it("from version 1 open", async () => {
+    expect(await decodeLink(GOLDEN)).toEqual({ ok: true, value: recipe });
+  });
+
+  it("say what is wrong, whatever they are", async () => {
+    const link = await encodeLink(recipe);
+    const broken = [
+      "",
+      "#",
+      "#v1=",
+      "#v1=%%%",
+      "#v1=AAAA",
+      "#v9=abc",
+      "#x",
+      link.replace("v1", "v2"),
+    ];
+    for (let cut = 4; cut < link.length; cut += 7) broken.push(link.slice(0, cut));
+    for (let at = 4; at < link.length; at += 5) {
+      const other = link[at] === "A" ? "B" : "A";
+      broken.push(link.slice(0, at) + other + link.slice(at + 1));
+    }
+    for (const text of broken) {
+      const result = await decodeLink(text);
+      expect(result, text).toMatchObject({ ok: false, reason: expect.stringMatching(/\.$/) });
+    }
+  });
+});
+
+describe("the mark of a result", () => {
+  const base = new Float64Array(30);
+
+  it("knows the same bits", () => {
+    expect(deviation(markOf(shape), shape, base)).toBe(0);
+  });
+
+  it("measures another result", () => {
+    const other = { ...shape, positions: shape.positions.map((x) => x + 1e-3) };
+    expect(deviation(markOf(shape), other, base)).toBeCloseTo(Math.sqrt(3) * 1e-3, 9);
+    const none = { moved: new Int32Array(0), positions: new Float64Array(0) };
+    expect(deviation(markOf(shape), none, base)).toBeGreaterThan(0.3);
+  });
+
+  it("uses the usual CRC-32", () => {
+    expect(crc32(new TextEncoder().encode("123456789"))).toBe(0xcbf43926);
+  });
+});

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Build only: the service worker with its list of files, and the page's content security policy.
+import { createHash } from "node:crypto";
+import { readdirSync, readFileSync } from "node:fs";
+import type { Plugin } from "vite";
+
+const POLICY = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "style-src 'self'",
+  "img-src 'self' blob: data:",
+  "font-src 'self'",
+  "connect-src 'self'",
+  "worker-src 'self'",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join("; ");
+
+const here = (path: string): URL => new URL(path, import.meta.url);
+
+export function offline(): Plugin {
+  return {
+    name: "offline",
+    apply: "build",
+    enforce: "post",
+    transformIndexHtml: () => [
+      {
+        tag: "meta",
+        attrs: { "http-equiv": "Content-Security-Policy", content: POLICY },
+        injectTo: "head-prepend",
+      },
+    ],
+    generateBundle(_, bundle) {
+      const files = [...Object.keys(bundle), ...readdirSync(here("public"))].sort();
+      const digest = createHash("sha256");
+      for (const [name, item] of Object.entries(bundle)) {
+        digest.update(name).update(item.type === "chunk" ? item.code : item.source);
+      }
+      const source = readFileSync(here("service-worker.js"), "utf8")
+        .replace("__VERSION__", digest.digest("hex").slice(0, 16))
+        .replace('"__FILES__"', files.map((name) => JSON.stringify(`./${name}`)).join(", "));
+      this.emitFile({ type: "asset", fileName: "service-worker.js", source });
+    },
+  };
+}

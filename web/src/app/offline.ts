@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+import { update } from "../state/store.ts";
+
+/** Offers a version that was installed beside the running one. */
+function offer(registration: ServiceWorkerRegistration): void {
+  const { waiting } = registration;
+  if (!waiting || !navigator.serviceWorker.controller) return;
+  update.value = () => {
+    navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
+    waiting.postMessage("take over");
+  };
+}
+
+/** Keeps the page for use without a network, where the browser allows it. */
+export async function keepOffline(): Promise<void> {
+  if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
+  try {
+    const registration = await navigator.serviceWorker.register("./service-worker.js");
+    offer(registration);
+    registration.addEventListener("updatefound", () => {
+      registration.installing?.addEventListener("statechange", () => offer(registration));
+    });
+  } catch {
+    // A sandboxed frame or a private window: the page works, only not without a network.
+  }
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/** A link that unpacks to more than this is not one of ours. */
+const LARGEST = 256 * 1024 * 1024;
+
+async function pump(
+  bytes: Uint8Array,
+  through: CompressionStream | DecompressionStream,
+): Promise<Uint8Array> {
+  const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(through);
+  const chunks: Uint8Array[] = [];
+  let size = 0;
+  const reader = stream.getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > LARGEST) throw new Error("too large");
+    chunks.push(value);
+  }
+  const all = new Uint8Array(size);
+  let at = 0;
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
+  return all;
+}
+
+export const deflate = (bytes: Uint8Array): Promise<Uint8Array> =>
+  pump(bytes, new CompressionStream("deflate-raw"));
+
+export const inflate = (bytes: Uint8Array): Promise<Uint8Array> =>
+  pump(bytes, new DecompressionStream("deflate-raw"));
