@@ -109,7 +109,8 @@ double flatness_promise(const Mesh& mesh) {
     if (longest > 0.0) shortest = std::min(shortest, longest);
   }
   const double step = std::numeric_limits<double>::epsilon() * mesh.positions.cwiseAbs().maxCoeff();
-  return std::max(kPromise, 1000.0 * 8.0 * step / shortest);
+  constexpr double kCoarsest = 1e-3;  // mm/m
+  return std::max(kPromise, std::min(kCoarsest, 1000.0 * 8.0 * step / shortest));
 }
 
 Positions apply(const Mesh& mesh, const ProjectionResult& result) {

@@ -20,7 +20,8 @@ namespace planish::testing {
 [[nodiscard]] double worst_svd_mm_per_m(const Mesh& mesh, const Positions& positions);
 
 /// How flat a panel can be expected to be: the promise of 1e-6 mm/m, or what the coordinates'
-/// own rounding leaves (8 units in the last place over the shortest longest-edge of a face).
+/// own rounding leaves (8 units in the last place over the shortest longest-edge of a face, at most
+/// 1e-3 mm/m).
 [[nodiscard]] double flatness_promise(const Mesh& mesh);
 
 /// The edit is finite, ascending and exact in its list of moved vertices; pins are untouched;
