@@ -23,7 +23,7 @@ check_format() { sources | xargs clang-format --dry-run -Werror; }
 check_lint() { npx --no-install biome ci --reporter=summary; }
 check_types() { npx --no-install tsc -p web/tsconfig.json; }
 check_architecture() { python3 .tools/check-architecture.py; }
-check_native() { ready native planish_tests && ctest --preset native -j "$jobs"; }
+check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
 check_wasm() { ready wasm planish_tests && node --no-experimental-fetch build/wasm/tests/planish_tests.cjs; }
 check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir tests/web; }
 check_parity() {

@@ -265,30 +265,24 @@ HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, S
 /// Several cold starts, the best kept: the problem has local minima, and a start is cheap.
 ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
   constexpr int kLine = 16;
-  const std::array<StartSet, 3> starts{StartSet{3, kLine, 0.05}, StartSet{2, 0, 0.05},
-                                       StartSet{4, 0, 0.1}};
-  // The third start is for edits on which the first two have not settled.
-  constexpr std::size_t kAlways = 2;
+  const std::array<StartSet, 3> starts{StartSet{3, kLine, 0.05}, StartSet{6, 0, 0.3},
+                                       StartSet{4, kLine, 0.02}};
   NewtonOptions options;
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
   double best = std::numeric_limits<double>::infinity();
   DisplacementField::Snapshot kept;
   std::vector<int> support;
-  bool settled = false;
   bool cancelled = false;
   const Interruption interruption = [&](const IterationRecord& record) {
     cancelled = progress && progress(record) == Flow::kStop;
     return cancelled;
   };
   for (std::size_t s = 0; s < starts.size() && !cancelled; ++s) {
-    if (s >= kAlways && settled) break;
     if (s > 0 && !problem_.sparse) break;
     trial_->clear();
     NewtonOutcome outcome = newton_->run_cold(problem_, starts[s], options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
-    const bool converged = outcome.status == SolveStatus::kConverged;
-    settled = settled || converged;
     if (!std::isfinite(outcome.objective) || outcome.records.empty()) continue;
     if (outcome.objective < best) {
       best = outcome.objective;
