@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every check there is. With names, only those: format lint types architecture native wasm unit
+# Every check but sanitize, which takes longer. With names, only those: format lint types architecture native wasm unit
 # parity browser tidy cppcheck fuzz sanitize. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -77,7 +77,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types)
   [ -e .tools/check-architecture.py ] && checks+=(architecture)
-  checks+=(native wasm unit parity browser tidy cppcheck fuzz sanitize)
+  checks+=(native wasm unit parity browser tidy cppcheck fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo
