@@ -100,6 +100,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
   base_worst_ = {.gap = planarity.max_gap, .mm_per_m = planarity.max};
+  base_rounding_ = attainable_tolerance(base_, 0.0);
   const Eigen::Vector3d low = base_.positions.rowwise().minCoeff();
   const Eigen::Vector3d high = base_.positions.rowwise().maxCoeff();
   centre_ = 0.5 * (low + high);
@@ -114,7 +115,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
 
 Refusal Session::require_flat_base() const {
   if (base_.vertex_count() == 0) return "Open a mesh first.";
-  if (base_worst_.mm_per_m <= options_.tolerance) return std::nullopt;
+  if (base_worst_.mm_per_m <= tolerance()) return std::nullopt;
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
@@ -166,7 +167,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel().mm_per_m > options_.tolerance) return "Make the design exact first.";
+  if (worst_panel().mm_per_m > tolerance()) return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -229,7 +230,7 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
 
 Session::Worst Session::worst_panel() const {
   Worst worst = base_worst_;
-  if (base_worst_.mm_per_m > options_.tolerance && !moved_.empty()) {
+  if (base_worst_.mm_per_m > tolerance() && !moved_.empty()) {
     const PlanaritySummary all = planarity_summary(base_, current_);
     return {.gap = all.max_gap, .mm_per_m = all.max};
   }
@@ -289,7 +290,7 @@ std::string Session::mesh_report() const {
               {"degreesOfFreedom", degrees_of_freedom(base_)},
               {"worstGap", base_worst_.gap},
               {"worstMmPerM", base_worst_.mm_per_m},
-              {"flat", base_worst_.mm_per_m <= options_.tolerance},
+              {"flat", base_worst_.mm_per_m <= tolerance()},
               {"centre", {centre_.x(), centre_.y(), centre_.z()}},
               {"scale", scale_},
               {"warnings", warnings_}}

@@ -3,6 +3,7 @@
 /// Plain C++, tested natively; bindings.cpp only lists it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -83,6 +84,8 @@ class Session {
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Worst worst_panel() const;
+  /// mm/m, as far as the base's coordinates can hold it.
+  [[nodiscard]] double tolerance() const { return std::max(options_.tolerance, base_rounding_); }
   [[nodiscard]] double largest_move() const;
   [[nodiscard]] Mesh shown_mesh() const;
   void write_report(const SolveReport& solve, double seconds);
@@ -91,6 +94,7 @@ class Session {
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
   Worst base_worst_;
+  double base_rounding_ = 0.0;  ///< mm/m, see attainable_tolerance()
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double scale_ = 1.0;
 

@@ -142,6 +142,8 @@ class HandleEditSolver::State {
   std::vector<int> drag_support_;
   std::vector<int> overridden_;  ///< vertices whose term is not the default
   std::optional<HandleEditResult> last_exact_;
+  double tolerance_ =
+      0.0;  ///< mm/m, what the options ask for as far as the coordinates can hold it
   double setup_seconds_ = 0.0;
 };
 
@@ -163,6 +165,7 @@ void HandleEditSolver::State::rebuild() {
   finish_ = std::make_unique<ExactFinish>(*model_);
   cutter_ = std::make_unique<PatchCutter>(model_->vertex_count(), model_->mesh.face_count(),
                                           static_cast<int>(model_->fairness.rows()));
+  tolerance_ = attainable_tolerance(model_->mesh, options_.tolerance);
   problem_ = {};
   problem_.model = model_.get();
   problem_.fairness_weight = options_.smoothness;
@@ -297,7 +300,7 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
     report.iterations += fine.steps;
     report.factorizations += fine.factorizations;
   }
-  return finish_->finish(problem_, support, *trial_, options_.tolerance);
+  return finish_->finish(problem_, support, *trial_, tolerance_);
 }
 
 /// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
@@ -325,7 +328,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
                   : newton_->run_warm(problem_, options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
-    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
+    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, tolerance_);
     if (!is_exact(next)) break;
     best = std::move(next);
     if (outcome.status == SolveStatus::kCancelled) {
@@ -350,7 +353,7 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   report.iterations = outcome.inner_steps;
   report.factorizations = outcome.factorizations;
   report.records = outcome.records;
-  return finish_->finish(problem_, outcome.support, *trial_, options_.tolerance);
+  return finish_->finish(problem_, outcome.support, *trial_, tolerance_);
 }
 
 bool HandleEditSolver::State::nothing_to_do() const {
@@ -361,7 +364,7 @@ bool HandleEditSolver::State::nothing_to_do() const {
 bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
   if (!design.positions.allFinite()) return false;
   return std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces)) <=
-         std::max(options_.tolerance, planarity_->worst());
+         std::max(tolerance_, planarity_->worst());
 }
 
 ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
@@ -442,11 +445,10 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;
   report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
-  const ExactDesign design = finish_->finish(problem_, drag_support_, *field_, options_.tolerance);
+  const ExactDesign design = finish_->finish(problem_, drag_support_, *field_, tolerance_);
   HandleEditResult result = result_of(design, std::move(report));
-  const bool exact =
-      design.positions.allFinite() &&
-      result.report.planarity_after <= std::max(options_.tolerance, planarity_->worst());
+  const bool exact = design.positions.allFinite() &&
+                     result.report.planarity_after <= std::max(tolerance_, planarity_->worst());
   if (!exact) {  // the last exact state stands; the next frame starts afresh
     drag_support_.clear();
     if (last_exact_) {

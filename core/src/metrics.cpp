@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "planish/constraints/planar_polygon.hpp"
 
@@ -62,6 +63,28 @@ PlanaritySummary planarity_summary(const Mesh& mesh, const Positions& positions)
   }
   if (counted > 0) summary.mean = sum / counted;
   return summary;
+}
+
+double attainable_tolerance(const Mesh& mesh, double tolerance) {
+  // Half a unit in the last place per coordinate, two vertices apart, and as much for the plane.
+  constexpr double kUnits = 4.0;
+  constexpr double kCoarsest = 1e-3;  // mm/m: a mesh that holds less is not called flat
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (face.size() < 4) continue;
+    double longest = 0.0;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Eigen::Vector3d edge =
+          mesh.positions.col(face[(k + 1) % face.size()]) - mesh.positions.col(face[k]);
+      longest = std::max(longest, edge.norm());
+    }
+    if (longest > 0.0) shortest = std::min(shortest, longest);
+  }
+  if (mesh.vertex_count() == 0) return tolerance;
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * mesh.positions.cwiseAbs().maxCoeff();
+  return std::max(tolerance, std::min(kCoarsest, 1000.0 * kUnits * rounding / shortest));
 }
 
 int degrees_of_freedom(const Mesh& mesh) {

@@ -233,9 +233,9 @@ ProjectionResult attempt(Mesh& current, std::vector<int>& remaining, Attempt kin
   return result;
 }
 
-ProjectionResult project(const Mesh& mesh, const Positions* reference,
-                         const ProjectionOptions& options, const std::vector<int>& pins,
-                         const Progress& progress) {
+ProjectionResult project(const Mesh& mesh, const Positions* reference, ProjectionOptions options,
+                         const std::vector<int>& pins, const Progress& progress) {
+  options.tolerance = attainable_tolerance(mesh, options.tolerance);
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
   const std::vector<int> failing = failing_faces(mesh, mesh.positions, options.tolerance);

@@ -12,51 +12,19 @@
 
 #include "planish/io/mesh_format.hpp"
 #include "planish/shapes.hpp"
+#include "support/glb_chunks.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {
 namespace {
 
+using testing::append_word;
+using testing::Chunks;
 using testing::error_text;
+using testing::put_together;
 using testing::same_bits;
+using testing::take_apart;
 using testing::warning_text;
-
-/// The two chunks of a GLB, to take it apart and put it together again.
-struct Chunks {
-  nlohmann::json json;
-  std::string binary;
-};
-
-std::uint32_t word_at(const std::string& bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + at, 4);
-  return word;
-}
-
-Chunks take_apart(const std::string& glb) {
-  const std::size_t length = word_at(glb, 12);
-  return {nlohmann::json::parse(glb.substr(20, length)), glb.substr(28 + length)};
-}
-
-void append_word(std::string& bytes, std::size_t value) {
-  const auto word = static_cast<std::uint32_t>(value);
-  char buffer[4];
-  std::memcpy(buffer, &word, 4);
-  bytes.append(buffer, 4);
-}
-
-std::string put_together(const Chunks& chunks) {
-  std::string text = chunks.json.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::string glb = "glTF";
-  append_word(glb, 2);
-  append_word(glb, 28 + text.size() + chunks.binary.size());
-  append_word(glb, text.size());
-  glb += "JSON" + text;
-  append_word(glb, chunks.binary.size());
-  glb += std::string("BIN\0", 4) + chunks.binary;
-  return glb;
-}
 
 Mesh read_mesh_or_fail(const std::string& bytes) {
   ReadResult result = read_glb(bytes);

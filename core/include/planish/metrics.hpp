@@ -26,6 +26,11 @@ struct PlanaritySummary {
 [[nodiscard]] PlanaritySummary planarity_summary(const Mesh& mesh);
 [[nodiscard]] PlanaritySummary planarity_summary(const Mesh& mesh, const Positions& positions);
 
+/// `tolerance` (mm/m), or what the rounding of the coordinates leaves of it: a mesh of metres at an
+/// offset of 1e7 m cannot be flatter than about 1e-6 mm/m, wherever its vertices go. Equal to
+/// `tolerance` for meshes near the origin, and never above 1e-3 mm/m on account of rounding.
+[[nodiscard]] double attainable_tolerance(const Mesh& mesh, double tolerance);
+
 /// d = 3 N_V − Σ (i − 3) F_i (Sec. 2.1); vertices that no face uses are left out. [MET-2]
 [[nodiscard]] int degrees_of_freedom(const Mesh& mesh);
 

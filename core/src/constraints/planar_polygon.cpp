@@ -45,6 +45,9 @@ std::size_t farthest(std::span<const int> face, const Measure& measure) {
   return best;
 }
 
+/// Doubled area, in mean edges squared, below which the scale of an equation stops growing.
+constexpr double kLeastArea = 1e-9;
+
 /// Reciprocal of an area, bounded so that a degenerate face gives a weak equation, not infinity.
 double bounded_scale(double area, double extent) {
   constexpr double kSliver = 1e-6;
@@ -128,8 +131,7 @@ FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) 
   return result;
 }
 
-std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
-                                       const FourPoints& points) {
+std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation, const FourPoints& points) {
   const double scale = scale_at(equation, points);
   const Eigen::Matrix3d b = scale * skew(points.col(1) - points.col(0));
   const Eigen::Matrix3d c = scale * skew(points.col(2) - points.col(0));
@@ -147,13 +149,17 @@ std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
 
 namespace {
 
-/// The diagonals carry a quad's plane: the residual is then the distance between them.
+/// The diagonals carry a quad's plane: the residual is then the distance between them. On a quad
+/// without area (a line, a point, a bow-tie) that scale would be boundless, so there the scale
+/// follows the triangle of the first three vertices as the quad opens.
 FlatnessEquation quad_equation(const Positions& positions, std::span<const int> face) {
   const Eigen::Vector3d first = positions.col(face[2]) - positions.col(face[0]);
   const Eigen::Vector3d second = positions.col(face[3]) - positions.col(face[1]);
   const double extent = std::max(first.norm(), second.norm());
-  return {
-      {face[0], face[1], face[2], face[3]}, bounded_scale(first.cross(second).norm(), extent), 0.0};
+  const double area = first.cross(second).norm();
+  const double scale = bounded_scale(area, extent);
+  const double least_area = area * scale < 1.0 ? std::max(1.0 / scale, kLeastArea) : 0.0;
+  return {{face[0], face[1], face[2], face[3]}, scale, least_area};
 }
 
 }  // namespace

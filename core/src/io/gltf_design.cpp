@@ -2,8 +2,10 @@
 #include "io/gltf_design.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -102,6 +104,14 @@ std::string as_utf8(const std::string& text) {
 
 }  // namespace
 
+std::optional<int> whole_number(const tinygltf::Value& value) {
+  if (!value.IsNumber()) return std::nullopt;
+  const double number = value.GetNumberAsDouble();
+  constexpr double kLimit = std::numeric_limits<int>::max();
+  if (!(std::abs(number) <= kLimit) || std::floor(number) != number) return std::nullopt;
+  return static_cast<int>(number);
+}
+
 tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content) {
   std::vector<std::int32_t> sizes;
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -125,7 +135,7 @@ tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content) {
 std::optional<StoredDesign> load_design(const tinygltf::Value& extras) {
   if (!extras.Has("planish")) return std::nullopt;
   const tinygltf::Value& stored = extras.Get("planish");
-  if (!stored.Has("version") || stored.Get("version").GetNumberAsInt() != kVersion) {
+  if (!stored.Has("version") || whole_number(stored.Get("version")) != kVersion) {
     return std::nullopt;
   }
   std::optional<Positions> positions = unpack_positions(stored, "positions");

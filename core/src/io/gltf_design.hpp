@@ -20,6 +20,10 @@ struct StoredDesign {
   std::string design;
 };
 
+/// `value` as an int; nullopt if it is no number, not whole or too large, on which
+/// tinygltf's own GetNumberAsInt() is undefined.
+[[nodiscard]] std::optional<int> whole_number(const tinygltf::Value& value);
+
 [[nodiscard]] tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content);
 
 /// nullopt if `extras` holds none, or a damaged one; indices are checked against the positions.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -138,14 +139,15 @@ Eigen::Matrix4d local_matrix(const tinygltf::Node& node) {
   return matrix;
 }
 
-/// mesh.extras.polygonSizes; nullopt where there is none or it is not a list of whole numbers.
+/// mesh.extras.polygonSizes; nullopt where there is none. What is no whole number becomes 0, which
+/// is no size, so that the panels are looked for in another way.
 std::optional<std::vector<int>> recorded_sizes(const tinygltf::Mesh& mesh) {
   if (!mesh.extras.Has("polygonSizes")) return std::nullopt;
   const tinygltf::Value& list = mesh.extras.Get("polygonSizes");
   if (!list.IsArray()) return std::nullopt;
   std::vector<int> sizes;
   for (std::size_t k = 0; k < list.ArrayLen(); ++k) {
-    sizes.push_back(list.Get(static_cast<int>(k)).GetNumberAsInt());
+    sizes.push_back(whole_number(list.Get(static_cast<int>(k))).value_or(0));
   }
   return sizes;
 }
@@ -161,8 +163,24 @@ Positions placed(const Positions& points, const Eigen::Matrix4d& matrix) {
   return result;
 }
 
+/// How many more vertices and corners the pieces of a file may hold. Many primitives may refer to
+/// the same data, so a small file could ask for more memory than there is.
+class Allowance {
+ public:
+  explicit Allowance(std::size_t count) : left_(count) {}
+
+  void take(std::size_t count) {
+    if (count > left_) throw Refusal{"the GLB file repeats its meshes too often"};
+    left_ -= count;
+  }
+
+ private:
+  std::size_t left_;
+};
+
 void append_pieces(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
-                   const Eigen::Matrix4d& matrix, std::vector<Piece>& pieces) {
+                   const Eigen::Matrix4d& matrix, Allowance& allowance,
+                   std::vector<Piece>& pieces) {
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
         primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -174,6 +192,7 @@ void append_pieces(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
     Piece piece;
     piece.positions = placed(read_points(model, position->second), matrix);
     piece.triangles = read_indices(model, primitive.indices, piece.positions.cols());
+    allowance.take(static_cast<std::size_t>(piece.positions.cols()) + piece.triangles.size());
     if (mesh.primitives.size() == 1) piece.sizes = recorded_sizes(mesh);
     pieces.push_back(std::move(piece));
   }
@@ -192,28 +211,25 @@ std::vector<Piece> collect_pieces(const tinygltf::Model& model, std::size_t byte
   push(scene.nodes, Eigen::Matrix4d::Identity());
   std::vector<char> entered(model.nodes.size(), 0);
   std::vector<Piece> pieces;
-  std::size_t vertices = 0;
+  Allowance allowance(byte_count);
   while (!waiting.empty()) {
     const auto [index, parent] = waiting.back();
     waiting.pop_back();
     const tinygltf::Node& node = element_of(model.nodes, index, "node");
     if (std::exchange(entered[static_cast<std::size_t>(index)], char{1}) != 0) continue;
     const Eigen::Matrix4d matrix = parent * local_matrix(node);
-    const std::size_t before = pieces.size();
     if (node.mesh >= 0) {
-      append_pieces(model, element_of(model.meshes, node.mesh, "mesh"), matrix, pieces);
+      append_pieces(model, element_of(model.meshes, node.mesh, "mesh"), matrix, allowance, pieces);
     }
-    for (std::size_t k = before; k < pieces.size(); ++k) {
-      vertices += static_cast<std::size_t>(pieces[k].positions.cols()) + pieces[k].triangles.size();
-    }
-    if (vertices > byte_count) throw Refusal{"the GLB file repeats its meshes too often"};
     push(node.children, matrix);
   }
   if (pieces.empty()) throw Refusal{"the GLB file holds no triangles"};
   return pieces;
 }
 
-/// Whether the file's float32 points are the stored exact ones: nothing moved them since.
+/// Whether the file's float32 points are the stored exact ones: nothing moved them since. Apart
+/// from rounding to float, they may differ by the float steps next to zero (a tiny mesh), and by
+/// the rounding of the sum with the display origin (a tiny mesh far away).
 bool still_matches(const Positions& file, const Positions& exact) {
   constexpr double kFloatRounding = 2.5e-7;
   constexpr auto kLargest = static_cast<double>(std::numeric_limits<float>::max());
@@ -221,7 +237,11 @@ bool still_matches(const Positions& file, const Positions& exact) {
   const Eigen::Vector3d origin = display_origin(exact);
   const Positions clamped = exact.cwiseMax(-kLargest).cwiseMin(kLargest);
   const double size = (clamped.colwise() - origin).cwiseAbs().maxCoeff();
-  return ((file - clamped).cwiseAbs().array() <= kFloatRounding * size).all();
+  constexpr double kSmallest = std::numeric_limits<float>::denorm_min();
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  const double slack =
+      kFloatRounding * size + kSmallest + kRounding * (origin.cwiseAbs().maxCoeff() + size);
+  return ((file - clamped).cwiseAbs().array() <= slack).all();
 }
 
 FaceList triangle_faces(const std::vector<int>& triangles) {
@@ -252,7 +272,9 @@ FaceList panels_of(const Piece& piece, std::vector<std::string>& warnings) {
 }
 
 /// Other programs store a vertex once per face; faces only hang together once these are joined.
+/// Non-finite points have no order; they stay, for check_mesh() to refuse.
 void weld(Mesh& mesh, std::vector<std::string>& warnings) {
+  if (!mesh.positions.allFinite()) return;
   std::map<std::array<double, 3>, int> seen;
   std::vector<int> target;
   std::vector<Eigen::Index> kept;
@@ -273,6 +295,10 @@ void weld(Mesh& mesh, std::vector<std::string>& warnings) {
 
 Mesh joined_mesh(const std::vector<Piece>& pieces, std::vector<std::string>& warnings) {
   Mesh mesh;
+  Eigen::Index vertex_count = 0;
+  for (const Piece& piece : pieces) vertex_count += piece.positions.cols();
+  mesh.positions.resize(3, vertex_count);
+  Eigen::Index next_vertex = 0;
   for (const Piece& piece : pieces) {
     std::vector<std::string> piece_warnings;
     const FaceList faces = panels_of(piece, piece_warnings);
@@ -281,10 +307,10 @@ Mesh joined_mesh(const std::vector<Piece>& pieces, std::vector<std::string>& war
         warnings.push_back(std::move(warning));
       }
     }
-    const auto first_vertex = static_cast<int>(mesh.positions.cols());
+    const auto first_vertex = static_cast<int>(next_vertex);
     const auto first_corner = static_cast<int>(mesh.face_vertices.size());
-    mesh.positions.conservativeResize(3, first_vertex + piece.positions.cols());
-    mesh.positions.rightCols(piece.positions.cols()) = piece.positions;
+    mesh.positions.middleCols(next_vertex, piece.positions.cols()) = piece.positions;
+    next_vertex += piece.positions.cols();
     for (const int v : faces.vertices) mesh.face_vertices.push_back(first_vertex + v);
     for (std::size_t f = 1; f < faces.offsets.size(); ++f) {
       mesh.face_offsets.push_back(first_corner + faces.offsets[f]);
@@ -318,6 +344,17 @@ GlbFile restored(std::vector<Piece> pieces, std::optional<StoredDesign> stored) 
   return glb;
 }
 
+/// A base is a mesh with the same faces; one that is not is left out, and with it the design.
+void check_base(GlbFile& glb) {
+  if (!glb.base) return;
+  Mesh base = glb.file.mesh;
+  base.positions = *glb.base;
+  if (std::holds_alternative<MeshFile>(check_mesh(std::move(base)))) return;
+  glb.base.reset();
+  glb.design.clear();
+  glb.file.warnings.push_back("the stored design is damaged and is left out");
+}
+
 }  // namespace
 
 std::variant<GlbFile, ReadError> read_glb_design(std::string_view bytes) {
@@ -331,6 +368,7 @@ std::variant<GlbFile, ReadError> read_glb_design(std::string_view bytes) {
     auto& file = std::get<MeshFile>(checked);
     glb.file.mesh = std::move(file.mesh);
     glb.file.warnings.insert(glb.file.warnings.end(), file.warnings.begin(), file.warnings.end());
+    check_base(glb);
     return glb;
   } catch (const Refusal& refusal) {
     return ReadError{refusal.message};

@@ -154,8 +154,9 @@ std::optional<FaceList> decode_fans(std::span<const int> triangles, std::span<co
   std::size_t at = 0;
   for (const int size : sizes) {
     if (size < 3) return std::nullopt;
-    const std::size_t length = 3 * (static_cast<std::size_t>(size) - 2);
-    if (triangles.size() - at < length) return std::nullopt;
+    const auto count = static_cast<std::size_t>(size) - 2;
+    if (count > (triangles.size() - at) / 3) return std::nullopt;  // 3 · count may not fit 32 bits
+    const std::size_t length = 3 * count;
     if (!append_fan(triangles.subspan(at, length), faces)) return std::nullopt;
     at += length;
   }

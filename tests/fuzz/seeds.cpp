@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/// Writes the seed corpus: small samples in every format and dialect, by the project's own writers.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "planish/io/gltf.hpp"
+#include "planish/io/mesh_format.hpp"
+#include "planish/io/ply.hpp"
+#include "planish/shapes.hpp"
+
+namespace planish::fuzz {
+namespace {
+
+class Corpus {
+ public:
+  explicit Corpus(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add(const char* format, const std::string& bytes) {
+    const std::filesystem::path folder = folder_ / format;
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / (std::to_string(count_++) + "." + format), std::ios::binary) << bytes;
+  }
+
+ private:
+  std::filesystem::path folder_;
+  int count_ = 0;
+};
+
+/// JSON, NUL, binary data: what read_glb_fuzzer wraps by itself.
+std::string parts_of(const std::string& glb) {
+  const auto word = [&](std::size_t at) {
+    std::size_t value = 0;
+    for (std::size_t k = 4; k-- > 0;) value = value * 256 + static_cast<unsigned char>(glb[at + k]);
+    return value;
+  };
+  const std::size_t json = word(12), binary = word(20 + json);
+  return glb.substr(20, json) + '\0' + glb.substr(20 + json + 8, binary);
+}
+
+void add_sample(const Mesh& mesh, Corpus& corpus) {
+  corpus.add("obj", write_mesh(mesh, MeshFormat::kObj));
+  corpus.add("off", write_mesh(mesh, MeshFormat::kOff));
+  for (const PlyEncoding encoding :
+       {PlyEncoding::kAscii, PlyEncoding::kBinaryLittleEndian, PlyEncoding::kBinaryBigEndian}) {
+    corpus.add("ply", write_ply(mesh, encoding));
+  }
+  GlbContent content;
+  content.base = mesh.positions;
+  content.base->row(2).array() += 0.25;
+  content.design = R"({"version":1,"handles":[{"vertex":4,"target":[1,2,3.5]}]})";
+  GlbVariations variations{{0, 2}, {Positions::Constant(3, 2, 0.5)}};
+  content.variations = variations;
+  for (const std::string& glb : {write_glb(mesh), write_glb(mesh, content)}) {
+    corpus.add("glb", glb);
+    corpus.add("glb", parts_of(glb));
+  }
+}
+
+/// Dialects that our writers do not speak.
+void add_dialects(Corpus& corpus) {
+  corpus.add("obj",
+             "# c\r\no part\r\nv 0 0 0 1 0 0\r\nv 1e0 0 0\r\nv +1 1. .5\r\nvt 0 0\r\n"
+             "g a b\r\nf 1/1/1 2//2 3/3/\\\r\n\r\nusemtl x\r\ns off\r\nf -1 -2 -3\r\n");
+  corpus.add("obj", "f 1 2 3 4\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 nan\n");
+  corpus.add("off",
+             "COFF # c\n4 2 0\n\n0 0 0 255 0 0 255\n1 0 0\n1 1 0\n0 1 0\n"
+             "3 0 1 2 1 0 0\n3 0 2 3\n");
+  corpus.add("off", "3 1\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n");
+  corpus.add("ply",
+             "ply\nformat ascii 1.0\ncomment c\nobj_info o\nelement vertex 3\n"
+             "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+             "element face 1\nproperty list uchar int vertex_index\n"
+             "element edge 1\nproperty int vertex1\nproperty list uint float weights\n"
+             "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n7 2 0.5 0.5\n");
+  corpus.add("glb",
+             std::string(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+                         R"("nodes":[{"children":[1],"rotation":[0,0,0,1]},{"mesh":0,)"
+                         R"("scale":[2,2,2],"translation":[1,0,0]}],"meshes":[{"primitives")"
+                         R"(:[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":)"
+                         R"(0,"componentType":5126,"count":3,"type":"VEC3","byteOffset":0}],)"
+                         R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{)"
+                         R"("byteLength":36}]})") +
+                 '\0' +
+                 std::string("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0"
+                             "\0\0\0\0\0\0\x80\x3f\0\0\0\0",
+                             36));
+}
+
+}  // namespace
+}  // namespace planish::fuzz
+
+int main(int count, char** arguments) {
+  using namespace planish;
+  if (count != 2) return std::fputs("usage: fuzz_seeds FOLDER\n", stderr), 2;
+  fuzz::Corpus corpus(arguments[1]);
+  for (const std::string_view name : sample_names()) {
+    Mesh mesh = make_sample(name, 3).value();
+    mesh.groups = {{"roof", 0}, {"caf\xC3\xA9 <b>", mesh.face_count() - 1}};
+    if (mesh.face_count() < 2) mesh.groups.pop_back();
+    fuzz::add_sample(mesh, corpus);
+  }
+  fuzz::add_dialects(corpus);
+  return 0;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/// On any mesh that is accepted: a right answer or an honest status, in bounded time, and never a
+/// worse mesh than before.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "planish/io/mesh_format.hpp"
+#include "planish/mesh_check.hpp"
+#include "planish/subspace.hpp"
+#include "support/edit_invariants.hpp"
+#include "support/hostile_meshes.hpp"
+#include "support/mesh_builders.hpp"
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+using testing::is_valid_edit;
+using testing::is_valid_projection;
+using testing::is_valid_subspace;
+
+/// Bounded time: a small multiple of what the slowest takes natively; sanitizers are slower.
+#if defined(__SANITIZE_ADDRESS__) || defined(__EMSCRIPTEN__)
+constexpr double kPatience = 60.0;  // s
+#else
+constexpr double kPatience = 10.0;  // s
+#endif
+
+class Clock {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void explore(const Mesh& mesh, const Positions& edited, int handle) {
+  const Clock clock;
+  const Subspace subspace = compute_subspace(mesh, edited, {handle}, {.dimension = 3});
+  EXPECT_TRUE(is_valid_subspace(edited, subspace));
+  EXPECT_LT(clock.seconds(), kPatience) << "subspace";
+  if (subspace.dimension() == 0) return;
+  Mesh varied = mesh;
+  Positions rows;
+  evaluate(subspace, Eigen::VectorXd::Constant(subspace.dimension(), 0.5), rows);
+  varied.positions = edited;
+  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+    varied.positions.col(subspace.support[k]) = rows.col(static_cast<Eigen::Index>(k));
+  }
+  const ProjectionResult exact = project_to_planar(varied, mesh.positions);
+  EXPECT_TRUE(is_valid_projection(varied, {}, exact)) << "of a variation";
+}
+
+/// One vertex, pulled by `edges` mean edges. Returns how it ended.
+SolveStatus edit(const Mesh& mesh, int handle, double edges, HandleEditResult* kept = nullptr) {
+  const Clock clock;
+  const Eigen::Vector3d move = edges * mean_edge_length(mesh) * Eigen::Vector3d(0.36, 0.48, 0.8);
+  const EditTargets targets = testing::pull(mesh, handle, move);
+  const HandleEditResult result = solve_handle_edit(mesh, targets);
+  EXPECT_TRUE(is_valid_edit(mesh, targets, result))
+      << edges << " edges, " << status_name(result.report.status);
+  EXPECT_LT(clock.seconds(), kPatience) << "edit";
+  if (kept != nullptr) *kept = result;
+  return result.report.status;
+}
+
+TEST(HostileGeometry, GivesARightAnswerOrAnHonestStatus) {
+  for (const testing::NamedMesh& scene : testing::hostile_meshes()) {
+    SCOPED_TRACE(scene.name);
+    ASSERT_TRUE(std::holds_alternative<MeshFile>(check_mesh(scene.mesh)));
+    const Clock clock;
+    const ProjectionResult flat = project_to_planar(scene.mesh);
+    EXPECT_TRUE(is_valid_projection(scene.mesh, {}, flat));
+    EXPECT_LT(clock.seconds(), kPatience) << "project";
+    Mesh base = scene.mesh;
+    base.positions = testing::apply(scene.mesh, flat);
+    std::cout << "  " << scene.name << ": " << status_name(flat.report.status) << " "
+              << flat.report.planarity_before << " -> " << flat.report.planarity_after << " ("
+              << clock.seconds() << " s), edits";
+    for (const double edges : {0.5, 3.0}) {
+      HandleEditResult result;
+      std::cout << " " << status_name(edit(base, scene.handle, edges, &result)) << " ("
+                << result.moved.size() << " moved)";
+      explore(base, apply(base, result), scene.handle);
+    }
+    std::cout << ", " << clock.seconds() << " s\n";
+  }
+}
+
+/// Every readable mesh among the shared real and nasty ones.
+TEST(HostileGeometry, RealMeshesCanBePlanarisedAndEdited) {
+  const std::filesystem::path folder = PLANISH_SHARED_MESHES;
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared meshes here";
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const auto name = std::filesystem::relative(entry.path(), folder).string();
+    if (format_from_name(name)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    const ReadResult read = read_mesh(*testing::shared_mesh_bytes(name), *format_from_name(name));
+    if (std::holds_alternative<ReadError>(read)) continue;
+    Mesh mesh = std::get<MeshFile>(read).mesh;
+    const Clock clock;
+    const ProjectionResult flat = project_to_planar(mesh);
+    EXPECT_TRUE(is_valid_projection(mesh, {}, flat));
+    mesh.positions = testing::apply(mesh, flat);
+    const int handle = mesh.face(mesh.face_count() / 2)[0];
+    const SolveStatus small = edit(mesh, handle, 0.5);
+    const SolveStatus large = edit(mesh, handle, 3.0);
+    std::cout << "  " << name << ": " << status_name(flat.report.status) << " "
+              << flat.report.planarity_before << " -> " << flat.report.planarity_after << ", edits "
+              << status_name(small) << ", " << status_name(large) << ", " << clock.seconds()
+              << " s\n";
+    EXPECT_LT(clock.seconds(), 3 * kPatience);
+  }
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "planish/io/gltf.hpp"
+#include "planish/shapes.hpp"
+#include "support/glb_chunks.hpp"
+#include "support/mesh_builders.hpp"
+
+namespace planish {
+namespace {
+
+/// NaN has no order, so joining equal points could swap a NaN point for another one and accept it.
+TEST(GlbNanWeld, ANanInForeignTrianglesIsRefused) {
+  const testing::Chunks whole = testing::take_apart(write_glb(*make_sample("vault", 4)));
+  for (std::size_t v = 0; v < 16; ++v) {
+    testing::Chunks chunks = whole;
+    chunks.json["asset"].erase("extras");
+    chunks.json["meshes"][0].erase("extras");
+    const float bad = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(chunks.binary.data() + 12 * v, &bad, 4);
+    EXPECT_NE(testing::error_text(read_glb(testing::put_together(chunks))).find("not finite"),
+              std::string::npos)
+        << "vertex " << v;
+  }
+}
+
+}  // namespace
+}  // namespace planish
