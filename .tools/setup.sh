@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev
   nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
-  python3-numpy python3-scipy clang-format clang-tidy)
+  python3-numpy python3-scipy clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
 
 has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

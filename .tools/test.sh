@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every check there is. With names, only those: format lint types architecture native wasm unit
-# parity browser tidy. The last line counts.
+# parity browser tidy cppcheck fuzz sanitize. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 bash .tools/setup.sh || exit 1
@@ -33,6 +33,9 @@ check_browser() {
   bash .tools/build.sh wasm site && npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser
 }
 check_tidy() { bash .tools/tidy.sh; }
+check_cppcheck() { bash .tools/cppcheck.sh; }
+check_fuzz() { bash .tools/fuzz.sh; }
+check_sanitize() { ready sanitize planish_tests && ctest --preset sanitize -j "$jobs"; }
 
 # How many tests a log speaks of: "passed failed"; a check without tests counts as one.
 count() { # log status
@@ -74,7 +77,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types)
   [ -e .tools/check-architecture.py ] && checks+=(architecture)
-  checks+=(native wasm unit parity browser tidy)
+  checks+=(native wasm unit parity browser tidy cppcheck fuzz sanitize)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

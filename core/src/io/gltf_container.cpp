@@ -59,8 +59,7 @@ bool is_too_deep(std::string_view json) {
 }
 
 /// Several buffers would each copy the binary chunk; other files cannot be reached.
-std::string refuse_document(std::string_view text) {
-  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+std::string refuse_document(const nlohmann::json& document) {
   if (!document.is_object()) return "the GLB file's JSON is damaged";
   if (!document.contains("buffers")) return "the GLB file holds no mesh";
   const nlohmann::json& buffers = document["buffers"];
@@ -75,6 +74,27 @@ std::string refuse_document(std::string_view text) {
     return "the GLB file requires the extension " + name + ", which is not supported";
   }
   return "";
+}
+
+/// The file with nothing but its geometry: tinygltf takes up to 2 KiB for an empty material that is
+/// 3 bytes in the file, and needs no code of ours for what is not read.
+std::string geometry_only(const nlohmann::json& document, std::string_view bytes) {
+  nlohmann::json kept = nlohmann::json::object();
+  for (const char* key :
+       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers"}) {
+    if (document.contains(key)) kept[key] = document[key];
+  }
+  std::string json = kept.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t end = kHeader + kChunkHeader + word_at(bytes, kHeader);
+  const std::string_view rest = bytes.substr(end, word_at(bytes, 8) - end);
+  std::string file(bytes.substr(0, kHeader + kChunkHeader));
+  const auto length = static_cast<std::uint32_t>(file.size() + json.size() + rest.size());
+  const auto json_length = static_cast<std::uint32_t>(json.size());
+  std::memcpy(file.data() + 8, &length, sizeof length);
+  std::memcpy(file.data() + kHeader, &json_length, sizeof json_length);
+  file += json;
+  return file += rest;
 }
 
 /// Textures mean nothing for a mesh, so no image is decoded.
@@ -95,15 +115,20 @@ std::variant<tinygltf::Model, std::string> load_glb_model(std::string_view bytes
   if (std::string problem = refuse_container(bytes); !problem.empty()) return problem;
   const std::string_view json = bytes.substr(kHeader + kChunkHeader, word_at(bytes, kHeader));
   if (is_too_deep(json)) return "the GLB file's JSON is nested too deeply";
-  if (std::string problem = refuse_document(json); !problem.empty()) return problem;
+  std::string file;
+  {
+    const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
+    if (std::string problem = refuse_document(document); !problem.empty()) return problem;
+    file = geometry_only(document, bytes);
+  }
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(ignore_image, nullptr);
   tinygltf::Model model;
   std::string error, warning;
   try {
-    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    const auto* data = reinterpret_cast<const unsigned char*>(file.data());
     if (loader.LoadBinaryFromMemory(&model, &error, &warning, data,
-                                    static_cast<unsigned int>(bytes.size()))) {
+                                    static_cast<unsigned int>(file.size()))) {
       return model;
     }
   } catch (const std::exception& exception) {
