@@ -21,7 +21,10 @@ const SCENES = [
     sample: "Dome",
     act: async (page) => {
       await lift(page, "+900mm");
-      await page.getByRole("button", { name: /variations/i }).first().click();
+      await page
+        .getByRole("button", { name: /variations/i })
+        .first()
+        .click();
       await page.getByRole("slider", { name: "Variation 1" }).waitFor({ timeout: 30_000 });
       await page.getByRole("slider", { name: "Variation 1" }).fill("0.6");
       await settled(page);
