@@ -142,8 +142,8 @@ class HandleEditSolver::State {
   std::vector<int> drag_support_;
   std::vector<int> overridden_;  ///< vertices whose term is not the default
   std::optional<HandleEditResult> last_exact_;
-  double tolerance_ =
-      0.0;  ///< mm/m, what the options ask for as far as the coordinates can hold it
+  /// mm/m: what the options ask for, as far as the coordinates can hold it.
+  double tolerance_ = 0.0;
   double setup_seconds_ = 0.0;
 };
 

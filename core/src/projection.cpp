@@ -66,7 +66,14 @@ class Projector {
 
   ProjectionResult run(const std::vector<int>& failing, const Progress& progress);
 
+  /// Only vertices within `rings` face rings of the failing faces may move.
+  void confine(const std::vector<int>& failing, int rings) {
+    WorkingSetGrower grower(model_);
+    free_ = grower.grow(vertices_of(failing), rings);
+  }
+
  private:
+  [[nodiscard]] std::vector<int> vertices_of(const std::vector<int>& faces) const;
   void solve_nearest(const Progress& progress);
   void solve_newton(const std::vector<int>& failing, const Progress& progress);
   void solve_augmented_lagrangian(const Progress& progress);
@@ -80,12 +87,24 @@ class Projector {
   MeshModel model_;
   EditProblem problem_;
   DisplacementField field_;
+  std::vector<int> free_;  ///< empty: every vertex
   std::vector<int> support_;
   SolveReport report_;
 };
 
+std::vector<int> Projector::vertices_of(const std::vector<int>& faces) const {
+  std::vector<int> vertices;
+  for (const int f : faces) {
+    const auto face = model_.face(f);
+    vertices.insert(vertices.end(), face.begin(), face.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 void Projector::solve_nearest(const Progress& progress) {
-  support_ = everything();
+  support_ = free_.empty() ? everything() : free_;
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   Patch patch;
@@ -109,15 +128,10 @@ void Projector::solve_newton(const std::vector<int>& failing, const Progress& pr
   const Interruption interrupted = [&](const IterationRecord& record) {
     return progress && progress(record) == Flow::kStop;
   };
-  std::vector<int> seeds;
+  const std::vector<int> seeds = vertices_of(failing);
   double gap = 0.0;
-  for (const int f : failing) {
-    const auto face = model_.face(f);
-    seeds.insert(seeds.end(), face.begin(), face.end());
-    gap = std::max(gap, face_planarity(model_.points, face).gap);
-  }
-  std::sort(seeds.begin(), seeds.end());
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  for (const int f : failing)
+    gap = std::max(gap, face_planarity(model_.points, model_.face(f)).gap);
   const NewtonOutcome outcome =
       newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, interrupted);
   support_ = problem_.sparse ? newton.support() : everything();
@@ -188,6 +202,37 @@ void record_moves(const Mesh& mesh, const Positions& after, ProjectionResult& re
   result.report.max_displacement = result.max_move;
 }
 
+/// How one attempt is made.
+enum class Attempt { kNearest, kConfined, kWeighted };
+
+/// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
+/// the vertices that carry a panel's plane collinear; the next round chooses them anew.
+ProjectionResult attempt(Mesh& current, std::vector<int>& remaining, Attempt kind, int rings,
+                         const Positions* reference, const ProjectionOptions& options,
+                         const std::vector<int>& pins, const Progress& progress) {
+  ProjectionResult result;
+  for (int round = 0; round < kRounds && !remaining.empty(); ++round) {
+    Projector projector(current, options, pins);
+    if (kind == Attempt::kWeighted) {
+      projector.penalise_unmoved(*reference);
+    } else {
+      projector.penalise_squares();
+    }
+    if (kind == Attempt::kConfined) projector.confine(remaining, rings);
+    ProjectionResult step = projector.run(remaining, progress);
+    for (std::size_t k = 0; k < step.moved.size(); ++k) {
+      current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
+    }
+    remaining = failing_faces(current, current.positions, options.tolerance);
+    step.report.iterations += result.report.iterations;
+    step.report.factorizations += result.report.factorizations;
+    step.report.solve_seconds += result.report.solve_seconds;
+    result.report = std::move(step.report);
+    if (!result.report.usable()) break;
+  }
+  return result;
+}
+
 ProjectionResult project(const Mesh& mesh, const Positions* reference, ProjectionOptions options,
                          const std::vector<int>& pins, const Progress& progress) {
   options.tolerance = attainable_tolerance(mesh, options.tolerance);
@@ -201,25 +246,23 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference, Projectio
   if (failing.empty()) return result;  // flat already: the same bits
   Mesh current = mesh;
   std::vector<int> remaining = failing;
-  // A large correction can make the vertices that carry a panel's plane collinear; the next round
-  // chooses them anew on the mesh as it is by then.
-  for (int round = 0; round < kRounds && !remaining.empty(); ++round) {
-    Projector projector(current, options, pins);
-    if (reference != nullptr) {
-      projector.penalise_unmoved(*reference);
-    } else {
-      projector.penalise_squares();
+  const Attempt first = reference != nullptr ? Attempt::kWeighted : Attempt::kNearest;
+  result = attempt(current, remaining, first, 0, reference, options, pins, progress);
+  // Where the weighted problem does not close, the nearest flat mesh in growing surroundings does,
+  // and still leaves the rest alone.
+  for (const int rings : {2, 4, 8, 16}) {
+    if (remaining.empty() || reference == nullptr ||
+        result.report.status == SolveStatus::kCancelled) {
+      break;
     }
-    ProjectionResult step = projector.run(remaining, progress);
-    for (std::size_t k = 0; k < step.moved.size(); ++k) {
-      current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
-    }
-    remaining = failing_faces(mesh, current.positions, options.tolerance);
-    step.report.iterations += result.report.iterations;
-    step.report.factorizations += result.report.factorizations;
-    step.report.solve_seconds += result.report.solve_seconds;
-    result.report = std::move(step.report);
-    if (!result.report.usable()) break;
+    Mesh again = mesh;
+    std::vector<int> left = failing;
+    ProjectionResult next =
+        attempt(again, left, Attempt::kConfined, rings, reference, options, pins, progress);
+    if (left.size() > remaining.size()) continue;
+    result = std::move(next);
+    current = std::move(again);
+    remaining = std::move(left);
   }
   record_moves(mesh, current.positions, result);
   result.report.planarity_before = before;

@@ -72,7 +72,8 @@ class HandleEditSolver {
   HandleEditSolver(HandleEditSolver&&) noexcept;
   HandleEditSolver& operator=(HandleEditSolver&&) noexcept;
 
-  /// New weights for the following solves; O(1) unless `fairness` changes.
+  /// New weights for the following solves; forgets the drag. O(n), far less than construction
+  /// unless `fairness` changes.
   void set_options(const HandleEditOptions& options);
 
   /// From the base mesh. The result depends on mesh, options and targets alone.

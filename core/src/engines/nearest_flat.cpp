@@ -10,7 +10,7 @@ namespace planish {
 namespace {
 
 constexpr double kFlat = 1e-8;     ///< residual that the exact finish takes to rounding, mean edges
-constexpr double kSettled = 1e-4;  ///< relative step below which t is the nearest point
+constexpr double kSettled = 1e-6;  ///< relative step below which t is the nearest point
 
 /// State of the iteration and its line search.
 class NearestFlat {

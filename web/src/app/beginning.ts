@@ -3,7 +3,7 @@ import { decodeLink, isLink } from "../share/link.ts";
 import { client } from "../state/connection.ts";
 import { openFirst } from "../state/opening.ts";
 import { replay } from "../state/replaying.ts";
-import { problem, ready } from "../state/store.ts";
+import { problem, ready, stranded } from "../state/store.ts";
 import { keepOffline } from "./offline.ts";
 
 /** Opens the design of the page's own address; false if there is none to open. */
@@ -21,6 +21,7 @@ export async function begin(): Promise<void> {
     await client.ready;
   } catch (error) {
     problem.value = error instanceof Error ? error.message : String(error);
+    stranded.value = true;
     return;
   }
   if (!(await openAddress())) {

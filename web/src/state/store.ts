@@ -21,6 +21,8 @@ export type ColourBy = "displacement" | "planarity" | "none";
 
 /** False until the page can be used. */
 export const ready = signal(false);
+/** True if the solver could not be loaded: the page will not get ready. */
+export const stranded = signal(false);
 export const displayMesh = signal<DisplayMesh | null>(null);
 export const mesh = signal<OpenedMesh | null>(null);
 export const history = signal<History<Design> | null>(null);

@@ -8,13 +8,14 @@ import {
   notice,
   problem,
   ready,
+  stranded,
   unit,
   update,
 } from "../state/store.ts";
 import { formatGap, formatLength } from "../state/units.ts";
 
 function numbers(): string {
-  if (!ready.value) return problem.value ? "not ready" : "loading the solver…";
+  if (!ready.value) return stranded.value ? "not ready" : "loading the solver…";
   const { movedVertices, maxDisplacement, worstGap, seconds, status } = figures.value;
   const parts = [
     `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,

@@ -21,7 +21,7 @@ struct AlmOptions {
   int max_inner = 30;            ///< l_max ≥ 1 steps of alternating minimisation [ALM-3]
   double primal_tolerance = 1e-5;  ///< ε_p on ‖h‖ / √(number of rows), > 0 [ALM-5]
   double dual_tolerance = 3e-4;    ///< ε_d on ‖r‖ / √(number of rows), > 0 [ALM-5]
-  int max_outer = 400;            ///< dual updates ≥ 0; 0 returns the start point
+  int max_outer = 400;             ///< dual updates ≥ 0; 0 returns the start point
 };
 
 /// What one pass of alternating minimisation measured.

@@ -21,7 +21,7 @@ struct SubspaceVectorOptions {
   double last_smoothing = 1e-5;   ///< the same
   double smoothing_shrink = 0.4;  ///< in (0, 1)
   double penalty = 1e6;           ///< μ of [WSN-2]
-  double stop = 1e-7;             ///< relative change of the objective, > 0
+  double stop = 1e-5;             ///< relative change of the objective, > 0
   int max_steps = 80;
 };
 
