@@ -29,6 +29,7 @@ std::vector<int> failing_faces(const Mesh& mesh, const Positions& positions, dou
   }
   std::sort(found.begin(), found.end());
   std::vector<int> faces;
+  faces.reserve(found.size());
   for (const auto& [gap, face] : found) faces.push_back(face);
   return faces;
 }

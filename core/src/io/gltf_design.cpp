@@ -114,6 +114,7 @@ std::optional<int> whole_number(const tinygltf::Value& value) {
 
 tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content) {
   std::vector<std::int32_t> sizes;
+  sizes.reserve(static_cast<std::size_t>(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) {
     sizes.push_back(static_cast<std::int32_t>(mesh.face(f).size()));
   }

@@ -20,7 +20,7 @@ LatticePatch::LatticePatch(double spacing, double reach,
     : spacing_(spacing),
       // A row leans by half a step per row: |i| can exceed the reach by that factor.
       radius_(static_cast<int>(std::ceil(reach / (spacing * kHalfRoot3))) + 2) {
-  const auto side = static_cast<std::size_t>(2 * radius_ + 1);
+  const std::size_t side = 2 * static_cast<std::size_t>(radius_) + 1;
   inside_.assign(side * side, 0);
   for (int j = 2 - radius_; j <= radius_ - 2; ++j) {
     for (int i = 2 - radius_; i <= radius_ - 2; ++i) {
