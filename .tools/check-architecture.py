@@ -48,6 +48,7 @@ FILE_GROUPS = {
     "panel_kernels": "engines",
     "edge_table": "topology",
     "disjoint_sets": "topology",
+    "base_planarity": "metrics",
     "io/read_result": "read_result",
     "io/sentence": "read_result",
     "io/number": "read_result",

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base_planarity.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/working_set_newton.hpp"
@@ -27,35 +28,6 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Planarity of the base mesh, sorted so that "the worst panel outside a set" is found quickly.
-class BasePlanarity {
- public:
-  explicit BasePlanarity(const Mesh& mesh)
-      : values_(at(mesh.face_count())), order_(values_.size()) {
-    for (int f = 0; f < mesh.face_count(); ++f) {
-      values_[at(f)] = face_planarity(mesh.positions, mesh.face(f)).mm_per_m;
-    }
-    std::iota(order_.begin(), order_.end(), 0);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](int a, int b) { return values_[at(a)] > values_[at(b)]; });
-  }
-
-  [[nodiscard]] double worst() const { return order_.empty() ? 0.0 : values_[at(order_.front())]; }
-
-  /// @param touched faces, any order
-  [[nodiscard]] double worst_outside(std::vector<int> touched) const {
-    std::sort(touched.begin(), touched.end());
-    for (const int f : order_) {
-      if (!std::binary_search(touched.begin(), touched.end(), f)) return values_[at(f)];
-    }
-    return 0.0;
-  }
-
- private:
-  std::vector<double> values_;
-  std::vector<int> order_;
 };
 
 }  // namespace
@@ -119,6 +91,7 @@ class HandleEditSolver::State {
  private:
   void rebuild();
   void set_targets(const EditTargets& targets);
+  [[nodiscard]] VertexTerm default_term() const;
   void clear_targets();
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
@@ -169,9 +142,7 @@ void HandleEditSolver::State::rebuild() {
   problem_ = {};
   problem_.model = model_.get();
   problem_.fairness_weight = options_.smoothness;
-  VertexTerm term;
-  if (options_.sparsity == Sparsity::kL21) term.norm_weight = options_.locality;
-  if (options_.sparsity == Sparsity::kL2) term.square_weight = options_.locality;
+  const VertexTerm term = default_term();
   problem_.sparse = term.norm_weight > 0.0;
   problem_.terms.assign(at(model_->vertex_count()), term);
   overridden_.clear();
@@ -189,10 +160,16 @@ void HandleEditSolver::State::set_options(const HandleEditOptions& options) {
   rebuild();
 }
 
-void HandleEditSolver::State::clear_targets() {
+/// What every vertex has that is neither a handle nor a pin.
+VertexTerm HandleEditSolver::State::default_term() const {
   VertexTerm term;
   if (options_.sparsity == Sparsity::kL21) term.norm_weight = options_.locality;
   if (options_.sparsity == Sparsity::kL2) term.square_weight = options_.locality;
+  return term;
+}
+
+void HandleEditSolver::State::clear_targets() {
+  const VertexTerm term = default_term();
   for (const int v : overridden_) problem_.terms[at(v)] = term;
   overridden_.clear();
   problem_.handles.clear();
