@@ -23,6 +23,7 @@ struct Command {
 [[nodiscard]] Command project_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command sample_command();
+[[nodiscard]] Command compare_command();
 
 /// Rows that several commands share.
 inline constexpr OptionRow kOutputRow = {"-o", "OUT",
