@@ -41,8 +41,9 @@ void measure_edges(const Mesh& mesh, const Positions& after, EditMeasure& out) {
       if (before > 0.0) out.edge_strain = std::max(out.edge_strain, std::abs(now / before - 1.0));
       const auto [entry, fresh] = first_face.try_emplace(std::minmax(a, b), f);
       if (fresh) continue;
+      const int other = entry->second;
       const auto across = [&](const Positions& p) {
-        return angle(face_normal(p, mesh.face(entry->second)), face_normal(p, face));
+        return angle(face_normal(p, mesh.face(other)), face_normal(p, face));
       };
       const double change = std::abs(across(after) - across(mesh.positions));
       out.fold_change = std::max(out.fold_change, change * 180.0 / std::acos(-1.0));

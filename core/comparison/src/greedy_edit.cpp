@@ -125,6 +125,7 @@ bool Pursuit::add_best_vertex() {
 }
 
 void Pursuit::solve(Patch& patch) const {
+  if (chosen_.empty()) return;  // the pull breaks no constraint
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(right_.size(), 3 * static_cast<Eigen::Index>(chosen_.size()));
   for (std::size_t c = 0; c < chosen_.size(); ++c) {
