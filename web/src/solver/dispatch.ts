@@ -99,6 +99,10 @@ export class Dispatcher {
         insist(session.vary(Float64Array.from(request.coefficients)));
         this.#postShown(job, false);
         return;
+      case "project":
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
+        return;
       case "exact":
         insist(session.makeExact());
         this.#postShown(job, true);
@@ -158,6 +162,13 @@ export class Dispatcher {
       (a) => a.buffer,
     );
     this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
+  }
+
+  #postProjected(job: number): void {
+    const moved = this.#session.projectedMoved();
+    const positions = this.#session.projectedPositions();
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions } };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #postShown(job: number, withShape: boolean): void {
