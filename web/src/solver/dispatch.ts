@@ -102,6 +102,10 @@ export class Dispatcher {
         insist(session.vary(Float64Array.from(request.coefficients)));
         this.#postShown(job, false);
         return;
+      case "project":
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
+        return;
       case "exact":
         insist(session.makeExact());
         this.#postShown(job, true);
@@ -159,6 +163,13 @@ export class Dispatcher {
     const mesh = readMesh(this.#session);
     const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
+  }
+
+  #postProjected(job: number): void {
+    const moved = this.#session.projectedMoved();
+    const positions = this.#session.projectedPositions();
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions } };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #postShown(job: number, withShape: boolean): void {
