@@ -84,9 +84,10 @@ std::string edit(Session& s, EditMode mode, const val& handles, const val& pins,
   return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
 }
 std::string restore(Session& s, const val& handles, const val& pins, const val& moved,
-                    const val& positions) {
+                    const val& positions, bool keep_variations) {
   return attempt([&] {
-    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions));
+    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions),
+                     keep_variations);
   });
 }
 std::string explore(Session& s, const SubspaceOptions& options) {
@@ -100,6 +101,20 @@ std::string vary(Session& s, const val& coefficients) {
 }
 std::string make_exact(Session& s) {
   return attempt([&] { return s.make_exact(); });
+}
+val project_variation(const Session& s, const val& coefficients) {
+  planish::ExactVariation exact;
+  const std::string refusal = attempt([&] {
+    const auto x = emscripten::convertJSArrayToNumberVector<double>(coefficients);
+    return s.project_variation(
+        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())), exact);
+  });
+  val result = val::object();
+  result.set("refusal", refusal);
+  result.set("moved", copy(exact.moved));
+  result.set("positions", copy(exact.positions));
+  result.set("report", exact.report);
+  return result;
 }
 void on_progress(Session& s, const val& callback) {
   s.set_progress([callback](const IterationRecord& record) {
@@ -153,6 +168,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("explore", &explore)
       .function("vary", &vary)
       .function("makeExact", &make_exact)
+      .function("projectVariation", &project_variation)
       .function("onProgress", &on_progress)
       .function("write", &write)
       .function("basePositions", &base_positions)

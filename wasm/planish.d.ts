@@ -43,10 +43,18 @@ export interface Session {
     pins: Int32Array,
     moved: Int32Array,
     positions: Float64Array,
+    keepVariations: boolean,
   ): string;
   explore(options: SubspaceOptions): string;
   vary(coefficients: Float64Array): string;
   makeExact(): string;
+  /** What vary and makeExact would give; the design shown stays. `report` is JSON. */
+  projectVariation(coefficients: Float64Array): {
+    refusal: string;
+    moved: Int32Array;
+    positions: Float64Array;
+    report: string;
+  };
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
   write(format: string, design: string): Uint8Array;

@@ -144,7 +144,7 @@ Refusal Session::edit(EditMode mode, const EditTargets& targets, double budget_s
 }
 
 Refusal Session::restore(const EditTargets& targets, const std::vector<int>& moved,
-                         const Positions& positions) {
+                         const Positions& positions, bool keep_variations) {
   if (const auto problem = find_problem(targets, base_)) return *problem;
   const bool in_range = std::all_of(moved.begin(), moved.end(),
                                     [&](int v) { return v >= 0 && v < base_.vertex_count(); });
@@ -154,7 +154,7 @@ Refusal Session::restore(const EditTargets& targets, const std::vector<int>& mov
       !positions.allFinite()) {
     return "This design does not belong to the mesh that is open.";
   }
-  subspace_.reset();
+  if (!keep_variations) subspace_.reset();
   targets_ = targets;
   show(moved, positions);
   SolveReport unchanged;
@@ -167,7 +167,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel().mm_per_m > tolerance()) return "Make the design exact first.";
+  if (worst_panel(current_, moved_).mm_per_m > tolerance()) return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -184,11 +184,16 @@ Refusal Session::explore(const SubspaceOptions& options) {
   return std::nullopt;
 }
 
-Refusal Session::vary(const Eigen::VectorXd& coefficients) {
+Refusal Session::find_variation_problem(const Eigen::VectorXd& coefficients) const {
   if (!subspace_) return "Find variations first.";
-  if (coefficients.size() != subspace_->dimension() || !coefficients.allFinite()) {
-    return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+  if (coefficients.size() == subspace_->dimension() && coefficients.allFinite()) {
+    return std::nullopt;
   }
+  return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+}
+
+Refusal Session::vary(const Eigen::VectorXd& coefficients) {
+  if (const Refusal refusal = find_variation_problem(coefficients)) return refusal;
   const Stopwatch watch;
   evaluate(*subspace_, coefficients, varied_);
   show(subspace_->support, varied_);
@@ -198,21 +203,47 @@ Refusal Session::vary(const Eigen::VectorXd& coefficients) {
   return std::nullopt;
 }
 
+Refusal Session::flatten(Positions& positions, std::vector<int>& moved, SolveReport& report) const {
+  Mesh mesh = base_;
+  mesh.positions = positions;
+  const ProjectionResult result =
+      project_to_planar(mesh, base_.positions, ProjectionOptions{}, targets_.pins, progress_);
+  report = result.report;
+  if (const Refusal refusal = unusable(result.report, "The projection")) return refusal;
+  positions(Eigen::all, result.moved) = result.moved_positions;
+  std::vector<int> either;
+  std::set_union(moved.begin(), moved.end(), result.moved.begin(), result.moved.end(),
+                 std::back_inserter(either));
+  moved = std::move(either);
+  return std::nullopt;
+}
+
 Refusal Session::make_exact() {
   const Stopwatch watch;
-  const Mesh shown = shown_mesh();
-  const ProjectionResult result =
-      project_to_planar(shown, base_.positions, ProjectionOptions{}, targets_.pins, progress_);
-  if (const Refusal refusal = unusable(result.report, "The projection")) return refusal;
   Positions exact = current_;
-  for (std::size_t k = 0; k < result.moved.size(); ++k) {
-    exact.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
-  }
-  std::vector<int> moved;
-  std::set_union(moved_.begin(), moved_.end(), result.moved.begin(), result.moved.end(),
-                 std::back_inserter(moved));
+  std::vector<int> moved = moved_;
+  SolveReport report;
+  if (const Refusal refusal = flatten(exact, moved, report)) return refusal;
   show(moved, exact(Eigen::all, moved));
-  write_report(result.report, watch.seconds());
+  write_report(report, watch.seconds());
+  return std::nullopt;
+}
+
+Refusal Session::project_variation(const Eigen::VectorXd& coefficients, ExactVariation& out) const {
+  if (const Refusal refusal = find_variation_problem(coefficients)) return refusal;
+  const Stopwatch watch;
+  Positions varied;
+  evaluate(*subspace_, coefficients, varied);
+  Positions exact = base_.positions;
+  exact(Eigen::all, subspace_->support) = varied;
+  std::vector<int> moved = subspace_->support;
+  SolveReport report;
+  if (const Refusal refusal = flatten(exact, moved, report)) return refusal;
+  const auto still = [&](int v) { return exact.col(v) == base_.positions.col(v); };
+  moved.erase(std::remove_if(moved.begin(), moved.end(), still), moved.end());
+  out = {.moved = moved,
+         .positions = exact(Eigen::all, moved),
+         .report = shape_report(exact, moved, report, watch.seconds())};
   return std::nullopt;
 }
 
@@ -228,15 +259,16 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }
 
-Session::Worst Session::worst_panel() const {
+Session::Worst Session::worst_panel(const Positions& positions,
+                                    const std::vector<int>& moved) const {
   Worst worst = base_worst_;
-  if (base_worst_.mm_per_m > tolerance() && !moved_.empty()) {
-    const PlanaritySummary all = planarity_summary(base_, current_);
+  if (base_worst_.mm_per_m > tolerance() && !moved.empty()) {
+    const PlanaritySummary all = planarity_summary(base_, positions);
     return {.gap = all.max_gap, .mm_per_m = all.max};
   }
-  for (const int v : moved_) {
+  for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
-      const FacePlanarity face = face_planarity(current_, base_.face(f));
+      const FacePlanarity face = face_planarity(positions, base_.face(f));
       worst.gap = std::max(worst.gap, face.gap);
       worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
     }
@@ -244,10 +276,10 @@ Session::Worst Session::worst_panel() const {
   return worst;
 }
 
-double Session::largest_move() const {
+double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
   double largest = 0.0;
-  for (const int v : moved_) {
-    largest = std::max(largest, (current_.col(v) - base_.positions.col(v)).norm());
+  for (const int v : moved) {
+    largest = std::max(largest, (positions.col(v) - base_.positions.col(v)).norm());
   }
   return largest;
 }
@@ -260,19 +292,24 @@ Mesh Session::shown_mesh() const {
   return mesh;
 }
 
+std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
+                                  const SolveReport& solve, double seconds) const {
+  const Worst worst = worst_panel(positions, moved);
+  return json{{"status", status_name(solve.status)},
+              {"movedVertices", moved.size()},
+              {"maxDisplacement", largest_move(positions, moved)},
+              {"worstGap", worst.gap},
+              {"worstMmPerM", worst.mm_per_m},
+              {"handleError", solve.handle_error},
+              {"objective", solve.objective.total()},
+              {"iterations", solve.iterations},
+              {"seconds", seconds},
+              {"residuals", residuals(solve)}}
+      .dump();
+}
+
 void Session::write_report(const SolveReport& solve, double seconds) {
-  const Worst worst = worst_panel();
-  report_ = json{{"status", status_name(solve.status)},
-                 {"movedVertices", moved_.size()},
-                 {"maxDisplacement", largest_move()},
-                 {"worstGap", worst.gap},
-                 {"worstMmPerM", worst.mm_per_m},
-                 {"handleError", solve.handle_error},
-                 {"objective", solve.objective.total()},
-                 {"iterations", solve.iterations},
-                 {"seconds", seconds},
-                 {"residuals", residuals(solve)}}
-                .dump();
+  report_ = shape_report(current_, moved_, solve, seconds);
 }
 
 std::string Session::mesh_report() const {

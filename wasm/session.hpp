@@ -28,6 +28,13 @@ enum class EditMode {
   kSolve,    ///< from nothing, for typed targets and links
 };
 
+/// A flat design that is not shown.
+struct ExactVariation {
+  std::vector<int> moved;  ///< ascending
+  Positions positions;     ///< 3 × |moved|, model units
+  std::string report;      ///< JSON, as report() after showing it
+};
+
 class Session {
  public:
   /// Called between solver steps with the step number and the constraint residual; returning
@@ -44,14 +51,18 @@ class Session {
   [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
   [[nodiscard]] Refusal edit(EditMode mode, const EditTargets& targets, double budget_seconds);
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
+  /// @param keep_variations the design is one of the family found last, or its centre
   [[nodiscard]] Refusal restore(const EditTargets& targets, const std::vector<int>& moved,
-                                const Positions& positions);
+                                const Positions& positions, bool keep_variations = false);
 
   // Exploring: variations around the design shown.
   [[nodiscard]] Refusal explore(const SubspaceOptions& options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
   /// The nearest flat design to what is shown.
   [[nodiscard]] Refusal make_exact();
+  /// The design that vary() and make_exact() would give, beside the one shown.
+  [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients,
+                                          ExactVariation& out) const;
 
   // What is there.
   [[nodiscard]] const Mesh& base() const { return base_; }
@@ -83,11 +94,19 @@ class Session {
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
-  [[nodiscard]] Worst worst_panel() const;
+  [[nodiscard]] Refusal find_variation_problem(const Eigen::VectorXd& coefficients) const;
+  /// Makes `positions` flat in place; adds to `moved` (ascending) what that moves.
+  [[nodiscard]] Refusal flatten(Positions& positions, std::vector<int>& moved,
+                                SolveReport& report) const;
+  /// `positions` differ from the base at most at `moved`.
+  [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
   /// mm/m, as far as the base's coordinates can hold it.
   [[nodiscard]] double tolerance() const { return std::max(options_.tolerance, base_rounding_); }
-  [[nodiscard]] double largest_move() const;
+  [[nodiscard]] double largest_move(const Positions& positions,
+                                    const std::vector<int>& moved) const;
   [[nodiscard]] Mesh shown_mesh() const;
+  [[nodiscard]] std::string shape_report(const Positions& positions, const std::vector<int>& moved,
+                                         const SolveReport& solve, double seconds) const;
   void write_report(const SolveReport& solve, double seconds);
 
   Mesh base_;

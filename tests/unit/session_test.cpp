@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/mesh_builders.hpp"
+
 namespace planish {
 namespace {
 
@@ -100,6 +102,44 @@ TEST(Session, ARefusedEditKeepsTheLastOne) {
   nonsense.attraction = -1.0;
   EXPECT_NE(session.set_options(nonsense), std::nullopt);
   EXPECT_EQ(session.current(), before);
+}
+
+TEST(Session, AProjectedVariationIsWhatShowingItWouldGive) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 1.0), 0.0), std::nullopt);
+  ExactVariation none;
+  EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(3), none), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 3}), std::nullopt);
+  const Positions before = session.current();
+  const Eigen::Vector3d x(0.5, -0.25, 0.1);
+  ExactVariation exact;
+  ASSERT_EQ(session.project_variation(x, exact), std::nullopt);
+  EXPECT_TRUE(same_bits(session.current(), before));
+
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_EQ(session.moved(), exact.moved);
+  EXPECT_TRUE(same_bits(session.moved_positions(), exact.positions));
+  EXPECT_EQ(exact.report.substr(0, exact.report.find("seconds")),
+            session.report().substr(0, session.report().find("seconds")));
+  EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(2), exact), std::nullopt);
+}
+
+TEST(Session, VariationsOutliveARestoreThatKeepsThem) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 1.0);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 0.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const std::vector<int> moved = session.moved();
+  const Positions positions = session.moved_positions();
+  const Eigen::Vector2d x(0.5, 0.5);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  const Positions varied = session.current();
+  ASSERT_EQ(session.restore(targets, moved, positions, true), std::nullopt);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  EXPECT_TRUE(same_bits(session.current(), varied));
+  ASSERT_EQ(session.restore(targets, moved, positions), std::nullopt);
+  EXPECT_NE(session.vary(x), std::nullopt);
 }
 
 TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {
