@@ -36,7 +36,8 @@ ARROWS = {
     "handle_edit": ENGINES,
     "subspace": ENGINES,
     "projection": ENGINES,
-    "design": ENGINES | {"handle_edit", "subspace", "projection"},
+    "design": ENGINES | {"handle_edit", "subspace", "projection", "shapes", "io", "read_result"},
+    "design_text": ENGINES | {"handle_edit", "subspace", "projection", "design", "io", "read_result"},
     "cli": None,  # everything
     "wasm": None,
 }
@@ -49,6 +50,10 @@ FILE_GROUPS = {
     "edge_table": "topology",
     "disjoint_sets": "topology",
     "base_planarity": "metrics",
+    "crc32": "design",
+    "design_text_read": "design_text",
+    "design_text_write": "design_text",
+    "design_words": "design_text",
     "io/read_result": "read_result",
     "io/sentence": "read_result",
     "io/number": "read_result",

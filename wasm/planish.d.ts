@@ -47,14 +47,9 @@ export interface Session {
   ): string;
   explore(options: SubspaceOptions): string;
   vary(coefficients: Float64Array): string;
+  /** Leaves the design as it is; the result is in the three projected…() below. */
+  projectVariation(coefficients: Float64Array): string;
   makeExact(): string;
-  /** What vary and makeExact would give; the design shown stays. `report` is JSON. */
-  projectVariation(coefficients: Float64Array): {
-    refusal: string;
-    moved: Int32Array;
-    positions: Float64Array;
-    report: string;
-  };
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
   write(format: string, design: string): Uint8Array;
@@ -65,6 +60,9 @@ export interface Session {
   takeChanges(): Float32Array;
   moved(): Int32Array;
   movedPositions(): Float64Array;
+  projectedMoved(): Int32Array;
+  projectedPositions(): Float64Array;
+  projectedReport(): string;
   panelFigures(): Float32Array;
   meshReport(): string;
   report(): string;

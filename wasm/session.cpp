@@ -40,17 +40,6 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          "); the design is as it was.";
 }
 
-/// What each slider does at value 1, for a GLB's morph targets.
-GlbVariations to_variations(const Subspace& subspace) {
-  GlbVariations variations{.support = subspace.support, .displacements = {}};
-  const Eigen::Index rows = static_cast<Eigen::Index>(subspace.support.size());
-  for (int k = 0; k < subspace.dimension(); ++k) {
-    const Eigen::VectorXd move = subspace.scale[k] * subspace.basis.col(k);
-    variations.displacements.push_back(Eigen::Map<const Positions>(move.data(), 3, rows));
-  }
-  return variations;
-}
-
 json residuals(const SolveReport& report) {
   json list = json::array();
   for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
@@ -174,6 +163,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   Subspace found = compute_subspace(base_, current_, close, options, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
+  prepare_variation();
   const SubspaceReport& r = subspace_->report;
   report_ =
       json{{"status", status_name(r.status)},   {"dimension", subspace_->dimension()},
@@ -184,67 +174,85 @@ Refusal Session::explore(const SubspaceOptions& options) {
   return std::nullopt;
 }
 
-Refusal Session::find_variation_problem(const Eigen::VectorXd& coefficients) const {
-  if (!subspace_) return "Find variations first.";
-  if (coefficients.size() == subspace_->dimension() && coefficients.allFinite()) {
-    return std::nullopt;
+/// Vertices of the edit that no vector moves belong to every variation too.
+void Session::prepare_variation() {
+  varied_shape_.moved.clear();
+  std::set_union(moved_.begin(), moved_.end(), subspace_->support.begin(), subspace_->support.end(),
+                 std::back_inserter(varied_shape_.moved));
+  varied_shape_.positions = current_(Eigen::all, varied_shape_.moved);
+  varied_rows_.clear();
+  for (const int v : subspace_->support) {
+    const auto found = std::lower_bound(varied_shape_.moved.begin(), varied_shape_.moved.end(), v);
+    varied_rows_.push_back(found - varied_shape_.moved.begin());
   }
-  return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+}
+
+Refusal Session::check_coefficients(const Eigen::VectorXd& coefficients) const {
+  if (!subspace_) return "Find variations first.";
+  if (coefficients.size() != subspace_->dimension() || !coefficients.allFinite()) {
+    return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+  }
+  return std::nullopt;
 }
 
 Refusal Session::vary(const Eigen::VectorXd& coefficients) {
-  if (const Refusal refusal = find_variation_problem(coefficients)) return refusal;
+  if (const Refusal refusal = check_coefficients(coefficients)) return refusal;
   const Stopwatch watch;
   evaluate(*subspace_, coefficients, varied_);
-  show(subspace_->support, varied_);
+  for (std::size_t k = 0; k < varied_rows_.size(); ++k) {
+    varied_shape_.positions.col(varied_rows_[k]) = varied_.col(static_cast<Eigen::Index>(k));
+  }
+  show(varied_shape_.moved, varied_shape_.positions);
   SolveReport instant;
   instant.status = SolveStatus::kConverged;
   write_report(instant, watch.seconds());
   return std::nullopt;
 }
 
-Refusal Session::flatten(Positions& positions, std::vector<int>& moved, SolveReport& report) const {
+Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
+  if (const Refusal refusal = check_coefficients(coefficients)) return refusal;
+  const Stopwatch watch;
+  Positions positions = base_.positions;
+  positions(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
+  Positions rows;
+  evaluate(*subspace_, coefficients, rows);
+  positions(Eigen::all, subspace_->support) = rows;
+  SolveReport report;
+  if (const Refusal refusal = project(positions, report)) return refusal;
+  projected_ = shape_of(positions);
+  projected_report_ = shape_report(positions, projected_.moved, report, watch.seconds());
+  return std::nullopt;
+}
+
+Refusal Session::project(Positions& positions, SolveReport& report) const {
   Mesh mesh = base_;
   mesh.positions = positions;
-  const ProjectionResult result =
-      project_to_planar(mesh, base_.positions, ProjectionOptions{}, targets_.pins, progress_);
-  report = result.report;
-  if (const Refusal refusal = unusable(result.report, "The projection")) return refusal;
+  ProjectionResult result =
+      project_to_planar(mesh, base_.positions, exact_options(options_), targets_.pins, progress_);
+  report = std::move(result.report);
+  if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;
-  std::vector<int> either;
-  std::set_union(moved.begin(), moved.end(), result.moved.begin(), result.moved.end(),
-                 std::back_inserter(either));
-  moved = std::move(either);
   return std::nullopt;
 }
 
 Refusal Session::make_exact() {
   const Stopwatch watch;
-  Positions exact = current_;
-  std::vector<int> moved = moved_;
+  Positions positions = current_;
   SolveReport report;
-  if (const Refusal refusal = flatten(exact, moved, report)) return refusal;
-  show(moved, exact(Eigen::all, moved));
+  if (const Refusal refusal = project(positions, report)) return refusal;
+  const Shape exact = shape_of(positions);
+  show(exact.moved, exact.positions);
   write_report(report, watch.seconds());
   return std::nullopt;
 }
 
-Refusal Session::project_variation(const Eigen::VectorXd& coefficients, ExactVariation& out) const {
-  if (const Refusal refusal = find_variation_problem(coefficients)) return refusal;
-  const Stopwatch watch;
-  Positions varied;
-  evaluate(*subspace_, coefficients, varied);
-  Positions exact = base_.positions;
-  exact(Eigen::all, subspace_->support) = varied;
-  std::vector<int> moved = subspace_->support;
-  SolveReport report;
-  if (const Refusal refusal = flatten(exact, moved, report)) return refusal;
-  const auto still = [&](int v) { return exact.col(v) == base_.positions.col(v); };
-  moved.erase(std::remove_if(moved.begin(), moved.end(), still), moved.end());
-  out = {.moved = moved,
-         .positions = exact(Eigen::all, moved),
-         .report = shape_report(exact, moved, report, watch.seconds())};
-  return std::nullopt;
+Shape Session::shape_of(const Positions& positions) const {
+  Shape shape;
+  for (int v = 0; v < base_.vertex_count(); ++v) {
+    if (positions.col(v) != base_.positions.col(v)) shape.moved.push_back(v);
+  }
+  shape.positions = positions(Eigen::all, shape.moved);
+  return shape;
 }
 
 void Session::show(const std::vector<int>& moved, const Positions& positions) {
@@ -371,7 +379,7 @@ std::optional<std::string> Session::write(const std::string& format,
   if (!known) return std::nullopt;
   if (*known != MeshFormat::kGlb) return write_mesh(shown_mesh(), *known);
   GlbContent content{.base = base_.positions, .variations = {}, .design = design};
-  if (subspace_) content.variations = to_variations(*subspace_);
+  if (subspace_) content.variations = variations_of(*subspace_);
   return write_glb(shown_mesh(), content);
 }
 

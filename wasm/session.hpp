@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
@@ -28,11 +29,10 @@ enum class EditMode {
   kSolve,    ///< from nothing, for typed targets and links
 };
 
-/// A flat design that is not shown.
-struct ExactVariation {
+/// Where a design differs from its base.
+struct Shape {
   std::vector<int> moved;  ///< ascending
   Positions positions;     ///< 3 × |moved|, model units
-  std::string report;      ///< JSON, as report() after showing it
 };
 
 class Session {
@@ -58,11 +58,11 @@ class Session {
   // Exploring: variations around the design shown.
   [[nodiscard]] Refusal explore(const SubspaceOptions& options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
+  /// The exact shape of a variation, kept in projected(); the design shown stays as it is. The same
+  /// bits as vary() and make_exact().
+  [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients);
   /// The nearest flat design to what is shown.
   [[nodiscard]] Refusal make_exact();
-  /// The design that vary() and make_exact() would give, beside the one shown.
-  [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients,
-                                          ExactVariation& out) const;
 
   // What is there.
   [[nodiscard]] const Mesh& base() const { return base_; }
@@ -70,6 +70,10 @@ class Session {
   [[nodiscard]] const std::vector<int>& moved() const { return moved_; }
   /// 3 × |moved|, model units.
   [[nodiscard]] Positions moved_positions() const;
+  /// What project_variation() found.
+  [[nodiscard]] const Shape& projected() const { return projected_; }
+  /// JSON as report() would be after showing it.
+  [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
   /// JSON about the base mesh: counts, planarity, warnings.
   [[nodiscard]] std::string mesh_report() const;
   /// JSON about the last operation that changed the design.
@@ -94,10 +98,11 @@ class Session {
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
-  [[nodiscard]] Refusal find_variation_problem(const Eigen::VectorXd& coefficients) const;
-  /// Makes `positions` flat in place; adds to `moved` (ascending) what that moves.
-  [[nodiscard]] Refusal flatten(Positions& positions, std::vector<int>& moved,
-                                SolveReport& report) const;
+  [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
+  void prepare_variation();
+  /// `positions` projected; a sentence if that fails, with both left as they are.
+  [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
+  [[nodiscard]] Shape shape_of(const Positions& positions) const;
   /// `positions` differ from the base at most at `moved`.
   [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
   /// mm/m, as far as the base's coordinates can hold it.
@@ -124,7 +129,11 @@ class Session {
   std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
   std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
   std::optional<Subspace> subspace_;
-  Positions varied_;  ///< 3 × |subspace support|
+  Positions varied_;                       ///< 3 × |subspace support|
+  Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
+  std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
+  Shape projected_;
+  std::string projected_report_ = "{}";
   std::string report_ = "{}";
   Progress progress_;
 };

@@ -131,7 +131,8 @@ export class Dispatcher {
         this.#postShown(job, true);
         return;
       case "project":
-        this.#project(request);
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
         return;
       case "panels": {
         const figures = session.panelFigures();
@@ -164,15 +165,12 @@ export class Dispatcher {
     return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);
   }
 
-  #project({ job, coefficients }: Extract<Request, { kind: "project" }>): void {
-    const exact = this.#session.projectVariation(Float64Array.from(coefficients));
-    insist(exact.refusal);
-    const { moved, positions } = exact;
-    const report = JSON.parse(exact.report);
-    this.#post({ kind: "projected", job, shape: { moved, positions }, report }, [
-      moved.buffer,
-      positions.buffer,
-    ]);
+  #postProjected(job: number): void {
+    const session = this.#session;
+    const [moved, positions] = [session.projectedMoved(), session.projectedPositions()];
+    const report = JSON.parse(session.projectedReport());
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions }, report };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #exploreOptions(dimension: number, eigenbasis: boolean) {
