@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
+import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import type { EditSettings, OpenedMesh, Reply, Request, Source } from "./protocol.ts";
 import { readFile, readKept } from "./reading.ts";
 
@@ -34,9 +35,11 @@ function readMesh(session: Session): OpenedMesh {
   return {
     report: JSON.parse(session.meshReport()) as OpenedMesh["report"],
     positions: session.basePositions(),
-    display: session.displayBase(),
-    offsets: session.faceOffsets(),
-    vertices: session.faceVertices(),
+    ...prepareDisplay({
+      display: session.displayBase(),
+      offsets: session.faceOffsets(),
+      vertices: session.faceVertices(),
+    }),
   };
 }
 
@@ -189,9 +192,7 @@ export class Dispatcher {
 
   #postOpened(job: number, source: Source | null): void {
     const mesh = readMesh(this.#session);
-    const buffers = [mesh.positions, mesh.display, mesh.offsets, mesh.vertices].map(
-      (a) => a.buffer,
-    );
+    const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, source, mesh }, buffers as Transferable[]);
   }
 

@@ -3,6 +3,8 @@
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
 // Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
+
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
 export type EngineName = "newton" | "alm";
@@ -105,12 +107,9 @@ export interface ExploreReport {
 }
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
-export interface OpenedMesh {
+export interface OpenedMesh extends DisplayMesh {
   readonly report: MeshReport;
   readonly positions: Float64Array;
-  readonly display: Float32Array;
-  readonly offsets: Int32Array;
-  readonly vertices: Int32Array;
 }
 
 export type Reply =

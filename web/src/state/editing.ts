@@ -17,7 +17,6 @@ import * as steps from "./history.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { show, showPresent } from "./showing.ts";
 import { draft, hintVertex, history, mesh, notice, selected } from "./store.ts";
-import { buildTopology } from "./topology.ts";
 import { inTurn } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -107,11 +106,10 @@ export async function addHandle(): Promise<void> {
   const opened = mesh.value;
   if (!opened) return;
   const taken = draft.value?.handles.map((row) => row.vertex) ?? [];
-  const { boundary } = buildTopology(opened.offsets, opened.vertices, opened.report.vertices);
   const chosen =
     selected.value !== null && !taken.includes(selected.value)
       ? selected.value
-      : sensibleVertex(opened.display, boundary, taken);
+      : sensibleVertex(opened.display, opened.topology.boundary, taken);
   if (chosen === null) return;
   selected.value = chosen;
   await setTarget(chosen, shownPoint(chosen));

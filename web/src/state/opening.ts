@@ -17,7 +17,6 @@ import {
   problem,
   settings,
 } from "./store.ts";
-import { buildTopology } from "./topology.ts";
 import { inTurn } from "./turns.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
@@ -86,6 +85,5 @@ export async function openFirst(): Promise<void> {
   await openSample(FIRST_SAMPLE.name);
   const opened = mesh.value;
   if (!opened) return;
-  const { boundary } = buildTopology(opened.offsets, opened.vertices, opened.report.vertices);
-  hintVertex.value = sensibleVertex(opened.display, boundary, []);
+  hintVertex.value = sensibleVertex(opened.display, opened.topology.boundary, []);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Everything the page shows, as signals. Only the modules of state/ write them.
 import { computed, signal } from "@preact/signals";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { Snapshot } from "../share/saved-record.ts";
 import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
@@ -15,9 +16,6 @@ export interface Activity {
   /** Bytes of a file, while it is read. */
   readonly read?: { readonly done: number; readonly total: number };
 }
-
-/** The mesh that the scene draws: display coordinates and faces. */
-export type DisplayMesh = Pick<OpenedMesh, "display" | "offsets" | "vertices">;
 
 export type ColourBy = "displacement" | "planarity" | "none";
 
