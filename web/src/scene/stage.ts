@@ -16,6 +16,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Camera } from "../state/camera.ts";
 import type { Palette } from "./palette.ts";
 
 export type ViewName = "3D" | "Top" | "Front" | "Side";
@@ -123,6 +124,18 @@ export class Stage {
     const distance = fittingDistance(points, centre, this.camera);
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towards, distance);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  /** Where the camera is and what it looks at. */
+  read(): Camera {
+    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+  }
+
+  place({ position, target }: Camera): void {
+    this.orbit.target.set(...target);
+    this.camera.position.set(...position);
     this.orbit.update();
     this.invalidate();
   }
