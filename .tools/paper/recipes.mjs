@@ -15,7 +15,12 @@ export function sampleMesh(name) {
     .map((row) => row.slice(2).split(" ").map(Number));
   const faces = rows
     .filter((row) => row.startsWith("f "))
-    .map((row) => row.slice(2).split(" ").map((corner) => Number.parseInt(corner, 10) - 1));
+    .map((row) =>
+      row
+        .slice(2)
+        .split(" ")
+        .map((corner) => Number.parseInt(corner, 10) - 1),
+    );
   const edge = report("info", `sample:${name}`).mesh.mean_edge;
   const mesh = { points, faces, edge };
   meshes.set(name, mesh);
@@ -40,12 +45,18 @@ function vertexAt({ points }, shares) {
 function beyond({ points, faces }, vertex, rings) {
   let inside = new Set([vertex]);
   for (let ring = 0; ring < rings; ++ring) {
-    inside = new Set(faces.filter((face) => face.some((v) => inside.has(v))).flat().concat([...inside]));
+    inside = new Set(
+      faces
+        .filter((face) => face.some((v) => inside.has(v)))
+        .flat()
+        .concat([...inside]),
+    );
   }
   return points.map((_, v) => v).filter((v) => !inside.has(v));
 }
 
-function handles({ mesh, pulls }) {
+/** The handles of a scene: vertex, and its move in model units. */
+export function handles({ mesh, pulls }) {
   const sample = sampleMesh(mesh);
   return pulls.map(({ at, vertex, move }) => ({
     vertex: vertex ?? vertexAt(sample, at),
@@ -53,12 +64,18 @@ function handles({ mesh, pulls }) {
   }));
 }
 
-const WORDS = { smoothness: "--smoothness", locality: "--locality", solver: "--solver", sparsity: "--sparsity" };
+const WORDS = {
+  smoothness: "--smoothness",
+  locality: "--locality",
+  solver: "--solver",
+  sparsity: "--sparsity",
+};
 
 /** The words that pose a scene's edit, without its command. */
 export function editWords(scene, options = scene.options) {
   const words = [`sample:${scene.mesh}`];
-  for (const { vertex, move } of handles(scene)) words.push("--handle", `${vertex}+=${move.join(",")}`);
+  for (const { vertex, move } of handles(scene))
+    words.push("--handle", `${vertex}+=${move.join(",")}`);
   for (const [name, word] of Object.entries(WORDS)) {
     if (options[name] !== undefined) words.push(word, String(options[name]));
   }
@@ -107,9 +124,21 @@ export function record(scene) {
   const options = settled(scene);
   const words = editWords(scene, options);
   const run = scene.variation
-    ? design("explore", ...words, "--dimension", String(scene.variation.length), "--coefficients", scene.variation.join(","), "--exact")
+    ? design(
+        "explore",
+        ...words,
+        "--dimension",
+        String(scene.variation.length),
+        "--coefficients",
+        scene.variation.join(","),
+        "--exact",
+      )
     : design("edit", ...words);
   const title = `Figure ${scene.figure}: ${scene.label}`;
   const { format, version, ...rest } = run.design;
-  return { scene: { ...scene, options }, figures: run.figures, design: { format, version, title, ...rest } };
+  return {
+    scene: { ...scene, options },
+    figures: run.figures,
+    design: { format, version, title, ...rest },
+  };
 }

@@ -57,6 +57,10 @@ describe("links", () => {
   it.each([
     ["a sample", recipe],
     ["a file", withFile],
+    [
+      "an ℓ2 edit",
+      { ...recipe, settings: { ...recipe.settings, sparsity: "l2" } } satisfies Recipe,
+    ],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);
     expect(link).toMatch(/^#v1=[\w-]+$/);

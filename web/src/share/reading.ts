@@ -54,20 +54,23 @@ export function readHandles(value: unknown): HandleRow[] | null {
   return rows;
 }
 
-/** Attraction, locality, smoothness, fairness, engine. */
+/** Attraction, locality, smoothness, fairness, engine, and "l2" where closeness is not ℓ2,1. */
 export function readSettings(value: unknown): EditSettings | null {
-  if (!Array.isArray(value) || value.length !== 5) return null;
+  if (!Array.isArray(value) || value.length < 5 || value.length > 6) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);
   if (!isNumbers(weights, 3) || !fairness || !engine) return null;
   const [attraction = 0, locality = 0, smoothness = 0] = weights;
-  return { attraction, locality, smoothness, fairness, engine };
+  const settings = { attraction, locality, smoothness, fairness, engine };
+  if (value.length === 5) return settings;
+  return value[5] === "l2" ? { ...settings, sparsity: "l2" } : null;
 }
 
 export const writeSettings = (settings: EditSettings): unknown[] => {
-  const { attraction, locality, smoothness, fairness, engine } = settings;
-  return [attraction, locality, smoothness, fairness, engine];
+  const { attraction, locality, smoothness, fairness, engine, sparsity } = settings;
+  const five = [attraction, locality, smoothness, fairness, engine];
+  return sparsity === "l2" ? [...five, sparsity] : five;
 };
 
 /** Position and target; undefined if there is something else than a camera or nothing. */

@@ -49,7 +49,7 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     locality: settings.locality,
     smoothness: settings.smoothness,
     fairness: module.FairnessKind[settings.fairness],
-    sparsity: module.Sparsity.l21,
+    sparsity: module.Sparsity[settings.sparsity ?? "l21"],
     hardHandles: false,
     engine: module.Engine[settings.engine],
     tolerance: 1e-6,

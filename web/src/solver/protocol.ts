@@ -8,6 +8,8 @@ import type { DisplayMesh } from "../mesh/display-mesh.ts";
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
 export type EngineName = "newton" | "alm";
+/** What keeps an edit local: few points move, or (to compare) all of them a little. */
+export type Sparsity = "l21" | "l2";
 export type EditMode = "drag" | "release" | "solve";
 
 /** Targets in model units. `handles`: vertex, x, y, z for each. */
@@ -22,6 +24,8 @@ export interface EditSettings {
   readonly smoothness: number;
   readonly fairness: Fairness;
   readonly engine: EngineName;
+  /** ℓ2,1 without it. */
+  readonly sparsity?: Sparsity;
 }
 
 /** A finished design: where it differs from its base, in float64. */

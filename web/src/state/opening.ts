@@ -24,11 +24,13 @@ const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
   const { worstGap, worstMmPerM } = opened.report;
+  // The page has no control for it, so it must not outlive the link that set it.
+  const { sparsity: _, ...kept } = settings.value ?? DEFAULT_SETTINGS;
   return {
     source,
     planarised,
     handles: [],
-    settings: settings.value ?? DEFAULT_SETTINGS,
+    settings: kept,
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM },
     variation: null,
