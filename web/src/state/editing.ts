@@ -14,6 +14,7 @@ import {
   withoutHandle,
 } from "./design.ts";
 import * as steps from "./history.ts";
+import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { draft, figures, hintVertex, history, mesh, notice, problem, selected } from "./store.ts";
 
@@ -28,7 +29,7 @@ export function basePoint(vertex: number): Point {
 export const handleOf = (vertex: number): HandleRow | undefined =>
   draft.value?.handles.find((row) => row.vertex === vertex);
 
-function question(design: Design, mode: EditMode): Question {
+export function question(design: Design, mode: EditMode): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0) return { kind: "restore", targets, shape: NO_SHAPE };
   return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS };
@@ -54,7 +55,7 @@ export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
   commit({ ...next, variation: null }, question(next, mode), "computing");
 
 /** Puts a known design back, without solving. */
-async function show(design: Design): Promise<void> {
+export async function show(design: Design): Promise<void> {
   const kept = problem.value;
   draft.value = design;
   const targets = toTargets(design.handles);
@@ -67,35 +68,20 @@ function changed(rows: readonly HandleRow[]): Design | null {
   return draft.value ? { ...draft.value, handles: rows } : null;
 }
 
-export function dragHandle(vertex: number, target: Point): void {
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned: false }));
-  if (!next) return;
-  hintVertex.value = null;
-  draft.value = next;
-  void frame(question(next, "drag"));
-}
-
-export async function endDrag(): Promise<void> {
-  client.dropStreams();
-  if (draft.value && draft.value !== history.value?.present)
-    await commitEdit(draft.value, "release");
-}
-
-/** Escape during a drag. */
-export async function abandonDrag(): Promise<void> {
-  client.dropStreams();
-  if (history.value) await show(history.value.present);
-}
-
 export async function setTarget(vertex: number, target: Point): Promise<void> {
   const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned: false }));
   hintVertex.value = null;
   if (next) await commitEdit(next, "solve");
 }
 
-export async function setPinned(vertex: number, pinned: boolean): Promise<void> {
-  const target = handleOf(vertex)?.target ?? basePoint(vertex);
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned }));
+/** Pins points to where the base has them, or lets them go. */
+export async function setPinned(vertices: readonly number[], pinned: boolean): Promise<void> {
+  let rows: readonly HandleRow[] = draft.value?.handles ?? [];
+  for (const vertex of vertices) {
+    const target = handleOf(vertex)?.target ?? basePoint(vertex);
+    rows = withHandle(rows, { vertex, target, pinned });
+  }
+  const next = changed(rows);
   if (next) await commitEdit(next, "solve");
 }
 
@@ -109,7 +95,7 @@ export async function addHandle(): Promise<void> {
       ? selected.value
       : sensibleVertex(opened.display, opened.topology.boundary, taken);
   if (chosen === null) return;
-  selected.value = chosen;
+  selectOnly(chosen);
   await setTarget(chosen, shownPoint(chosen));
 }
 

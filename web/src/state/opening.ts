@@ -19,8 +19,8 @@ import {
   notice,
   panelFigures,
   problem,
-  selected,
   selectedPanel,
+  selection,
   settings,
 } from "./store.ts";
 
@@ -58,7 +58,7 @@ export function adoptMesh(
     history.value = begin(design);
     draft.value = design;
     figures.value = design.report;
-    selected.value = null;
+    selection.value = [];
     selectedPanel.value = null;
     panelFigures.value = null;
     hintVertex.value = null;

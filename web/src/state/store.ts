@@ -7,12 +7,18 @@ import type { Design } from "./design.ts";
 import { NO_REPORT } from "./design.ts";
 import type { History } from "./history.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
-import type { Unit } from "./units.ts";
+import { niceStep, type Unit } from "./units.ts";
 
 /** What is running now, for the status line and Cancel. */
 export interface Activity {
   readonly label: string;
   readonly step: number;
+}
+
+/** Along the axis, or across it in the plane at right angles. "normal" is the surface's. */
+export interface Lock {
+  readonly axis: "x" | "y" | "z" | "normal";
+  readonly plane: boolean;
 }
 
 export type ColourBy = "displacement" | "planarity" | "none";
@@ -32,7 +38,18 @@ export const problem = signal<string | null>(null);
 export const notice = signal<string | null>(null);
 /** Changes to a newer version of the page; null while there is none. */
 export const update = signal<(() => void) | null>(null);
-export const selected = signal<number | null>(null);
+/** Points chosen, the latest last. */
+export const selection = signal<readonly number[]>([]);
+/** Holds a drag to a line or a plane; null while it is free. */
+export const lock = signal<Lock | null>(null);
+/** Whether drags go in steps. */
+export const snapping = signal(false);
+/** The step of a drag, model units; null for one that suits the mesh. */
+export const snapStep = signal<number | null>(null);
+/** Whether a drag in the view draws a box around points instead. */
+export const boxTool = signal(false);
+/** Whether the arrows at a point follow its surface instead of X, Y and Z. */
+export const localArrows = signal(false);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
 export const colourBy = signal<ColourBy>("displacement");
@@ -47,6 +64,12 @@ export const hintVertex = signal<number | null>(null);
 export const importReport = signal(false);
 export const designName = signal(FIRST_SAMPLE.label);
 
+/** The point chosen last. */
+export const selected = computed(() => selection.value.at(-1) ?? null);
+/** The step of a drag, model units: about a tenth of an edge where none was chosen. */
+export const snapDistance = computed(
+  () => snapStep.value ?? niceStep((mesh.value?.report.meanEdge ?? 1) / 10),
+);
 export const handles = computed(() => draft.value?.handles ?? []);
 export const settings = computed(() => draft.value?.settings ?? null);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
