@@ -12,7 +12,9 @@ const TIP = 26;
 
 /** The point that the first visit's sentence speaks of. */
 export async function hintedPoint(page: Page): Promise<Place> {
-  const box = await page.getByText("Drag this point").boundingBox();
+  const sentence = page.getByText("Drag this point");
+  await sentence.waitFor();
+  const box = await sentence.boundingBox();
   if (!box) throw new Error("no sentence");
   return { x: box.x + box.width / 2, y: box.y + box.height + TIP };
 }

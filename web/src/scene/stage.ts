@@ -19,6 +19,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Camera } from "../state/camera.ts";
 import type { Palette } from "./palette.ts";
 
 export type ViewName = "Perspective" | "Top" | "Front" | "Side";
@@ -146,6 +147,18 @@ export class Stage {
   rayThrough(x: number, y: number): Ray {
     this.#caster.setFromCamera(new Vector2(x, y), this.camera);
     return this.#caster.ray.clone();
+  }
+
+  /** Where the camera is and what it looks at. */
+  read(): Camera {
+    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+  }
+
+  place({ position, target }: Camera): void {
+    this.orbit.target.set(...target);
+    this.camera.position.set(...position);
+    this.orbit.update();
+    this.invalidate();
   }
 
   /** Brings a few points to the middle, near enough to judge them, without turning the view. */

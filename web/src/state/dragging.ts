@@ -3,7 +3,8 @@
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import { client, frame } from "./connection.ts";
 import { type HandleRow, type Point, withHandle } from "./design.ts";
-import { commitEdit, handleOf, question, setPinned, show, shownPoint } from "./editing.ts";
+import { commitEdit, edit, editQuestion, handleOf, setPinned, shownPoint } from "./editing.ts";
+import { showPresent } from "./showing.ts";
 import {
   draft,
   hintVertex,
@@ -15,6 +16,7 @@ import {
   ready,
   selection,
 } from "./store.ts";
+import { inTurn } from "./turns.ts";
 
 /** Where a point is asked to be: its target if it has one, else where it is. */
 export const askedPoint = (vertex: number): Point => handleOf(vertex)?.target ?? shownPoint(vertex);
@@ -51,19 +53,21 @@ export class Drag {
     hintVertex.value = null;
     const next = { ...design, handles: withTargets(this.#grips, offset) };
     draft.value = next;
-    void frame(question(next, "drag"));
+    void frame(editQuestion(next, "drag"));
   }
 
   async end(): Promise<void> {
     client.dropStreams();
-    const design = draft.value;
-    if (design && design !== history.value?.present) await commitEdit(design, "release");
+    await inTurn(async () => {
+      const design = draft.value;
+      if (design && design !== history.value?.present) await commitEdit(design, "release");
+    });
   }
 
   /** Escape: the design goes back to where it was. */
   async abandon(): Promise<void> {
     client.dropStreams();
-    if (history.value) await show(history.value.present);
+    await inTurn(showPresent);
   }
 }
 
@@ -85,15 +89,17 @@ export async function moveInFrame(
   vertices: readonly number[],
   [along, across, out]: Point,
 ): Promise<void> {
-  let rows: readonly HandleRow[] = draft.value?.handles ?? [];
-  for (const vertex of vertices.filter((v) => !isPinned(v))) {
-    const at = frameAt(vertex);
-    if (!at) return;
-    const sideways = add(add(askedPoint(vertex), at.along, along), at.across, across);
-    rows = withHandle(rows, { vertex, target: add(sideways, at.normal, out), pinned: false });
-  }
   hintVertex.value = null;
-  if (draft.value) await commitEdit({ ...draft.value, handles: rows }, "solve");
+  await edit((rows) => {
+    let next = [...rows];
+    for (const vertex of vertices.filter((v) => !isPinned(v))) {
+      const at = frameAt(vertex);
+      if (!at) continue;
+      const sideways = add(add(askedPoint(vertex), at.along, along), at.across, across);
+      next = withHandle(next, { vertex, target: add(sideways, at.normal, out), pinned: false });
+    }
+    return next;
+  });
 }
 
 /** Holds drags to an axis, or to the plane across it; the same again lets go. */
