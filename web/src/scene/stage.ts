@@ -63,6 +63,7 @@ export class Stage {
   readonly #key = new DirectionalLight("#FFF9F0", 1.75);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
   readonly #onDraw: () => void;
+  #paper = "#FFFFFF";
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
@@ -83,6 +84,11 @@ export class Stage {
     this.orbit.enableDamping = false;
     this.orbit.addEventListener("change", () => this.invalidate());
     this.#lightUp();
+    // After the renderer's own listener, which makes its state and buffers again, but plain black.
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.setClearColor(this.#paper);
+      this.#castShadows();
+    });
   }
 
   #lightUp(): void {
@@ -98,7 +104,8 @@ export class Stage {
   }
 
   setPalette(palette: Palette): void {
-    this.renderer.setClearColor(palette.paper);
+    this.#paper = palette.paper;
+    this.renderer.setClearColor(this.#paper);
     this.#sky.color.set(palette.sky);
     this.#sky.groundColor.set(palette.ground);
     this.#ground.material.opacity = palette.shadow;
