@@ -85,7 +85,7 @@ describe("the solver", () => {
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     // More than the memory that the solver starts with, together with its copy.
-    await openFile(page, "huge.obj", Buffer.alloc(48_000_000, `${flatRoof(4)}# filler\n`));
+    await openFile(page, "huge.obj", Buffer.alloc(36_000_000, `${flatRoof(4)}# filler\n`));
     await expect
       .poll(() => alertText(page), { timeout: 20_000 })
       .toMatch(/not enough memory.*back\.$/);
