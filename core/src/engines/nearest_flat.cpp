@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planish/engines/anderson_mixing.hpp"
 #include "planish/engines/constraint_correction.hpp"
 
 namespace planish {
 namespace {
 
-constexpr double kFlat = 1e-8;     ///< residual that the exact finish takes to rounding, mean edges
-constexpr double kSettled = 1e-6;  ///< relative step below which t is the nearest point
+constexpr double kFlat = 1e-5;     ///< residual that finish() takes to rounding, mean edges
+constexpr double kSettled = 1e-3;  ///< relative step below which ‖t‖² is least to about 1e-6
+constexpr double kContraction = 0.9;  ///< of one step's length to the last one's
 
 /// State of the iteration and its line search.
 class NearestFlat {
@@ -36,7 +38,28 @@ class NearestFlat {
     linear_.step(linearised_, delta_);  // −Jᵀ(JJᵀ)⁻¹(c − J t) = t⁺
     merit_weight_ = std::max(0.5 * merit_weight_, 2.0 * linear_.largest_multiplier());
     delta_ -= t_;
+    // Steps that keep shrinking follow a fixed-point law, and need no merit (Deuflhard's natural
+    // monotonicity test).
+    const double length = delta_.norm();
+    contracting_ = length < kContraction * last_length_;
+    last_length_ = length;
+    if (!contracting_) mixing_.restart();
+    mixing_.accelerate(t_, delta_);
     return search_line();
+  }
+
+  /// Onto the constraints, along the last linearisation while that helps.
+  void finish() {
+    constexpr int kMostPasses = 8;
+    constexpr double kRounding = 1e-13;
+    for (int pass = 0; pass < kMostPasses && violation() > kRounding; ++pass) {
+      linear_.step(residuals_, delta_);
+      trial_ = t_ + delta_;
+      residuals_at(patch_, trial_, trial_residuals_);
+      if (!(trial_residuals_.norm() < residuals_.norm())) return;
+      t_.swap(trial_);
+      residuals_.swap(trial_residuals_);
+    }
   }
 
  private:
@@ -53,10 +76,11 @@ class NearestFlat {
       const double merit = 0.5 * trial_.squaredNorm() + merit_weight_ * sum;
       // A step that halves the violation is progress whatever the merit says: ‖c‖₁ charges a full
       // step along curved constraints for what the next one removes (the Maratos effect).
-      if (merit < start || sum < kHalved * before) {
+      if (contracting_ || merit < start || sum < kHalved * before) {
         move_ = share * delta_.norm() / std::max(trial_.norm(), 1e-300);
         t_.swap(trial_);
         residuals_.swap(trial_residuals_);
+        if (share < 1.0) mixing_.restart();
         if (share < 0.25) regularization_ = std::min(1e-2, 10.0 * regularization_);
         if (share == 1.0) regularization_ = std::max(1e-10, 0.1 * regularization_);
         return true;
@@ -74,6 +98,9 @@ class NearestFlat {
   double regularization_ = 1e-10;
   double merit_weight_ = 0.0;
   double move_ = 1.0;
+  double last_length_ = 0.0;  ///< of the step before
+  bool contracting_ = false;
+  AndersonMixing mixing_;
 };
 
 }  // namespace
@@ -110,6 +137,7 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Pr
       solver.move() <= 10.0 * kSettled) {
     outcome.status = SolveStatus::kConverged;
   }
+  if (solver.factorizations() > 0) solver.finish();
   outcome.factorizations = solver.factorizations();
   return outcome;
 }
