@@ -117,8 +117,11 @@ void Projector::solve_nearest(const Progress& progress) {
   Patch patch;
   cutter.cut(problem_, support_, patch);
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  const int limit = options_.max_iterations > 0 ? options_.max_iterations : kNewtonLimit;
-  NearestFlatOutcome outcome = find_nearest_flat(patch, limit, progress, displacement);
+  NearestFlatOptions nearest;
+  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
+  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
+  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
+  NearestFlatOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
   for (int k = 0; k < patch.free_count; ++k) {
     field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
   }

@@ -20,7 +20,7 @@ void AndersonMixing::restart() {
 }
 
 void AndersonMixing::accelerate(const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& step) {
-  constexpr double kRegularization = 1e-10;  // secants may be nearly parallel
+  constexpr double kRegularization = 1e-8;  // secants may be nearly parallel
   const bool first = last_x_.cols() != x.cols();
   if (!first) {
     const int newest = next_;

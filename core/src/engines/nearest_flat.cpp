@@ -10,8 +10,7 @@
 namespace planish {
 namespace {
 
-constexpr double kFlat = 1e-5;     ///< residual that finish() takes to rounding, mean edges
-constexpr double kSettled = 1e-3;  ///< relative step below which ‖t‖² is least to about 1e-6
+constexpr double kFlat = 1e-5;        ///< residual that finish() takes to rounding, mean edges
 constexpr double kContraction = 0.9;  ///< of one step's length to the last one's
 
 /// State of the iteration and its line search.
@@ -56,7 +55,7 @@ class NearestFlat {
       linear_.step(residuals_, delta_);
       trial_ = t_ + delta_;
       residuals_at(patch_, trial_, trial_residuals_);
-      if (!(trial_residuals_.norm() < residuals_.norm())) return;
+      if (!(trial_residuals_.norm() < 0.1 * residuals_.norm())) return;
       t_.swap(trial_);
       residuals_.swap(trial_residuals_);
     }
@@ -105,8 +104,8 @@ class NearestFlat {
 
 }  // namespace
 
-NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Progress& progress,
-                                     Eigen::Matrix3Xd& displacement) {
+NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
+                                     const Progress& progress, Eigen::Matrix3Xd& displacement) {
   NearestFlatOutcome outcome;
   if (patch.equations.empty()) {
     outcome.status = SolveStatus::kConverged;
@@ -115,13 +114,13 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Pr
   NearestFlat solver(patch, displacement);
   if (!solver.attach()) {
     // A vertex with very many equations: correct along the primal form instead.
-    (void)correct_constraints(patch, max_steps, displacement, outcome.factorizations);
+    (void)correct_constraints(patch, options.max_steps, displacement, outcome.factorizations);
     outcome.status = SolveStatus::kConverged;
     return outcome;
   }
   solver.start();
-  for (; outcome.steps < max_steps; ++outcome.steps) {
-    if (solver.violation() <= kFlat && solver.move() <= kSettled) {
+  for (; outcome.steps < options.max_steps; ++outcome.steps) {
+    if (solver.violation() <= kFlat && solver.move() <= options.settled) {
       outcome.status = SolveStatus::kConverged;
       break;
     }
@@ -134,7 +133,7 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Pr
   }
   // A last step that rounding refused is the end of the road, not a failure.
   if (outcome.status == SolveStatus::kIterationLimit && solver.violation() <= kFlat &&
-      solver.move() <= 10.0 * kSettled) {
+      solver.move() <= 10.0 * options.settled) {
     outcome.status = SolveStatus::kConverged;
   }
   if (solver.factorizations() > 0) solver.finish();
