@@ -84,19 +84,24 @@ std::string edit(Session& s, EditMode mode, const val& handles, const val& pins,
   return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
 }
 std::string restore(Session& s, const val& handles, const val& pins, const val& moved,
-                    const val& positions) {
+                    const val& positions, bool keep_variations) {
   return attempt([&] {
-    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions));
+    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions),
+                     keep_variations);
   });
 }
 std::string explore(Session& s, const SubspaceOptions& options) {
   return attempt([&] { return s.explore(options); });
 }
+Eigen::VectorXd to_vector(const val& numbers) {
+  const auto x = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
 std::string vary(Session& s, const val& coefficients) {
-  return attempt([&] {
-    const auto x = emscripten::convertJSArrayToNumberVector<double>(coefficients);
-    return s.vary(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-  });
+  return attempt([&] { return s.vary(to_vector(coefficients)); });
+}
+std::string project_variation(Session& s, const val& coefficients) {
+  return attempt([&] { return s.project_variation(to_vector(coefficients)); });
 }
 std::string make_exact(Session& s) {
   return attempt([&] { return s.make_exact(); });
@@ -120,6 +125,9 @@ val display_base(const Session& s) { return copy(s.display_base()); }
 val take_changes(Session& s) { return copy(s.take_changes()); }
 val moved(const Session& s) { return copy(s.moved()); }
 val moved_positions(const Session& s) { return copy(s.moved_positions()); }
+val projected_moved(const Session& s) { return copy(s.projected().moved); }
+val projected_positions(const Session& s) { return copy(s.projected().positions); }
+std::string projected_report(const Session& s) { return s.projected_report(); }
 val panel_figures(const Session& s) { return copy(s.panel_figures()); }
 std::string mesh_report(const Session& s) { return s.mesh_report(); }
 std::string report(const Session& s) { return s.report(); }
@@ -152,6 +160,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("restore", &restore)
       .function("explore", &explore)
       .function("vary", &vary)
+      .function("projectVariation", &project_variation)
       .function("makeExact", &make_exact)
       .function("onProgress", &on_progress)
       .function("write", &write)
@@ -162,6 +171,9 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("takeChanges", &take_changes)
       .function("moved", &moved)
       .function("movedPositions", &moved_positions)
+      .function("projectedMoved", &projected_moved)
+      .function("projectedPositions", &projected_positions)
+      .function("projectedReport", &projected_report)
       .function("panelFigures", &panel_figures)
       .function("meshReport", &mesh_report)
       .function("report", &report);

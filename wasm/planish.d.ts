@@ -43,9 +43,12 @@ export interface Session {
     pins: Int32Array,
     moved: Int32Array,
     positions: Float64Array,
+    keepVariations: boolean,
   ): string;
   explore(options: SubspaceOptions): string;
   vary(coefficients: Float64Array): string;
+  /** Leaves the design as it is; the result is in the three projected…() below. */
+  projectVariation(coefficients: Float64Array): string;
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
@@ -57,6 +60,9 @@ export interface Session {
   takeChanges(): Float32Array;
   moved(): Int32Array;
   movedPositions(): Float64Array;
+  projectedMoved(): Int32Array;
+  projectedPositions(): Float64Array;
+  projectedReport(): string;
   panelFigures(): Float32Array;
   meshReport(): string;
   report(): string;

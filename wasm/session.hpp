@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
@@ -26,6 +27,12 @@ enum class EditMode {
   kDrag,     ///< within a time budget, may follow the path of the pointer
   kRelease,  ///< the drag's end: depends on the targets alone
   kSolve,    ///< from nothing, for typed targets and links
+};
+
+/// Where a design differs from its base.
+struct Shape {
+  std::vector<int> moved;  ///< ascending
+  Positions positions;     ///< 3 × |moved|, model units
 };
 
 class Session {
@@ -44,12 +51,16 @@ class Session {
   [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
   [[nodiscard]] Refusal edit(EditMode mode, const EditTargets& targets, double budget_seconds);
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
+  /// @param keep_variations the design is one of the family found last, or its centre
   [[nodiscard]] Refusal restore(const EditTargets& targets, const std::vector<int>& moved,
-                                const Positions& positions);
+                                const Positions& positions, bool keep_variations = false);
 
   // Exploring: variations around the design shown.
   [[nodiscard]] Refusal explore(const SubspaceOptions& options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
+  /// The exact shape of a variation, kept in projected(); the design shown stays as it is. The same
+  /// bits as vary() and make_exact().
+  [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients);
   /// The nearest flat design to what is shown.
   [[nodiscard]] Refusal make_exact();
 
@@ -59,6 +70,10 @@ class Session {
   [[nodiscard]] const std::vector<int>& moved() const { return moved_; }
   /// 3 × |moved|, model units.
   [[nodiscard]] Positions moved_positions() const;
+  /// What project_variation() found.
+  [[nodiscard]] const Shape& projected() const { return projected_; }
+  /// JSON as report() would be after showing it.
+  [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
   /// JSON about the base mesh: counts, planarity, warnings.
   [[nodiscard]] std::string mesh_report() const;
   /// JSON about the last operation that changed the design.
@@ -83,11 +98,20 @@ class Session {
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
-  [[nodiscard]] Worst worst_panel() const;
+  [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
+  void prepare_variation();
+  /// `positions` projected; a sentence if that fails, with both left as they are.
+  [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
+  [[nodiscard]] Shape shape_of(const Positions& positions) const;
+  /// `positions` differ from the base at most at `moved`.
+  [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
   /// mm/m, as far as the base's coordinates can hold it.
   [[nodiscard]] double tolerance() const { return std::max(options_.tolerance, base_rounding_); }
-  [[nodiscard]] double largest_move() const;
+  [[nodiscard]] double largest_move(const Positions& positions,
+                                    const std::vector<int>& moved) const;
   [[nodiscard]] Mesh shown_mesh() const;
+  [[nodiscard]] std::string shape_report(const Positions& positions, const std::vector<int>& moved,
+                                         const SolveReport& solve, double seconds) const;
   void write_report(const SolveReport& solve, double seconds);
 
   Mesh base_;
@@ -105,7 +129,11 @@ class Session {
   std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
   std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
   std::optional<Subspace> subspace_;
-  Positions varied_;  ///< 3 × |subspace support|
+  Positions varied_;                       ///< 3 × |subspace support|
+  Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
+  std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
+  Shape projected_;
+  std::string projected_report_ = "{}";
   std::string report_ = "{}";
   Progress progress_;
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/mesh_builders.hpp"
+
 namespace planish {
 namespace {
 
@@ -102,6 +104,23 @@ TEST(Session, ARefusedEditKeepsTheLastOne) {
   EXPECT_EQ(session.current(), before);
 }
 
+TEST(Session, VariationsOutliveARestoreThatKeepsThem) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 1.0);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 0.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const std::vector<int> moved = session.moved();
+  const Positions positions = session.moved_positions();
+  const Eigen::Vector2d x(0.5, 0.5);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  const Positions varied = session.current();
+  ASSERT_EQ(session.restore(targets, moved, positions, true), std::nullopt);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.current(), varied));
+  ASSERT_EQ(session.restore(targets, moved, positions), std::nullopt);
+  EXPECT_NE(session.vary(x), std::nullopt);
+}
+
 TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {
   Session session;
   const std::string far =
@@ -114,6 +133,33 @@ TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {
 }
 
 TEST(Session, UnknownFormatsAreNotWritten) { EXPECT_EQ(open_vault().write("dwg"), std::nullopt); }
+
+TEST(Session, AProjectedVariationIsTheExactOneAndChangesNothing) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  ASSERT_NE(session.project_variation(Eigen::VectorXd::Zero(2)), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const Positions before = session.current();
+  const Eigen::Vector2d coefficients(0.6, -0.4);
+  ASSERT_EQ(session.project_variation(coefficients), std::nullopt);
+  EXPECT_EQ(session.current(), before);
+  const std::vector<int> moved = session.projected().moved;
+  const Positions positions = session.projected().positions;
+  ASSERT_EQ(session.vary(coefficients), std::nullopt);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_EQ(session.moved(), moved);
+  EXPECT_EQ(session.moved_positions(), positions);
+  EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(3)), std::nullopt);
+}
+
+TEST(Session, AVariationKeepsThePartsOfTheEditThatNoVectorMoves) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 1, .reach = 0}), std::nullopt);
+  const Positions edited = session.current();
+  ASSERT_EQ(session.vary(Eigen::VectorXd::Zero(1)), std::nullopt);
+  EXPECT_EQ(session.current(), edited);
+}
 
 }  // namespace
 }  // namespace planish

@@ -72,6 +72,27 @@ export const movedCount = async (page: Page): Promise<number> =>
 export const idle = (page: Page): Promise<void> =>
   expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
 
+/** Adds a handle if there is none and moves it: "+40cm" raises it. */
+export async function typeTarget(page: Page, z: string): Promise<void> {
+  const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  if ((await field.count()) === 0) {
+    await page.getByRole("button", { name: "Add handle" }).click();
+    await idle(page);
+  }
+  await field.first().fill(z);
+  await field.first().press("Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+}
+
+export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open file" }).click();
+  const buffer = Buffer.from(content);
+  await (await chooser).setFiles({ name, mimeType: "application/octet-stream", buffer });
+  await idle(page);
+}
+
 export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"): Promise<Buffer> {
   await page.getByRole("button", { name: "Export" }).click();
   const download = page.waitForEvent("download");

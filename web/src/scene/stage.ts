@@ -9,19 +9,23 @@ import {
   PCFShadowMap,
   PerspectiveCamera,
   PlaneGeometry,
+  type Ray,
+  Raycaster,
   Scene,
   ShadowMaterial,
   Spherical,
+  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Camera } from "../state/camera.ts";
 import type { Palette } from "./palette.ts";
 
-export type ViewName = "3D" | "Top" | "Front" | "Side";
+export type ViewName = "Perspective" | "Top" | "Front" | "Side";
 
 const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, number]>> = {
-  "3D": [-0.52, -0.92, 0.62],
+  Perspective: [-0.52, -0.92, 0.62],
   Top: [0, -0.001, 1],
   Front: [0, -1, 0],
   Side: [1, 0, 0],
@@ -61,6 +65,7 @@ export class Stage {
   readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
   readonly #key = new DirectionalLight("#FFF9F0", 1.75);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
+  readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
   #pending = 0;
   #drawMilliseconds = 0;
@@ -105,12 +110,11 @@ export class Stage {
   }
 
   /** What the camera looks at; the ground lies just under it. */
-  setSubject(subject: Object3D): void {
+  setSubject(subject: Object3D, bounds: Box3): void {
     if (this.#target) this.scene.remove(this.#target);
     this.#target = subject;
     this.scene.add(subject);
-    const box = new Box3().setFromObject(subject);
-    this.#ground.position.z = box.min.z - 0.05;
+    this.#ground.position.z = bounds.min.z - 0.05;
     this.renderer.shadowMap.needsUpdate = true;
   }
 
@@ -120,10 +124,39 @@ export class Stage {
     const towards = new Vector3(...DIRECTIONS[name]).normalize();
     this.camera.position.copy(centre).add(towards);
     this.camera.lookAt(centre);
+    this.#stepBack(points, centre, towards);
+  }
+
+  /** Moves the camera, without turning it, to where it just holds `points`. */
+  fit(points: Float32Array): void {
+    const centre = new Box3().setFromArray(points).getCenter(new Vector3());
+    const towards = this.camera.getWorldDirection(new Vector3()).negate();
+    this.#stepBack(points, centre, towards);
+  }
+
+  #stepBack(points: Float32Array, centre: Vector3, towards: Vector3): void {
     this.camera.updateMatrixWorld();
     const distance = fittingDistance(points, centre, this.camera);
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towards, distance);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  /** The ray through a place on screen, −1 … 1 to the right and upwards. */
+  rayThrough(x: number, y: number): Ray {
+    this.#caster.setFromCamera(new Vector2(x, y), this.camera);
+    return this.#caster.ray.clone();
+  }
+
+  /** Where the camera is and what it looks at. */
+  read(): Camera {
+    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+  }
+
+  place({ position, target }: Camera): void {
+    this.orbit.target.set(...target);
+    this.camera.position.set(...position);
     this.orbit.update();
     this.invalidate();
   }
