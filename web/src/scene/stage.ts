@@ -40,6 +40,7 @@ export class Stage {
   readonly #glide: Glide;
   readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
+  #paper = "#FFFFFF";
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
@@ -63,6 +64,11 @@ export class Stage {
     // The renderer sets up its own state again first: it has listened for longer.
     canvas.addEventListener("webglcontextrestored", () => this.#castShadows());
     this.#lightUp();
+    // After the renderer's own listener, which makes its state and buffers again, but plain black.
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.setClearColor(this.#paper);
+      this.#castShadows();
+    });
   }
 
   #lightUp(): void {
@@ -78,7 +84,8 @@ export class Stage {
   }
 
   setPalette(palette: Palette): void {
-    this.renderer.setClearColor(palette.paper);
+    this.#paper = palette.paper;
+    this.renderer.setClearColor(this.#paper);
     this.#sky.color.set(palette.sky);
     this.#sky.groundColor.set(palette.ground);
     this.#ground.material.opacity = palette.shadow;
