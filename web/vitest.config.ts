@@ -11,7 +11,7 @@ export default defineConfig({
     include: ["**/*.test.ts"],
     // How long a test waits for the page; no figure of the product.
     expect: { poll: { timeout: 10_000 } },
-    testTimeout: 60_000,
+    testTimeout: 180_000,
     hookTimeout: 60_000,
     fileParallelism: false,
   },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arrows and small planes at the chosen point. They only show where one can pull; the pointer
 // tool does the pulling, so that every drag is held and snapped in one way.
-import { Matrix4, Object3D, Vector3 } from "three";
+import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Frame } from "../mesh/point-frame.ts";
 import type { Lock } from "../state/store.ts";
@@ -18,6 +18,8 @@ const PARTS: Readonly<Record<string, readonly [number, boolean]>> = {
   XY: [2, true],
 };
 
+const AXIS_OF: Readonly<Record<string, number>> = { X: 0, Y: 1, Z: 2 };
+
 export class Gizmo {
   readonly #controls: TransformControls;
   readonly #proxy = new Object3D();
@@ -29,7 +31,21 @@ export class Gizmo {
     this.#controls.setSize(0.62);
     this.#controls.setSpace("local");
     this.#controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
+    this.#dropBackArrows();
     stage.scene.add(this.#proxy, this.#controls.getHelper());
+  }
+
+  /** An arrow each way at every axis is more than a point needs. */
+  #dropBackArrows(): void {
+    const back: Object3D[] = [];
+    this.#controls.getHelper().traverse((part) => {
+      if (!(part instanceof Mesh) || !(part.name in AXIS_OF)) return;
+      const { geometry } = part as Mesh<BufferGeometry>;
+      geometry.computeBoundingBox();
+      const reach = geometry.boundingBox?.max.getComponent(AXIS_OF[part.name] ?? 0) ?? 0;
+      if (reach < 0.1) back.push(part);
+    });
+    for (const part of back) part.removeFromParent();
   }
 
   /** The part under a pixel, which is highlighted; null beside all of them. */
