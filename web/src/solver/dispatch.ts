@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
-import type { EditSettings, OpenedMesh, Reply, Request, Shape, Targets } from "./protocol.ts";
+import { loadGlb } from "./load-glb.ts";
+import type {
+  EditSettings,
+  FileFormat,
+  OpenedMesh,
+  Reply,
+  Request,
+  Shape,
+  Source,
+  StoredDesign,
+  Targets,
+} from "./protocol.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -57,32 +68,30 @@ export class Dispatcher {
     });
   }
 
-  handle(request: Job): void {
+  async handle(request: Job): Promise<void> {
     this.#job = request.job;
     this.#step = 0;
     try {
-      this.#run(request);
+      await this.#run(request);
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       this.#post({ kind: "failed", job: request.job, message }, []);
     }
   }
 
-  #run(request: Job): void {
+  async #run(request: Job): Promise<void> {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
       case "open": {
-        const { source } = request;
-        if (source.kind === "sample") insist(session.openSample(source.name, source.size));
-        else insist(session.openFile(source.bytes, source.format));
+        const stored = await this.#open(request.source);
         if (request.planarise) insist(session.planarise());
-        this.#postOpened(job);
+        this.#postOpened(job, stored);
         return;
       }
       case "planarise":
         insist(session.planarise());
-        this.#postOpened(job);
+        this.#postOpened(job, null);
         return;
       case "edit":
         this.#edit(request);
@@ -113,12 +122,42 @@ export class Dispatcher {
         return;
       }
       case "export": {
-        const bytes = session.write(request.format, request.design);
+        const bytes = await this.#write(request.format, request.design);
         if (bytes.length === 0)
           throw new Refused(`${request.format.toUpperCase()} cannot be written.`);
         this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
       }
     }
+  }
+
+  /** A GLB is opened by a module of its own; the rest knows it as an OBJ. */
+  async #open(source: Source): Promise<StoredDesign | null> {
+    if (source.kind === "sample") {
+      insist(this.#session.openSample(source.name, source.size));
+      return null;
+    }
+    if (source.format !== "glb") {
+      insist(this.#session.openFile(source.bytes, source.format));
+      return null;
+    }
+    const { problem, mesh, design, moved, positions, warnings } = (await loadGlb()).openGlb(
+      source.bytes,
+    );
+    insist(problem);
+    insist(this.#session.openFile(mesh, "obj"));
+    return { mesh, design, shape: { moved, positions }, warnings };
+  }
+
+  async #write(format: FileFormat, design: string): Promise<Uint8Array> {
+    const session = this.#session;
+    if (format !== "glb") return session.write(format);
+    return (await loadGlb()).assembleGlb(
+      session.write("obj"),
+      session.basePositions(),
+      session.variationSupport(),
+      session.variationDisplacements(),
+      design,
+    );
   }
 
   #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
@@ -156,12 +195,12 @@ export class Dispatcher {
     };
   }
 
-  #postOpened(job: number): void {
+  #postOpened(job: number, stored: StoredDesign | null): void {
     const mesh = readMesh(this.#session);
     const buffers = [mesh.positions, mesh.display, mesh.offsets, mesh.vertices].map(
       (a) => a.buffer,
     );
-    this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
+    this.#post({ kind: "opened", job, mesh, stored }, buffers as Transferable[]);
   }
 
   #postProjected(job: number): void {

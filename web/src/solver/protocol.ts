@@ -106,10 +106,22 @@ export interface OpenedMesh {
   readonly vertices: Int32Array;
 }
 
+/** What a GLB held beside its mesh. */
+export interface StoredDesign {
+  /** The base that was opened, as OBJ. */
+  readonly mesh: Uint8Array;
+  /** The recipe as text; "" for none. */
+  readonly design: string;
+  /** The stored result; empty without a recipe. */
+  readonly shape: Shape;
+  readonly warnings: readonly string[];
+}
+
 export type Reply =
   | { kind: "ready"; job: 0 }
   | { kind: "progress"; job: number; step: number; residual: number }
-  | { kind: "opened"; job: number; mesh: OpenedMesh }
+  /** `stored`: what came with a GLB. */
+  | { kind: "opened"; job: number; mesh: OpenedMesh; stored: StoredDesign | null }
   /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }

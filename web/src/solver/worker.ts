@@ -26,5 +26,5 @@ scope.onmessage = async ({ data }: MessageEvent<Request>): Promise<void> => {
     dispatcher = start(data.module);
     return;
   }
-  (await dispatcher)?.handle(data);
+  await (await dispatcher)?.handle(data);
 };
