@@ -24,6 +24,7 @@ struct Command {
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command sample_command();
+[[nodiscard]] Command compare_command();
 
 /// Rows that several commands share.
 inline constexpr OptionRow kOutputRow = {"-o", "OUT",

@@ -17,7 +17,12 @@ const FLAGS = [
 
 export interface Site {
   readonly url: string;
-  open(options?: BrowserContextOptions, hash?: string): Promise<Page>;
+  /** `prepare` gets the page before it loads. */
+  open(
+    options?: BrowserContextOptions,
+    hash?: string,
+    prepare?: (page: Page) => void,
+  ): Promise<Page>;
   close(): Promise<void>;
 }
 
@@ -43,13 +48,14 @@ export async function openSite(): Promise<Site> {
   const complaints: string[] = [];
   return {
     url,
-    async open(options = {}, hash = "") {
+    async open(options = {}, hash = "", prepare = () => {}) {
       const context = await browser.newContext({
         viewport: { width: 900, height: 640 },
         ...options,
       });
       const page = await context.newPage();
       watch(page, new URL(url).origin, complaints);
+      prepare(page);
       await page.goto(url + hash);
       await expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
       return page;
@@ -70,7 +76,30 @@ export const movedCount = async (page: Page): Promise<number> =>
 
 /** Waits until nothing runs. */
 export const idle = (page: Page): Promise<void> =>
-  expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
+  expect
+    .poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled(), { timeout: 20_000 })
+    .toBe(true);
+
+/** Adds a handle if there is none and moves it: "+40cm" raises it. */
+export async function typeTarget(page: Page, z: string): Promise<void> {
+  const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  if ((await field.count()) === 0) {
+    await page.getByRole("button", { name: "Add handle" }).click();
+    await idle(page);
+  }
+  await field.first().fill(z);
+  await field.first().press("Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+}
+
+export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open file" }).click();
+  const buffer = Buffer.from(content);
+  await (await chooser).setFiles({ name, mimeType: "application/octet-stream", buffer });
+  await idle(page);
+}
 
 export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"): Promise<Buffer> {
   await page.getByRole("button", { name: "Export" }).click();

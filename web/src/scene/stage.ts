@@ -16,6 +16,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Camera } from "../state/camera.ts";
 import type { Palette } from "./palette.ts";
 
 export type ViewName = "3D" | "Top" | "Front" | "Side";
@@ -105,12 +106,11 @@ export class Stage {
   }
 
   /** What the camera looks at; the ground lies just under it. */
-  setSubject(subject: Object3D): void {
+  setSubject(subject: Object3D, bounds: Box3): void {
     if (this.#target) this.scene.remove(this.#target);
     this.#target = subject;
     this.scene.add(subject);
-    const box = new Box3().setFromObject(subject);
-    this.#ground.position.z = box.min.z - 0.05;
+    this.#ground.position.z = bounds.min.z - 0.05;
     this.renderer.shadowMap.needsUpdate = true;
   }
 
@@ -124,6 +124,18 @@ export class Stage {
     const distance = fittingDistance(points, centre, this.camera);
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towards, distance);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  /** Where the camera is and what it looks at. */
+  read(): Camera {
+    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+  }
+
+  place({ position, target }: Camera): void {
+    this.orbit.target.set(...target);
+    this.camera.position.set(...position);
     this.orbit.update();
     this.invalidate();
   }

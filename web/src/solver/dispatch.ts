@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
-import { loadGlb } from "./load-glb.ts";
+import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
+import { openGlb, writeGlb } from "./glb.ts";
 import type {
   EditSettings,
   FileFormat,
   OpenedMesh,
   Reply,
   Request,
-  Shape,
   Source,
   StoredDesign,
-  Targets,
 } from "./protocol.ts";
+import { keepCopy, readFile, readKept } from "./reading.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -21,17 +21,35 @@ type Job = Exclude<Request, { kind: "start" }>;
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
 
+const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
+
 function insist(refusal: string): void {
   if (refusal) throw new Refused(refusal);
 }
 
-function readMesh(session: Session): OpenedMesh {
+/** After these the module's memory is full or in no known state. */
+const isFatal = (error: unknown): boolean =>
+  error instanceof WebAssembly.RuntimeError ||
+  error instanceof RangeError ||
+  (error instanceof Refused && error.message === NO_MEMORY);
+
+function sentence(error: unknown): string {
+  if (error instanceof WebAssembly.RuntimeError)
+    return "The solver stopped unexpectedly. Your last finished design is back.";
+  if (isFatal(error)) return `${NO_MEMORY} Your last finished design is back.`;
+  return error instanceof Error ? error.message : String(error);
+}
+
+function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
+  const report = JSON.parse(session.meshReport()) as OpenedMesh["report"];
   return {
-    report: JSON.parse(session.meshReport()) as OpenedMesh["report"],
+    report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
-    display: session.displayBase(),
-    offsets: session.faceOffsets(),
-    vertices: session.faceVertices(),
+    ...prepareDisplay({
+      display: session.displayBase(),
+      offsets: session.faceOffsets(),
+      vertices: session.faceVertices(),
+    }),
   };
 }
 
@@ -41,13 +59,15 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     locality: settings.locality,
     smoothness: settings.smoothness,
     fairness: module.FairnessKind[settings.fairness],
-    sparsity: module.Sparsity.l21,
-    hardHandles: false,
+    sparsity: module.Sparsity[settings.sparsity],
+    hardHandles: settings.hardHandles,
     engine: module.Engine[settings.engine],
-    tolerance: 1e-6,
-    maxIterations: 0,
+    tolerance: settings.tolerance,
+    maxIterations: settings.maxIterations,
   };
 }
+
+const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
 export class Dispatcher {
@@ -69,35 +89,66 @@ export class Dispatcher {
   }
 
   async handle(request: Job): Promise<void> {
-    this.#job = request.job;
+    const { job } = request;
+    this.#job = job;
     this.#step = 0;
     try {
-      await this.#run(request);
+      if (request.kind === "open") await this.#open(request);
+      else if (request.kind === "read") await this.#read(request);
+      else if (request.kind === "export") await this.#export(request);
+      else this.#run(request);
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
-      this.#post({ kind: "failed", job: request.job, message }, []);
+      this.#post({ kind: "failed", job, message: sentence(error), fatal: isFatal(error) }, []);
     }
   }
 
-  async #run(request: Job): Promise<void> {
+  readonly #onPiece = (done: number, total: number): void =>
+    this.#post({ kind: "reading", job: this.#job, done, total }, []);
+
+  async #open({ job, source, planarise }: Extract<Request, { kind: "open" }>): Promise<void> {
+    const session = this.#session;
+    if (source.kind === "sample") insist(session.openSample(source.name, source.size));
+    else {
+      const bytes = await readKept(source, this.#onPiece);
+      const { mesh, format } = source.format === "glb" ? await openGlb(bytes) : asIs(bytes, source);
+      insist(session.openFile(mesh, format));
+    }
+    if (planarise) insist(session.planarise());
+    this.#postOpened(job, null, null);
+  }
+
+  async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
+    const read = await readFile(file, name, format, this.#onPiece);
+    if (format !== "glb") {
+      insist(this.#session.openFile(read.bytes, format));
+      this.#postOpened(job, read.source, null);
+      return;
+    }
+    const { mesh, stored } = await openGlb(read.bytes);
+    insist(this.#session.openFile(mesh, "obj"));
+    this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
+  }
+
+  async #export({ job, format, design }: Extract<Request, { kind: "export" }>): Promise<void> {
+    const session = this.#session;
+    const bytes = format === "glb" ? await writeGlb(session, design) : session.write(format);
+    if (bytes.length === 0) throw new Refused(`${format.toUpperCase()} cannot be written.`);
+    this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
+  }
+
+  #run(request: Exclude<Job, { kind: "open" } | { kind: "read" } | { kind: "export" }>): void {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
-      case "open": {
-        const stored = await this.#open(request.source);
-        if (request.planarise) insist(session.planarise());
-        this.#postOpened(job, stored);
-        return;
-      }
       case "planarise":
         insist(session.planarise());
-        this.#postOpened(job, null);
+        this.#postOpened(job, null, null);
         return;
       case "edit":
         this.#edit(request);
         return;
       case "restore":
-        insist(this.#restore(request.targets, request.shape));
+        insist(this.#restore(request));
         this.#postShown(job, true);
         return;
       case "explore":
@@ -108,77 +159,50 @@ export class Dispatcher {
         insist(session.vary(Float64Array.from(request.coefficients)));
         this.#postShown(job, false);
         return;
-      case "project":
-        insist(session.projectVariation(Float64Array.from(request.coefficients)));
-        this.#postProjected(job);
-        return;
       case "exact":
         insist(session.makeExact());
         this.#postShown(job, true);
+        return;
+      case "project":
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
         return;
       case "panels": {
         const figures = session.panelFigures();
         this.#post({ kind: "panels", job, figures }, [figures.buffer]);
         return;
       }
-      case "export": {
-        const bytes = await this.#write(request.format, request.design);
-        if (bytes.length === 0)
-          throw new Refused(`${request.format.toUpperCase()} cannot be written.`);
-        this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
-      }
     }
-  }
-
-  /** A GLB is opened by a module of its own; the rest knows it as an OBJ. */
-  async #open(source: Source): Promise<StoredDesign | null> {
-    if (source.kind === "sample") {
-      insist(this.#session.openSample(source.name, source.size));
-      return null;
-    }
-    if (source.format !== "glb") {
-      insist(this.#session.openFile(source.bytes, source.format));
-      return null;
-    }
-    const { problem, mesh, design, moved, positions, warnings } = (await loadGlb()).openGlb(
-      source.bytes,
-    );
-    insist(problem);
-    insist(this.#session.openFile(mesh, "obj"));
-    return { mesh, design, shape: { moved, positions }, warnings };
-  }
-
-  async #write(format: FileFormat, design: string): Promise<Uint8Array> {
-    const session = this.#session;
-    if (format !== "glb") return session.write(format);
-    return (await loadGlb()).assembleGlb(
-      session.write("obj"),
-      session.basePositions(),
-      session.variationSupport(),
-      session.variationDisplacements(),
-      design,
-    );
   }
 
   #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
-    if (settings !== this.#settings) {
-      insist(this.#session.setOptions(toOptions(this.#module, settings)));
-      this.#settings = settings;
-    }
+    this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     insist(this.#session.edit(this.#module.EditMode[mode], handles, pins, budget));
     this.#postShown(job, mode !== "drag");
   }
 
-  #restore(targets: Targets, shape: Shape): string {
+  /** Options that stay the same keep the solver's warm start; each message is a copy. */
+  #setOptions(settings: EditSettings): void {
+    if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
+    insist(this.#session.setOptions(toOptions(this.#module, settings)));
+    this.#settings = settings;
+  }
+
+  #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+    this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
-    return this.#session.restore(
-      handles,
-      Int32Array.from(targets.pins),
-      shape.moved,
-      shape.positions,
-    );
+    const pins = Int32Array.from(targets.pins);
+    return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);
+  }
+
+  #postProjected(job: number): void {
+    const session = this.#session;
+    const [moved, positions] = [session.projectedMoved(), session.projectedPositions()];
+    const report = JSON.parse(session.projectedReport());
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions }, report };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #exploreOptions(dimension: number, eigenbasis: boolean) {
@@ -195,19 +219,10 @@ export class Dispatcher {
     };
   }
 
-  #postOpened(job: number, stored: StoredDesign | null): void {
-    const mesh = readMesh(this.#session);
-    const buffers = [mesh.positions, mesh.display, mesh.offsets, mesh.vertices].map(
-      (a) => a.buffer,
-    );
-    this.#post({ kind: "opened", job, mesh, stored }, buffers as Transferable[]);
-  }
-
-  #postProjected(job: number): void {
-    const moved = this.#session.projectedMoved();
-    const positions = this.#session.projectedPositions();
-    const reply: Reply = { kind: "projected", job, shape: { moved, positions } };
-    this.#post(reply, [moved.buffer, positions.buffer]);
+  #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
+    const mesh = readMesh(this.#session, stored?.warnings ?? []);
+    const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
+    this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
   #postShown(job: number, withShape: boolean): void {

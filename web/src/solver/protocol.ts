@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What the page and the solver worker say to each other. Every request carries a job number;
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
-// Progress messages may come before the reply.
+// Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
+
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
 export type EngineName = "newton" | "alm";
+export type Sparsity = "l21" | "l2" | "none";
 export type EditMode = "drag" | "release" | "solve";
 
 /** Targets in model units. `handles`: vertex, x, y, z for each. */
@@ -14,12 +17,20 @@ export interface Targets {
   readonly pins: readonly number[];
 }
 
+/** The core's HandleEditOptions. */
 export interface EditSettings {
   readonly attraction: number;
   readonly locality: number;
   readonly smoothness: number;
   readonly fairness: Fairness;
   readonly engine: EngineName;
+  readonly sparsity: Sparsity;
+  /** Targets are met exactly, or the edit is refused. */
+  readonly hardHandles: boolean;
+  /** Worst panel of a finished edit, mm/m. */
+  readonly tolerance: number;
+  /** 0: the engine's own limit. */
+  readonly maxIterations: number;
 }
 
 /** A finished design: where it differs from its base, in float64. */
@@ -34,12 +45,18 @@ export type Source =
       readonly kind: "file";
       readonly name: string;
       readonly format: FileFormat;
-      readonly bytes: Uint8Array;
+      /** The page's own copy, outside its heap: the file on disk may change or go. */
+      readonly bytes: Blob;
+      /** CRC-32 of `bytes`. */
+      readonly crc: number;
     };
 
 export type Request =
-  | { kind: "start"; job: 0; module: WebAssembly.Module }
+  /** The worker holds the lock named `alive` for as long as it lives. */
+  | { kind: "start"; job: 0; module: WebAssembly.Module; alive: string }
   | { kind: "open"; job: number; source: Source; planarise: boolean } // → opened
+  /** A file of the user's, read for the first time. */
+  | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   | { kind: "planarise"; job: number } // → opened
   | {
       kind: "edit";
@@ -49,12 +66,20 @@ export type Request =
       settings: EditSettings;
       budget: number;
     } // → shown
-  | { kind: "restore"; job: number; targets: Targets; shape: Shape } // → shown
+  /** `keep`: the design is one of the family that was found last, or its centre. */
+  | {
+      kind: "restore";
+      job: number;
+      targets: Targets;
+      settings: EditSettings;
+      shape: Shape;
+      keep: boolean;
+    } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
-  /** The exact shape of a variation; the design shown stays as it is. */
-  | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "exact"; job: number } // → shown
+  /** What `vary` and then `exact` would give; the design shown stays. */
+  | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "panels"; job: number } // → panels
   | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
 
@@ -98,18 +123,13 @@ export interface ExploreReport {
 }
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
-export interface OpenedMesh {
+export interface OpenedMesh extends DisplayMesh {
   readonly report: MeshReport;
   readonly positions: Float64Array;
-  readonly display: Float32Array;
-  readonly offsets: Int32Array;
-  readonly vertices: Int32Array;
 }
 
 /** What a GLB held beside its mesh. */
 export interface StoredDesign {
-  /** The base that was opened, as OBJ. */
-  readonly mesh: Uint8Array;
   /** The recipe as text; "" for none. */
   readonly design: string;
   /** The stored result; empty without a recipe. */
@@ -120,13 +140,21 @@ export interface StoredDesign {
 export type Reply =
   | { kind: "ready"; job: 0 }
   | { kind: "progress"; job: number; step: number; residual: number }
-  /** `stored`: what came with a GLB. */
-  | { kind: "opened"; job: number; mesh: OpenedMesh; stored: StoredDesign | null }
+  | { kind: "reading"; job: number; done: number; total: number }
+  /** `source`: the copy to keep of a file that was read; `stored`: what came with a GLB. */
+  | {
+      kind: "opened";
+      job: number;
+      source: Source | null;
+      mesh: OpenedMesh;
+      stored: StoredDesign | null;
+    }
   /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }
-  | { kind: "projected"; job: number; shape: Shape }
+  | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** Gap in model units and mm/m, for every panel. */
   | { kind: "panels"; job: number; figures: Float32Array }
   | { kind: "exported"; job: number; bytes: Uint8Array }
-  | { kind: "failed"; job: number; message: string };
+  /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
+  | { kind: "failed"; job: number; message: string; fatal: boolean };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Everything the page shows, as signals. Only the modules of state/ write them.
 import { computed, signal } from "@preact/signals";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { Snapshot } from "../share/saved-record.ts";
 import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
-import type { Design } from "./design.ts";
-import { NO_REPORT } from "./design.ts";
+import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
 import type { Unit } from "./units.ts";
@@ -12,10 +13,9 @@ import type { Unit } from "./units.ts";
 export interface Activity {
   readonly label: string;
   readonly step: number;
+  /** Bytes of a file, while it is read. */
+  readonly read?: { readonly done: number; readonly total: number };
 }
-
-/** The mesh that the scene draws: display coordinates and faces. */
-export type DisplayMesh = Pick<OpenedMesh, "display" | "offsets" | "vertices">;
 
 export type ColourBy = "displacement" | "planarity" | "none";
 
@@ -31,12 +31,17 @@ export const draft = signal<Design | null>(null);
 export const figures = signal<ShapeReport>(NO_REPORT);
 export const activity = signal<Activity | null>(null);
 export const problem = signal<string | null>(null);
+/** Says that designs are not kept here; null while they are. */
+export const keeping = signal<string | null>(null);
+/** Designs kept under a name, oldest first. */
+export const snapshots = signal<readonly Snapshot[]>([]);
 export const notice = signal<string | null>(null);
 /** Changes to a newer version of the page; null while there is none. */
 export const update = signal<(() => void) | null>(null);
 export const selected = signal<number | null>(null);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
+export const eigenbasis = signal(false);
 export const colourBy = signal<ColourBy>("displacement");
 /** Gap (model units) and mm/m of every panel of the last finished design. */
 export const panelFigures = signal<Float32Array | null>(null);
@@ -47,8 +52,10 @@ export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */
 export const hintVertex = signal<number | null>(null);
 export const importReport = signal(false);
-export const designName = signal(FIRST_SAMPLE.label);
 
+export const designName = computed(() =>
+  draft.value ? sourceName(draft.value.source) : FIRST_SAMPLE.label,
+);
 export const handles = computed(() => draft.value?.handles ?? []);
 export const settings = computed(() => draft.value?.settings ?? null);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);

@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/stage.ts";
 import { Viewport } from "../scene/viewport.ts";
+import { provideCamera } from "../state/camera.ts";
 import { figures, mesh, problem } from "../state/store.ts";
 import { Legend } from "./legend.tsx";
 import { ViewKeys } from "./view-keys.ts";
@@ -42,8 +43,10 @@ export function ViewportPane() {
     if (!view) return;
     const keys = new ViewKeys(canvas.current, view);
     providePicture(() => view.picture());
+    provideCamera(view.stage);
     return () => {
       providePicture(null);
+      provideCamera(null);
       keys.dispose();
       view.dispose();
     };

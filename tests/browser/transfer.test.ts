@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How much a first visit has to load before it can drag: as bytes after gzip, which every static
+// server can send. What is kept for later (offline, GLB) does not count.
+import { gzipSync } from "node:zlib";
+import type { Response } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { movedCount, openSite, type Site, typeTarget } from "./support/page.ts";
+
+const LIMIT = 500_000;
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+it("is at most 500 KB for everything that a drag needs", async () => {
+  const answers: Response[] = [];
+  const page = await site.open({ serviceWorkers: "block" }, "", (fresh) => {
+    fresh.on("response", (response) => answers.push(response));
+  });
+  await typeTarget(page, "+30cm");
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  const sizes = await Promise.all(
+    answers.map(async (answer) => {
+      const name = new URL(answer.url()).pathname.split("/").at(-1) ?? "";
+      return [name, gzipSync(await answer.body(), { level: 9 }).length] as const;
+    }),
+  );
+  const names = sizes.map(([name]) => name);
+  expect(names.some((name) => name.endsWith(".wasm"))).toBe(true);
+  expect(names.some((name) => name.startsWith("worker"))).toBe(true);
+  expect(names.some((name) => name.includes("glb"))).toBe(false);
+  const total = sizes.reduce((sum, [, size]) => sum + size, 0);
+  expect(total, JSON.stringify(sizes)).toBeLessThan(LIMIT);
+  console.info(`transfer before the first drag: ${total} bytes of at most ${LIMIT}`);
+  await page.context().close();
+});

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What a stranger's JSON may say. Every reader gives a value of the right kind or null.
+import type {
+  EditSettings,
+  EngineName,
+  Fairness,
+  FileFormat,
+  Sparsity,
+} from "../solver/protocol.ts";
+import type { Camera } from "../state/camera.ts";
+import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+
+const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
+export const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
+export const ENGINES: readonly EngineName[] = ["newton", "alm"];
+export const SPARSITY: readonly Sparsity[] = ["l21", "l2", "none"];
+
+/** Far more than anybody moves by hand. */
+const MOST_HANDLES = 100_000;
+/** The solver's own limit. */
+export const MOST_DIRECTIONS = 24;
+export const LONGEST_NAME = 1_000;
+
+export type Json = Readonly<Record<string, unknown>>;
+
+export const isRecord = (value: unknown): value is Json =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+export const isNumber = (value: unknown): value is number =>
+  typeof value === "number" && Number.isFinite(value);
+
+export const isNumbers = (value: unknown, length?: number): value is number[] =>
+  Array.isArray(value) &&
+  (length === undefined || value.length === length) &&
+  value.every((x) => isNumber(x));
+
+export const isIndex = (value: unknown): value is number =>
+  Number.isInteger(value) && (value as number) >= 0 && (value as number) < 2 ** 32;
+
+export const isName = (value: unknown): value is string =>
+  typeof value === "string" && value.length <= LONGEST_NAME;
+
+export const readFormat = (value: unknown): FileFormat | null =>
+  FORMATS.find((format) => format === value) ?? null;
+
+function readHandle(value: unknown): HandleRow | null {
+  if (!isNumbers(value, 5)) return null;
+  const [vertex, x = 0, y = 0, z = 0, pinned] = value;
+  return isIndex(vertex) ? { vertex, target: [x, y, z], pinned: pinned === 1 } : null;
+}
+
+/** Rows of vertex, x, y, z, pinned (0 or 1). */
+export function readHandles(value: unknown): HandleRow[] | null {
+  if (!Array.isArray(value) || value.length > MOST_HANDLES) return null;
+  const rows: HandleRow[] = [];
+  for (const item of value) {
+    const row = readHandle(item);
+    if (!row) return null;
+    rows.push(row);
+  }
+  return rows;
+}
+
+type Rest = Pick<EditSettings, "sparsity" | "hardHandles" | "tolerance" | "maxIterations">;
+
+/** What was added to the settings later: absent where it is all as usual. */
+function readRest(value: readonly unknown[]): Rest | null {
+  const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
+  if (value.length === 0) return { sparsity, hardHandles, tolerance, maxIterations };
+  const named = SPARSITY.find((name) => name === value[0]);
+  const numbers: unknown = value.slice(1);
+  if (!named || !isNumbers(numbers, 3)) return null;
+  const [hard, given = 0, most = 0] = numbers;
+  return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
+}
+
+/** Attraction, locality, smoothness, fairness, engine; then sparsity, hard, tolerance, limit. */
+export function readSettings(value: unknown): EditSettings | null {
+  if (!Array.isArray(value) || (value.length !== 5 && value.length !== 9)) return null;
+  const weights: unknown = value.slice(0, 3);
+  const fairness = FAIRNESS.find((name) => name === value[3]);
+  const engine = ENGINES.find((name) => name === value[4]);
+  const rest = readRest(value.slice(5));
+  if (!isNumbers(weights, 3) || !fairness || !engine || !rest) return null;
+  const [attraction = 0, locality = 0, smoothness = 0] = weights;
+  return { attraction, locality, smoothness, fairness, engine, ...rest };
+}
+
+export function writeSettings(settings: EditSettings): unknown[] {
+  const { attraction, locality, smoothness, fairness, engine } = settings;
+  const { sparsity, hardHandles, tolerance, maxIterations } = settings;
+  const first = [attraction, locality, smoothness, fairness, engine];
+  const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
+  const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
+  return usual ? first : [...first, ...rest];
+}
+
+/** Position and target; undefined if there is something else than a camera or nothing. */
+export function readCamera(value: unknown): Camera | null | undefined {
+  if (value === undefined || value === null) return null;
+  if (!isNumbers(value, 6)) return undefined;
+  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = value;
+  return { position: [a, b, c], target: [d, e, f] };
+}
+
+export const writeCamera = ({ position, target }: Camera): number[] =>
+  [...position, ...target].map((x) => Number(x.toFixed(3)));
