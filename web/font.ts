@@ -7,8 +7,8 @@ import type { Plugin } from "vite";
 const range = (from: number, to: number): string =>
   String.fromCodePoint(...Array.from({ length: to - from + 1 }, (_, k) => from + k));
 
-/** ASCII, Latin-1, and the punctuation and signs of the page's own words. */
-const CHARACTERS = `${range(0x20, 0x7e)}${range(0xa0, 0xff)}–—‘’“”…←→↑↓−≈≤≥ωβξΣ`;
+/** ASCII, and the punctuation and signs of the page's own words. */
+const CHARACTERS = `${range(0x20, 0x7e)}\u00a0°±²³µ·×÷§©«»äöüÄÖÜßéèàç–—‘’“”…←→↑↓−≈≤≥`;
 
 export function smallFont(): Plugin {
   return {

@@ -9,9 +9,12 @@ import {
   PCFShadowMap,
   PerspectiveCamera,
   PlaneGeometry,
+  type Ray,
+  Raycaster,
   Scene,
   ShadowMaterial,
   Spherical,
+  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
@@ -19,10 +22,10 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Camera } from "../state/camera.ts";
 import type { Palette } from "./palette.ts";
 
-export type ViewName = "3D" | "Top" | "Front" | "Side";
+export type ViewName = "Perspective" | "Top" | "Front" | "Side";
 
 const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, number]>> = {
-  "3D": [-0.52, -0.92, 0.62],
+  Perspective: [-0.52, -0.92, 0.62],
   Top: [0, -0.001, 1],
   Front: [0, -1, 0],
   Side: [1, 0, 0],
@@ -62,7 +65,9 @@ export class Stage {
   readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
   readonly #key = new DirectionalLight("#FFF9F0", 1.75);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
+  readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
+  #paper = "#FFFFFF";
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
@@ -83,6 +88,11 @@ export class Stage {
     this.orbit.enableDamping = false;
     this.orbit.addEventListener("change", () => this.invalidate());
     this.#lightUp();
+    // After the renderer's own listener, which makes its state and buffers again, but plain black.
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.setClearColor(this.#paper);
+      this.#castShadows();
+    });
   }
 
   #lightUp(): void {
@@ -98,7 +108,8 @@ export class Stage {
   }
 
   setPalette(palette: Palette): void {
-    this.renderer.setClearColor(palette.paper);
+    this.#paper = palette.paper;
+    this.renderer.setClearColor(this.#paper);
     this.#sky.color.set(palette.sky);
     this.#sky.groundColor.set(palette.ground);
     this.#ground.material.opacity = palette.shadow;
@@ -120,12 +131,29 @@ export class Stage {
     const towards = new Vector3(...DIRECTIONS[name]).normalize();
     this.camera.position.copy(centre).add(towards);
     this.camera.lookAt(centre);
+    this.#stepBack(points, centre, towards);
+  }
+
+  /** Moves the camera, without turning it, to where it just holds `points`. */
+  fit(points: Float32Array): void {
+    const centre = new Box3().setFromArray(points).getCenter(new Vector3());
+    const towards = this.camera.getWorldDirection(new Vector3()).negate();
+    this.#stepBack(points, centre, towards);
+  }
+
+  #stepBack(points: Float32Array, centre: Vector3, towards: Vector3): void {
     this.camera.updateMatrixWorld();
     const distance = fittingDistance(points, centre, this.camera);
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towards, distance);
     this.orbit.update();
     this.invalidate();
+  }
+
+  /** The ray through a place on screen, −1 … 1 to the right and upwards. */
+  rayThrough(x: number, y: number): Ray {
+    this.#caster.setFromCamera(new Vector2(x, y), this.camera);
+    return this.#caster.ray.clone();
   }
 
   /** Where the camera is and what it looks at. */

@@ -34,7 +34,8 @@ const isFatal = (error: unknown): boolean =>
   (error instanceof Refused && error.message === NO_MEMORY);
 
 function sentence(error: unknown): string {
-  if (error instanceof WebAssembly.RuntimeError)
+  // "OOM" is how the module's allocator ends.
+  if (error instanceof WebAssembly.RuntimeError && !error.message.includes("OOM"))
     return "The solver stopped unexpectedly. Your last finished design is back.";
   if (isFatal(error)) return `${NO_MEMORY} Your last finished design is back.`;
   return error instanceof Error ? error.message : String(error);

@@ -14,6 +14,7 @@ import {
   withoutHandle,
 } from "./design.ts";
 import * as steps from "./history.ts";
+import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { show, showPresent } from "./showing.ts";
 import { draft, hintVertex, history, mesh, notice, selected } from "./store.ts";
@@ -54,37 +55,15 @@ export async function commit(next: Design, ask: Question, label: string): Promis
   if (draft.value === next) draft.value = done;
 }
 
-const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
+export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
   commit({ ...next, variation: null }, editQuestion(next, mode), "computing");
 
 function changed(rows: readonly HandleRow[]): Design | null {
   return draft.value ? { ...draft.value, handles: rows } : null;
 }
 
-export function dragHandle(vertex: number, target: Point): void {
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned: false }));
-  if (!next) return;
-  hintVertex.value = null;
-  draft.value = next;
-  void frame(editQuestion(next, "drag"));
-}
-
-export async function endDrag(): Promise<void> {
-  client.dropStreams();
-  await inTurn(async () => {
-    if (draft.value && draft.value !== history.value?.present)
-      await commitEdit(draft.value, "release");
-  });
-}
-
-/** Escape during a drag. */
-export async function abandonDrag(): Promise<void> {
-  client.dropStreams();
-  await inTurn(showPresent);
-}
-
 /** One edit of the handles as they are when its turn comes. */
-const edit = (change: (rows: readonly HandleRow[]) => HandleRow[]): Promise<void> =>
+export const edit = (change: (rows: readonly HandleRow[]) => HandleRow[]): Promise<void> =>
   inTurn(async () => {
     const next = changed(change(draft.value?.handles ?? []));
     if (next) await commitEdit(next, "solve");
@@ -95,10 +74,15 @@ export async function setTarget(vertex: number, target: Point): Promise<void> {
   await edit((rows) => withHandle(rows, { vertex, target, pinned: false }));
 }
 
-export const setPinned = (vertex: number, pinned: boolean): Promise<void> =>
+/** Pins points to where the base has them, or lets them go. */
+export const setPinned = (vertices: readonly number[], pinned: boolean): Promise<void> =>
   edit((rows) => {
-    const target = handleOf(vertex)?.target ?? basePoint(vertex);
-    return withHandle(rows, { vertex, target, pinned });
+    let next = [...rows];
+    for (const vertex of vertices) {
+      const target = handleOf(vertex)?.target ?? basePoint(vertex);
+      next = withHandle(next, { vertex, target, pinned });
+    }
+    return next;
   });
 
 /** Adds the selected point, or a sensible one. */
@@ -111,7 +95,7 @@ export async function addHandle(): Promise<void> {
       ? selected.value
       : sensibleVertex(opened.display, opened.topology.boundary, taken);
   if (chosen === null) return;
-  selected.value = chosen;
+  selectOnly(chosen);
   await setTarget(chosen, shownPoint(chosen));
 }
 

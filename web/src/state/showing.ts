@@ -14,8 +14,8 @@ import {
   mesh,
   panelFigures,
   problem,
-  selected,
   selectedPanel,
+  selection,
 } from "./store.ts";
 import { dropTurns, inTurn } from "./turns.ts";
 
@@ -41,7 +41,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     displayMesh.value = opened;
     draft.value = design;
     figures.value = design.report;
-    selected.value = null;
+    selection.value = [];
     selectedPanel.value = null;
     panelFigures.value = null;
     hintVertex.value = null;

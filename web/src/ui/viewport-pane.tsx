@@ -5,10 +5,17 @@ import type { ViewName } from "../scene/stage.ts";
 import { Viewport } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
 import { figures, mesh, problem } from "../state/store.ts";
+import { DragTools } from "./drag-tools.tsx";
 import { Legend } from "./legend.tsx";
+import { PanelFigure } from "./panel-figure.tsx";
 import { ViewKeys } from "./view-keys.ts";
 
-const VIEWS: readonly ViewName[] = ["3D", "Top", "Front", "Side"];
+const VIEWS: readonly (readonly [ViewName, string])[] = [
+  ["Perspective", "1"],
+  ["Top", "2"],
+  ["Front", "3"],
+  ["Side", "4"],
+];
 
 function Summary() {
   const report = mesh.value?.report;
@@ -35,10 +42,19 @@ export function ViewportPane() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const markers = useRef<HTMLDivElement>(null);
   const hint = useRef<HTMLDivElement>(null);
+  const figure = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLDivElement>(null);
   const viewport = useRef<Viewport | null>(null);
   useEffect(() => {
-    if (!canvas.current || !markers.current || !hint.current) return;
-    const view = mount({ canvas: canvas.current, markers: markers.current, hint: hint.current });
+    if (!canvas.current || !markers.current || !hint.current || !figure.current || !box.current)
+      return;
+    const view = mount({
+      canvas: canvas.current,
+      markers: markers.current,
+      hint: hint.current,
+      figure: figure.current,
+      box: box.current,
+    });
     viewport.current = view;
     if (!view) return;
     const keys = new ViewKeys(canvas.current, view);
@@ -67,11 +83,24 @@ export function ViewportPane() {
       <div ref={hint} class="hint" hidden>
         <span>Drag this point. Every panel stays flat.</span>
       </div>
+      <div ref={figure} class="panel-figure" hidden>
+        <PanelFigure />
+      </div>
+      <div ref={box} class="selection-box" hidden />
+      <DragTools />
       <Legend />
       <fieldset class="views">
         <legend class="visually-hidden">Views</legend>
-        {VIEWS.map((name) => (
-          <button key={name} type="button" onClick={() => viewport.current?.view(name)}>
+        <button type="button" title="Fit (F)" onClick={() => viewport.current?.fit()}>
+          Fit
+        </button>
+        {VIEWS.map(([name, key]) => (
+          <button
+            key={name}
+            type="button"
+            title={`${name} (${key})`}
+            onClick={() => viewport.current?.view(name)}
+          >
             {name}
           </button>
         ))}
