@@ -2,7 +2,7 @@
 // Arrows and small planes at the chosen point. They only show where one can pull; the pointer
 // tool does the pulling, so that every drag is held and snapped in one way. They are fetched with
 // the first chosen point: the first drag does not wait for them.
-import { Matrix4, Object3D, Vector3 } from "three";
+import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
 import type { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Frame } from "../mesh/point-frame.ts";
 import type { Lock } from "../state/store.ts";
@@ -18,6 +18,21 @@ const PARTS: Readonly<Record<string, readonly [number, boolean]>> = {
   XZ: [1, true],
   XY: [2, true],
 };
+
+const AXIS_OF: Readonly<Record<string, number>> = { X: 0, Y: 1, Z: 2 };
+
+/** An arrow each way at every axis is more than a point needs. */
+function dropBackArrows(controls: TransformControls): void {
+  const back: Object3D[] = [];
+  controls.getHelper().traverse((part) => {
+    if (!(part instanceof Mesh) || !(part.name in AXIS_OF)) return;
+    const { geometry } = part as Mesh<BufferGeometry>;
+    geometry.computeBoundingBox();
+    const reach = geometry.boundingBox?.max.getComponent(AXIS_OF[part.name] ?? 0) ?? 0;
+    if (reach < 0.1) back.push(part);
+  });
+  for (const part of back) part.removeFromParent();
+}
 
 export class Gizmo {
   #controls: TransformControls | null = null;
@@ -41,6 +56,7 @@ export class Gizmo {
     controls.setSize(0.62);
     controls.setSpace("local");
     controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
+    dropBackArrows(controls);
     this.#stage.scene.add(controls.getHelper());
     this.#controls = controls;
     this.show(this.#lock);

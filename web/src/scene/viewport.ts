@@ -27,6 +27,7 @@ import {
   snapping,
 } from "../state/store.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
+import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
 import { neighbourTowards } from "./neighbour.ts";
 import { Overlay, type OverlayParts } from "./overlay.ts";
@@ -34,7 +35,7 @@ import { DARK, LIGHT, type Palette } from "./palette.ts";
 import { type Box, pickCorner, pickVertex, project, type View, verticesIn } from "./picking.ts";
 import { type Hold, PointerTool } from "./pointer.ts";
 import { Shell } from "./shell.ts";
-import { Stage, type ViewName } from "./stage.ts";
+import { Stage } from "./stage.ts";
 
 export interface ViewportParts extends OverlayParts {
   readonly canvas: HTMLCanvasElement;
@@ -47,6 +48,21 @@ const HOME = 10;
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 const palette = (): Palette => (dark.matches ? DARK : LIGHT);
+
+/** A window may move to a screen with other pixels. Returns how to stop watching. */
+function watchPixelRatio(changed: () => void): () => void {
+  const off = new AbortController();
+  const watch = (): void => {
+    const now = window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    const next = (): void => {
+      changed();
+      watch();
+    };
+    now.addEventListener("change", next, { once: true, signal: off.signal });
+  };
+  watch();
+  return () => off.abort();
+}
 
 export class Viewport {
   readonly stage: Stage;
@@ -70,7 +86,7 @@ export class Viewport {
   }
 
   view(name: ViewName): void {
-    if (this.#shell) this.stage.view(name, this.#shell.current);
+    if (this.#shell) this.stage.view(name, this.#shell.current, false);
   }
 
   /** Brings the whole design into view without turning the camera. */
@@ -231,6 +247,7 @@ export class Viewport {
     this.#stop.push(
       () => dark.removeEventListener("change", recolour),
       () => observer.disconnect(),
+      watchPixelRatio(() => this.#resize()),
       onChanges((changes) => this.#apply(changes)),
       effect(() => this.#build()),
       effect(() => {
@@ -274,7 +291,7 @@ export class Viewport {
     this.#overlay.setPanel(null);
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     this.#resize();
-    if (first || !same) this.view("Perspective");
+    if (first || !same) this.stage.view("Perspective", shown.display, true);
   }
 
   #apply(changes: Float32Array): void {

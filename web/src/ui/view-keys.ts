@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { ViewName } from "../scene/stage.ts";
+import type { ViewName } from "../scene/framing.ts";
 import type { Viewport } from "../scene/viewport.ts";
 import { toggleLock, togglePins } from "../state/dragging.ts";
 import { selectHandles } from "../state/selection.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useEffect, useRef } from "preact/hooks";
 import { providePicture } from "../export/exporting.ts";
-import type { ViewName } from "../scene/stage.ts";
+import type { ViewName } from "../scene/framing.ts";
 import { Viewport } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
 import { figures, mesh, problem } from "../state/store.ts";
@@ -25,6 +25,16 @@ function Summary() {
         ? `A structure of ${report.faces} flat panels and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
         : "The model is being prepared."}
     </p>
+  );
+}
+
+/** A word that gives way to a shorter one where there is little room. */
+function Shortened({ long, short }: { long: string; short: string }) {
+  return (
+    <>
+      <span class="long-word">{long}</span>
+      <span class="short-word">{short}</span>
+    </>
   );
 }
 
@@ -98,10 +108,11 @@ export function ViewportPane() {
           <button
             key={name}
             type="button"
+            aria-label={name}
             title={`${name} (${key})`}
             onClick={() => viewport.current?.view(name)}
           >
-            {name}
+            {name === "Perspective" ? <Shortened long={name} short="3D" /> : name}
           </button>
         ))}
       </fieldset>
