@@ -29,7 +29,10 @@ function toRecipe(design, camera) {
       smoothness: options.smoothness,
       fairness: options.fairness,
       engine: options.solver,
-      ...(options.sparsity === "l2" && { sparsity: "l2" }),
+      sparsity: options.sparsity,
+      hardHandles: options.hard,
+      tolerance: options.tolerance,
+      maxIterations: options.max_iterations,
     },
     variation: variation
       ? {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
 import { FIGURES, openFigure } from "../state/figures.ts";
-import { openFile, openSample } from "../state/opening.ts";
+import { openFile } from "../state/files.ts";
+import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
 import { canRedo, canUndo, history, ready } from "../state/store.ts";
 import { ExportMenu } from "./export-menu.tsx";
