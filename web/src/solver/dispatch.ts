@@ -152,18 +152,22 @@ export class Dispatcher {
     }
   }
 
+  #use(settings: EditSettings): void {
+    insist(this.#session.setOptions(toOptions(this.#module, settings)));
+    this.#settings = settings;
+  }
+
   #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
-    if (settings !== this.#settings) {
-      insist(this.#session.setOptions(toOptions(this.#module, settings)));
-      this.#settings = settings;
-    }
+    this.#use(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     insist(this.#session.edit(this.#module.EditMode[mode], handles, pins, budget));
     this.#postShown(job, mode !== "drag");
   }
 
-  #restore({ targets, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+  /** What follows, a family or a projection, belongs to the settings of the design. */
+  #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+    this.#use(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);

@@ -58,7 +58,14 @@ export type Request =
       budget: number;
     } // → shown
   /** `keep`: the design is one of the family that was found last, or its centre. */
-  | { kind: "restore"; job: number; targets: Targets; shape: Shape; keep: boolean } // → shown
+  | {
+      kind: "restore";
+      job: number;
+      targets: Targets;
+      settings: EditSettings;
+      shape: Shape;
+      keep: boolean;
+    } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
   | { kind: "exact"; job: number } // → shown
