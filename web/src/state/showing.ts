@@ -65,7 +65,7 @@ export async function show(design: Design): Promise<boolean> {
   const kept = problem.value;
   if (!(await openBase(design))) return false;
   draft.value = design;
-  const { shape, variation, settings } = design;
+  const { shape, settings, variation } = design;
   const targets = toTargets(design.handles);
   const keep = variation !== null && variation.centre === held.centre;
   const restore = { kind: "restore", targets, settings, shape, keep } as const;
