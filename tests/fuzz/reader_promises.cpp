@@ -66,7 +66,15 @@ void check_round_trip(const Mesh& mesh, MeshFormat format) {
   if (format == MeshFormat::kGlb) require(same_groups(mesh, file->mesh), "GLB keeps the groups");
 }
 
-void check_mesh_file(const MeshFile& file) {
+/// Writing four files costs several times what reading one does, so every eighth input pays it. By
+/// the bytes alone: a finding stays one when it is run again.
+bool is_sampled(std::string_view bytes) {
+  std::uint32_t hash = 2166136261u;  // FNV-1a
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return (hash >> 16) % 8 == 0;
+}
+
+void check_mesh_file(const MeshFile& file, bool round_trip) {
   const Mesh& mesh = file.mesh;
   require(mesh.positions.allFinite(), "coordinates are finite");
   check_groups(mesh);
@@ -74,6 +82,7 @@ void check_mesh_file(const MeshFile& file) {
   const auto* same = std::get_if<MeshFile>(&checked);
   require(same != nullptr, "an accepted mesh passes check_mesh() again");
   require(same_geometry(mesh, same->mesh), "check_mesh() changes nothing");
+  if (!round_trip) return;
   for (const MeshFormat format :
        {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly, MeshFormat::kGlb}) {
     check_round_trip(mesh, format);
@@ -98,7 +107,7 @@ void check_reader(std::string_view bytes, MeshFormat format, MemoryBound bound) 
   }
   check_memory(peak, bytes.size(), bound);
   if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(*error);
-  check_mesh_file(std::get<MeshFile>(result));
+  check_mesh_file(std::get<MeshFile>(result), is_sampled(bytes));
 }
 
 void check_design(std::string_view bytes, MemoryBound bound) {
@@ -112,13 +121,15 @@ void check_design(std::string_view bytes, MemoryBound bound) {
   check_memory(peak, bytes.size(), bound);
   if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(*error);
   const auto& glb = std::get<GlbFile>(result);
-  check_mesh_file(glb.file);
+  const bool round_trip = is_sampled(bytes);
+  check_mesh_file(glb.file, round_trip);
   if (glb.base) {
     Mesh base = glb.file.mesh;
     base.positions = *glb.base;
     require(std::holds_alternative<MeshFile>(check_mesh(std::move(base))),
             "a stored base is a mesh too");
   }
+  if (!round_trip) return;
   const std::string text = write_glb(glb.file.mesh, {.base = glb.base, .design = glb.design});
   const auto again = read_glb_design(text);
   const auto* same = std::get_if<GlbFile>(&again);
