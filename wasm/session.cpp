@@ -99,8 +99,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   warnings_ = std::move(warnings);
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
-  base_worst_ = {.gap = planarity.max_gap, .mm_per_m = planarity.max};
-  base_rounding_ = attainable_tolerance(base_, 0.0);
+  base_worst_ = worst_of(planarity);
   const Eigen::Vector3d low = base_.positions.rowwise().minCoeff();
   const Eigen::Vector3d high = base_.positions.rowwise().maxCoeff();
   centre_ = 0.5 * (low + high);
@@ -115,7 +114,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
 
 Refusal Session::require_flat_base() const {
   if (base_.vertex_count() == 0) return "Open a mesh first.";
-  if (base_worst_.mm_per_m <= tolerance()) return std::nullopt;
+  if (is_base_flat()) return std::nullopt;
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
@@ -167,7 +166,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel().mm_per_m > tolerance()) return "Make the design exact first.";
+  if (worst_panel().excess > options_.tolerance) return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -230,18 +229,22 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
 
 Session::Worst Session::worst_panel() const {
   Worst worst = base_worst_;
-  if (base_worst_.mm_per_m > tolerance() && !moved_.empty()) {
-    const PlanaritySummary all = planarity_summary(base_, current_);
-    return {.gap = all.max_gap, .mm_per_m = all.max};
+  if (!is_base_flat() && !moved_.empty()) {
+    return worst_of(planarity_summary(base_, current_));
   }
   for (const int v : moved_) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(current_, base_.face(f));
       worst.gap = std::max(worst.gap, face.gap);
       worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      worst.excess = std::max(worst.excess, face.excess);
     }
   }
   return worst;
+}
+
+Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
+  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move() const {
@@ -290,7 +293,7 @@ std::string Session::mesh_report() const {
               {"degreesOfFreedom", degrees_of_freedom(base_)},
               {"worstGap", base_worst_.gap},
               {"worstMmPerM", base_worst_.mm_per_m},
-              {"flat", base_worst_.mm_per_m <= tolerance()},
+              {"flat", is_base_flat()},
               {"centre", {centre_.x(), centre_.y(), centre_.z()}},
               {"scale", scale_},
               {"warnings", warnings_}}

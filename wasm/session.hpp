@@ -13,6 +13,7 @@
 
 #include "planish/adjacency.hpp"
 #include "planish/handle_edit.hpp"
+#include "planish/metrics.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
 
@@ -77,15 +78,15 @@ class Session {
 
  private:
   struct Worst {
-    double gap = 0.0, mm_per_m = 0.0;
+    double gap = 0.0, mm_per_m = 0.0, excess = 0.0;  ///< see FacePlanarity
   };
 
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Worst worst_panel() const;
-  /// mm/m, as far as the base's coordinates can hold it.
-  [[nodiscard]] double tolerance() const { return std::max(options_.tolerance, base_rounding_); }
+  [[nodiscard]] static Worst worst_of(const PlanaritySummary& planarity);
+  [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
   [[nodiscard]] double largest_move() const;
   [[nodiscard]] Mesh shown_mesh() const;
   void write_report(const SolveReport& solve, double seconds);
@@ -94,7 +95,6 @@ class Session {
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
   Worst base_worst_;
-  double base_rounding_ = 0.0;  ///< mm/m, see attainable_tolerance()
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double scale_ = 1.0;
 

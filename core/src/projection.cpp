@@ -24,7 +24,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 std::vector<int> failing_faces(const Mesh& mesh, const Positions& positions, double tolerance) {
   std::vector<std::pair<double, int>> found;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const double gap = face_planarity(positions, mesh.face(f)).mm_per_m;
+    const double gap = face_planarity(positions, mesh.face(f)).excess;
     if (!(gap <= tolerance)) found.emplace_back(-gap, f);
   }
   std::sort(found.begin(), found.end());
@@ -234,9 +234,9 @@ ProjectionResult attempt(Mesh& current, std::vector<int>& remaining, Attempt kin
   return result;
 }
 
-ProjectionResult project(const Mesh& mesh, const Positions* reference, ProjectionOptions options,
-                         const std::vector<int>& pins, const Progress& progress) {
-  options.tolerance = attainable_tolerance(mesh, options.tolerance);
+ProjectionResult project(const Mesh& mesh, const Positions* reference,
+                         const ProjectionOptions& options, const std::vector<int>& pins,
+                         const Progress& progress) {
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
   const std::vector<int> failing = failing_faces(mesh, mesh.positions, options.tolerance);
