@@ -12,7 +12,6 @@
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/working_set_newton.hpp"
-#include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
 

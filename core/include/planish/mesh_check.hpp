@@ -10,9 +10,6 @@
 
 namespace planish {
 
-/// Squares and products of four coordinates must stay finite.
-inline constexpr double kLargestCoordinate = 1e100;
-
 /// The lines, from 1, on which a reader found the elements; empty where a format has no lines.
 struct SourceLines {
   std::vector<int> vertices;  ///< one a vertex, or empty

@@ -27,7 +27,8 @@ class ExactFinish {
   explicit ExactFinish(const MeshModel& model);
 
   /// Corrects `field` on `support` with the handles held, then free, then on a wider support, until
-  /// the excess of every touched panel is within `tolerance` (mm/m); the best attempt is returned in any case.
+  /// the excess of every touched panel is within `tolerance` (mm/m); the best attempt is returned
+  /// in any case.
   [[nodiscard]] ExactDesign finish(const EditProblem& problem, std::span<const int> support,
                                    const DisplacementField& field, double tolerance);
 
