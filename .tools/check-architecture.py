@@ -36,7 +36,9 @@ ARROWS = {
     "handle_edit": ENGINES,
     "subspace": ENGINES,
     "projection": ENGINES,
-    "design": ENGINES | {"handle_edit", "subspace", "projection"},
+    "design": ENGINES | {"handle_edit", "subspace", "projection", "shapes", "io", "read_result"},
+    "design_text": ENGINES | {"handle_edit", "subspace", "projection", "design", "io", "read_result"},
+    "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
     "wasm": None,
 }
@@ -49,11 +51,17 @@ FILE_GROUPS = {
     "edge_table": "topology",
     "disjoint_sets": "topology",
     "base_planarity": "metrics",
+    "crc32": "design",
+    "design_text_read": "design_text",
+    "design_text_write": "design_text",
+    "design_words": "design_text",
     "io/read_result": "read_result",
     "io/sentence": "read_result",
     "io/number": "read_result",
+    "held_boundary": "comparison",
+    "tangent_space": "comparison",
 }
-DIRECTORY_GROUPS = ("constraints", "engines", "io", "shapes", "cli")
+DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "io", "shapes", "cli")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {
@@ -94,7 +102,10 @@ def group_of_file(path):
     for prefix in ("core/include/planish/", "core/src/"):
         if relative.startswith(prefix):
             return group_of(relative[len(prefix):])
-    return "cli" if relative.startswith("core/cli/") else "wasm"
+    for folder in ("cli", "comparison"):
+        if relative.startswith(f"core/{folder}/"):
+            return folder
+    return "wasm"
 
 
 def check_includes():
@@ -122,7 +133,7 @@ def check_cycles():
     known = {}
     for path in sources("core"):
         relative = path.relative_to(ROOT).as_posix()
-        known[re.sub(r"^core/(include|src|cli)/", "", relative)] = relative
+        known[re.sub(r"^core/(comparison/)?(include|src|cli)/", "", relative)] = relative
     for name, relative in known.items():
         text = (ROOT / relative).read_text(encoding="utf-8")
         graph[name] = [t for t in re.findall(r'#\s*include\s*"([^"]+)"', text) if t in known]
@@ -143,7 +154,7 @@ def check_cycles():
 
 
 def check_core_rules():
-    for path in sources("core/include", "core/src"):
+    for path in sources("core/include", "core/src", "core/comparison"):
         where = path.relative_to(ROOT)
         text = strip_comments(path.read_text(encoding="utf-8"))
         for number, line in enumerate(text.splitlines(), 1):

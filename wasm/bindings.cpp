@@ -92,11 +92,15 @@ std::string restore(Session& s, const val& handles, const val& pins, const val& 
 std::string explore(Session& s, const SubspaceOptions& options) {
   return attempt([&] { return s.explore(options); });
 }
+Eigen::VectorXd to_vector(const val& numbers) {
+  const auto x = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
 std::string vary(Session& s, const val& coefficients) {
-  return attempt([&] {
-    const auto x = emscripten::convertJSArrayToNumberVector<double>(coefficients);
-    return s.vary(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-  });
+  return attempt([&] { return s.vary(to_vector(coefficients)); });
+}
+std::string project_variation(Session& s, const val& coefficients) {
+  return attempt([&] { return s.project_variation(to_vector(coefficients)); });
 }
 std::string make_exact(Session& s) {
   return attempt([&] { return s.make_exact(); });
@@ -120,6 +124,8 @@ val display_base(const Session& s) { return copy(s.display_base()); }
 val take_changes(Session& s) { return copy(s.take_changes()); }
 val moved(const Session& s) { return copy(s.moved()); }
 val moved_positions(const Session& s) { return copy(s.moved_positions()); }
+val projected_moved(const Session& s) { return copy(s.projected().moved); }
+val projected_positions(const Session& s) { return copy(s.projected().positions); }
 val panel_figures(const Session& s) { return copy(s.panel_figures()); }
 std::string mesh_report(const Session& s) { return s.mesh_report(); }
 std::string report(const Session& s) { return s.report(); }
@@ -152,6 +158,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("restore", &restore)
       .function("explore", &explore)
       .function("vary", &vary)
+      .function("projectVariation", &project_variation)
       .function("makeExact", &make_exact)
       .function("onProgress", &on_progress)
       .function("write", &write)
@@ -162,6 +169,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("takeChanges", &take_changes)
       .function("moved", &moved)
       .function("movedPositions", &moved_positions)
+      .function("projectedMoved", &projected_moved)
+      .function("projectedPositions", &projected_positions)
       .function("panelFigures", &panel_figures)
       .function("meshReport", &mesh_report)
       .function("report", &report);

@@ -46,6 +46,8 @@ export interface Session {
   ): string;
   explore(options: SubspaceOptions): string;
   vary(coefficients: Float64Array): string;
+  /** Leaves the design as it is; the result is in projectedMoved() and projectedPositions(). */
+  projectVariation(coefficients: Float64Array): string;
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
@@ -57,6 +59,8 @@ export interface Session {
   takeChanges(): Float32Array;
   moved(): Int32Array;
   movedPositions(): Float64Array;
+  projectedMoved(): Int32Array;
+  projectedPositions(): Float64Array;
   panelFigures(): Float32Array;
   meshReport(): string;
   report(): string;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/projection.hpp"
@@ -27,6 +28,12 @@ enum class EditMode {
   kDrag,     ///< within a time budget, may follow the path of the pointer
   kRelease,  ///< the drag's end: depends on the targets alone
   kSolve,    ///< from nothing, for typed targets and links
+};
+
+/// Where a design differs from its base.
+struct Shape {
+  std::vector<int> moved;  ///< ascending
+  Positions positions;     ///< 3 × |moved|, model units
 };
 
 class Session {
@@ -51,6 +58,9 @@ class Session {
   // Exploring: variations around the design shown.
   [[nodiscard]] Refusal explore(const SubspaceOptions& options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
+  /// The exact shape of a variation, kept in projected(); the design shown stays as it is. The same
+  /// bits as vary() and make_exact().
+  [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients);
   /// The nearest flat design to what is shown.
   [[nodiscard]] Refusal make_exact();
 
@@ -60,6 +70,8 @@ class Session {
   [[nodiscard]] const std::vector<int>& moved() const { return moved_; }
   /// 3 × |moved|, model units.
   [[nodiscard]] Positions moved_positions() const;
+  /// What project_variation() found.
+  [[nodiscard]] const Shape& projected() const { return projected_; }
   /// JSON about the base mesh: counts, planarity, warnings.
   [[nodiscard]] std::string mesh_report() const;
   /// JSON about the last operation that changed the design.
@@ -84,6 +96,11 @@ class Session {
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   void show(const std::vector<int>& moved, const Positions& positions);
+  [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
+  void prepare_variation();
+  /// `positions` projected; a sentence if that fails, with both left as they are.
+  [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
+  [[nodiscard]] Shape shape_of(const Positions& positions) const;
   [[nodiscard]] Worst worst_panel() const;
   [[nodiscard]] static Worst worst_of(const PlanaritySummary& planarity);
   [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
@@ -105,7 +122,10 @@ class Session {
   std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
   std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
   std::optional<Subspace> subspace_;
-  Positions varied_;  ///< 3 × |subspace support|
+  Positions varied_;                       ///< 3 × |subspace support|
+  Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
+  std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
+  Shape projected_;
   std::string report_ = "{}";
   Progress progress_;
 };

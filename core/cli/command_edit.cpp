@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "design_output.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
 
@@ -11,11 +12,14 @@ ExitCode run(const Arguments& arguments) {
   if (output) check_output_name(*output);
   const HandleEditOptions options = edit_options(arguments);
   const EditRun run = run_edit_solver(arguments, options);
+  const Design design = make_design(run, options, {}, run.edited);
+  save_design(arguments, design);
   if (output) {
     Mesh result = run.base.mesh;
     result.positions = run.edited;
     GlbContent content;
     content.base = run.base.mesh.positions;
+    content.design = design_for_glb(design);
     save_mesh(*output, result, content);
   }
   save_report(arguments, edit_json(run, run.edited, options.engine));
@@ -26,8 +30,8 @@ ExitCode run(const Arguments& arguments) {
 
 Command edit_command() {
   std::vector<OptionRow> rows = edit_option_rows();
-  rows.insert(rows.end(), {kOutputRow, kReportRow});
-  return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json]",
+  rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
+  return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json] [--design D.json]",
           "move a few vertices; panels stay flat, the rest stays put", rows, run};
 }
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "design_output.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
 #include "planish/projection.hpp"
@@ -51,29 +52,13 @@ Positions with_sliders(const Positions& edited, const Subspace& subspace,
   return result;
 }
 
-/// One morph target a vector, at slider value 1.
-GlbVariations variations_of(const Subspace& subspace) {
-  GlbVariations variations;
-  variations.support = subspace.support;
-  const auto count = static_cast<Eigen::Index>(subspace.support.size());
-  for (Eigen::Index k = 0; k < subspace.basis.cols(); ++k) {
-    const Eigen::VectorXd column = subspace.scale[k] * subspace.basis.col(k);
-    variations.displacements.emplace_back(Eigen::Map<const Positions>(column.data(), 3, count));
-  }
-  return variations;
-}
-
 /// The exact mesh next to `explored`, unmoved vertices of the base staying where they are.
 ProjectionResult make_exact(const EditRun& run, const Positions& explored,
                             const HandleEditOptions& edit) {
   Mesh mesh = run.base.mesh;
   mesh.positions = explored;
-  ProjectionOptions options;
-  options.fairness = edit.fairness;
-  options.engine = edit.engine;
-  options.tolerance = edit.tolerance;
-  ProjectionResult result =
-      project_to_planar(mesh, run.base.mesh.positions, options, run.targets.pins, progress_line());
+  ProjectionResult result = project_to_planar(mesh, run.base.mesh.positions, exact_options(edit),
+                                              run.targets.pins, progress_line());
   clear_progress_line();
   return result;
 }
@@ -109,9 +94,14 @@ ExitCode run(const Arguments& arguments) {
              {"max_move", projection.max_move}};
     if (code == kDone) code = exit_code(projection.report);
   }
+  const DesignVariation variation{
+      basis_options, {values.begin(), values.end()}, arguments.has("--exact")};
+  const Design design = make_design(run, options, {variation}, result.positions);
+  save_design(arguments, design);
   if (output) {
     GlbContent content;
     content.base = run.base.mesh.positions;
+    content.design = design_for_glb(design);
     content.variations = variations_of(subspace);
     save_mesh(*output, result, content);
   }
@@ -131,8 +121,11 @@ Command explore_command() {
                            {"--exact", "", "make every panel flat again before writing"},
                            {"--eigen", "", "order the variations from smooth to stiff"},
                            kOutputRow,
-                           kReportRow});
-  return {"explore", "MESH <edit options> --dimension S [options] [-o OUT] [--report R.json]",
+                           kReportRow,
+                           kDesignRow});
+  return {"explore",
+          "MESH <edit options> --dimension S [options] [-o OUT] [--report R.json]\n"
+          "      [--design D.json]",
           "an edit with a family of local variations around it", rows, run};
 }
 

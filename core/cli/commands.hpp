@@ -21,12 +21,17 @@ struct Command {
 [[nodiscard]] Command edit_command();
 [[nodiscard]] Command explore_command();
 [[nodiscard]] Command project_command();
+[[nodiscard]] Command replay_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command sample_command();
+[[nodiscard]] Command compare_command();
 
 /// Rows that several commands share.
 inline constexpr OptionRow kOutputRow = {"-o", "OUT",
                                          "where the mesh goes (.obj .off .ply .glb, -)"};
 inline constexpr OptionRow kReportRow = {"--report", "R.json", "where the JSON report goes (or -)"};
+
+inline constexpr OptionRow kDesignRow = {"--design", "D.json",
+                                         "where the design goes: base, recipe, mark of the result"};
 
 }  // namespace planish::cli

@@ -57,14 +57,6 @@ Handle parse_handle(std::string_view text, const Mesh& base) {
   return handle;
 }
 
-ProjectionOptions projection_options(const HandleEditOptions& options) {
-  ProjectionOptions projection;
-  projection.fairness = options.fairness;
-  projection.engine = options.engine;
-  projection.tolerance = options.tolerance;
-  return projection;
-}
-
 }  // namespace
 
 std::vector<OptionRow> edit_option_rows() {
@@ -136,7 +128,7 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
 FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
   FlatBase base{mesh, std::nullopt};
   if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
-  base.planarised = project_to_planar(mesh, projection_options(options), {}, progress_line());
+  base.planarised = project_to_planar(mesh, {}, {}, progress_line());
   clear_progress_line();
   for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
     base.mesh.positions.col(base.planarised->moved[k]) =
@@ -147,7 +139,9 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
 
 EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
   EditRun run;
-  run.given = load_mesh(arguments.only_positional("MESH")).mesh;
+  LoadedSource loaded = load_source(arguments.only_positional("MESH"));
+  run.given = std::move(loaded.mesh);
+  run.source = std::move(loaded.source);
   // Wrong targets must not cost a projection first; the vertices are the same after it.
   static_cast<void>(edit_targets(arguments, run.given));
   run.base = flat_base(run.given, options);

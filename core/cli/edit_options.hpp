@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
 #include "planish/projection.hpp"
@@ -33,12 +34,14 @@ struct FlatBase {
   std::optional<ProjectionResult> planarised;  ///< set if the file's mesh was not flat
 };
 
-/// `mesh` itself if it is flat to the tolerance, else its projection.
+/// `mesh` itself if it is flat to the tolerance, else its nearest flat mesh, whatever the edit's
+/// engine: a base is the same for every edit of it.
 [[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options);
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
   Mesh given;  ///< as in the file
+  DesignSource source;
   FlatBase base;
   EditTargets targets;
   Positions edited;  ///< 3 × n

@@ -8,10 +8,13 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "arguments.hpp"
 #include "planish/io/mesh_format.hpp"
+#include "planish/shapes.hpp"
 
 namespace planish::cli {
 namespace {
@@ -26,7 +29,50 @@ MeshFormat format_of(const std::string& path) {
   throw CommandError(kWrongUsage, path + ": the extension must be .obj, .off, .ply or .glb");
 }
 
-std::string read_bytes(const std::string& path) {
+constexpr std::string_view kSamplePrefix = "sample:";
+
+/// "sample:vault:32"; nullopt for any other path.
+std::optional<SampleSource> sample_in(const std::string& path) {
+  if (path.rfind(kSamplePrefix, 0) != 0) return std::nullopt;
+  const std::size_t colon = path.rfind(':');
+  if (colon < kSamplePrefix.size()) {
+    throw CommandError(kWrongUsage, path + ": a sample is written sample:NAME:SIZE");
+  }
+  return SampleSource{path.substr(kSamplePrefix.size(), colon - kSamplePrefix.size()),
+                      parse_whole(path.substr(colon + 1), "the size of the sample")};
+}
+
+MeshFile make_sample_file(const SampleSource& sample) {
+  if (auto mesh = make_sample(sample.name, sample.size)) return {std::move(*mesh), {}};
+  throw CommandError(kWrongUsage, "there is no sample \"" + sample.name + "\" of size " +
+                                      std::to_string(sample.size));
+}
+
+MeshFile read_file(const std::string& path, std::string_view bytes) {
+  ReadResult result = read_mesh(bytes, format_of(path));
+  if (const auto* error = std::get_if<ReadError>(&result)) {
+    throw CommandError(kInvalidMesh, shown_name(path) + ": " + error->message);
+  }
+  auto& file = std::get<MeshFile>(result);
+  for (const std::string& warning : file.warnings) {
+    print_message(shown_name(path) + ": warning: " + warning);
+  }
+  return std::move(file);
+}
+
+/// A GLB may hold a design of its own, so what was read from it is kept as OBJ.
+FileSource file_source(const std::string& path, const Mesh& mesh, std::string bytes) {
+  const MeshFormat format = format_of(path);
+  FileSource source;
+  source.name = path == "-" ? "mesh.obj" : fs::path(path).filename().string();
+  source.format = format == MeshFormat::kPly ? "ply" : format == MeshFormat::kOff ? "off" : "obj";
+  source.bytes = format == MeshFormat::kGlb ? write_mesh(mesh, MeshFormat::kObj) : std::move(bytes);
+  return source;
+}
+
+}  // namespace
+
+std::string load_bytes(const std::string& path) {
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   std::error_code error;
   if (fs::is_directory(path, error)) throw CommandError(kInvalidMesh, path + ": is a directory");
@@ -36,6 +82,8 @@ std::string read_bytes(const std::string& path) {
   if (file.bad()) throw CommandError(kInvalidMesh, path + ": cannot be read");
   return bytes;
 }
+
+namespace {
 
 /// True if all bytes reached the file.
 bool write_directly(const fs::path& path, std::string_view bytes) {
@@ -72,16 +120,18 @@ void print_message(const std::string& message) {
 }
 
 MeshFile load_mesh(const std::string& path) {
-  const MeshFormat format = format_of(path);
-  ReadResult result = read_mesh(read_bytes(path), format);
-  if (const auto* error = std::get_if<ReadError>(&result)) {
-    throw CommandError(kInvalidMesh, shown_name(path) + ": " + error->message);
-  }
-  auto& file = std::get<MeshFile>(result);
-  for (const std::string& warning : file.warnings) {
-    print_message(shown_name(path) + ": warning: " + warning);
-  }
-  return std::move(file);
+  if (const auto sample = sample_in(path)) return make_sample_file(*sample);
+  static_cast<void>(format_of(path));
+  return read_file(path, load_bytes(path));
+}
+
+LoadedSource load_source(const std::string& path) {
+  if (const auto sample = sample_in(path)) return {make_sample_file(*sample).mesh, *sample};
+  static_cast<void>(format_of(path));
+  std::string bytes = load_bytes(path);
+  Mesh mesh = read_file(path, bytes).mesh;
+  FileSource source = file_source(path, mesh, std::move(bytes));
+  return {std::move(mesh), std::move(source)};
 }
 
 void check_output_name(const std::string& path) { static_cast<void>(format_of(path)); }

@@ -5,14 +5,28 @@
 #include <string>
 #include <string_view>
 
+#include "planish/design.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/io/read_result.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish::cli {
 
-/// The mesh in `path`, checked. Warnings go to standard error. Throws CommandError.
+/// The mesh in `path`, or the sample that "sample:NAME:SIZE" names, checked. Warnings go to
+/// standard error. Throws CommandError.
 [[nodiscard]] MeshFile load_mesh(const std::string& path);
+
+/// A mesh together with what a design must keep to find it again.
+struct LoadedSource {
+  Mesh mesh;
+  DesignSource source;
+};
+
+/// The same, for a design. The hash of a FileSource is left to whoever knows the flat base.
+[[nodiscard]] LoadedSource load_source(const std::string& path);
+
+/// The bytes of `path`. Throws CommandError.
+[[nodiscard]] std::string load_bytes(const std::string& path);
 
 /// Throws CommandError unless `path` is "-" or has the extension of a mesh format. Commands call
 /// it before the work, so that a typing error does not cost a solve.

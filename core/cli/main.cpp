@@ -14,8 +14,8 @@ namespace planish::cli {
 namespace {
 
 std::vector<Command> all_commands() {
-  return {info_command(),    edit_command(),    explore_command(),
-          project_command(), convert_command(), sample_command()};
+  return {info_command(),   edit_command(),    explore_command(), project_command(),
+          replay_command(), convert_command(), sample_command(),  compare_command()};
 }
 
 void print_overview() {
@@ -24,7 +24,8 @@ void print_overview() {
     std::cout << "  planish " << command.name << ' ' << command.usage << "\n      "
               << command.summary << '\n';
   }
-  std::cout << "\nMeshes: .obj .off .ply .glb by extension; - is standard input or output (OBJ).\n"
+  std::cout << "\nMeshes: .obj .off .ply .glb by extension; - is standard input or output (OBJ);\n"
+               "sample:NAME:SIZE is a sample.\n"
                "Vertices count from 0. Exit: 0 done, 2 wrong usage, 3 unreadable or invalid mesh,\n"
                "4 finished without meeting the tolerance. Options: planish COMMAND --help\n";
 }

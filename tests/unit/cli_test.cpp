@@ -77,6 +77,36 @@ TEST_F(Cli, ConvertsThroughEveryFormatToTheSameBits) {
   EXPECT_TRUE(testing::same_bits(load("a.obj"), *make_sample("trihex", 9)));
 }
 
+TEST_F(Cli, ADesignIsReplayedFromJsonAndFromGlb) {
+  ASSERT_EQ(run("sample vault --size 13 -o v.obj"), 0);
+  const std::string explore =
+      " --handle 84+=0,0,0.6 --dimension 2 --coefficients 0.4,0.1 --eigen --exact --locality 0.7";
+  for (const std::string mesh : {"v.obj", "sample:vault:13"}) {
+    ASSERT_EQ(run("explore " + mesh + explore + " --design d.json -o d.glb"), 0) << err();
+    ASSERT_EQ(run("replay d.json -o again.obj --report r.json"), 0) << err();
+    EXPECT_TRUE(nlohmann::json::parse(contents(directory_ / "r.json"))["verified"].get<bool>());
+    EXPECT_TRUE(testing::same_bits(load("again.obj").positions, load("d.glb").positions));
+    ASSERT_EQ(run("replay d.glb"), 0) << err();
+  }
+}
+
+TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
+  ASSERT_EQ(run("edit sample:vault:13 --handle 84+=0,0,0.6 --design d.json"), 0);
+  auto design = nlohmann::json::parse(contents(directory_ / "d.json"));
+  design["options"]["smoothness"] = 2.5;
+  save("e.json", design.dump());
+  EXPECT_EQ(run("replay e.json --report r.json --design f.json"), 4);
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_FALSE(report["verified"].get<bool>());
+  EXPECT_GT(report["deviation"].get<double>(), 0.0);
+  EXPECT_EQ(run("replay f.json"), 0);  // recorded anew
+  save("g.json", "{\"format\":\"planish-design\",\"version\":9}");
+  EXPECT_EQ(run("replay g.json"), 3);
+  EXPECT_NE(err().find("version 9"), std::string::npos);
+  ASSERT_EQ(run("convert d.json -o x.obj"), 2);
+  EXPECT_EQ(run("edit sample:castle:9 --handle 0=0,0,0"), 2);
+}
+
 TEST_F(Cli, InfoPrintsJson) {
   ASSERT_EQ(run("sample vault --size 5 -o a.obj"), 0);
   ASSERT_EQ(run("info a.obj"), 0) << err();
@@ -189,6 +219,19 @@ TEST_F(Cli, EveryCommandHasHelp) {
     EXPECT_EQ(run(std::string(name) + " --help"), 0);
     EXPECT_NE(out().find(name), std::string::npos);
   }
+}
+
+TEST_F(Cli, ComparesMethodsByOneYardstick) {
+  ASSERT_EQ(run("sample dome --size 12 -o dome.obj"), 0);
+  for (const std::string method : {"newton", "alm", "admm", "hof10", "hk12", "shapeup", "yypm11"}) {
+    ASSERT_EQ(run("compare " + method + " dome.obj --handle 78+=0,0,0.3 --report r.json"), 0);
+    const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+    EXPECT_EQ(report.at("method"), method);
+    EXPECT_GT(report.at("moved_vertices"), 0) << method;
+    EXPECT_LT(report.at("handle_error"), 0.1) << method;
+  }
+  EXPECT_EQ(run("compare magic dome.obj --handle 78+=0,0,0.3"), 2);
+  EXPECT_NE(err().find("magic"), std::string::npos);
 }
 
 }  // namespace

@@ -115,5 +115,32 @@ TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {
 
 TEST(Session, UnknownFormatsAreNotWritten) { EXPECT_EQ(open_vault().write("dwg"), std::nullopt); }
 
+TEST(Session, AProjectedVariationIsTheExactOneAndChangesNothing) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  ASSERT_NE(session.project_variation(Eigen::VectorXd::Zero(2)), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const Positions before = session.current();
+  const Eigen::Vector2d coefficients(0.6, -0.4);
+  ASSERT_EQ(session.project_variation(coefficients), std::nullopt);
+  EXPECT_EQ(session.current(), before);
+  const std::vector<int> moved = session.projected().moved;
+  const Positions positions = session.projected().positions;
+  ASSERT_EQ(session.vary(coefficients), std::nullopt);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_EQ(session.moved(), moved);
+  EXPECT_EQ(session.moved_positions(), positions);
+  EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(3)), std::nullopt);
+}
+
+TEST(Session, AVariationKeepsThePartsOfTheEditThatNoVectorMoves) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 1, .reach = 0}), std::nullopt);
+  const Positions edited = session.current();
+  ASSERT_EQ(session.vary(Eigen::VectorXd::Zero(1)), std::nullopt);
+  EXPECT_EQ(session.current(), edited);
+}
+
 }  // namespace
 }  // namespace planish

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
+import { buildTopology, row } from "../../web/src/mesh/topology.ts";
 import { sensibleVertex } from "../../web/src/state/sensible-vertex.ts";
-import { buildTopology, row } from "../../web/src/state/topology.ts";
 
 /** Two quads side by side: 0-1-2 above 3-4-5. */
 const offsets = Int32Array.of(0, 4, 8);

@@ -6,6 +6,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "io/json_depth.hpp"
 #include "io/text_lines.hpp"
 
 namespace planish {
@@ -37,25 +38,6 @@ std::string refuse_container(std::string_view bytes) {
     if (second + kChunkHeader + binary > length) return "the GLB file ends in its binary data";
   }
   return "";
-}
-
-bool is_too_deep(std::string_view json) {
-  constexpr int kDeepest = 64;
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t k = 0; k < json.size(); ++k) {
-    const char c = json[k];
-    if (in_string) {
-      if (c == '\\') ++k;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') --depth;
-    if (depth > kDeepest) return true;
-  }
-  return false;
 }
 
 /// Several buffers would each copy the binary chunk; other files cannot be reached.
@@ -114,7 +96,8 @@ std::variant<tinygltf::Model, std::string> load_glb_model(std::string_view bytes
   if (std::optional<std::string> refusal = refuse_size(bytes)) return *refusal;
   if (std::string problem = refuse_container(bytes); !problem.empty()) return problem;
   const std::string_view json = bytes.substr(kHeader + kChunkHeader, word_at(bytes, kHeader));
-  if (is_too_deep(json)) return "the GLB file's JSON is nested too deeply";
+  constexpr int kDeepest = 64;
+  if (is_json_deeper_than(json, kDeepest)) return "the GLB file's JSON is nested too deeply";
   std::string file;
   {
     const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);

@@ -6,16 +6,17 @@ import "../ui/layout.css";
 import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
+import { prepareDisplay } from "../mesh/display-mesh.ts";
 import { keepPanelFigures } from "../state/analysis.ts";
 import { displayMesh } from "../state/store.ts";
 import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
 
-displayMesh.value = {
+displayMesh.value = prepareDisplay({
   display: Float32Array.from(firstMesh.positions),
   offsets: Int32Array.from(firstMesh.offsets),
   vertices: Int32Array.from(firstMesh.vertices),
-};
+});
 const root = document.getElementById("app");
 if (root) render(<App />, root);
 keepPanelFigures();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { row } from "../state/topology.ts";
+import { row } from "../mesh/topology.ts";
 import { project, type View } from "./picking.ts";
 import type { Shell } from "./shell.ts";
 

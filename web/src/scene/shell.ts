@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structure on screen: panels, their edges, and a ghost of where it was.
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -11,27 +12,18 @@ import {
   Mesh,
   MeshStandardMaterial,
 } from "three";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { ColourBy, DisplayMesh } from "../state/store.ts";
-import { buildTopology, row, type Topology } from "../state/topology.ts";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import { row, type Topology } from "../mesh/topology.ts";
+import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.ts";
+import type { ColourBy } from "../state/store.ts";
+import { DirtyRange } from "./dirty-range.ts";
+import { type EdgeLines, makeEdgeLines } from "./edge-lines.ts";
 import type { Palette } from "./palette.ts";
-import { makeRamp, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
+import { PanelColours } from "./panel-colours.ts";
+import { PanelOutline } from "./panel-outline.ts";
 
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.04;
-
-/** Every panel as a fan of triangles over its own corners, so that it can be shaded by itself. */
-function fanIndex(offsets: Int32Array): Uint32Array {
-  const triangles: number[] = [];
-  for (let f = 0; f + 1 < offsets.length; ++f) {
-    const begin = offsets[f] ?? 0;
-    const end = offsets[f + 1] ?? 0;
-    for (let c = begin + 1; c + 1 < end; ++c) triangles.push(begin, c, c + 1);
-  }
-  return Uint32Array.from(triangles);
-}
 
 export class Shell {
   readonly group = new Group();
@@ -39,52 +31,42 @@ export class Shell {
   readonly base: Float32Array;
   /** Display coordinates of the design shown. */
   readonly current: Float32Array;
-  readonly #offsets: Int32Array;
-  readonly #vertices: Int32Array;
+  readonly corners: Float32Array;
+  readonly triangles: Uint32Array;
+  readonly offsets: Int32Array;
   readonly #moved = new Set<number>();
   readonly #panels: Mesh<BufferGeometry, MeshStandardMaterial>;
-  readonly #edges: LineSegments2;
-  readonly #outline: LineSegments2;
-  readonly #ends: Float32Array;
+  readonly #colours: PanelColours;
+  readonly #edges: EdgeLines;
+  readonly #outline = new PanelOutline();
   readonly #ghost: LineSegments<BufferGeometry, LineBasicMaterial>;
-  readonly #corner: Float32Array;
-  readonly #colour: Float32Array;
-  #ramp: Ramp = [];
-  #panelRamp: Ramp = [];
+  readonly #dirtyCorners = new DirtyRange();
+  readonly #dirtyTriangles = new DirtyRange();
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
-  #figures: Float32Array | null = null;
-  #plain = false;
   #outlined: number | null = null;
 
-  constructor({ display, offsets, vertices }: DisplayMesh, palette: Palette) {
-    this.base = Float32Array.from(display);
-    this.current = Float32Array.from(display);
-    this.#offsets = Int32Array.from(offsets);
-    this.#vertices = Int32Array.from(vertices);
-    this.topology = buildTopology(this.#offsets, this.#vertices, display.length / 3);
-    this.#corner = new Float32Array(3 * vertices.length);
-    this.#colour = new Float32Array(3 * vertices.length);
+  constructor(mesh: DisplayMesh, palette: Palette) {
+    this.base = mesh.display;
+    this.current = mesh.display.slice();
+    this.topology = mesh.topology;
+    this.offsets = mesh.offsets;
+    this.corners = mesh.corners.slice();
+    this.triangles = mesh.triangles.slice();
+    this.#colours = new PanelColours(mesh);
     this.#panels = this.#makePanels();
-    this.#ends = new Float32Array(3 * this.topology.edges.length);
-    this.#edges = this.#makeLines(1.1);
-    this.#outline = this.#makeLines(3);
-    this.#outline.visible = false;
-    this.#outline.renderOrder = 1;
+    this.#edges = makeEdgeLines(mesh.topology, mesh.display, 1.1);
     this.#ghost = this.#makeGhost();
-    this.group.add(this.#panels, this.#edges, this.#ghost, this.#outline);
-    for (let v = 0; v < this.base.length / 3; ++v) this.#place(v);
-    this.#edges.geometry.setPositions(this.#ends);
+    this.group.add(this.#panels, this.#edges.object, this.#ghost, this.#outline.object);
     this.setPalette(palette);
-    this.#panels.geometry.computeBoundingSphere();
   }
 
   #makePanels(): Mesh<BufferGeometry, MeshStandardMaterial> {
     const geometry = new BufferGeometry();
-    const dynamic = (data: Float32Array) => new BufferAttribute(data, 3).setUsage(DynamicDrawUsage);
-    geometry.setAttribute("position", dynamic(this.#corner));
-    geometry.setAttribute("color", dynamic(this.#colour));
-    geometry.setIndex(new BufferAttribute(fanIndex(this.#offsets), 1));
+    const corners = new BufferAttribute(this.corners, 3).setUsage(DynamicDrawUsage);
+    geometry.setAttribute("position", corners);
+    geometry.setAttribute("color", this.#colours.attribute);
+    geometry.setIndex(new BufferAttribute(this.triangles, 1).setUsage(DynamicDrawUsage));
     const material = new MeshStandardMaterial({
       vertexColors: true,
       flatShading: true,
@@ -102,12 +84,6 @@ export class Shell {
     return panels;
   }
 
-  #makeLines(linewidth: number): LineSegments2 {
-    const lines = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth }));
-    lines.frustumCulled = false;
-    return lines;
-  }
-
   #makeGhost(): LineSegments<BufferGeometry, LineBasicMaterial> {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(this.base, 3));
@@ -118,12 +94,16 @@ export class Shell {
     return ghost;
   }
 
+  /** The space that the design shown takes up. */
+  bounds(): Box3 {
+    return new Box3().setFromArray(this.current);
+  }
+
   setPalette(palette: Palette): void {
-    this.#ramp = makeRamp(palette.displacement);
-    this.#panelRamp = makeRamp(palette.planarity);
-    this.#edges.material.color.set(palette.edge);
+    this.#colours.setPalette(palette);
+    this.#edges.setColour(palette.edge);
     this.#ghost.material.color.set(palette.ghost);
-    this.#outline.material.color.set(palette.ghost);
+    this.#outline.setColour(palette.ghost);
     this.#colourAll();
   }
 
@@ -134,77 +114,90 @@ export class Shell {
       this.current.set(changes.subarray(k + 1, k + 4), 3 * v);
       if (this.#displacement(v) > 0) this.#moved.add(v);
       else this.#moved.delete(v);
-      this.#place(v);
-      this.#colourVertex(v, 0);
+      this.#place(v, this.current);
+      this.#colours.paintVertex(v, 0);
     }
+    this.#cutAnew(changes);
     this.#colourMoved();
     this.#uploadPositions();
     this.#drawGhost();
     if (this.#outlined !== null) this.outlinePanel(this.#outlined);
   }
 
-  /** Panels by how far they are out of flat, points by how far they moved, or neither. */
   colourBy(kind: ColourBy, figures: Float32Array | null): void {
-    this.#figures = kind === "planarity" ? figures : null;
-    this.#plain = kind === "none";
+    this.#colours.choose(kind, figures);
     this.#colourAll();
   }
 
   /** Draws a line around one panel and gives its corners; null for none. */
   outlinePanel(panel: number | null): Float32Array | null {
     this.#outlined = panel;
-    const begin = panel === null ? 0 : (this.#offsets[panel] ?? 0);
-    const end = panel === null ? 0 : (this.#offsets[panel + 1] ?? 0);
-    this.#outline.visible = end > begin;
-    if (end <= begin) return null;
-    const corners = this.#corner.slice(3 * begin, 3 * end);
-    const lines = new Float32Array(2 * corners.length);
-    for (let k = 0; k < end - begin; ++k) {
-      const next = (k + 1) % (end - begin);
-      lines.set(corners.subarray(3 * k, 3 * k + 3), 6 * k);
-      lines.set(corners.subarray(3 * next, 3 * next + 3), 6 * k + 3);
+    const begin = panel === null ? 0 : (this.offsets[panel] ?? 0);
+    const end = panel === null ? 0 : (this.offsets[panel + 1] ?? 0);
+    if (end <= begin) {
+      this.#outline.clear();
+      return null;
     }
-    this.#outline.geometry.dispose();
-    this.#outline.geometry = new LineSegmentsGeometry().setPositions(lines);
+    const corners = this.corners.slice(3 * begin, 3 * end);
+    this.#outline.draw(corners);
     return corners;
   }
 
   showBase(on: boolean): void {
-    const shown = on ? this.base : this.current;
-    for (const v of this.#moved) this.#place(v, shown);
+    for (const v of this.#moved) this.#place(v, on ? this.base : this.current);
+    this.#ghost.visible = !on;
     this.#uploadPositions();
   }
 
   setSize(width: number, height: number): void {
-    this.#edges.material.resolution.set(width, height);
-    this.#outline.material.resolution.set(width, height);
+    this.#edges.setSize(width, height);
+    this.#outline.setSize(width, height);
   }
 
   dispose(): void {
     this.#panels.geometry.dispose();
     this.#panels.material.dispose();
-    for (const lines of [this.#edges, this.#outline]) {
-      lines.geometry.dispose();
-      lines.material.dispose();
-    }
+    this.#edges.dispose();
+    this.#outline.dispose();
     this.#ghost.geometry.dispose();
     this.#ghost.material.dispose();
   }
 
-  #place(v: number, from: Float32Array = this.current): void {
-    const point = from.subarray(3 * v, 3 * v + 3);
-    for (const corner of row(this.topology.corners, v)) this.#corner.set(point, 3 * corner);
-    for (const end of row(this.topology.edgeEnds, v)) this.#ends.set(point, 3 * end);
+  #place(v: number, from: Float32Array): void {
+    const [x, y, z] = [from[3 * v] ?? 0, from[3 * v + 1] ?? 0, from[3 * v + 2] ?? 0];
+    for (const corner of row(this.topology.corners, v)) {
+      this.corners[3 * corner] = x;
+      this.corners[3 * corner + 1] = y;
+      this.corners[3 * corner + 2] = z;
+      this.#dirtyCorners.add(corner);
+    }
+    this.#edges.move(v, x, y, z);
+  }
+
+  /** A panel that was convex may have become concave, and the other way round. */
+  #cutAnew(changes: Float32Array): void {
+    const touched = new Set<number>();
+    for (let k = 0; k + 3 < changes.length; k += 4) {
+      for (const corner of row(this.topology.corners, changes[k] ?? 0)) {
+        touched.add(panelAt(this.offsets, corner));
+      }
+    }
+    for (const f of touched) {
+      const [begin, end] = [this.offsets[f] ?? 0, this.offsets[f + 1] ?? 0];
+      if (end - begin < 4) continue;
+      const first = firstTriangle(this.offsets, f);
+      triangulatePanel(this.corners, begin, end, this.triangles, first);
+      this.#dirtyTriangles.add(first);
+      this.#dirtyTriangles.add(first + end - begin - 3);
+    }
   }
 
   #uploadPositions(): void {
-    const { position } = this.#panels.geometry.attributes;
-    if (position) position.needsUpdate = true;
-    const start = this.#edges.geometry.attributes.instanceStart;
-    if (start && "data" in start) {
-      (start.data.array as Float32Array).set(this.#ends);
-      start.data.needsUpdate = true;
-    }
+    const { attributes, index } = this.#panels.geometry;
+    const { position } = attributes;
+    if (position instanceof BufferAttribute) this.#dirtyCorners.flush(position, 3);
+    if (index) this.#dirtyTriangles.flush(index, 3);
+    this.#edges.upload();
   }
 
   #displacement(v: number): number {
@@ -212,41 +205,18 @@ export class Shell {
     return Math.hypot(at(0), at(1), at(2));
   }
 
-  #colourVertex(v: number, t: number): void {
-    if (this.#figures) return;
-    for (const corner of row(this.topology.corners, v)) {
-      writeRamp(this.#ramp, t, this.#colour, 3 * corner);
-    }
-  }
-
   #colourMoved(): void {
     this.#largest = 0;
     for (const v of this.#moved) this.#largest = Math.max(this.#largest, this.#displacement(v));
-    if (!this.#plain) {
-      for (const v of this.#moved) this.#colourVertex(v, this.#displacement(v) / this.#largest);
+    for (const v of this.#moved) {
+      this.#colours.paintVertex(v, this.#displacement(v) / this.#largest);
     }
-    this.#uploadColours();
+    this.#colours.upload();
   }
 
   #colourAll(): void {
-    if (this.#figures) this.#colourPanels(this.#figures);
-    else for (let v = 0; v < this.base.length / 3; ++v) this.#colourVertex(v, 0);
+    this.#colours.paintAll();
     this.#colourMoved();
-  }
-
-  /** Neutral up to the tolerance, then logarithmic up to the fabrication limit. */
-  #colourPanels(figures: Float32Array): void {
-    for (let f = 0; f + 1 < this.#offsets.length; ++f) {
-      const t = planarityShare(figures[2 * f + 1] ?? 0);
-      for (let c = this.#offsets[f] ?? 0; c < (this.#offsets[f + 1] ?? 0); ++c) {
-        writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
-      }
-    }
-  }
-
-  #uploadColours(): void {
-    const { color } = this.#panels.geometry.attributes;
-    if (color) color.needsUpdate = true;
   }
 
   /** Edges of the base at vertices that moved visibly. */

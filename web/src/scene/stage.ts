@@ -105,12 +105,11 @@ export class Stage {
   }
 
   /** What the camera looks at; the ground lies just under it. */
-  setSubject(subject: Object3D): void {
+  setSubject(subject: Object3D, bounds: Box3): void {
     if (this.#target) this.scene.remove(this.#target);
     this.#target = subject;
     this.scene.add(subject);
-    const box = new Box3().setFromObject(subject);
-    this.#ground.position.z = box.min.z - 0.05;
+    this.#ground.position.z = bounds.min.z - 0.05;
     this.renderer.shadowMap.needsUpdate = true;
   }
 

@@ -200,7 +200,7 @@ export class Viewport {
     const same = this.#shell?.base.length === shown.display.length;
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
-    this.stage.setSubject(this.#shell.group);
+    this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     this.#resize();
     if (first || !same) this.view("3D");
   }

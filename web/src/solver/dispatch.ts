@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
+import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import type { EditSettings, OpenedMesh, Reply, Request, Shape, Targets } from "./protocol.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
@@ -18,9 +19,11 @@ function readMesh(session: Session): OpenedMesh {
   return {
     report: JSON.parse(session.meshReport()) as OpenedMesh["report"],
     positions: session.basePositions(),
-    display: session.displayBase(),
-    offsets: session.faceOffsets(),
-    vertices: session.faceVertices(),
+    ...prepareDisplay({
+      display: session.displayBase(),
+      offsets: session.faceOffsets(),
+      vertices: session.faceVertices(),
+    }),
   };
 }
 
@@ -99,6 +102,10 @@ export class Dispatcher {
         insist(session.vary(Float64Array.from(request.coefficients)));
         this.#postShown(job, false);
         return;
+      case "project":
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
+        return;
       case "exact":
         insist(session.makeExact());
         this.#postShown(job, true);
@@ -154,10 +161,15 @@ export class Dispatcher {
 
   #postOpened(job: number): void {
     const mesh = readMesh(this.#session);
-    const buffers = [mesh.positions, mesh.display, mesh.offsets, mesh.vertices].map(
-      (a) => a.buffer,
-    );
+    const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
+  }
+
+  #postProjected(job: number): void {
+    const moved = this.#session.projectedMoved();
+    const positions = this.#session.projectedPositions();
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions } };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #postShown(job: number, withShape: boolean): void {

@@ -3,6 +3,8 @@
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
 // Progress messages may come before the reply.
 
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
+
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
 export type EngineName = "newton" | "alm";
@@ -52,6 +54,8 @@ export type Request =
   | { kind: "restore"; job: number; targets: Targets; shape: Shape } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
+  /** The exact shape of a variation; the design shown stays as it is. */
+  | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "exact"; job: number } // → shown
   | { kind: "panels"; job: number } // → panels
   | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
@@ -96,12 +100,9 @@ export interface ExploreReport {
 }
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
-export interface OpenedMesh {
+export interface OpenedMesh extends DisplayMesh {
   readonly report: MeshReport;
   readonly positions: Float64Array;
-  readonly display: Float32Array;
-  readonly offsets: Int32Array;
-  readonly vertices: Int32Array;
 }
 
 export type Reply =
@@ -111,6 +112,7 @@ export type Reply =
   /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }
+  | { kind: "projected"; job: number; shape: Shape }
   /** Gap in model units and mm/m, for every panel. */
   | { kind: "panels"; job: number; figures: Float32Array }
   | { kind: "exported"; job: number; bytes: Uint8Array }

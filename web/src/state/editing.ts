@@ -16,7 +16,6 @@ import {
 import * as steps from "./history.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { draft, figures, hintVertex, history, mesh, notice, problem, selected } from "./store.ts";
-import { buildTopology } from "./topology.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
 const FRAME_SECONDS = 0.016;
@@ -105,11 +104,10 @@ export async function addHandle(): Promise<void> {
   const opened = mesh.value;
   if (!opened) return;
   const taken = draft.value?.handles.map((row) => row.vertex) ?? [];
-  const { boundary } = buildTopology(opened.offsets, opened.vertices, opened.report.vertices);
   const chosen =
     selected.value !== null && !taken.includes(selected.value)
       ? selected.value
-      : sensibleVertex(opened.display, boundary, taken);
+      : sensibleVertex(opened.display, opened.topology.boundary, taken);
   if (chosen === null) return;
   selected.value = chosen;
   await setTarget(chosen, shownPoint(chosen));

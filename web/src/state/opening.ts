@@ -23,7 +23,6 @@ import {
   selectedPanel,
   settings,
 } from "./store.ts";
-import { buildTopology } from "./topology.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
@@ -112,6 +111,5 @@ export async function openFirst(): Promise<void> {
   await openSample(FIRST_SAMPLE.name);
   const opened = mesh.value;
   if (!opened) return;
-  const { boundary } = buildTopology(opened.offsets, opened.vertices, opened.report.vertices);
-  hintVertex.value = sensibleVertex(opened.display, boundary, []);
+  hintVertex.value = sensibleVertex(opened.display, opened.topology.boundary, []);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Everything the page shows, as signals. Only the modules of state/ write them.
 import { computed, signal } from "@preact/signals";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import type { Design } from "./design.ts";
 import { NO_REPORT } from "./design.ts";
@@ -13,9 +14,6 @@ export interface Activity {
   readonly label: string;
   readonly step: number;
 }
-
-/** The mesh that the scene draws: display coordinates and faces. */
-export type DisplayMesh = Pick<OpenedMesh, "display" | "offsets" | "vertices">;
 
 export type ColourBy = "displacement" | "planarity" | "none";
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The built site in a real browser, for the scripts that take pictures of it.
+import { chromium } from "playwright-core";
+import { serve } from "./serve.mjs";
+
+const FLAGS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
+
+export async function openBrowser() {
+  const { server, url } = await serve(new URL("../dist/", import.meta.url).pathname, { port: 0 });
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
+  return {
+    browser,
+    url,
+    async close() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/** A page that is ready to be used. */
+export async function openPage({ browser, url }, options) {
+  const page = await (await browser.newContext(options)).newPage();
+  await page.goto(url);
+  await page.getByRole("status").filter({ hasText: "points move" }).waitFor({ timeout: 60_000 });
+  await settled(page);
+  return page;
+}
+
+/** Waits until nothing runs and shadows have been cast again. */
+export async function settled(page) {
+  await page.waitForTimeout(250);
+  await page.getByRole("button", { name: "Cancel" }).and(page.locator(":disabled")).waitFor();
+  await page.waitForTimeout(700);
+}
+
+export async function openSample(page, name) {
+  const chooser = page.getByRole("combobox", { name: "Sample" });
+  const options = await chooser.locator("option").allTextContents();
+  const label = options.find((option) => option.toLowerCase().startsWith(name.toLowerCase()));
+  await chooser.selectOption({ label: label ?? name });
+  await settled(page);
+}
+
+/** Moves a sensible point up by typing. */
+export async function lift(page, amount) {
+  await page.getByRole("button", { name: "Add handle" }).click();
+  const z = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  await z.last().fill(amount);
+  await z.last().press("Enter");
+  await settled(page);
+}
+
+export async function findVariations(page) {
+  await page
+    .getByRole("button", { name: /variations/i })
+    .first()
+    .click();
+  await page.getByRole("slider", { name: "Variation 1" }).waitFor({ timeout: 60_000 });
+  await settled(page);
+}

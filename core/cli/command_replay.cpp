@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "commands.hpp"
+#include "design_output.hpp"
+#include "files.hpp"
+#include "planish/design_text.hpp"
+#include "planish/io/gltf.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+namespace {
+
+/// A design and the mesh that came with it.
+struct Opened {
+  Design design;
+  std::optional<Mesh> base;
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
+  throw CommandError(kInvalidMesh, path + ": " + sentence);
+}
+
+Design parse(const std::string& path, std::string_view text) {
+  auto design = read_design(text);
+  if (auto* sentence = std::get_if<std::string>(&design)) refuse(path, *sentence);
+  return std::move(std::get<Design>(design));
+}
+
+Opened open_glb(const std::string& path) {
+  auto read = read_glb_design(load_bytes(path));
+  if (auto* error = std::get_if<ReadError>(&read)) refuse(path, error->message);
+  auto& glb = std::get<GlbFile>(read);
+  if (glb.design.empty() || !glb.base) refuse(path, "there is no design in this GLB");
+  Opened opened{parse(path, glb.design), std::move(glb.file.mesh)};
+  opened.base->positions = std::move(*glb.base);
+  return opened;
+}
+
+Opened open_design(const Arguments& arguments) {
+  const std::string path = arguments.only_positional("DESIGN");
+  const bool is_glb = path.size() > 4 && path.substr(path.size() - 4) == ".glb";
+  Opened opened = is_glb ? open_glb(path) : Opened{parse(path, load_bytes(path)), std::nullopt};
+  if (const auto base = arguments.value("--base")) opened.base = load_mesh(*base).mesh;
+  return opened;
+}
+
+Json replay_json(const Design& design, const Replay& replayed) {
+  Json json = Json::object();
+  add_solve(json, replayed.report, design.options.engine);
+  json["verified"] = design.result ? Json(replayed.verified) : Json(nullptr);
+  json["deviation"] = design.result ? Json(replayed.deviation) : Json(nullptr);
+  json["mesh"] = mesh_json(replayed.base);
+  json["planarity_mm_per_m"] =
+      planarity_json(replayed.base, replayed.base.positions, replayed.shape);
+  json["moved_vertices"] = replayed.mark.moved;
+  if (replayed.subspace) {
+    json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
+  }
+  return json;
+}
+
+void save_shape(const std::string& path, Design design, const Replay& replayed) {
+  Mesh mesh = replayed.base;
+  mesh.positions = replayed.shape;
+  GlbContent content;
+  content.base = replayed.base.positions;
+  if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
+  content.design = design_for_glb(std::move(design));
+  save_mesh(path, mesh, content);
+}
+
+ExitCode run(const Arguments& arguments) {
+  const auto output = arguments.value("-o");
+  if (output) check_output_name(*output);
+  const Opened opened = open_design(arguments);
+  auto result = replay(opened.design, opened.base ? &*opened.base : nullptr, progress_line());
+  clear_progress_line();
+  if (auto* sentence = std::get_if<std::string>(&result)) {
+    refuse(arguments.only_positional("DESIGN"), *sentence);
+  }
+  const Replay& replayed = std::get<Replay>(result);
+  Design again = opened.design;
+  again.result = replayed.mark;
+  save_design(arguments, again);
+  if (output) save_shape(*output, again, replayed);
+  save_report(arguments, replay_json(opened.design, replayed));
+  if (opened.design.result && !replayed.verified) return kToleranceNotMet;
+  return exit_code(replayed.report);
+}
+
+}  // namespace
+
+Command replay_command() {
+  return {"replay",
+          "DESIGN.json|DESIGN.glb [--base MESH] [-o OUT] [--report R.json] [--design D.json]",
+          "do a design again and compare with its recorded result; exit 4 if it differs",
+          {{"--base", "MESH", "the base mesh, where the design does not hold it"},
+           kOutputRow,
+           kReportRow,
+           kDesignRow},
+          run};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "design_output.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "files.hpp"
+#include "planish/design_text.hpp"
+
+namespace planish::cli {
+
+Design make_design(const EditRun& run, const HandleEditOptions& options,
+                   std::vector<DesignVariation> variations, const Positions& shape) {
+  Design design;
+  design.source = run.source;
+  if (auto* file = std::get_if<FileSource>(&design.source)) file->hash = mesh_hash(run.base.mesh);
+  design.planarised = run.base.planarised.has_value();
+  design.targets = run.targets;
+  design.options = options;
+  design.variations = std::move(variations);
+  design.result = mark_of(run.base.mesh, shape);
+  return design;
+}
+
+void save_design(const Arguments& arguments, const Design& design) {
+  if (const auto path = arguments.value("--design")) save_bytes(*path, write_design(design) + "\n");
+}
+
+std::string design_for_glb(Design design) {
+  if (auto* file = std::get_if<FileSource>(&design.source)) {
+    file->bytes.clear();
+    file->format.clear();
+  }
+  return write_design(design);
+}
+
+}  // namespace planish::cli

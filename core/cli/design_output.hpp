@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// What `edit`, `explore` and `replay` leave behind so that it can be done again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "edit_options.hpp"
+#include "planish/design.hpp"
+
+namespace planish::cli {
+
+/// The design of a run. @param shape 3 × n, what came out
+[[nodiscard]] Design make_design(const EditRun& run, const HandleEditOptions& options,
+                                 std::vector<DesignVariation> variations, const Positions& shape);
+
+/// Writes `design` to the place that --design names; nothing without that option.
+void save_design(const Arguments& arguments, const Design& design);
+
+/// Its text without the file that it came from: a GLB holds the base itself.
+[[nodiscard]] std::string design_for_glb(Design design);
+
+}  // namespace planish::cli

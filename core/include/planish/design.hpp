@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/// A design is a base mesh and what was done to it: data that a link, a file or a test stores, and
+/// that gives the same shape again wherever it is replayed.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planish/handle_edit.hpp"
+#include "planish/io/gltf.hpp"
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+#include "planish/solve_report.hpp"
+#include "planish/subspace.hpp"
+
+namespace planish {
+
+/// A base mesh that make_sample() makes.
+struct SampleSource {
+  std::string name;
+  int size = 0;
+};
+
+/// A base mesh from a file: its bytes ride along, or whoever replays brings the mesh.
+struct FileSource {
+  std::string name;        ///< for people, for example "roof.obj"
+  std::uint32_t hash = 0;  ///< mesh_hash() of the base that was edited, after planarising
+  std::string format;      ///< "obj", "off", "ply" or "glb"; "" without bytes
+  std::string bytes;       ///< the file; "" if it does not ride along
+};
+
+using DesignSource = std::variant<SampleSource, FileSource>;
+
+/// One look around: a family of variations, the place chosen in it, and whether that was made
+/// exact. The next one starts from there.
+struct DesignVariation {
+  SubspaceOptions options;           ///< fairness and engine are those of the edit
+  std::vector<double> coefficients;  ///< slider values, at most options.dimension
+  bool exact = true;                 ///< projected afterwards
+};
+
+/// Where a vertex went, to 12 digits.
+struct DesignProbe {
+  int vertex = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< model units
+};
+
+/// Enough of a result to recognise it, or to say how far another one is from it.
+struct DesignMark {
+  std::uint32_t hash =
+      0;          ///< CRC-32 of the moved indices (int32), then their coordinates (float64)
+  int moved = 0;  ///< vertices
+  std::vector<DesignProbe> probes;  ///< a few of them
+};
+
+/// Source, recipe, and the mark of what the recipe gave.
+struct Design {
+  std::string title;
+  DesignSource source;
+  bool planarised = false;  ///< the source's nearest flat mesh is the base
+  std::string unit = "m";   ///< of the model: mm, cm, m, km, in or ft
+  EditTargets targets;
+  HandleEditOptions options;
+  std::vector<DesignVariation> variations;  ///< one after the other
+  std::optional<DesignMark> result;         ///< absent: nothing to verify against
+};
+
+/// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
+[[nodiscard]] std::optional<std::string> find_problem(const Design& design);
+
+/// CRC-32 of positions (float64), face offsets and face vertices (int32), all little endian.
+[[nodiscard]] std::uint32_t mesh_hash(const Mesh& mesh);
+
+/// @param shape 3 × n, the positions that the design gave
+[[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
+
+/// Largest distance of a probe from `shape`, model units; 0 only if `shape` is the recorded result
+/// to the last bit.
+[[nodiscard]] double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape);
+
+/// How the shape with a variation is made exact: to the edit's tolerance, by its engine.
+[[nodiscard]] ProjectionOptions exact_options(const HandleEditOptions& edit);
+
+/// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
+[[nodiscard]] GlbVariations variations_of(const Subspace& subspace);
+
+/// What replaying a design gave.
+struct Replay {
+  Mesh base;                         ///< what was edited: flat, planarised if the design says so
+  Positions shape;                   ///< 3 × n, model units
+  SolveReport report;                ///< of the edit, or of the projection that failed
+  std::optional<Subspace> subspace;  ///< of the last variation
+  DesignMark mark;                   ///< of `shape`
+  bool verified = false;             ///< `shape` is the recorded result, bit for bit
+  double deviation = 0.0;            ///< from the recorded probes, model units
+};
+
+/// Does it again.
+/// @param given the mesh of a FileSource that does not ride along; otherwise not used
+/// @return the result, or one sentence that says why there is none
+[[nodiscard]] std::variant<Replay, std::string> replay(const Design& design,
+                                                       const Mesh* given = nullptr,
+                                                       const Progress& progress = {});
+
+}  // namespace planish

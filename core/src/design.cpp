@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "planish/design.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "crc32.hpp"
+#include "io/number.hpp"
+#include "planish/io/mesh_format.hpp"
+#include "planish/metrics.hpp"
+#include "planish/shapes.hpp"
+
+namespace planish {
+namespace {
+
+/// Vertices that a mark records.
+constexpr std::size_t kProbes = 5;
+
+template <class T>
+std::string_view bytes_of(const T* values, std::size_t count) {
+  return {reinterpret_cast<const char*>(values), count * sizeof(T)};
+}
+
+/// As the page rounds them, so that the same result has the same mark everywhere.
+double to_twelve_digits(double value) {
+  std::string text;
+  append_number(text, value, 12);
+  return parse_number(text).value_or(value);
+}
+
+struct Moved {
+  std::vector<int> vertices;  ///< ascending
+  Positions positions;        ///< 3 × |vertices|
+};
+
+Moved moved_between(const Mesh& base, const Positions& shape) {
+  Moved moved;
+  for (int v = 0; v < base.vertex_count(); ++v) {
+    if (shape.col(v) != base.positions.col(v)) moved.vertices.push_back(v);
+  }
+  moved.positions = shape(Eigen::all, moved.vertices);
+  return moved;
+}
+
+std::uint32_t hash_of(const Moved& moved) {
+  const std::uint32_t indices = crc32(bytes_of(moved.vertices.data(), moved.vertices.size()));
+  const auto count = static_cast<std::size_t>(moved.positions.size());
+  return crc32(bytes_of(moved.positions.data(), count), indices);
+}
+
+/// The mesh of the source, or a sentence.
+std::variant<Mesh, std::string> source_mesh(const DesignSource& source, const Mesh* given) {
+  if (const auto* sample = std::get_if<SampleSource>(&source)) {
+    if (auto mesh = make_sample(sample->name, sample->size)) return std::move(*mesh);
+    return "there is no sample \"" + sample->name + "\" of size " + std::to_string(sample->size);
+  }
+  const auto& file = std::get<FileSource>(source);
+  if (file.bytes.empty()) {
+    if (given != nullptr) return *given;
+    return "the design needs its mesh " + (file.name.empty() ? "" : file.name + " ") + "beside it";
+  }
+  const auto format = format_from_name("." + file.format);
+  if (!format) return "source.format must be obj, off, ply or glb";
+  ReadResult read = read_mesh(file.bytes, *format);
+  if (auto* error = std::get_if<ReadError>(&read)) return std::move(error->message);
+  return std::move(std::get<MeshFile>(read).mesh);
+}
+
+/// Replays the steps of one design on its base.
+class Player {
+ public:
+  Player(const Design& design, const Progress& progress) : design_(design), progress_(progress) {}
+
+  /// A sentence if the base cannot be had.
+  std::optional<std::string> open(const Mesh* given) {
+    auto opened = source_mesh(design_.source, given);
+    if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
+    result_.base = std::move(std::get<Mesh>(opened));
+    if (design_.planarised && !planarise()) return "the mesh cannot be made flat";
+    const auto* file = std::get_if<FileSource>(&design_.source);
+    if (file != nullptr && file->hash != 0 && file->hash != mesh_hash(result_.base)) {
+      return "the mesh is not the one that the design was made on";
+    }
+    if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
+      return "the mesh has panels that are not flat, and the design does not planarise it";
+    }
+    result_.shape = result_.base.positions;
+    return find_problem(design_.targets, result_.base);
+  }
+
+  void edit() {
+    result_.report.status = SolveStatus::kConverged;
+    if (design_.targets.handles.empty()) return;
+    HandleEditSolver solver(result_.base, design_.options);
+    const HandleEditResult edited = solver.solve(design_.targets, progress_);
+    result_.report = edited.report;
+    if (edited.report.usable()) result_.shape = apply(result_.base, edited);
+  }
+
+  /// False if the shape stays where it was before this variation.
+  bool vary(const DesignVariation& variation) {
+    if (result_.shape == result_.base.positions) return false;  // variations are around an edit
+    SubspaceOptions options = variation.options;
+    options.fairness = design_.options.fairness;
+    options.engine = design_.options.engine;
+    std::vector<int> close;
+    for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
+    Subspace found = compute_subspace(result_.base, result_.shape, close, options, progress_);
+    if (found.dimension() == 0) return false;
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
+    const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());
+    for (Eigen::Index k = 0; k < std::min(given, values.size()); ++k) {
+      values[k] = variation.coefficients[static_cast<std::size_t>(k)];
+    }
+    Positions rows;
+    evaluate(found, values, rows);
+    result_.shape(Eigen::all, found.support) = rows;
+    result_.subspace = std::move(found);
+    return !variation.exact || make_exact();
+  }
+
+  Replay finish() {
+    result_.mark = mark_of(result_.base, result_.shape);
+    if (design_.result) {
+      result_.deviation = planish::deviation(*design_.result, result_.base, result_.shape);
+      result_.verified = result_.deviation == 0.0;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool planarise() {
+    const ProjectionResult flat = project_to_planar(result_.base, {}, {}, progress_);
+    result_.base.positions(Eigen::all, flat.moved) = flat.moved_positions;
+    return flat.report.usable();
+  }
+
+  bool make_exact() {
+    Mesh mesh = result_.base;
+    mesh.positions = result_.shape;
+    const ProjectionResult exact =
+        project_to_planar(mesh, result_.base.positions, exact_options(design_.options),
+                          design_.targets.pins, progress_);
+    if (!exact.report.usable()) {
+      result_.report = exact.report;
+      return false;
+    }
+    result_.shape(Eigen::all, exact.moved) = exact.moved_positions;
+    return true;
+  }
+
+  const Design& design_;
+  const Progress& progress_;
+  Replay result_;
+};
+
+std::optional<std::string> find_problem(const DesignVariation& variation) {
+  if (auto problem = planish::find_problem(variation.options)) return problem;
+  if (variation.coefficients.size() > static_cast<std::size_t>(variation.options.dimension)) {
+    return "coefficients must be at most as many as dimension";
+  }
+  const bool finite = std::all_of(variation.coefficients.begin(), variation.coefficients.end(),
+                                  [](double x) { return std::isfinite(x); });
+  return finite ? std::nullopt : std::optional<std::string>("coefficients must be finite");
+}
+
+}  // namespace
+
+std::optional<std::string> find_problem(const Design& design) {
+  constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
+  if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
+    return "unit must be mm, cm, m, km, in or ft";
+  }
+  if (auto problem = find_problem(design.options)) return "options: " + *problem;
+  for (std::size_t k = 0; k < design.variations.size(); ++k) {
+    if (const auto problem = find_problem(design.variations[k])) {
+      return "variations[" + std::to_string(k) + "]: " + *problem;
+    }
+  }
+  return std::nullopt;
+}
+
+std::uint32_t mesh_hash(const Mesh& mesh) {
+  const auto count = static_cast<std::size_t>(mesh.positions.size());
+  std::uint32_t hash = crc32(bytes_of(mesh.positions.data(), count));
+  hash = crc32(bytes_of(mesh.face_offsets.data(), mesh.face_offsets.size()), hash);
+  return crc32(bytes_of(mesh.face_vertices.data(), mesh.face_vertices.size()), hash);
+}
+
+DesignMark mark_of(const Mesh& base, const Positions& shape) {
+  const Moved moved = moved_between(base, shape);
+  const std::size_t count = moved.vertices.size();
+  DesignMark mark{.hash = hash_of(moved), .moved = static_cast<int>(count), .probes = {}};
+  const std::size_t stride = std::max<std::size_t>(1, count / kProbes);
+  for (std::size_t k = stride / 2; k < count && mark.probes.size() < kProbes; k += stride) {
+    const Eigen::Vector3d p = moved.positions.col(static_cast<Eigen::Index>(k));
+    mark.probes.push_back({moved.vertices[k], p.unaryExpr(&to_twelve_digits)});
+  }
+  return mark;
+}
+
+double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape) {
+  const Moved moved = moved_between(base, shape);
+  if (hash_of(moved) == mark.hash && static_cast<int>(moved.vertices.size()) == mark.moved) {
+    return 0.0;
+  }
+  double largest = std::numeric_limits<double>::epsilon();
+  for (const DesignProbe& probe : mark.probes) {
+    if (probe.vertex >= shape.cols()) continue;
+    largest = std::max(largest, (shape.col(probe.vertex) - probe.position).norm());
+  }
+  return largest;
+}
+
+ProjectionOptions exact_options(const HandleEditOptions& edit) {
+  ProjectionOptions options;
+  options.fairness = edit.fairness;
+  options.engine = edit.engine;
+  options.tolerance = edit.tolerance;
+  return options;
+}
+
+GlbVariations variations_of(const Subspace& subspace) {
+  GlbVariations variations{.support = subspace.support, .displacements = {}};
+  const auto rows = static_cast<Eigen::Index>(subspace.support.size());
+  for (int k = 0; k < subspace.dimension(); ++k) {
+    const Eigen::VectorXd move = subspace.scale[k] * subspace.basis.col(k);
+    variations.displacements.emplace_back(Eigen::Map<const Positions>(move.data(), 3, rows));
+  }
+  return variations;
+}
+
+std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
+                                         const Progress& progress) {
+  if (auto problem = find_problem(design)) return std::move(*problem);
+  Player player(design, progress);
+  if (auto problem = player.open(given)) return std::move(*problem);
+  player.edit();
+  for (const DesignVariation& variation : design.variations) {
+    if (!player.vary(variation)) break;
+  }
+  return player.finish();
+}
+
+}  // namespace planish

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "design_words.hpp"
+#include "io/base64.hpp"
+#include "io/json_depth.hpp"
+#include "io/sentence.hpp"
+#include "planish/design_text.hpp"
+
+namespace planish {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestText = std::size_t{256} << 20;
+constexpr int kDeepest = 8;
+constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
+                      kMostCoefficients = 64, kMostProbes = 64, kLongestName = 400;
+
+/// Ends the reading; caught in read_design().
+struct Refused {
+  std::string sentence;
+};
+
+/// A JSON value and the way to it, for messages: "handles[2]".
+class Field {
+ public:
+  Field(const json& value, std::string path) : value_(&value), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const std::string& rule) const {
+    throw Refused{(path_.empty() ? "the design" : path_) + " must be " + rule};
+  }
+
+  /// Holds an object to its fields.
+  void only(std::initializer_list<std::string_view> known) const {
+    if (!value_->is_object()) refuse("an object");
+    for (const auto& [key, ignored] : value_->items()) {
+      bool found = false;
+      for (const std::string_view name : known) found = found || name == key;
+      if (!found) throw Refused{path_of(key) + " is not a field of a design"};
+    }
+  }
+
+  [[nodiscard]] bool has(const char* key) const { return value_->contains(key); }
+  [[nodiscard]] Field at(const char* key) const {
+    if (!has(key)) throw Refused{path_of(key) + " is missing"};
+    return {(*value_)[key], path_of(key)};
+  }
+
+  [[nodiscard]] std::size_t size(std::size_t most) const {
+    if (!value_->is_array()) refuse("a list");
+    if (value_->size() > most) refuse("a list of at most " + std::to_string(most));
+    return value_->size();
+  }
+  [[nodiscard]] Field operator[](std::size_t k) const {
+    return {(*value_)[k], path_ + "[" + std::to_string(k) + "]"};
+  }
+
+  [[nodiscard]] bool boolean() const {
+    if (!value_->is_boolean()) refuse("true or false");
+    return value_->get<bool>();
+  }
+  [[nodiscard]] double number() const {
+    if (!value_->is_number() || !std::isfinite(value_->get<double>())) refuse("a number");
+    return value_->get<double>();
+  }
+  [[nodiscard]] int whole(int least) const {
+    constexpr double kLimit = std::numeric_limits<int>::max();
+    const double value = value_->is_number() ? value_->get<double>() : -1.0;
+    if (!(value >= least && value <= kLimit) || std::floor(value) != value) {
+      refuse("a whole number of at least " + std::to_string(least));
+    }
+    return static_cast<int>(value);
+  }
+  [[nodiscard]] const std::string& text(std::size_t longest) const {
+    if (!value_->is_string()) refuse("a text");
+    const auto& text = value_->get_ref<const std::string&>();
+    if (text.size() > longest) refuse("a text of at most " + std::to_string(longest) + " bytes");
+    return text;
+  }
+  template <class Value, std::size_t kCount>
+  [[nodiscard]] Value word(const Words<Value, kCount>& words) const {
+    const auto value =
+        value_->is_string() ? value_of(value_->get_ref<const std::string&>(), words) : std::nullopt;
+    if (value) return *value;
+    std::string known;
+    for (const auto& entry : words) {
+      known += (known.empty() ? "" : " or ") + std::string(entry.first);
+    }
+    refuse(known);
+  }
+  [[nodiscard]] std::uint32_t hash() const {
+    const bool right = value_->is_string() && value_->get_ref<const std::string&>().size() == 8;
+    if (!right) refuse("8 hexadecimal digits");
+    std::uint32_t hash = 0;
+    for (const char c : value_->get_ref<const std::string&>()) {
+      const bool digit = c >= '0' && c <= '9';
+      if (!digit && (c < 'a' || c > 'f')) refuse("8 hexadecimal digits");
+      hash = 16 * hash + static_cast<std::uint32_t>(digit ? c - '0' : c - 'a' + 10);
+    }
+    return hash;
+  }
+  /// [vertex, x, y, z].
+  [[nodiscard]] DesignProbe point() const {
+    if (!value_->is_array() || value_->size() != 4) refuse("[point, x, y, z]");
+    return {(*this)[0].whole(0), {(*this)[1].number(), (*this)[2].number(), (*this)[3].number()}};
+  }
+
+ private:
+  [[nodiscard]] std::string path_of(std::string_view key) const {
+    const std::string name = key.size() > 40 ? quoted(key) : std::string(key);
+    return path_.empty() ? name : path_ + "." + name;
+  }
+
+  const json* value_;
+  std::string path_;
+};
+
+void read_if(const Field& object, const char* key, double& value) {
+  if (object.has(key)) value = object.at(key).number();
+}
+
+void read_if(const Field& object, const char* key, bool& value) {
+  if (object.has(key)) value = object.at(key).boolean();
+}
+
+DesignSource read_source(const Field& source) {
+  if (source.has("sample")) {
+    source.only({"sample", "size"});
+    return SampleSource{source.at("sample").text(kLongestName), source.at("size").whole(1)};
+  }
+  source.only({"file", "hash", "format", "bytes"});
+  FileSource file;
+  file.name = source.at("file").text(kLongestName);
+  if (source.has("hash")) file.hash = source.at("hash").hash();
+  if (!source.has("bytes")) return file;
+  file.format = source.at("format").text(kLongestName);
+  auto bytes = decode_base64(source.at("bytes").text(kLongestText));
+  if (!bytes || bytes->empty()) source.at("bytes").refuse("base64");
+  file.bytes = std::move(*bytes);
+  return file;
+}
+
+HandleEditOptions read_options(const Field& field) {
+  field.only({"attraction", "locality", "smoothness", "fairness", "sparsity", "hard", "solver",
+              "tolerance", "max_iterations"});
+  HandleEditOptions options;
+  read_if(field, "attraction", options.attraction);
+  read_if(field, "locality", options.locality);
+  read_if(field, "smoothness", options.smoothness);
+  if (field.has("fairness")) options.fairness = field.at("fairness").word(kFairnessWords);
+  if (field.has("sparsity")) options.sparsity = field.at("sparsity").word(kSparsityWords);
+  read_if(field, "hard", options.hard_handles);
+  if (field.has("solver")) options.engine = field.at("solver").word(kEngineWords);
+  read_if(field, "tolerance", options.tolerance);
+  if (field.has("max_iterations")) options.max_iterations = field.at("max_iterations").whole(0);
+  return options;
+}
+
+DesignVariation read_variation(const Field& field) {
+  field.only({"dimension", "eigen", "fairness_weight", "sparsity_weight", "closeness_weight",
+              "correlation", "reach", "coefficients", "exact"});
+  DesignVariation variation;
+  SubspaceOptions& options = variation.options;
+  options.dimension = field.at("dimension").whole(1);
+  read_if(field, "eigen", options.eigenbasis);
+  read_if(field, "fairness_weight", options.fairness_weight);
+  read_if(field, "sparsity_weight", options.sparsity_weight);
+  read_if(field, "closeness_weight", options.closeness_weight);
+  read_if(field, "correlation", options.correlation);
+  if (field.has("reach")) options.reach = field.at("reach").whole(0);
+  const Field values = field.at("coefficients");
+  for (std::size_t k = 0; k < values.size(kMostCoefficients); ++k) {
+    variation.coefficients.push_back(values[k].number());
+  }
+  read_if(field, "exact", variation.exact);
+  return variation;
+}
+
+DesignMark read_mark(const Field& field) {
+  field.only({"hash", "moved", "probes"});
+  DesignMark mark{
+      .hash = field.at("hash").hash(), .moved = field.at("moved").whole(0), .probes = {}};
+  const Field probes = field.at("probes");
+  for (std::size_t k = 0; k < probes.size(kMostProbes); ++k) {
+    mark.probes.push_back(probes[k].point());
+  }
+  return mark;
+}
+
+EditTargets read_targets(const Field& root) {
+  EditTargets targets;
+  if (root.has("handles")) {
+    const Field handles = root.at("handles");
+    for (std::size_t k = 0; k < handles.size(kMostHandles); ++k) {
+      const DesignProbe point = handles[k].point();
+      targets.handles.push_back({point.vertex, point.position});
+    }
+  }
+  if (root.has("pins")) {
+    const Field pins = root.at("pins");
+    for (std::size_t k = 0; k < pins.size(kMostPins); ++k) targets.pins.push_back(pins[k].whole(0));
+  }
+  return targets;
+}
+
+Design read_root(const Field& root) {
+  root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
+             "options", "variations", "result"});
+  if (root.at("format").text(kLongestName) != kDesignFormat) {
+    root.at("format").refuse(std::string(kDesignFormat));
+  }
+  const int version = root.at("version").whole(1);
+  if (version != kDesignVersion) {
+    throw Refused{"the design is of version " + std::to_string(version) + "; this reads version " +
+                  std::to_string(kDesignVersion)};
+  }
+  Design design;
+  if (root.has("title")) design.title = root.at("title").text(kLongestName);
+  design.source = read_source(root.at("source"));
+  read_if(root, "planarised", design.planarised);
+  if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
+  design.targets = read_targets(root);
+  if (root.has("options")) design.options = read_options(root.at("options"));
+  if (root.has("variations")) {
+    const Field variations = root.at("variations");
+    for (std::size_t k = 0; k < variations.size(kMostVariations); ++k) {
+      design.variations.push_back(read_variation(variations[k]));
+      design.variations.back().options.fairness = design.options.fairness;
+      design.variations.back().options.engine = design.options.engine;
+    }
+  }
+  if (root.has("result")) design.result = read_mark(root.at("result"));
+  if (const auto problem = find_problem(design)) throw Refused{*problem};
+  return design;
+}
+
+}  // namespace
+
+std::variant<Design, std::string> read_design(std::string_view text) {
+  if (text.size() > kLongestText) return "the design is larger than 256 MiB";
+  if (is_json_deeper_than(text, kDeepest)) return "the design is nested too deeply";
+  const json document = json::parse(text, nullptr, false);
+  if (document.is_discarded()) return "the design is not JSON";
+  try {
+    return read_root(Field(document, ""));
+  } catch (const Refused& refused) {
+    return refused.sentence;
+  }
+}
+
+bool is_design_text(std::string_view text) {
+  constexpr std::size_t kSight = 200;
+  const std::string_view start = text.substr(0, kSight);
+  return start.find("\"planish-design\"") != std::string_view::npos;
+}
+
+}  // namespace planish

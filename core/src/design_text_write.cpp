@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "design_words.hpp"
+#include "io/base64.hpp"
+#include "planish/design_text.hpp"
+
+namespace planish {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string hash_text(std::uint32_t hash) {
+  std::array<char, 9> text{};
+  std::snprintf(text.data(), text.size(), "%08x", static_cast<unsigned>(hash));
+  return text.data();
+}
+
+Json point_json(int vertex, const Eigen::Vector3d& p) { return {vertex, p.x(), p.y(), p.z()}; }
+
+Json source_json(const DesignSource& source) {
+  if (const auto* sample = std::get_if<SampleSource>(&source)) {
+    return {{"sample", sample->name}, {"size", sample->size}};
+  }
+  const auto& file = std::get<FileSource>(source);
+  Json json = {{"file", file.name}};
+  if (file.hash != 0) json["hash"] = hash_text(file.hash);
+  if (!file.bytes.empty()) {
+    json["format"] = file.format;
+    json["bytes"] = encode_base64(file.bytes);
+  }
+  return json;
+}
+
+Json options_json(const HandleEditOptions& options) {
+  return {{"attraction", options.attraction},
+          {"locality", options.locality},
+          {"smoothness", options.smoothness},
+          {"fairness", word_of(options.fairness, kFairnessWords)},
+          {"sparsity", word_of(options.sparsity, kSparsityWords)},
+          {"hard", options.hard_handles},
+          {"solver", word_of(options.engine, kEngineWords)},
+          {"tolerance", options.tolerance},
+          {"max_iterations", options.max_iterations}};
+}
+
+Json variation_json(const DesignVariation& variation) {
+  const SubspaceOptions& options = variation.options;
+  return {{"dimension", options.dimension},
+          {"eigen", options.eigenbasis},
+          {"fairness_weight", options.fairness_weight},
+          {"sparsity_weight", options.sparsity_weight},
+          {"closeness_weight", options.closeness_weight},
+          {"correlation", options.correlation},
+          {"reach", options.reach},
+          {"coefficients", variation.coefficients},
+          {"exact", variation.exact}};
+}
+
+Json mark_json(const DesignMark& mark) {
+  Json probes = Json::array();
+  for (const DesignProbe& probe : mark.probes) {
+    probes.push_back(point_json(probe.vertex, probe.position));
+  }
+  return {{"hash", hash_text(mark.hash)}, {"moved", mark.moved}, {"probes", probes}};
+}
+
+}  // namespace
+
+std::string write_design(const Design& design) {
+  Json json = {{"format", kDesignFormat}, {"version", kDesignVersion}};
+  if (!design.title.empty()) json["title"] = design.title;
+  json["source"] = source_json(design.source);
+  json["planarised"] = design.planarised;
+  json["unit"] = design.unit;
+  json["handles"] = Json::array();
+  for (const Handle& handle : design.targets.handles) {
+    json["handles"].push_back(point_json(handle.vertex, handle.target));
+  }
+  json["pins"] = design.targets.pins;
+  json["options"] = options_json(design.options);
+  json["variations"] = Json::array();
+  for (const DesignVariation& variation : design.variations) {
+    json["variations"].push_back(variation_json(variation));
+  }
+  if (design.result) json["result"] = mark_json(*design.result);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace planish

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "planish/design_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+std::string sentence_of(const std::string& text) {
+  const auto result = read_design(text);
+  const auto* sentence = std::get_if<std::string>(&result);
+  return sentence != nullptr ? *sentence : "";
+}
+
+/// Any design that the rules allow, with numbers that have no short decimal form.
+Design any_design(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto bits = [&] { return static_cast<std::uint32_t>(random()); };
+  const auto number = [&] { return testing::random_vector(bits(), 1)[0]; };
+  const auto choose = [&](int count) {
+    return static_cast<int>(random() % static_cast<unsigned>(count));
+  };
+  Design design;
+  design.title = choose(2) == 0 ? "" : "Größe \"1\"\n\\";
+  if (choose(2) == 0) {
+    design.source = SampleSource{"hex", 3 + choose(40)};
+  } else {
+    design.source = FileSource{"a roof.obj", bits(), "obj", choose(2) == 0 ? "" : "v 0 0 0\n\xFF"};
+    auto& file = std::get<FileSource>(design.source);
+    if (file.bytes.empty()) file.format.clear();
+  }
+  design.planarised = choose(2) == 0;
+  design.unit = choose(2) == 0 ? "mm" : "ft";
+  for (int k = choose(4); k > 0; --k) {
+    design.targets.handles.push_back({10 * k, {number(), 1e9 * number(), 1e-9 * number()}});
+  }
+  for (int k = choose(4); k > 0; --k) design.targets.pins.push_back(3 * k);
+  design.options = {.attraction = 1e3 * (1.0 + std::abs(number())),
+                    .locality = std::abs(number()),
+                    .smoothness = std::abs(number()),
+                    .fairness = static_cast<FairnessKind>(choose(3)),
+                    .sparsity = static_cast<Sparsity>(choose(3)),
+                    .hard_handles = choose(2) == 0,
+                    .engine = static_cast<Engine>(choose(2)),
+                    .tolerance = 1e-7 * (1 + choose(99)),
+                    .max_iterations = choose(500)};
+  for (int k = choose(3); k > 0; --k) {
+    SubspaceOptions options{.dimension = 1 + choose(8), .eigenbasis = choose(2) == 0};
+    options.fairness = design.options.fairness;
+    options.engine = design.options.engine;
+    design.variations.push_back({options, {number()}, choose(2) == 0});
+  }
+  if (choose(2) == 0) design.result = DesignMark{bits(), choose(99), {{7, {number(), 0.1, -0.0}}}};
+  return design;
+}
+
+class DesignText : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(DesignText, WhatIsWrittenReadsBackToTheSameText) {
+  const Design design = any_design(GetParam());
+  const std::string text = write_design(design);
+  const auto read = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read) << text;
+  EXPECT_EQ(write_design(std::get<Design>(read)), text);
+  EXPECT_EQ(std::get<Design>(read).targets.handles.size(), design.targets.handles.size());
+  EXPECT_EQ(std::get<Design>(read).options.locality, design.options.locality);
+  EXPECT_TRUE(is_design_text(text));
+}
+
+TEST_P(DesignText, AnyDamageGivesADesignOrASentence) {
+  std::mt19937 random(GetParam());
+  const std::string whole = write_design(any_design(GetParam()));
+  for (int trial = 0; trial < 200; ++trial) {
+    std::string text = whole.substr(0, trial % 3 == 0 ? random() % whole.size() : whole.size());
+    for (int k = 0; k < 3 && !text.empty(); ++k) {
+      text[random() % text.size()] = "0,[]{}\"-e\x80"[random() % 11];
+    }
+    const auto result = read_design(text);
+    if (const auto* sentence = std::get_if<std::string>(&result)) {
+      EXPECT_NE(*sentence, "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DesignText, ::testing::Range(1u, 21u));
+
+TEST(DesignTextFields, AnErrorNamesTheField) {
+  const std::string whole = write_design(any_design(6));
+  const auto with = [&](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json document = nlohmann::json::parse(whole);
+    document[nlohmann::json::json_pointer(pointer)] = value;
+    return sentence_of(document.dump());
+  };
+  EXPECT_EQ(with("/options/locality", "much"), "options.locality must be a number");
+  EXPECT_EQ(with("/options/locality", -1), "options: locality must be a number of at least 0");
+  EXPECT_EQ(with("/options/solver", "magic"), "options.solver must be newton or alm");
+  EXPECT_EQ(with("/options/colour", 1), "options.colour is not a field of a design");
+  EXPECT_EQ(with("/planarised", 1), "planarised must be true or false");
+  EXPECT_EQ(with("/handles", {{1, 2, 3}}), "handles[0] must be [point, x, y, z]");
+  EXPECT_EQ(with("/handles", {{1.5, 2, 3, 4}}),
+            "handles[0][0] must be a whole number of at least 0");
+  EXPECT_EQ(with("/pins", {-1}), "pins[0] must be a whole number of at least 0");
+  EXPECT_EQ(with("/unit", "furlong"), "unit must be mm, cm, m, km, in or ft");
+  EXPECT_EQ(with("/version", 2), "the design is of version 2; this reads version 1");
+  EXPECT_EQ(with("/format", "plan"), "format must be planish-design");
+  EXPECT_EQ(with("/source", {{"sample", "hex"}}), "source.size is missing");
+  EXPECT_EQ(with("/result", {{"hash", "XYZ"}, {"moved", 1}, {"probes", nullptr}}),
+            "result.hash must be 8 hexadecimal digits");
+}
+
+TEST(DesignTextFields, WhatIsNoDesignIsRefused) {
+  EXPECT_EQ(sentence_of(""), "the design is not JSON");
+  EXPECT_EQ(sentence_of("null"), "the design must be an object");
+  EXPECT_EQ(sentence_of("[1]"), "the design must be an object");
+  EXPECT_EQ(sentence_of(std::string(100'000, '[')), "the design is nested too deeply");
+  EXPECT_EQ(sentence_of("{\"handles\":[[1,1e999,0,0]]}"), "the design is not JSON");
+  EXPECT_FALSE(is_design_text("v 0 0 0"));
+}
+
+TEST(DesignTextFields, OptionsLeftOutHaveTheirDefaults) {
+  const auto result = read_design(
+      R"({"version":1,"format":"planish-design","source":{"sample":"vault","size":9}})");
+  ASSERT_TRUE(std::holds_alternative<Design>(result));
+  const auto& design = std::get<Design>(result);
+  EXPECT_EQ(design.options.attraction, HandleEditOptions{}.attraction);
+  EXPECT_EQ(design.unit, "m");
+  EXPECT_FALSE(design.result.has_value());
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What the colours of the panels mean: how far points moved, or how far panels are out of flat.
+import { BufferAttribute, DynamicDrawUsage } from "three";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import { row } from "../mesh/topology.ts";
+import type { ColourBy } from "../state/store.ts";
+import { DirtyRange } from "./dirty-range.ts";
+import type { Palette } from "./palette.ts";
+import { makeRamp, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
+
+export class PanelColours {
+  readonly attribute: BufferAttribute;
+  readonly #mesh: DisplayMesh;
+  readonly #colour: Float32Array;
+  readonly #dirty = new DirtyRange();
+  #ramp: Ramp = [];
+  #panelRamp: Ramp = [];
+  #kind: ColourBy = "displacement";
+  #figures: Float32Array | null = null;
+
+  constructor(mesh: DisplayMesh) {
+    this.#mesh = mesh;
+    this.#colour = new Float32Array(3 * mesh.vertices.length);
+    this.attribute = new BufferAttribute(this.#colour, 3).setUsage(DynamicDrawUsage);
+  }
+
+  setPalette(palette: Palette): void {
+    this.#ramp = makeRamp(palette.displacement);
+    this.#panelRamp = makeRamp(palette.planarity);
+  }
+
+  /** Panels by how far they are out of flat, points by how far they moved, or neither. */
+  choose(kind: ColourBy, figures: Float32Array | null): void {
+    this.#kind = kind;
+    this.#figures = kind === "planarity" ? figures : null;
+  }
+
+  /** Gives every panel its colour; points get theirs from `paintVertex`. */
+  paintAll(): void {
+    if (this.#figures) this.#paintPanels(this.#figures);
+    else this.#paintNeutral();
+    this.#dirty.addAll(this.#mesh.vertices.length);
+  }
+
+  /** `share` of the largest displacement. */
+  paintVertex(vertex: number, share: number): void {
+    if (this.#figures) return;
+    const t = this.#kind === "displacement" ? share : 0;
+    for (const corner of row(this.#mesh.topology.corners, vertex)) {
+      writeRamp(this.#ramp, t, this.#colour, 3 * corner);
+      this.#dirty.add(corner);
+    }
+  }
+
+  upload(): void {
+    this.#dirty.flush(this.attribute, 3);
+  }
+
+  #paintNeutral(): void {
+    writeRamp(this.#ramp, 0, this.#colour, 0);
+    const [r = 1, g = 1, b = 1] = this.#colour;
+    for (let k = 0; k < this.#colour.length; k += 3) {
+      this.#colour[k] = r;
+      this.#colour[k + 1] = g;
+      this.#colour[k + 2] = b;
+    }
+  }
+
+  /** Neutral up to the tolerance, then logarithmic up to the fabrication limit. */
+  #paintPanels(figures: Float32Array): void {
+    const { offsets } = this.#mesh;
+    for (let f = 0; f + 1 < offsets.length; ++f) {
+      const t = planarityShare(figures[2 * f + 1] ?? 0);
+      for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
+        writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
+      }
+    }
+  }
+}
