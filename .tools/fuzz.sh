@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Fuzzes the readers: 20 s each (PLANISH_FUZZ_SECONDS), or with --long until 1,000,000 inputs each
-# (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb. What is learnt is kept outside the
+# (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb design. What is learnt is kept outside the
 # tree, in PLANISH_FUZZ_CORPUS or ~/.cache/planish/fuzz; a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-known=(obj off ply glb)
+known=(obj off ply glb design)
 corpora=${PLANISH_FUZZ_CORPUS:-${XDG_CACHE_HOME:-$HOME/.cache}/planish/fuzz}
 limit=-max_total_time=${PLANISH_FUZZ_SECONDS:-20}
 readers=()

@@ -24,6 +24,10 @@ struct MemoryBound {
 void check_reader(std::string_view bytes, MeshFormat format, MemoryBound bound);
 
 /// The same for read_glb_design(): the base and the design string survive as well (every eighth).
-void check_design(std::string_view bytes, MemoryBound bound);
+void check_glb(std::string_view bytes, MemoryBound bound);
+
+/// The same for read_design(): an accepted design keeps its rules, and its text comes back letter
+/// for letter once it has been written.
+void check_design(std::string_view text, MemoryBound bound);
 
 }  // namespace planish::fuzz
