@@ -66,6 +66,11 @@ const STATES = {
       .click();
     await settled(page);
   },
+  grazing: async (page) => {
+    await lift(page, "+1200mm");
+    await button(page, "Side").click();
+    await settled(page);
+  },
   trihex: async (page) => {
     await openSample(page, "Tri-hex");
     await lift(page, "+600mm");

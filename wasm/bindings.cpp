@@ -84,9 +84,10 @@ std::string edit(Session& s, EditMode mode, const val& handles, const val& pins,
   return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
 }
 std::string restore(Session& s, const val& handles, const val& pins, const val& moved,
-                    const val& positions) {
+                    const val& positions, bool keep_variations) {
   return attempt([&] {
-    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions));
+    return s.restore(to_targets(handles, pins), to_indices(moved), to_positions(positions),
+                     keep_variations);
   });
 }
 std::string explore(Session& s, const SubspaceOptions& options) {
@@ -126,6 +127,7 @@ val moved(const Session& s) { return copy(s.moved()); }
 val moved_positions(const Session& s) { return copy(s.moved_positions()); }
 val projected_moved(const Session& s) { return copy(s.projected().moved); }
 val projected_positions(const Session& s) { return copy(s.projected().positions); }
+std::string projected_report(const Session& s) { return s.projected_report(); }
 val panel_figures(const Session& s) { return copy(s.panel_figures()); }
 std::string mesh_report(const Session& s) { return s.mesh_report(); }
 std::string report(const Session& s) { return s.report(); }
@@ -171,6 +173,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("movedPositions", &moved_positions)
       .function("projectedMoved", &projected_moved)
       .function("projectedPositions", &projected_positions)
+      .function("projectedReport", &projected_report)
       .function("panelFigures", &panel_figures)
       .function("meshReport", &mesh_report)
       .function("report", &report);

@@ -43,10 +43,11 @@ export interface Session {
     pins: Int32Array,
     moved: Int32Array,
     positions: Float64Array,
+    keepVariations: boolean,
   ): string;
   explore(options: SubspaceOptions): string;
   vary(coefficients: Float64Array): string;
-  /** Leaves the design as it is; the result is in projectedMoved() and projectedPositions(). */
+  /** Leaves the design as it is; the result is in the three projected…() below. */
   projectVariation(coefficients: Float64Array): string;
   makeExact(): string;
   /** The callback returns false to cancel. */
@@ -61,6 +62,7 @@ export interface Session {
   movedPositions(): Float64Array;
   projectedMoved(): Int32Array;
   projectedPositions(): Float64Array;
+  projectedReport(): string;
   panelFigures(): Float32Array;
   meshReport(): string;
   report(): string;

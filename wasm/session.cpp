@@ -132,7 +132,7 @@ Refusal Session::edit(EditMode mode, const EditTargets& targets, double budget_s
 }
 
 Refusal Session::restore(const EditTargets& targets, const std::vector<int>& moved,
-                         const Positions& positions) {
+                         const Positions& positions, bool keep_variations) {
   if (const auto problem = find_problem(targets, base_)) return *problem;
   const bool in_range = std::all_of(moved.begin(), moved.end(),
                                     [&](int v) { return v >= 0 && v < base_.vertex_count(); });
@@ -142,7 +142,7 @@ Refusal Session::restore(const EditTargets& targets, const std::vector<int>& mov
       !positions.allFinite()) {
     return "This design does not belong to the mesh that is open.";
   }
-  subspace_.reset();
+  if (!keep_variations) subspace_.reset();
   targets_ = targets;
   show(moved, positions);
   SolveReport unchanged;
@@ -155,7 +155,8 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel().excess > options_.tolerance) return "Make the design exact first.";
+  if (worst_panel(current_, moved_).excess > options_.tolerance)
+    return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -210,6 +211,7 @@ Refusal Session::vary(const Eigen::VectorXd& coefficients) {
 
 Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   if (const Refusal refusal = check_coefficients(coefficients)) return refusal;
+  const Stopwatch watch;
   Positions positions = base_.positions;
   positions(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
   Positions rows;
@@ -218,6 +220,7 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   SolveReport report;
   if (const Refusal refusal = project(positions, report)) return refusal;
   projected_ = shape_of(positions);
+  projected_report_ = shape_report(positions, projected_.moved, report, watch.seconds());
   return std::nullopt;
 }
 
@@ -264,14 +267,15 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }
 
-Session::Worst Session::worst_panel() const {
+Session::Worst Session::worst_panel(const Positions& positions,
+                                    const std::vector<int>& moved) const {
   Worst worst = base_worst_;
-  if (!is_base_flat() && !moved_.empty()) {
-    return worst_of(planarity_summary(base_, current_));
+  if (!is_base_flat() && !moved.empty()) {
+    return worst_of(planarity_summary(base_, positions));
   }
-  for (const int v : moved_) {
+  for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
-      const FacePlanarity face = face_planarity(current_, base_.face(f));
+      const FacePlanarity face = face_planarity(positions, base_.face(f));
       worst.gap = std::max(worst.gap, face.gap);
       worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
       worst.excess = std::max(worst.excess, face.excess);
@@ -284,10 +288,10 @@ Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
   return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
-double Session::largest_move() const {
+double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
   double largest = 0.0;
-  for (const int v : moved_) {
-    largest = std::max(largest, (current_.col(v) - base_.positions.col(v)).norm());
+  for (const int v : moved) {
+    largest = std::max(largest, (positions.col(v) - base_.positions.col(v)).norm());
   }
   return largest;
 }
@@ -300,19 +304,24 @@ Mesh Session::shown_mesh() const {
   return mesh;
 }
 
+std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
+                                  const SolveReport& solve, double seconds) const {
+  const Worst worst = worst_panel(positions, moved);
+  return json{{"status", status_name(solve.status)},
+              {"movedVertices", moved.size()},
+              {"maxDisplacement", largest_move(positions, moved)},
+              {"worstGap", worst.gap},
+              {"worstMmPerM", worst.mm_per_m},
+              {"handleError", solve.handle_error},
+              {"objective", solve.objective.total()},
+              {"iterations", solve.iterations},
+              {"seconds", seconds},
+              {"residuals", residuals(solve)}}
+      .dump();
+}
+
 void Session::write_report(const SolveReport& solve, double seconds) {
-  const Worst worst = worst_panel();
-  report_ = json{{"status", status_name(solve.status)},
-                 {"movedVertices", moved_.size()},
-                 {"maxDisplacement", largest_move()},
-                 {"worstGap", worst.gap},
-                 {"worstMmPerM", worst.mm_per_m},
-                 {"handleError", solve.handle_error},
-                 {"objective", solve.objective.total()},
-                 {"iterations", solve.iterations},
-                 {"seconds", seconds},
-                 {"residuals", residuals(solve)}}
-                .dump();
+  report_ = shape_report(current_, moved_, solve, seconds);
 }
 
 std::string Session::mesh_report() const {

@@ -52,8 +52,9 @@ class Session {
   [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
   [[nodiscard]] Refusal edit(EditMode mode, const EditTargets& targets, double budget_seconds);
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
+  /// @param keep_variations the design is one of the family found last, or its centre
   [[nodiscard]] Refusal restore(const EditTargets& targets, const std::vector<int>& moved,
-                                const Positions& positions);
+                                const Positions& positions, bool keep_variations = false);
 
   // Exploring: variations around the design shown.
   [[nodiscard]] Refusal explore(const SubspaceOptions& options);
@@ -72,6 +73,8 @@ class Session {
   [[nodiscard]] Positions moved_positions() const;
   /// What project_variation() found.
   [[nodiscard]] const Shape& projected() const { return projected_; }
+  /// JSON as report() would be after showing it.
+  [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
   /// JSON about the base mesh: counts, planarity, warnings.
   [[nodiscard]] std::string mesh_report() const;
   /// JSON about the last operation that changed the design.
@@ -101,11 +104,15 @@ class Session {
   /// `positions` projected; a sentence if that fails, with both left as they are.
   [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
   [[nodiscard]] Shape shape_of(const Positions& positions) const;
-  [[nodiscard]] Worst worst_panel() const;
   [[nodiscard]] static Worst worst_of(const PlanaritySummary& planarity);
   [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
-  [[nodiscard]] double largest_move() const;
+  /// `positions` differ from the base at most at `moved`.
+  [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
+  [[nodiscard]] double largest_move(const Positions& positions,
+                                    const std::vector<int>& moved) const;
   [[nodiscard]] Mesh shown_mesh() const;
+  [[nodiscard]] std::string shape_report(const Positions& positions, const std::vector<int>& moved,
+                                         const SolveReport& solve, double seconds) const;
   void write_report(const SolveReport& solve, double seconds);
 
   Mesh base_;
@@ -126,6 +133,7 @@ class Session {
   Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
   std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
   Shape projected_;
+  std::string projected_report_ = "{}";
   std::string report_ = "{}";
   Progress progress_;
 };

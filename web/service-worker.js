@@ -9,13 +9,11 @@ self.addEventListener("install", (event) => {
   event.waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES)));
 });
 
+/** The version before this one stays: a tab that still runs it may start another worker. */
 async function dropOldVersions() {
   const names = await caches.keys();
-  await Promise.all(
-    names
-      .filter((name) => name.startsWith("planish-") && name !== NAME)
-      .map((name) => caches.delete(name)),
-  );
+  const old = names.filter((name) => name.startsWith("planish-") && name !== NAME);
+  await Promise.all(old.slice(0, -1).map((name) => caches.delete(name)));
   await self.clients.claim();
 }
 
@@ -24,7 +22,8 @@ self.addEventListener("activate", (event) => event.waitUntil(dropOldVersions()))
 async function answer(request) {
   const cache = await caches.open(NAME);
   const wanted = request.mode === "navigate" ? "./index.html" : request;
-  return (await cache.match(wanted, { ignoreSearch: true })) ?? fetch(request);
+  const own = await cache.match(wanted, { ignoreSearch: true });
+  return own ?? (await caches.match(request, { ignoreSearch: true })) ?? fetch(request);
 }
 
 self.addEventListener("fetch", (event) => {

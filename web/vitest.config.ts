@@ -9,7 +9,9 @@ export default defineConfig({
   resolve: { alias: { "@wasm": here("../build/wasm/wasm") } },
   test: {
     include: ["**/*.test.ts"],
-    testTimeout: 60_000,
+    // How long a test waits for the page; no figure of the product.
+    expect: { poll: { timeout: 10_000 } },
+    testTimeout: 180_000,
     hookTimeout: 60_000,
     fileParallelism: false,
   },

@@ -10,6 +10,7 @@
 
 #include "base_planarity.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
+#include "planish/engines/cold_search.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/working_set_newton.hpp"
 #include "planish/metrics.hpp"
@@ -207,45 +208,18 @@ HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, S
   return result;
 }
 
-/// Several cold starts, the best kept: the problem has local minima, and a start is cheap.
 ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
-  constexpr int kLine = 16;
-  const std::array<StartSet, 3> starts{StartSet{3, kLine, 0.05}, StartSet{6, 0, 0.3},
-                                       StartSet{4, kLine, 0.02}};
   NewtonOptions options;
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
-  double best = std::numeric_limits<double>::infinity();
-  DisplacementField::Snapshot kept;
-  std::vector<int> support;
-  bool cancelled = false;
   const Interruption interruption = [&](const IterationRecord& record) {
-    cancelled = progress && progress(record) == Flow::kStop;
-    return cancelled;
+    return progress && progress(record) == Flow::kStop;
   };
-  for (std::size_t s = 0; s < starts.size() && !cancelled; ++s) {
-    if (s > 0 && !problem_.sparse) break;
-    trial_->clear();
-    NewtonOutcome outcome = newton_->run_cold(problem_, starts[s], options, *trial_, interruption);
-    report.iterations += outcome.steps;
-    report.factorizations += outcome.factorizations;
-    if (!std::isfinite(outcome.objective) || outcome.records.empty()) continue;
-    if (outcome.objective < best) {
-      best = outcome.objective;
-      kept = trial_->snapshot();
-      support = newton_->support();
-      report.status = outcome.status;
-      report.records = std::move(outcome.records);
-    }
-  }
-  if (cancelled) report.status = SolveStatus::kCancelled;
-  trial_->restore(kept);
-  if (problem_.sparse && !cancelled) {
-    newton_->set_support(support);
-    const NewtonOutcome fine = newton_->polish(problem_, handle_scale(problem_), options, *trial_);
-    report.iterations += fine.steps;
-    report.factorizations += fine.factorizations;
-  }
-  return finish_->finish(problem_, support, *trial_, options_.tolerance);
+  NewtonOutcome outcome = find_minimum(problem_, options, *newton_, *trial_, interruption);
+  report.status = outcome.status;
+  report.iterations += outcome.steps;
+  report.factorizations += outcome.factorizations;
+  report.records = std::move(outcome.records);
+  return finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
 }
 
 /// The handles moved in equal parts, each part exact before the next: slower, and it always ends on

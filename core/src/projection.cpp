@@ -20,18 +20,25 @@ constexpr int kRounds = 3;  ///< how often planes may be carried by other vertic
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Faces above the tolerance, worst first.
-std::vector<int> failing_faces(const Mesh& mesh, const Positions& positions, double tolerance) {
+/// How flat a mesh is, measured once per attempt.
+struct Flatness {
+  double worst = 0.0;        ///< mm/m
+  std::vector<int> failing;  ///< faces above the tolerance, worst first
+};
+
+Flatness measure_flatness(const Mesh& mesh, double tolerance) {
+  Flatness flatness;
   std::vector<std::pair<double, int>> found;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const double gap = face_planarity(positions, mesh.face(f)).excess;
+    const FacePlanarity face = face_planarity(mesh.positions, mesh.face(f));
+    const double gap = face.excess;
+    if (!(face.mm_per_m <= flatness.worst)) flatness.worst = face.mm_per_m;
     if (!(gap <= tolerance)) found.emplace_back(-gap, f);
   }
   std::sort(found.begin(), found.end());
-  std::vector<int> faces;
-  faces.reserve(found.size());
-  for (const auto& [gap, face] : found) faces.push_back(face);
-  return faces;
+  flatness.failing.reserve(found.size());
+  for (const auto& [gap, face] : found) flatness.failing.push_back(face);
+  return flatness;
 }
 
 /// One projection: the problem, the engine that suits it, and the result.
@@ -111,8 +118,11 @@ void Projector::solve_nearest(const Progress& progress) {
   Patch patch;
   cutter.cut(problem_, support_, patch);
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  const int limit = options_.max_iterations > 0 ? options_.max_iterations : kNewtonLimit;
-  NearestFlatOutcome outcome = find_nearest_flat(patch, limit, progress, displacement);
+  NearestFlatOptions nearest;
+  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
+  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
+  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
+  NearestFlatOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
   for (int k = 0; k < patch.free_count; ++k) {
     field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
   }
@@ -208,23 +218,23 @@ enum class Attempt { kNearest, kConfined, kWeighted };
 
 /// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
 /// the vertices that carry a panel's plane collinear; the next round chooses them anew.
-ProjectionResult attempt(Mesh& current, std::vector<int>& remaining, Attempt kind, int rings,
+ProjectionResult attempt(Mesh& current, Flatness& flatness, Attempt kind, int rings,
                          const Positions* reference, const ProjectionOptions& options,
                          const std::vector<int>& pins, const Progress& progress) {
   ProjectionResult result;
-  for (int round = 0; round < kRounds && !remaining.empty(); ++round) {
+  for (int round = 0; round < kRounds && !flatness.failing.empty(); ++round) {
     Projector projector(current, options, pins);
     if (kind == Attempt::kWeighted) {
       projector.penalise_unmoved(*reference);
     } else {
       projector.penalise_squares();
     }
-    if (kind == Attempt::kConfined) projector.confine(remaining, rings);
-    ProjectionResult step = projector.run(remaining, progress);
+    if (kind == Attempt::kConfined) projector.confine(flatness.failing, rings);
+    ProjectionResult step = projector.run(flatness.failing, progress);
     for (std::size_t k = 0; k < step.moved.size(); ++k) {
       current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
     }
-    remaining = failing_faces(current, current.positions, options.tolerance);
+    flatness = measure_flatness(current, options.tolerance);
     step.report.iterations += result.report.iterations;
     step.report.factorizations += result.report.factorizations;
     step.report.solve_seconds += result.report.solve_seconds;
@@ -239,36 +249,35 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
                          const Progress& progress) {
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
-  const std::vector<int> failing = failing_faces(mesh, mesh.positions, options.tolerance);
-  const double before = planarity_summary(mesh).max;
-  result.report.planarity_before = before;
-  result.report.planarity_after = before;
+  const Flatness before = measure_flatness(mesh, options.tolerance);
+  result.report.planarity_before = before.worst;
+  result.report.planarity_after = before.worst;
   result.report.status = SolveStatus::kConverged;
-  if (failing.empty()) return result;  // flat already: the same bits
+  if (before.failing.empty()) return result;  // flat already: the same bits
   Mesh current = mesh;
-  std::vector<int> remaining = failing;
+  Flatness after = before;
   const Attempt first = reference != nullptr ? Attempt::kWeighted : Attempt::kNearest;
-  result = attempt(current, remaining, first, 0, reference, options, pins, progress);
+  result = attempt(current, after, first, 0, reference, options, pins, progress);
   // Where the weighted problem does not close, the nearest flat mesh in growing surroundings does,
   // and still leaves the rest alone.
   for (const int rings : {2, 4, 8, 16}) {
-    if (remaining.empty() || reference == nullptr ||
+    if (after.failing.empty() || reference == nullptr ||
         result.report.status == SolveStatus::kCancelled) {
       break;
     }
     Mesh again = mesh;
-    std::vector<int> left = failing;
+    Flatness left = before;
     ProjectionResult next =
         attempt(again, left, Attempt::kConfined, rings, reference, options, pins, progress);
-    if (left.size() > remaining.size()) continue;
+    if (left.failing.size() > after.failing.size()) continue;
     result = std::move(next);
     current = std::move(again);
-    remaining = std::move(left);
+    after = std::move(left);
   }
   record_moves(mesh, current.positions, result);
-  result.report.planarity_before = before;
-  result.report.planarity_after = planarity_summary(mesh, current.positions).max;
-  result.failing_faces = std::move(remaining);
+  result.report.planarity_before = before.worst;
+  result.report.planarity_after = after.worst;
+  result.failing_faces = std::move(after.failing);
   if (!result.failing_faces.empty() && result.report.usable()) {
     result.report.status = SolveStatus::kToleranceNotMet;
   } else if (result.failing_faces.empty() && result.report.status == SolveStatus::kSingularSystem) {

@@ -54,8 +54,7 @@ void ProjectNearest(benchmark::State& state) { project(state, 0.0); }
 void ProjectFair(benchmark::State& state) { project(state, 0.1); }
 
 BENCHMARK(ProjectNearest)
-    ->ArgsProduct({{32, 100}, {4, 9}})
-    ->Args({316, 9})
+    ->ArgsProduct({{32, 100, 316}, {4, 9}})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 BENCHMARK(ProjectFair)

@@ -56,6 +56,10 @@ describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
     await page.getByRole("button", { name: "Find variations" }).click();
     await expect.poll(() => page.getByRole("slider", { name: "Variation 1" }).count()).toBe(1);
     await expectClean(page, "variations");
+    const gallery = page.getByRole("list", { name: "Gallery of variations" });
+    await expect.poll(() => gallery.getAttribute("aria-busy"), { timeout: 20_000 }).toBe("false");
+    await page.getByRole("button", { name: "Take snapshot" }).click();
+    await expectClean(page, "gallery and snapshots");
     await page.context().close();
   });
 });

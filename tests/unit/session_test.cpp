@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/mesh_builders.hpp"
+
 namespace planish {
 namespace {
 
@@ -100,6 +102,23 @@ TEST(Session, ARefusedEditKeepsTheLastOne) {
   nonsense.attraction = -1.0;
   EXPECT_NE(session.set_options(nonsense), std::nullopt);
   EXPECT_EQ(session.current(), before);
+}
+
+TEST(Session, VariationsOutliveARestoreThatKeepsThem) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 1.0);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 0.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const std::vector<int> moved = session.moved();
+  const Positions positions = session.moved_positions();
+  const Eigen::Vector2d x(0.5, 0.5);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  const Positions varied = session.current();
+  ASSERT_EQ(session.restore(targets, moved, positions, true), std::nullopt);
+  ASSERT_EQ(session.vary(x), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.current(), varied));
+  ASSERT_EQ(session.restore(targets, moved, positions), std::nullopt);
+  EXPECT_NE(session.vary(x), std::nullopt);
 }
 
 TEST(Session, DisplayCoordinatesKeepTheirDigitsFarFromTheOrigin) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { Abandoned, SolverClient } from "../../web/src/solver/client.ts";
+import { Abandoned, Died, SolverClient } from "../../web/src/solver/client.ts";
 import type { Request } from "../../web/src/solver/protocol.ts";
 
 /** A worker that answers only when told to. */
@@ -9,6 +9,8 @@ class SlowWorker {
   onerror: ((event: unknown) => void) | null = null;
   readonly received: Request[] = [];
   terminated = false;
+  /** Ends without a word, as when the browser kills it. */
+  die: () => void = () => {};
 
   postMessage(request: Request): void {
     this.received.push(request);
@@ -26,17 +28,22 @@ class SlowWorker {
 async function connect() {
   const workers: SlowWorker[] = [];
   const steps: number[] = [];
-  const spawn = async () => {
+  const deaths: string[] = [];
+  const spawn = async (died: () => void) => {
     const worker = new SlowWorker();
+    worker.die = died;
     workers.push(worker);
     setTimeout(() => worker.reply({ kind: "ready", job: 0 }));
     return worker as unknown as Worker;
   };
-  const client = new SolverClient(spawn, (step) => steps.push(step));
+  const client = new SolverClient(spawn, {
+    progress: (progress) => steps.push(progress.kind === "progress" ? progress.step : 0),
+    died: (sentence) => deaths.push(sentence),
+  });
   await client.ready;
   const [worker] = workers;
   if (!worker) throw new Error("no worker");
-  return { client, worker, workers, steps };
+  return { client, worker, workers, steps, deaths };
 }
 
 const settled = (promise: Promise<unknown>): Promise<unknown> => promise.catch((error) => error);
@@ -60,7 +67,7 @@ describe("the solver client", () => {
   it("ignores answers to jobs that are gone, and reports progress", async () => {
     const { client, worker, steps } = await connect();
     const asked = client.ask({ kind: "exact" });
-    worker.reply({ kind: "failed", job: 77, message: "stale" });
+    worker.reply({ kind: "failed", job: 77, message: "stale", fatal: false });
     worker.reply({ kind: "progress", job: 1, step: 5, residual: 1 });
     worker.reply({ kind: "panels", job: 1, figures: new Float32Array() });
     expect(await asked).toMatchObject({ kind: "panels" });
@@ -71,7 +78,7 @@ describe("the solver client", () => {
     const { client, worker } = await connect();
     const asked = settled(client.ask({ kind: "exact" }));
     const next = client.ask({ kind: "panels" });
-    worker.reply({ kind: "failed", job: 1, message: "No." });
+    worker.reply({ kind: "failed", job: 1, message: "No.", fatal: false });
     expect(await asked).toMatchObject({ message: "No." });
     worker.reply({ kind: "panels", job: 2, figures: new Float32Array() });
     expect(await next).toMatchObject({ kind: "panels" });
@@ -87,5 +94,33 @@ describe("the solver client", () => {
     await client.ready;
     workers[1]?.reply({ kind: "panels", job: 2, figures: new Float32Array() });
     expect(await next).toMatchObject({ kind: "panels" });
+  });
+
+  it.each([
+    ["without a word", (worker: SlowWorker) => worker.die()],
+    [
+      "with an error",
+      (worker: SlowWorker) => worker.onerror?.({ preventDefault() {}, message: "" }),
+    ],
+    [
+      "saying that it cannot go on",
+      (worker: SlowWorker) =>
+        worker.reply({ kind: "failed", job: 1, message: "It stopped.", fatal: true }),
+    ],
+  ])("replaces a worker that ends %s", async (_, end) => {
+    const { client, worker, workers, deaths } = await connect();
+    const asked = settled(client.ask({ kind: "exact" }));
+    const waiting = settled(client.ask({ kind: "panels" }));
+    end(worker);
+    expect(await asked).toBeInstanceOf(Died);
+    expect(await waiting).toBeInstanceOf(Abandoned);
+    expect(deaths).toEqual([expect.stringMatching(/stopped/)]);
+    worker.die();
+    expect(deaths.length).toBe(1);
+    const next = client.ask({ kind: "panels" });
+    await client.ready;
+    workers[1]?.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    expect(await next).toMatchObject({ kind: "panels" });
+    expect(workers.length).toBe(2);
   });
 });

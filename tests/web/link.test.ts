@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
+import { crc32 } from "../../web/src/share/crc32.ts";
 import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
-import { crc32, deviation, markOf, type Recipe } from "../../web/src/state/recipe.ts";
+import type { Parsed } from "../../web/src/state/expression.ts";
+import { deviation, markOf, type Recipe } from "../../web/src/state/recipe.ts";
 
 const shape = {
   moved: Int32Array.of(3, 7),
@@ -22,8 +24,9 @@ const recipe: Recipe = {
     fairness: "second",
     engine: "newton",
   },
-  variation: [0.5, -0.25],
+  variation: { coefficients: [0.5, -0.25], asked: 2, eigenbasis: false },
   unit: "m",
+  camera: null,
   mark: markOf(shape),
 };
 
@@ -31,12 +34,24 @@ const withFile: Recipe = {
   ...recipe,
   planarised: true,
   variation: null,
-  source: { kind: "file", name: "röof.obj", format: "obj", bytes: Uint8Array.of(1, 2, 250) },
+  source: {
+    kind: "file",
+    name: "röof.obj",
+    format: "obj",
+    bytes: new Blob([Uint8Array.of(1, 2, 250)]),
+    crc: crc32(Uint8Array.of(1, 2, 250)),
+  },
+  camera: { position: [1.5, -2, 0.125], target: [0, 0, 1] },
 };
 
 /** Version 1 as it was when it was published: it must open for ever. */
 const GOLDEN =
   "#v1=XY4xDsIwEATzlq0X6-zgOPFP0MkFgkgUkCCSECRExU94DRVvQqZByky5xezz9d58iqK4Y0BUXLfTcQSdTcQZUYgDoqpzQivGsjENxZQLKInqKT9tSsSMqFZEaCnGE0O767s9iK6dx75DIm6ImreVGOcTMSHiBOKCqC74qm7WQWo6asmcFuNymmFxgGKqPyH3H18";
+
+async function content(decoded: Parsed<Recipe>): Promise<Uint8Array | null> {
+  if (!decoded.ok || decoded.value.source.kind === "sample") return null;
+  return new Uint8Array(await decoded.value.source.bytes.arrayBuffer());
+}
 
 describe("links", () => {
   it.each([
@@ -45,7 +60,9 @@ describe("links", () => {
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);
     expect(link).toMatch(/^#v1=[\w-]+$/);
-    expect(await decodeLink(link)).toEqual({ ok: true, value: original });
+    const decoded = await decodeLink(link);
+    expect(decoded).toEqual({ ok: true, value: original });
+    expect(await content(decoded)).toEqual(await content({ ok: true, value: original }));
   });
 
   it("of a sample with one edit stay short", async () => {

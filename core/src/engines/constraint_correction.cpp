@@ -206,13 +206,14 @@ double correct_constraints(const Patch& patch, int max_passes, Eigen::Matrix3Xd&
   constexpr double kRounding = 1e-13;
   constexpr int kMostHalvings = 6;
   if (patch.equations.empty()) return 0.0;
-  Corrector corrector(patch);
   Eigen::VectorXd residuals;
   Eigen::VectorXd trial_residuals;
   Eigen::Matrix3Xd delta;
   Eigen::Matrix3Xd trial;
   residuals_at(patch, displacement, residuals);
   double worst = residuals.cwiseAbs().maxCoeff();
+  if (worst <= kRounding) return worst;
+  Corrector corrector(patch);
   double regularization = kRegularization;
   for (int pass = 0; pass < max_passes && worst > kRounding; ++pass) {
     ++factorizations;

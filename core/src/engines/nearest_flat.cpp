@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planish/engines/anderson_mixing.hpp"
 #include "planish/engines/constraint_correction.hpp"
 
 namespace planish {
 namespace {
 
-constexpr double kFlat = 1e-8;     ///< residual that the exact finish takes to rounding, mean edges
-constexpr double kSettled = 1e-6;  ///< relative step below which t is the nearest point
+constexpr double kFlat = 1e-5;        ///< residual that finish() takes to rounding, mean edges
+constexpr double kContraction = 0.9;  ///< of one step's length to the last one's
 
 /// State of the iteration and its line search.
 class NearestFlat {
@@ -36,7 +37,28 @@ class NearestFlat {
     linear_.step(linearised_, delta_);  // −Jᵀ(JJᵀ)⁻¹(c − J t) = t⁺
     merit_weight_ = std::max(0.5 * merit_weight_, 2.0 * linear_.largest_multiplier());
     delta_ -= t_;
+    // Steps that keep shrinking follow a fixed-point law, and need no merit (Deuflhard's natural
+    // monotonicity test).
+    const double length = delta_.norm();
+    contracting_ = length < kContraction * last_length_;
+    last_length_ = length;
+    if (!contracting_) mixing_.restart();
+    mixing_.accelerate(t_, delta_);
     return search_line();
+  }
+
+  /// Onto the constraints, along the last linearisation while that helps.
+  void finish() {
+    constexpr int kMostPasses = 8;
+    constexpr double kRounding = 1e-13;
+    for (int pass = 0; pass < kMostPasses && violation() > kRounding; ++pass) {
+      linear_.step(residuals_, delta_);
+      trial_ = t_ + delta_;
+      residuals_at(patch_, trial_, trial_residuals_);
+      if (!(trial_residuals_.norm() < 0.1 * residuals_.norm())) return;
+      t_.swap(trial_);
+      residuals_.swap(trial_residuals_);
+    }
   }
 
  private:
@@ -53,10 +75,11 @@ class NearestFlat {
       const double merit = 0.5 * trial_.squaredNorm() + merit_weight_ * sum;
       // A step that halves the violation is progress whatever the merit says: ‖c‖₁ charges a full
       // step along curved constraints for what the next one removes (the Maratos effect).
-      if (merit < start || sum < kHalved * before) {
+      if (contracting_ || merit < start || sum < kHalved * before) {
         move_ = share * delta_.norm() / std::max(trial_.norm(), 1e-300);
         t_.swap(trial_);
         residuals_.swap(trial_residuals_);
+        if (share < 1.0) mixing_.restart();
         if (share < 0.25) regularization_ = std::min(1e-2, 10.0 * regularization_);
         if (share == 1.0) regularization_ = std::max(1e-10, 0.1 * regularization_);
         return true;
@@ -74,12 +97,15 @@ class NearestFlat {
   double regularization_ = 1e-10;
   double merit_weight_ = 0.0;
   double move_ = 1.0;
+  double last_length_ = 0.0;  ///< of the step before
+  bool contracting_ = false;
+  AndersonMixing mixing_;
 };
 
 }  // namespace
 
-NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Progress& progress,
-                                     Eigen::Matrix3Xd& displacement) {
+NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
+                                     const Progress& progress, Eigen::Matrix3Xd& displacement) {
   NearestFlatOutcome outcome;
   if (patch.equations.empty()) {
     outcome.status = SolveStatus::kConverged;
@@ -88,13 +114,13 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Pr
   NearestFlat solver(patch, displacement);
   if (!solver.attach()) {
     // A vertex with very many equations: correct along the primal form instead.
-    (void)correct_constraints(patch, max_steps, displacement, outcome.factorizations);
+    (void)correct_constraints(patch, options.max_steps, displacement, outcome.factorizations);
     outcome.status = SolveStatus::kConverged;
     return outcome;
   }
   solver.start();
-  for (; outcome.steps < max_steps; ++outcome.steps) {
-    if (solver.violation() <= kFlat && solver.move() <= kSettled) {
+  for (; outcome.steps < options.max_steps; ++outcome.steps) {
+    if (solver.violation() <= kFlat && solver.move() <= options.settled) {
       outcome.status = SolveStatus::kConverged;
       break;
     }
@@ -107,9 +133,10 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Pr
   }
   // A last step that rounding refused is the end of the road, not a failure.
   if (outcome.status == SolveStatus::kIterationLimit && solver.violation() <= kFlat &&
-      solver.move() <= 10.0 * kSettled) {
+      solver.move() <= 10.0 * options.settled) {
     outcome.status = SolveStatus::kConverged;
   }
+  if (solver.factorizations() > 0) solver.finish();
   outcome.factorizations = solver.factorizations();
   return outcome;
 }

@@ -29,11 +29,8 @@ WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
               static_cast<int>(model.fairness.rows())),
       grower_(model) {}
 
-NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
-                                         const NewtonOptions& options, DisplacementField& field,
-                                         const Interruption& interrupted) {
+void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start) {
   const std::vector<int>& handles = problem.handles;
-  support_ = handles;
   start_ = grower_.grow(handles, start.rings);
   std::vector<int> lines;
   for (const int v : handles) {
@@ -45,9 +42,23 @@ NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const Start
   std::set_union(start_.begin(), start_.end(), band.begin(), band.end(),
                  std::back_inserter(joined));
   start_ = std::move(joined);
+}
+
+NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
+                                         const NewtonOptions& options, DisplacementField& field,
+                                         const Interruption& interrupted) {
+  support_ = problem.handles;
+  lay_out(problem, start);
   NewtonOptions cold = options;
   cold.first_smoothing = start.first_smoothing;
   return run(problem, handle_scale(problem), cold, field, interrupted);
+}
+
+NewtonOutcome WorkingSetNewton::run_on(const EditProblem& problem, const StartSet& start,
+                                       const NewtonOptions& options, DisplacementField& field,
+                                       const Interruption& interrupted) {
+  lay_out(problem, start);
+  return run(problem, handle_scale(problem), options, field, interrupted);
 }
 
 NewtonOutcome WorkingSetNewton::run_warm(const EditProblem& problem, const NewtonOptions& options,

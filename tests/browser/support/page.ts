@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A real browser on the built site, served as plain files under a sub-path.
 import { readFile } from "node:fs/promises";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  chromium,
+  type Page,
+} from "playwright-core";
 import { expect } from "vitest";
 import { serve } from "../../../.tools/serve.mjs";
 
@@ -15,9 +21,14 @@ const FLAGS = [
   "--no-first-run",
 ];
 
+export type Prepare = (context: BrowserContext) => Promise<void>;
+
 export interface Site {
   readonly url: string;
-  open(options?: BrowserContextOptions, hash?: string): Promise<Page>;
+  /** A new visitor; `prepare` runs before the page loads. */
+  open(options?: BrowserContextOptions, hash?: string, prepare?: Prepare): Promise<Page>;
+  /** One more tab of the same visitor. */
+  openTab(page: Page): Promise<Page>;
   close(): Promise<void>;
 }
 
@@ -34,26 +45,33 @@ function watch(page: Page, origin: string, complaints: string[]): void {
   });
 }
 
-export async function openSite(): Promise<Site> {
-  const { server, url } = await serve("dist", { prefix: "/under/a/path/" });
+/** Waits until the page can be used. */
+export const usable = (page: Page): Promise<void> =>
+  expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
+
+export async function openSite(directory = "dist"): Promise<Site> {
+  const { server, url } = await serve(directory, { prefix: "/under/a/path/" });
   const browser: Browser = await chromium.launch({
     executablePath: "/usr/bin/chromium",
     args: FLAGS,
   });
   const complaints: string[] = [];
+  const tabIn = async (context: BrowserContext, hash: string): Promise<Page> => {
+    const page = await context.newPage();
+    watch(page, new URL(url).origin, complaints);
+    await page.goto(url + hash);
+    await usable(page);
+    return page;
+  };
   return {
     url,
-    async open(options = {}, hash = "") {
-      const context = await browser.newContext({
-        viewport: { width: 900, height: 640 },
-        ...options,
-      });
-      const page = await context.newPage();
-      watch(page, new URL(url).origin, complaints);
-      await page.goto(url + hash);
-      await expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
-      return page;
+    async open(options = {}, hash = "", prepare = async () => {}) {
+      const viewport = { width: 900, height: 640 };
+      const context = await browser.newContext({ viewport, ...options });
+      await prepare(context);
+      return tabIn(context, hash);
     },
+    openTab: (page) => tabIn(page.context(), ""),
     async close() {
       await browser.close();
       server.close();
@@ -70,7 +88,30 @@ export const movedCount = async (page: Page): Promise<number> =>
 
 /** Waits until nothing runs. */
 export const idle = (page: Page): Promise<void> =>
-  expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
+  expect
+    .poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled(), { timeout: 30_000 })
+    .toBe(true);
+
+/** Adds a handle if there is none and moves it: "+40cm" raises it. */
+export async function typeTarget(page: Page, z: string): Promise<void> {
+  const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  if ((await field.count()) === 0) {
+    await page.getByRole("button", { name: "Add handle" }).click();
+    await idle(page);
+  }
+  await field.first().fill(z);
+  await field.first().press("Enter");
+  await expect.poll(() => movedCount(page), { timeout: 10_000 }).toBeGreaterThan(0);
+  await idle(page);
+}
+
+export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open file" }).click();
+  const buffer = Buffer.from(content);
+  await (await chooser).setFiles({ name, mimeType: "application/octet-stream", buffer });
+  await idle(page);
+}
 
 export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"): Promise<Buffer> {
   await page.getByRole("button", { name: "Export" }).click();

@@ -1,22 +1,52 @@
 // SPDX-License-Identifier: MIT
-import { decodeLink, isLink } from "../share/link.ts";
+import { restoreSaved, startAutosave } from "../state/autosave.ts";
+import { placeCamera } from "../state/camera.ts";
 import { client } from "../state/connection.ts";
+import { begin as beginHistory } from "../state/history.ts";
 import { openFirst } from "../state/opening.ts";
-import { replay } from "../state/replaying.ts";
-import { problem, ready, stranded } from "../state/store.ts";
+import { show } from "../state/showing.ts";
+import { history, notice, problem, ready, snapshots, stranded, unit } from "../state/store.ts";
+import { inTurn } from "../state/turns.ts";
+import { followAddress, openAddressOverKept } from "./address.ts";
 import { keepOffline } from "./offline.ts";
 
-/** Opens the design of the page's own address; false if there is none to open. */
-async function openAddress(): Promise<boolean> {
-  if (!isLink(location.hash)) return false;
-  const recipe = await decodeLink(location.hash);
-  if (recipe.ok) return replay(recipe.value);
-  problem.value = recipe.reason;
-  return false;
+/** Brings back what this tab had; false if there is nothing. */
+async function openSaved(saved: ReturnType<typeof restoreSaved>): Promise<boolean> {
+  const restored = await saved;
+  if (restored.kind === "damaged") {
+    problem.value = "The design kept from your last visit is damaged and could not be opened.";
+    return false;
+  }
+  if (restored.kind === "none") return false;
+  const { record } = restored;
+  let shown = false;
+  await inTurn(async () => {
+    shown = await show(record.present);
+  });
+  snapshots.value = record.snapshots;
+  if (!shown) return false;
+  history.value = beginHistory(record.present);
+  unit.value = record.unit;
+  placeCamera(record.camera);
+  const time = new Date(record.time).toLocaleString(undefined, {
+    dateStyle: "medium",
+    timeStyle: "short",
+  });
+  notice.value = `Your design of ${time} is back.`;
+  return true;
 }
 
-/** What happens when the page opens: a shared design, or the first sample. */
+async function openDesigns(saved: ReturnType<typeof restoreSaved>): Promise<void> {
+  const restored = await openSaved(saved);
+  if ((await openAddressOverKept()) || restored) return;
+  const said = problem.value;
+  await openFirst();
+  problem.value = said;
+}
+
+/** What happens when the page opens: a shared design, the last one, or the first sample. */
 export async function begin(): Promise<void> {
+  const saved = restoreSaved();
   try {
     await client.ready;
   } catch (error) {
@@ -24,12 +54,9 @@ export async function begin(): Promise<void> {
     stranded.value = true;
     return;
   }
-  if (!(await openAddress())) {
-    const said = problem.value;
-    await openFirst();
-    problem.value = said;
-  }
+  await openDesigns(saved);
   ready.value = true;
+  startAutosave();
+  followAddress();
   void keepOffline();
-  window.addEventListener("hashchange", () => void openAddress());
 }

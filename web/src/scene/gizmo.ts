@@ -1,55 +1,91 @@
 // SPDX-License-Identifier: MIT
-import { Object3D, type Vector3 } from "three";
+// Arrows and small planes at the chosen point. They only show where one can pull; the pointer
+// tool does the pulling, so that every drag is held and snapped in one way.
+import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
+import type { Frame } from "../mesh/point-frame.ts";
+import type { Lock } from "../state/store.ts";
+import type { Held } from "./constraint.ts";
 import type { Stage } from "./stage.ts";
 
-export interface DragEvents {
-  readonly start: () => void;
-  readonly move: (place: Vector3) => void;
-  readonly end: () => void;
-}
+/** Which of the gizmo's own axes a part moves along, or across for a plane. */
+const PARTS: Readonly<Record<string, readonly [number, boolean]>> = {
+  X: [0, false],
+  Y: [1, false],
+  Z: [2, false],
+  YZ: [0, true],
+  XZ: [1, true],
+  XY: [2, true],
+};
 
-/** Arrows and planes at one point; display coordinates. */
+const AXIS_OF: Readonly<Record<string, number>> = { X: 0, Y: 1, Z: 2 };
+
 export class Gizmo {
   readonly #controls: TransformControls;
   readonly #proxy = new Object3D();
   readonly #stage: Stage;
 
-  constructor(stage: Stage, canvas: HTMLCanvasElement, events: DragEvents) {
+  constructor(stage: Stage) {
     this.#stage = stage;
-    this.#controls = new TransformControls(stage.camera, canvas);
+    this.#controls = new TransformControls(stage.camera, null);
     this.#controls.setSize(0.62);
+    this.#controls.setSpace("local");
     this.#controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
-    this.#controls.addEventListener("change", () => stage.invalidate());
-    this.#controls.addEventListener("dragging-changed", ({ value }) => {
-      stage.orbit.enabled = !value;
-      if (value) events.start();
-      else events.end();
-    });
-    this.#controls.addEventListener("objectChange", () => events.move(this.#proxy.position));
+    this.#dropBackArrows();
     stage.scene.add(this.#proxy, this.#controls.getHelper());
   }
 
-  get dragging(): boolean {
-    return this.#controls.dragging;
+  /** An arrow each way at every axis is more than a point needs. */
+  #dropBackArrows(): void {
+    const back: Object3D[] = [];
+    this.#controls.getHelper().traverse((part) => {
+      if (!(part instanceof Mesh) || !(part.name in AXIS_OF)) return;
+      const { geometry } = part as Mesh<BufferGeometry>;
+      geometry.computeBoundingBox();
+      const reach = geometry.boundingBox?.max.getComponent(AXIS_OF[part.name] ?? 0) ?? 0;
+      if (reach < 0.1) back.push(part);
+    });
+    for (const part of back) part.removeFromParent();
   }
 
-  /** Whether a press at this pixel would take hold of an arrow or plane. */
-  holds(event: PointerEvent, canvas: HTMLCanvasElement): boolean {
-    if (!this.#controls.object) return false;
-    const box = canvas.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * 2 - 1;
-    const y = 1 - ((event.clientY - box.top) / box.height) * 2;
-    this.#controls.pointerHover(Object.assign(new PointerEvent("pointermove"), { x, y }));
-    return this.#controls.axis !== null;
+  /** The part under a pixel, which is highlighted; null beside all of them. */
+  hover(x: number, y: number, width: number, height: number): Held | null {
+    if (!this.#controls.object) return null;
+    const before = this.#controls.axis;
+    // Typed as an event, but only a place in −1 … 1 is read from it.
+    const place = { x: (2 * x) / width - 1, y: 1 - (2 * y) / height, button: 0 };
+    this.#controls.pointerHover(place as unknown as PointerEvent);
+    // The middle, where all planes meet, belongs to the point itself.
+    const part = PARTS[this.#controls.axis ?? ""];
+    if (!part) this.#controls.axis = null;
+    if (this.#controls.axis !== before) this.#stage.invalidate();
+    if (!part) return null;
+    const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
+    this.#proxy.matrixWorld.extractBasis(...columns);
+    return { direction: columns[part[0] as 0 | 1 | 2].normalize(), plane: part[1] };
   }
 
-  attach(x: number, y: number, z: number): void {
-    if (this.#controls.dragging) return;
+  /** Display coordinates; along X, Y and Z without a frame. */
+  attach(x: number, y: number, z: number, frame: Frame | null): void {
     this.#proxy.position.set(x, y, z);
+    this.#proxy.quaternion.identity();
+    if (frame) {
+      const columns = [frame.along, frame.across, frame.normal].map((c) => new Vector3(...c));
+      const [along = new Vector3(), across = new Vector3(), normal = new Vector3()] = columns;
+      this.#proxy.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(along, across, normal));
+    }
     this.#proxy.updateMatrixWorld();
     if (!this.#controls.object) this.#controls.attach(this.#proxy);
     this.#stage.invalidate();
+  }
+
+  /** Shows only the arrows that a lock leaves. */
+  show(lock: Lock | null): void {
+    const axis = lock?.axis === "normal" ? "z" : lock?.axis;
+    const shown = (name: string): boolean => !lock || (name === axis) !== lock.plane;
+    this.#controls.showX = shown("x");
+    this.#controls.showY = shown("y");
+    this.#controls.showZ = shown("z");
   }
 
   detach(): void {
@@ -57,11 +93,8 @@ export class Gizmo {
     this.#stage.invalidate();
   }
 
-  setSnap(step: number | null): void {
-    this.#controls.setTranslationSnap(step);
-  }
-
   dispose(): void {
-    this.#controls.dispose();
+    this.#controls.detach();
+    this.#controls.getHelper().dispose();
   }
 }

@@ -2,9 +2,12 @@
 // Handles, pins and the hovered point, drawn over the canvas at constant size.
 import { project, type View } from "./picking.ts";
 
+/** More marks than this would hide the model. */
+const LIMIT = 400;
+
 export interface Marker {
   readonly vertex: number;
-  readonly kind: "handle" | "pin" | "hover" | "first";
+  readonly kind: "handle" | "pin" | "point" | "hover" | "first";
   readonly selected: boolean;
 }
 
@@ -18,14 +21,14 @@ export class Markers {
   }
 
   set(markers: readonly Marker[]): void {
-    this.#markers = markers;
-    while (this.#elements.length < markers.length) {
+    this.#markers = markers.slice(0, LIMIT);
+    while (this.#elements.length < this.#markers.length) {
       const element = document.createElement("span");
       this.#layer.append(element);
       this.#elements.push(element);
     }
-    for (const surplus of this.#elements.splice(markers.length)) surplus.remove();
-    markers.forEach((marker, k) => {
+    for (const surplus of this.#elements.splice(this.#markers.length)) surplus.remove();
+    this.#markers.forEach((marker, k) => {
       const element = this.#elements[k];
       if (element) element.className = `marker ${marker.kind}${marker.selected ? " selected" : ""}`;
     });

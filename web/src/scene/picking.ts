@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-import { type Camera, Matrix4, Vector3 } from "three";
+// What lies under a pixel or in a box: points in screen space, panels by their triangles.
+import { type Camera, Matrix4, type Ray, Vector3 } from "three";
+import { row, type Topology } from "../mesh/topology.ts";
 
-/** Pixels: further away than this is a miss. */
-const REACH = 18;
+/** Pixels: further away than this is a miss, for a mouse and for a finger. */
+const REACH = { fine: 18, coarse: 30 };
+/** Nearer than this is always a hit. */
+const SURE = { fine: 6, coarse: 20 };
+/** Share of a point's edges on screen that belongs to it; the middle of a panel is the panel's. */
+const SHARE = 0.6;
 /** Pixels per unit of normalised depth: prefers the near side where points overlap. */
 const DEPTH_COST = 1500;
 
@@ -10,6 +16,14 @@ export interface View {
   readonly camera: Camera;
   readonly width: number;
   readonly height: number;
+}
+
+/** Pixels from the top left of the canvas. */
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
 }
 
 const scratch = new Vector3();
@@ -25,32 +39,86 @@ export function project(
   return { x: ((scratch.x + 1) / 2) * width, y: ((1 - scratch.y) / 2) * height, depth: scratch.z };
 }
 
-/** The vertex nearest to a pixel, in screen space; null if none is within reach. */
-export function pickVertex(points: Float32Array, x: number, y: number, view: View): number | null {
-  const matrix = new Matrix4().multiplyMatrices(
-    view.camera.projectionMatrix,
-    view.camera.matrixWorldInverse,
-  );
+/** Calls `seen` with pixels and depth of every point before the camera. */
+function eachOnScreen(
+  points: Float32Array,
+  { camera, width, height }: View,
+  seen: (vertex: number, x: number, y: number, depth: number) => void,
+): void {
+  const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const e = matrix.elements;
-  const [ex, ey] = [(2 * x) / view.width - 1, 1 - (2 * y) / view.height];
-  let best: number | null = null;
-  let lowest = Number.POSITIVE_INFINITY;
+  const along = (k: number, x: number, y: number, z: number): number =>
+    (e[k] ?? 0) * x + (e[k + 4] ?? 0) * y + (e[k + 8] ?? 0) * z + (e[k + 12] ?? 0);
   for (let v = 0; v < points.length / 3; ++v) {
-    const px = points[3 * v] ?? 0;
-    const py = points[3 * v + 1] ?? 0;
-    const pz = points[3 * v + 2] ?? 0;
-    const w = (e[3] ?? 0) * px + (e[7] ?? 0) * py + (e[11] ?? 0) * pz + (e[15] ?? 0);
+    const [px, py, pz] = [points[3 * v] ?? 0, points[3 * v + 1] ?? 0, points[3 * v + 2] ?? 0];
+    const w = along(3, px, py, pz);
     if (w <= 0) continue;
-    const cx = ((e[0] ?? 0) * px + (e[4] ?? 0) * py + (e[8] ?? 0) * pz + (e[12] ?? 0)) / w;
-    const cy = ((e[1] ?? 0) * px + (e[5] ?? 0) * py + (e[9] ?? 0) * pz + (e[13] ?? 0)) / w;
-    const distance = Math.hypot((cx - ex) * view.width, (cy - ey) * view.height) / 2;
-    if (distance > REACH) continue;
-    const cz = ((e[2] ?? 0) * px + (e[6] ?? 0) * py + (e[10] ?? 0) * pz + (e[14] ?? 0)) / w;
-    const cost = distance + cz * DEPTH_COST;
-    if (cost < lowest) {
-      lowest = cost;
-      best = v;
-    }
+    const x = ((along(0, px, py, pz) / w + 1) / 2) * width;
+    const y = ((1 - along(1, px, py, pz) / w) / 2) * height;
+    seen(v, x, y, along(2, px, py, pz) / w);
   }
-  return best;
+}
+
+/** Mean length in pixels of the edges at a point. */
+function spacing(points: Float32Array, vertex: number, topology: Topology, view: View): number {
+  const at = project(points, vertex, view);
+  const ends = row(topology.edgeEnds, vertex);
+  let sum = 0;
+  for (const end of ends) {
+    const to = project(points, topology.edges[end ^ 1] ?? vertex, view);
+    if (at && to) sum += Math.hypot(to.x - at.x, to.y - at.y);
+  }
+  return ends.length > 0 ? sum / ends.length : Number.POSITIVE_INFINITY;
+}
+
+/** The vertex nearest to a pixel, in screen space; null if none is within reach. */
+export function pickVertex(
+  points: Float32Array,
+  topology: Topology,
+  x: number,
+  y: number,
+  coarse: boolean,
+  view: View,
+): number | null {
+  const size = coarse ? "coarse" : "fine";
+  let best: number | null = null;
+  let away = 0;
+  let lowest = Number.POSITIVE_INFINITY;
+  eachOnScreen(points, view, (v, px, py, depth) => {
+    const distance = Math.hypot(px - x, py - y);
+    const cost = distance + depth * DEPTH_COST;
+    if (distance > REACH[size] || cost >= lowest) return;
+    lowest = cost;
+    best = v;
+    away = distance;
+  });
+  if (best === null || away <= SURE[size]) return best;
+  return away <= SHARE * spacing(points, best, topology, view) ? best : null;
+}
+
+/** The points that a box on screen holds. */
+export function verticesIn(box: Box, points: Float32Array, view: View): number[] {
+  const inside: number[] = [];
+  eachOnScreen(points, view, (v, x, y) => {
+    if (x >= box.left && x <= box.right && y >= box.top && y <= box.bottom) inside.push(v);
+  });
+  return inside;
+}
+
+/** The first of the triangle's corners where the ray enters the surface; null beside it. */
+export function pickCorner(corners: Float32Array, triangles: Uint32Array, ray: Ray): number | null {
+  const [a, b, c, hit] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+  let nearest = Number.POSITIVE_INFINITY;
+  let found: number | null = null;
+  for (let t = 0; t < triangles.length; t += 3) {
+    a.fromArray(corners, 3 * (triangles[t] ?? 0));
+    b.fromArray(corners, 3 * (triangles[t + 1] ?? 0));
+    c.fromArray(corners, 3 * (triangles[t + 2] ?? 0));
+    if (!ray.intersectTriangle(a, b, c, false, hit)) continue;
+    const distance = hit.distanceToSquared(ray.origin);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    found = triangles[t] ?? 0;
+  }
+  return found;
 }

@@ -1,44 +1,58 @@
 // SPDX-License-Identifier: MIT
-// Pressing a point selects it; pressing and moving drags it in the plane of the screen.
-import { Plane, Raycaster, Vector2, Vector3 } from "three";
-import type { Gizmo } from "./gizmo.ts";
-import { pickVertex, type View } from "./picking.ts";
+// Presses become clicks, drags of points, boxes or turns of the camera; with mouse, pen and touch.
+import type { Ray } from "three";
+import type { Held } from "./constraint.ts";
+import type { DragSession } from "./drag-session.ts";
+import type { Box } from "./picking.ts";
 import type { Stage } from "./stage.ts";
 
-/** Pixels a press may wander and still be a click. */
-const CLICK_SLACK = 3;
+/** Pixels a press may wander and still be a click; fingers are less steady. */
+const SLACK = { fine: 3, coarse: 8 };
+
+/** What lies under a pixel that can be taken hold of. */
+export interface Hold {
+  readonly vertex: number;
+  /** Set when an arrow or plane of the gizmo was hit rather than the point itself. */
+  readonly arrow: Held | null;
+}
 
 export interface PointerEvents {
-  readonly points: () => Float32Array | null;
-  readonly hover: (vertex: number | null) => void;
-  readonly select: (vertex: number | null) => void;
-  readonly drag: (vertex: number, place: Vector3) => void;
-  readonly release: () => void;
-  readonly abandon: () => void;
+  readonly find: (x: number, y: number, coarse: boolean) => Hold | null;
+  /** Whether every drag is to draw a box. */
+  readonly boxing: () => boolean;
+  readonly hover: (hold: Hold | null) => void;
+  /** `also`: adds to the selection. */
+  readonly click: (x: number, y: number, hold: Hold | null, also: boolean) => void;
+  readonly grab: (hold: Hold, press: Ray) => DragSession | null;
+  readonly drag: (session: DragSession, snap: boolean, ray?: Ray) => void;
+  readonly box: (box: Box | null) => void;
+  readonly choose: (box: Box) => void;
 }
 
 interface Press {
-  readonly vertex: number | null;
+  readonly event: PointerEvent;
   readonly x: number;
   readonly y: number;
-  readonly plane: Plane;
-  readonly offset: Vector3;
+  readonly kind: "turn" | "drag" | "box";
+  readonly hold: Hold | null;
+  session: DragSession | null;
   moved: boolean;
 }
+
+const coarse = (event: PointerEvent): boolean => event.pointerType === "touch";
 
 export class PointerTool {
   readonly #canvas: HTMLCanvasElement;
   readonly #stage: Stage;
-  readonly #gizmo: Gizmo;
   readonly #events: PointerEvents;
-  readonly #ray = new Raycaster();
   readonly #off = new AbortController();
   #press: Press | null = null;
+  /** A press that is being given to the camera controls. */
+  #handedOver: Event | null = null;
 
-  constructor(canvas: HTMLCanvasElement, stage: Stage, gizmo: Gizmo, events: PointerEvents) {
+  constructor(canvas: HTMLCanvasElement, stage: Stage, events: PointerEvents) {
     this.#canvas = canvas;
     this.#stage = stage;
-    this.#gizmo = gizmo;
     this.#events = events;
     const { signal } = this.#off;
     // Before the camera controls see it: a press on a point must not turn the view.
@@ -50,78 +64,108 @@ export class PointerTool {
   }
 
   get dragging(): boolean {
-    return this.#press?.moved === true && this.#press.vertex !== null;
+    return this.#press?.session !== null && this.#press?.session !== undefined;
   }
 
-  /** Gives the drag up; the design goes back to where it was. */
+  /** Gives up what the pointer was doing; a design that was dragged goes back to where it was. */
   abandon(): void {
-    const wasDragging = this.dragging;
-    this.#press = null;
-    this.#stage.orbit.enabled = true;
-    if (wasDragging) this.#events.abandon();
+    const session = this.#press?.session;
+    this.#finish();
+    session?.abandon();
+  }
+
+  /** The lock changed while the pointer rests. */
+  refresh(): void {
+    if (this.#press?.session) this.#events.drag(this.#press.session, false);
   }
 
   dispose(): void {
     this.#off.abort();
   }
 
-  #view(): View {
-    const { width, height } = this.#canvas.getBoundingClientRect();
-    return { camera: this.#stage.camera, width, height };
-  }
-
-  #pick(event: PointerEvent): number | null {
-    const points = this.#events.points();
-    const box = this.#canvas.getBoundingClientRect();
-    return points
-      ? pickVertex(points, event.clientX - box.left, event.clientY - box.top, this.#view())
-      : null;
+  #finish(): void {
+    if (this.#press?.kind === "box") this.#events.box(null);
+    this.#press = null;
+    this.#stage.orbit.enabled = true;
   }
 
   #down(event: PointerEvent): void {
-    if (event.button !== 0 || !event.isPrimary || this.#gizmo.holds(event, this.#canvas)) return;
-    const vertex = this.#pick(event);
-    const points = this.#events.points();
-    const at = new Vector3();
-    if (vertex !== null && points) at.fromArray(points, 3 * vertex);
-    const normal = this.#stage.camera.getWorldDirection(new Vector3());
-    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, at);
-    const offset = at.sub(this.#onPlane(event, plane) ?? at);
-    this.#press = { vertex, x: event.clientX, y: event.clientY, plane, offset, moved: false };
-    if (vertex === null) return;
+    if (event === this.#handedOver) return;
+    if (!event.isPrimary) {
+      this.#secondFinger();
+      return;
+    }
+    if (event.button !== 0) return;
+    const { x, y } = this.#place(event);
+    const hold = this.#events.find(x, y, coarse(event));
+    const kind = event.shiftKey || this.#events.boxing() ? "box" : hold ? "drag" : "turn";
+    this.#press = { event, x, y, kind, hold, session: null, moved: false };
+    if (kind === "turn") return;
     this.#stage.orbit.enabled = false;
     this.#canvas.setPointerCapture(event.pointerId);
   }
 
+  /** Two fingers are for the camera, unless the first is moving a point already. */
+  #secondFinger(): void {
+    const press = this.#press;
+    if (!press || press.kind === "turn" || press.session) return;
+    this.#finish();
+    this.#handedOver = new PointerEvent("pointerdown", press.event);
+    this.#canvas.dispatchEvent(this.#handedOver);
+  }
+
   #move(event: PointerEvent): void {
+    const { x, y } = this.#place(event);
     const press = this.#press;
     if (!press) {
-      if (!this.#gizmo.dragging && event.pointerType === "mouse" && event.buttons === 0) {
-        this.#events.hover(this.#pick(event));
+      if (event.pointerType === "mouse" && event.buttons === 0) {
+        this.#events.hover(this.#events.find(x, y, false));
       }
       return;
     }
-    const far = Math.hypot(event.clientX - press.x, event.clientY - press.y) > CLICK_SLACK;
-    press.moved ||= far;
-    if (press.vertex === null || !press.moved) return;
-    const place = this.#onPlane(event, press.plane);
-    if (place) this.#events.drag(press.vertex, place.add(press.offset));
+    if (!event.isPrimary) return;
+    const slack = coarse(event) ? SLACK.coarse : SLACK.fine;
+    press.moved ||= Math.hypot(x - press.x, y - press.y) > slack;
+    if (!press.moved) return;
+    if (press.kind === "box") this.#events.box(boxOf(press, x, y));
+    if (press.kind === "drag" && press.hold) this.#drag(press, press.hold, event);
+  }
+
+  #drag(press: Press, hold: Hold, event: PointerEvent): void {
+    press.session ??= this.#events.grab(hold, this.#rayAt(press.x, press.y));
+    if (!press.session) {
+      this.#finish();
+      return;
+    }
+    const { x, y } = this.#place(event);
+    this.#events.drag(press.session, event.ctrlKey || event.metaKey, this.#rayAt(x, y));
   }
 
   #up(event: PointerEvent): void {
     const press = this.#press;
-    this.#press = null;
-    this.#stage.orbit.enabled = true;
-    if (!press || event.button !== 0) return;
-    if (!press.moved) this.#events.select(press.vertex);
-    else if (press.vertex !== null) this.#events.release();
+    if (!press || event.button !== 0 || !event.isPrimary) return;
+    this.#finish();
+    const { x, y } = this.#place(event);
+    const also = event.ctrlKey || event.metaKey || event.shiftKey || press.kind === "box";
+    if (!press.moved) this.#events.click(press.x, press.y, press.hold, also);
+    else if (press.kind === "box") this.#events.choose(boxOf(press, x, y));
+    else press.session?.end();
   }
 
-  #onPlane(event: PointerEvent, plane: Plane): Vector3 | null {
-    const box = this.#canvas.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * 2 - 1;
-    const y = 1 - ((event.clientY - box.top) / box.height) * 2;
-    this.#ray.setFromCamera(new Vector2(x, y), this.#stage.camera);
-    return this.#ray.ray.intersectPlane(plane, new Vector3());
+  #place(event: PointerEvent): { x: number; y: number } {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return { x: event.clientX - left, y: event.clientY - top };
+  }
+
+  #rayAt(x: number, y: number): Ray {
+    const { width, height } = this.#canvas.getBoundingClientRect();
+    return this.#stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
   }
 }
+
+const boxOf = (press: Press, x: number, y: number): Box => ({
+  left: Math.min(press.x, x),
+  top: Math.min(press.y, y),
+  right: Math.max(press.x, x),
+  bottom: Math.max(press.y, y),
+});

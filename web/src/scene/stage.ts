@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Camera, light and ground; draws only when something changed.
 import {
-  Box3,
+  type Box3,
   DirectionalLight,
   HemisphereLight,
   Mesh,
@@ -9,49 +9,25 @@ import {
   PCFShadowMap,
   PerspectiveCamera,
   PlaneGeometry,
+  type Ray,
+  Raycaster,
   Scene,
   ShadowMaterial,
   Spherical,
+  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Camera } from "../state/camera.ts";
+import { DIRECTIONS, standpoint, type ViewName } from "./framing.ts";
+import { closer, Glide } from "./glide.ts";
 import type { Palette } from "./palette.ts";
-
-export type ViewName = "3D" | "Top" | "Front" | "Side";
-
-const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, number]>> = {
-  "3D": [-0.52, -0.92, 0.62],
-  Top: [0, -0.001, 1],
-  Front: [0, -1, 0],
-  Side: [1, 0, 0],
-};
 
 /** Milliseconds: a slower frame leaves shadows out while something moves. */
 const QUICK = 8;
 /** Milliseconds without a change after which they are cast again. */
 const REST = 160;
-
-/** Share of the view that a fitted subject fills. */
-const FILL = 0.86;
-
-/** How far from `centre` a camera that looks at it must stand to see every point. */
-function fittingDistance(points: Float32Array, centre: Vector3, camera: PerspectiveCamera): number {
-  const right = new Vector3();
-  const up = new Vector3();
-  const towards = new Vector3();
-  camera.matrixWorld.extractBasis(right, up, towards);
-  const tangent = Math.tan((camera.fov * Math.PI) / 360) * FILL;
-  const point = new Vector3();
-  let distance = 1;
-  for (let v = 0; v < points.length / 3; ++v) {
-    point.fromArray(points, 3 * v).sub(centre);
-    const across = Math.abs(point.dot(right)) / (tangent * camera.aspect);
-    const high = Math.abs(point.dot(up)) / tangent;
-    distance = Math.max(distance, Math.max(across, high) + point.dot(towards));
-  }
-  return distance;
-}
 
 export class Stage {
   readonly scene = new Scene();
@@ -61,7 +37,10 @@ export class Stage {
   readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
   readonly #key = new DirectionalLight("#FFF9F0", 1.75);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
+  readonly #glide: Glide;
+  readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
+  #paper = "#FFFFFF";
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
@@ -81,7 +60,15 @@ export class Stage {
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
     this.orbit.addEventListener("change", () => this.invalidate());
+    this.#glide = new Glide(this.camera, this.orbit);
+    // The renderer sets up its own state again first: it has listened for longer.
+    canvas.addEventListener("webglcontextrestored", () => this.#castShadows());
     this.#lightUp();
+    // After the renderer's own listener, which makes its state and buffers again, but plain black.
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.setClearColor(this.#paper);
+      this.#castShadows();
+    });
   }
 
   #lightUp(): void {
@@ -97,7 +84,8 @@ export class Stage {
   }
 
   setPalette(palette: Palette): void {
-    this.renderer.setClearColor(palette.paper);
+    this.#paper = palette.paper;
+    this.renderer.setClearColor(this.#paper);
     this.#sky.color.set(palette.sky);
     this.#sky.groundColor.set(palette.ground);
     this.#ground.material.opacity = palette.shadow;
@@ -113,29 +101,40 @@ export class Stage {
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  /** Moves the camera to a named view that just holds `points`. */
-  view(name: ViewName, points: Float32Array): void {
-    const centre = new Box3().setFromArray(points).getCenter(new Vector3());
-    const towards = new Vector3(...DIRECTIONS[name]).normalize();
-    this.camera.position.copy(centre).add(towards);
-    this.camera.lookAt(centre);
-    this.camera.updateMatrixWorld();
-    const distance = fittingDistance(points, centre, this.camera);
-    this.orbit.target.copy(centre);
-    this.camera.position.copy(centre).addScaledVector(towards, distance);
-    this.orbit.update();
+  /** A named view that just holds `points`; `at once` on opening, else with a short glide. */
+  view(name: ViewName, points: Float32Array, atOnce: boolean): void {
+    const place = standpoint(points, new Vector3(...DIRECTIONS[name]).normalize(), this.camera);
+    if (atOnce) this.#glide.jump(place);
+    else this.#glide.to(place);
+    this.invalidate();
+  }
+
+  /** Moves the camera, without turning it, to where it just holds `points`. */
+  fit(points: Float32Array): void {
+    const towards = this.camera.getWorldDirection(new Vector3()).negate();
+    this.#glide.to(standpoint(points, towards, this.camera));
+    this.invalidate();
+  }
+
+  /** The ray through a place on screen, −1 … 1 to the right and upwards. */
+  rayThrough(x: number, y: number): Ray {
+    this.#caster.setFromCamera(new Vector2(x, y), this.camera);
+    return this.#caster.ray.clone();
+  }
+
+  /** Where the camera is and what it looks at. */
+  read(): Camera {
+    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+  }
+
+  place({ position, target }: Camera): void {
+    this.#glide.jump({ position: new Vector3(...position), target: new Vector3(...target) });
     this.invalidate();
   }
 
   /** Brings a few points to the middle, near enough to judge them, without turning the view. */
   lookAt(points: Float32Array): void {
-    const box = new Box3().setFromArray(points);
-    const centre = box.getCenter(new Vector3());
-    const arm = this.camera.position.clone().sub(this.orbit.target);
-    const near = 7 * box.getSize(new Vector3()).length();
-    this.orbit.target.copy(centre);
-    this.camera.position.copy(centre).add(arm.setLength(Math.min(arm.length(), near)));
-    this.orbit.update();
+    this.#glide.to(closer(this.camera, this.orbit, points));
     this.invalidate();
   }
 
@@ -194,6 +193,7 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.#pending);
+    this.#glide.stop();
     clearTimeout(this.#shadowTimer);
     this.orbit.dispose();
     this.renderer.dispose();

@@ -1,80 +1,103 @@
 // SPDX-License-Identifier: MIT
-// The 3D view: puts stage, shell, gizmo and markers together and follows the state.
-import { effect } from "@preact/signals";
-import type { Vector3 } from "three";
+// The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
+import { effect, untracked } from "@preact/signals";
+import { type Ray, Vector3 } from "three";
+import { panelAt } from "../mesh/triangulation.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
-import { abandonDrag, basePoint, dragHandle, endDrag, handleOf } from "../state/editing.ts";
+import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
+import { handleOf } from "../state/editing.ts";
+import { deselect, selectAlso, selectOnly, toggleSelected } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
+  boxTool,
   colourBy,
   displayMesh,
   draft,
-  handles,
-  hintVertex,
+  localArrows,
+  lock,
   mesh,
   panelFigures,
   ready,
   selected,
   selectedPanel,
+  selection,
   showBefore,
+  snapDistance,
+  snapping,
 } from "../state/store.ts";
+import { DragSession, type Snap } from "./drag-session.ts";
+import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
-import { type Marker, Markers } from "./markers.ts";
 import { neighbourTowards } from "./neighbour.ts";
+import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
-import { project, type View } from "./picking.ts";
-import { PointerTool } from "./pointer.ts";
+import { type Box, pickCorner, pickVertex, project, type View, verticesIn } from "./picking.ts";
+import { type Hold, PointerTool } from "./pointer.ts";
 import { Shell } from "./shell.ts";
-import { Stage, type ViewName } from "./stage.ts";
+import { Stage } from "./stage.ts";
 
-export interface ViewportParts {
+export interface ViewportParts extends OverlayParts {
   readonly canvas: HTMLCanvasElement;
-  readonly markers: HTMLElement;
-  /** The first visit's sentence; placed beside its point. */
-  readonly hint: HTMLElement;
 }
+
+/** Pixels about a selected point that are its own, even where arrows begin. */
+const CORE = 9;
+/** Pixels within which a snapped drag goes back to the base position. */
+const HOME = 10;
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 const palette = (): Palette => (dark.matches ? DARK : LIGHT);
 
+/** A window may move to a screen with other pixels. Returns how to stop watching. */
+function watchPixelRatio(changed: () => void): () => void {
+  const off = new AbortController();
+  const watch = (): void => {
+    const now = window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    const next = (): void => {
+      changed();
+      watch();
+    };
+    now.addEventListener("change", next, { once: true, signal: off.signal });
+  };
+  watch();
+  return () => off.abort();
+}
+
 export class Viewport {
   readonly stage: Stage;
-  readonly #parts: ViewportParts;
+  readonly #canvas: HTMLCanvasElement;
   readonly #gizmo: Gizmo;
   readonly #pointer: PointerTool;
-  readonly #markers: Markers;
+  readonly #overlay: Overlay;
   readonly #stop: (() => void)[] = [];
   #shell: Shell | null = null;
   #hovered: number | null = null;
-  #gizmoVertex: number | null = null;
+  /** The panel was chosen here, so that it is in view already. */
+  #choosing = false;
 
   constructor(parts: ViewportParts) {
-    this.#parts = parts;
+    this.#canvas = parts.canvas;
+    this.#overlay = new Overlay(parts);
     this.stage = new Stage(parts.canvas, () => this.#placeOverlay());
-    this.#markers = new Markers(parts.markers);
-    this.#gizmo = new Gizmo(this.stage, parts.canvas, {
-      start: () => {
-        this.#gizmoVertex = selected.value;
-      },
-      move: (place) => {
-        if (this.#gizmo.dragging && this.#gizmoVertex !== null)
-          this.#drag(this.#gizmoVertex, place);
-      },
-      end: () => void endDrag(),
-    });
+    this.#gizmo = new Gizmo(this.stage);
     this.#pointer = this.#makePointer();
     this.#follow();
   }
 
   view(name: ViewName): void {
-    if (this.#shell) this.stage.view(name, this.#shell.current);
+    if (this.#shell) this.stage.view(name, this.#shell.current, false);
+  }
+
+  /** Brings the whole design into view without turning the camera. */
+  fit(): void {
+    if (this.#shell) this.stage.fit(this.#shell.current);
   }
 
   /** Gives up a drag; without one, deselects. */
   escape(): void {
     if (this.#pointer.dragging) this.#pointer.abandon();
-    else selected.value = null;
+    else deselect();
   }
 
   turn(right: number, down: number): void {
@@ -85,23 +108,26 @@ export class Viewport {
     this.stage.zoom(factor);
   }
 
-  /** Selects the nearest point in a direction on screen; starts in the middle. */
-  stepSelection(right: number, down: number): void {
+  /** Goes to the nearest point in a direction on screen; `also` keeps what was chosen. */
+  stepSelection(right: number, down: number, also: boolean): void {
     const shell = this.#shell;
     if (!shell || !ready.value) return;
-    selected.value =
+    const next =
       selected.value === null
         ? sensibleVertex(shell.base, shell.topology.boundary, [])
         : neighbourTowards(shell, selected.value, right, down, this.#view());
+    if (next === null) return;
+    if (also) selectAlso([next]);
+    else selectOnly(next);
   }
 
   picture(): Promise<Blob | null> {
     this.stage.draw();
-    return new Promise((resolve) => this.#parts.canvas.toBlob(resolve, "image/png"));
+    return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
   }
 
   #view(): View {
-    const { width, height } = this.#parts.canvas.getBoundingClientRect();
+    const { width, height } = this.#canvas.getBoundingClientRect();
     return { camera: this.stage.camera, width, height };
   }
 
@@ -114,41 +140,94 @@ export class Viewport {
   }
 
   #makePointer(): PointerTool {
-    return new PointerTool(this.#parts.canvas, this.stage, this.#gizmo, {
-      points: () => (ready.value ? (this.#shell?.current ?? null) : null),
-      hover: (vertex) => {
-        if (vertex === this.#hovered) return;
-        this.#hovered = vertex;
-        this.#parts.canvas.style.cursor = vertex === null ? "" : "grab";
-        this.#updateMarkers();
-        this.#placeOverlay();
-      },
-      select: (vertex) => {
-        selected.value = vertex;
-      },
-      drag: (vertex, place) => {
-        selected.value = vertex;
-        this.#drag(vertex, place);
-      },
-      release: () => void endDrag(),
-      abandon: () => void abandonDrag(),
+    return new PointerTool(this.#canvas, this.stage, {
+      find: (x, y, coarse) => this.#find(x, y, coarse),
+      boxing: () => boxTool.value,
+      hover: (hold) => this.#hover(hold),
+      click: (x, y, hold, also) => this.#click(x, y, hold, also),
+      grab: (hold, press) => this.#grab(hold, press),
+      drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
+      box: (box) => this.#overlay.drawBox(box),
+      choose: (box) => this.#choose(box),
     });
   }
 
-  #drag(vertex: number, place: Vector3): void {
-    if (ready.value && mesh.value?.report.flat) dragHandle(vertex, this.#toModel(vertex, place));
+  #find(x: number, y: number, coarse: boolean): Hold | null {
+    const shell = this.#shell;
+    if (!shell || !ready.value) return null;
+    const view = this.#view();
+    const leader = selected.value;
+    const marked = (vertex: number): boolean => {
+      const at = project(shell.current, vertex, view);
+      return at !== null && Math.hypot(at.x - x, at.y - y) < CORE;
+    };
+    const own = selection.value.findLast(marked);
+    if (own !== undefined) return { vertex: own, arrow: null };
+    const arrow = this.#gizmo.hover(x, y, view.width, view.height);
+    if (leader !== null && arrow) return { vertex: leader, arrow };
+    const vertex = pickVertex(shell.current, shell.topology, x, y, coarse, view);
+    return vertex === null ? null : { vertex, arrow: null };
   }
 
-  /** Relative to the base point, so that a point dragged along one axis keeps the others' bits. */
-  #toModel(vertex: number, place: Vector3): Point {
-    const base = basePoint(vertex);
-    const scale = mesh.value?.report.scale ?? 1;
-    const from = this.#shell?.base ?? new Float32Array(0);
-    const shift = (axis: 0 | 1 | 2): number => {
-      const moved = place.getComponent(axis) - (from[3 * vertex + axis] ?? 0);
-      return Math.abs(moved) < 1e-6 ? base[axis] : base[axis] + moved / scale;
-    };
-    return [shift(0), shift(1), shift(2)];
+  #hover(hold: Hold | null): void {
+    this.#canvas.style.cursor = hold ? "grab" : boxTool.value ? "crosshair" : "";
+    const vertex = hold && !hold.arrow ? hold.vertex : null;
+    if (vertex === this.#hovered) return;
+    this.#hovered = vertex;
+    this.#overlay.update(vertex);
+    this.#placeOverlay();
+  }
+
+  #click(x: number, y: number, hold: Hold | null, also: boolean): void {
+    if (hold?.arrow) return;
+    if (hold && also) toggleSelected(hold.vertex);
+    else if (hold) selectOnly(hold.vertex);
+    else if (!also) this.#choosePanel(x, y);
+  }
+
+  /** The panel under a pixel becomes the selected one; beside the model nothing is selected. */
+  #choosePanel(x: number, y: number): void {
+    const shell = this.#shell;
+    if (!shell) return;
+    const { width, height } = this.#view();
+    const ray = this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
+    const corner = pickCorner(shell.corners, shell.triangles, ray);
+    this.#choosing = true;
+    deselect();
+    if (corner !== null) selectedPanel.value = panelAt(shell.offsets, corner);
+    this.#choosing = false;
+  }
+
+  #choose(box: Box): void {
+    if (!this.#shell || !ready.value) return;
+    selectAlso(verticesIn(box, this.#shell.current, this.#view()));
+    boxTool.value = false;
+  }
+
+  #grab({ vertex, arrow }: Hold, press: Ray): DragSession | null {
+    const shell = this.#shell;
+    if (!selection.value.includes(vertex)) selectOnly(vertex);
+    const frame = frameAt(vertex);
+    const drag = beginDrag([...selection.value.filter((v) => v !== vertex), vertex]);
+    if (!shell || !frame || !drag) return null;
+    return new DragSession(drag, {
+      start: new Vector3(...this.#toDisplay(askedPoint(vertex))),
+      base: new Vector3().fromArray(shell.base, 3 * vertex),
+      press,
+      view: this.stage.camera.getWorldDirection(new Vector3()),
+      frame,
+      scale: mesh.value?.report.scale ?? 1,
+      arrow,
+    });
+  }
+
+  /** `inverted`: Ctrl turns snapping on, or off where it is on. */
+  #snap(inverted: boolean): Snap | null {
+    if (snapping.value === inverted) return null;
+    const { camera, orbit } = this.stage;
+    const high = 2 * Math.tan((camera.fov * Math.PI) / 360);
+    const pixel = (high * camera.position.distanceTo(orbit.target)) / this.#view().height;
+    return { step: snapDistance.value, reach: HOME * pixel };
   }
 
   #toDisplay(target: Point): Point {
@@ -164,10 +243,11 @@ export class Viewport {
     };
     dark.addEventListener("change", recolour);
     const observer = new ResizeObserver(() => this.#resize());
-    observer.observe(this.#parts.canvas);
+    observer.observe(this.#canvas);
     this.#stop.push(
       () => dark.removeEventListener("change", recolour),
       () => observer.disconnect(),
+      watchPixelRatio(() => this.#resize()),
       onChanges((changes) => this.#apply(changes)),
       effect(() => this.#build()),
       effect(() => {
@@ -175,22 +255,30 @@ export class Viewport {
         this.#shell?.colourBy(colourBy.value, panels);
         this.stage.invalidate();
       }),
-      effect(() => {
-        const corners = this.#shell?.outlinePanel(selectedPanel.value);
-        if (corners) this.stage.lookAt(corners);
-        this.stage.invalidate();
-      }),
+      effect(() => this.#outline(selectedPanel.value)),
       effect(() => {
         this.#shell?.showBase(showBefore.value);
         this.stage.moved();
       }),
       effect(() => {
-        this.#updateMarkers();
+        this.#overlay.update(this.#hovered);
         this.#updateGizmo();
+        this.stage.invalidate();
+      }),
+      effect(() => {
+        this.#gizmo.show(lock.value);
+        untracked(() => this.#pointer.refresh());
         this.stage.invalidate();
       }),
     );
     recolour();
+  }
+
+  #outline(panel: number | null): void {
+    const corners = this.#shell?.outlinePanel(panel) ?? null;
+    this.#overlay.setPanel(corners);
+    if (corners && !this.#choosing) this.stage.lookAt(corners);
+    this.stage.invalidate();
   }
 
   #build(): void {
@@ -200,68 +288,37 @@ export class Viewport {
     const same = this.#shell?.base.length === shown.display.length;
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
+    this.#overlay.setPanel(null);
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     this.#resize();
-    if (first || !same) this.view("3D");
+    if (first || !same) this.stage.view("Perspective", shown.display, true);
   }
 
   #apply(changes: Float32Array): void {
     this.#shell?.apply(changes);
+    const panel = selectedPanel.peek();
+    if (panel !== null) this.#overlay.setPanel(this.#shell?.outlinePanel(panel) ?? null);
     this.#updateGizmo();
     this.stage.moved();
   }
 
   #resize(): void {
-    const { width, height } = this.#parts.canvas.getBoundingClientRect();
+    const { width, height } = this.#canvas.getBoundingClientRect();
     this.stage.resize(width, height);
     this.#shell?.setSize(width, height);
   }
 
-  #updateMarkers(): void {
-    const markers: Marker[] = handles.value.map(({ vertex, pinned }) => ({
-      vertex,
-      kind: pinned ? "pin" : "handle",
-      selected: vertex === selected.value,
-    }));
-    const known = (vertex: number) => markers.some((marker) => marker.vertex === vertex);
-    if (selected.value !== null && !known(selected.value)) {
-      markers.push({ vertex: selected.value, kind: "hover", selected: true });
-    }
-    if (this.#hovered !== null && !known(this.#hovered)) {
-      markers.push({ vertex: this.#hovered, kind: "hover", selected: false });
-    }
-    if (hintVertex.value !== null) {
-      markers.push({ vertex: hintVertex.value, kind: "first", selected: false });
-    }
-    this.#markers.set(markers);
-  }
-
   #updateGizmo(): void {
     const vertex = selected.value;
-    const row = vertex === null ? undefined : handleOf(vertex);
-    if (vertex === null || !ready.value || !draft.value || row?.pinned) {
+    if (vertex === null || !ready.value || !draft.value || handleOf(vertex)?.pinned) {
       this.#gizmo.detach();
       return;
     }
-    if (row) this.#gizmo.attach(...this.#toDisplay(row.target));
-    else {
-      const points = this.#shell?.current;
-      this.#gizmo.attach(
-        points?.[3 * vertex] ?? 0,
-        points?.[3 * vertex + 1] ?? 0,
-        points?.[3 * vertex + 2] ?? 0,
-      );
-    }
+    const turned = localArrows.value || lock.value?.axis === "normal";
+    this.#gizmo.attach(...this.#toDisplay(askedPoint(vertex)), turned ? frameAt(vertex) : null);
   }
 
   #placeOverlay(): void {
-    if (!this.#shell) return;
-    const view = this.#view();
-    this.#markers.place(this.#shell.current, view);
-    const { hint } = this.#parts;
-    const at =
-      hintVertex.value === null ? null : project(this.#shell.current, hintVertex.value, view);
-    hint.hidden = at === null;
-    if (at) hint.style.transform = `translate(${at.x.toFixed(0)}px, ${at.y.toFixed(0)}px)`;
+    if (this.#shell) this.#overlay.place(this.#shell.current, this.#view());
   }
 }

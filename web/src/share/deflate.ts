@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** A link that unpacks to more than this is not one of ours. */
-const LARGEST = 256 * 1024 * 1024;
-
 async function pump(
   bytes: Uint8Array,
   through: CompressionStream | DecompressionStream,
+  largest: number,
 ): Promise<Uint8Array> {
   const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(through);
   const chunks: Uint8Array[] = [];
@@ -14,7 +12,10 @@ async function pump(
     const { done, value } = await reader.read();
     if (done) break;
     size += value.length;
-    if (size > LARGEST) throw new Error("too large");
+    if (size > largest) {
+      await reader.cancel().catch(() => {});
+      throw new Error("too large");
+    }
     chunks.push(value);
   }
   const all = new Uint8Array(size);
@@ -27,7 +28,8 @@ async function pump(
 }
 
 export const deflate = (bytes: Uint8Array): Promise<Uint8Array> =>
-  pump(bytes, new CompressionStream("deflate-raw"));
+  pump(bytes, new CompressionStream("deflate-raw"), Number.POSITIVE_INFINITY);
 
-export const inflate = (bytes: Uint8Array): Promise<Uint8Array> =>
-  pump(bytes, new DecompressionStream("deflate-raw"));
+/** Rejects damaged bytes, and those that unpack to more than `largest` bytes. */
+export const inflate = (bytes: Uint8Array, largest: number): Promise<Uint8Array> =>
+  pump(bytes, new DecompressionStream("deflate-raw"), largest);

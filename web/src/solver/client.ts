@@ -5,10 +5,14 @@ type Job = Exclude<Request, { kind: "start" }>;
 /** Distributes over the union, unlike Omit. */
 type Unnumbered<T> = T extends unknown ? Omit<T, "job"> : never;
 export type Question = Unnumbered<Job>;
-export type Answer = Exclude<Reply, { kind: "ready" } | { kind: "progress" }>;
+export type Progress = Extract<Reply, { kind: "progress" } | { kind: "reading" }>;
+export type Answer = Exclude<Reply, { kind: "ready" } | Progress>;
 
 /** Rejects a job that was cancelled or overtaken; nothing to tell the user. */
 export class Abandoned extends Error {}
+
+/** Rejects the job that a solver died of; the new one knows nothing. */
+export class Died extends Error {}
 
 interface Waiting {
   readonly question: Question;
@@ -18,21 +22,31 @@ interface Waiting {
   readonly stream: boolean;
 }
 
-export type SpawnWorker = () => Promise<Worker>;
+/** A new worker; `died` is to be called when it is gone, whether it says so or not. */
+export type SpawnWorker = (died: () => void) => Promise<Worker>;
+
+export interface ClientEvents {
+  readonly progress: (progress: Progress) => void;
+  /** The worker is gone and its replacement starts: open and restore must follow. */
+  readonly died: (sentence: string) => void;
+}
+
+const DIED = "The solver stopped unexpectedly. Your last finished design is back.";
 
 /** Drives one solver worker: one job in flight, the others wait in order. */
 export class SolverClient {
   readonly #spawn: SpawnWorker;
-  readonly #onProgress: (step: number, residual: number) => void;
+  readonly #events: ClientEvents;
   #worker: Worker | null = null;
   #starting: Promise<void>;
+  #generation = 0;
   #job = 0;
   #current: Waiting | null = null;
   #queue: Waiting[] = [];
 
-  constructor(spawn: SpawnWorker, onProgress: (step: number, residual: number) => void) {
+  constructor(spawn: SpawnWorker, events: ClientEvents) {
     this.#spawn = spawn;
-    this.#onProgress = onProgress;
+    this.#events = events;
     this.#starting = this.#start();
   }
 
@@ -60,13 +74,21 @@ export class SolverClient {
 
   /** Stops everything at once. The new worker knows nothing: open and restore must follow. */
   cancel(): void {
+    this.#replace(new Abandoned());
+  }
+
+  #replace(reason: Error): void {
     this.#worker?.terminate();
     this.#worker = null;
-    const abandoned = this.#current ? [this.#current, ...this.#queue] : this.#queue;
+    const running = this.#current;
+    const waiting = this.#queue;
     this.#current = null;
     this.#queue = [];
     this.#starting = this.#start();
-    for (const waiting of abandoned) waiting.reject(new Abandoned());
+    // Whoever asks `ready` learns of a failure; nobody else has to.
+    this.#starting.catch(() => {});
+    running?.reject(reason);
+    for (const { reject } of waiting) reject(new Abandoned());
   }
 
   #enqueue(question: Question, stream: boolean): Promise<Answer> {
@@ -77,7 +99,16 @@ export class SolverClient {
   }
 
   async #start(): Promise<void> {
-    const worker = await this.#spawn();
+    this.#generation += 1;
+    const generation = this.#generation;
+    const gone = (): void => {
+      if (generation === this.#generation && this.#worker) this.#die(DIED);
+    };
+    const worker = await this.#spawn(gone);
+    if (generation !== this.#generation) {
+      worker.terminate();
+      return;
+    }
     await new Promise<void>((resolve, reject) => {
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
         if (data.kind === "ready") resolve();
@@ -86,9 +117,10 @@ export class SolverClient {
       worker.onerror = (event) => {
         event.preventDefault();
         reject(new Error(`The solver could not start: ${event.message}`));
-        this.#crash();
+        gone();
       };
     });
+    if (generation !== this.#generation) return;
     this.#worker = worker;
     this.#next();
   }
@@ -103,8 +135,12 @@ export class SolverClient {
 
   #receive(reply: Exclude<Reply, { kind: "ready" }>): void {
     if (reply.job !== this.#job || !this.#current) return;
-    if (reply.kind === "progress") {
-      this.#onProgress(reply.step, reply.residual);
+    if (reply.kind === "progress" || reply.kind === "reading") {
+      this.#events.progress(reply);
+      return;
+    }
+    if (reply.kind === "failed" && reply.fatal) {
+      this.#die(reply.message);
       return;
     }
     const { resolve, reject } = this.#current;
@@ -114,9 +150,8 @@ export class SolverClient {
     this.#next();
   }
 
-  #crash(): void {
-    const waiting = this.#current;
-    this.#current = null;
-    waiting?.reject(new Error("The solver stopped unexpectedly; the design shown is kept."));
+  #die(sentence: string): void {
+    this.#replace(new Died(sentence));
+    this.#events.died(sentence);
   }
 }

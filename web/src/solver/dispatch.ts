@@ -2,7 +2,8 @@
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
-import type { EditSettings, OpenedMesh, Reply, Request, Shape, Targets } from "./protocol.ts";
+import type { EditSettings, OpenedMesh, Reply, Request, Source } from "./protocol.ts";
+import { readFile, readKept } from "./reading.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -11,8 +12,24 @@ type Job = Exclude<Request, { kind: "start" }>;
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
 
+const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
+
 function insist(refusal: string): void {
   if (refusal) throw new Refused(refusal);
+}
+
+/** After these the module's memory is full or in no known state. */
+const isFatal = (error: unknown): boolean =>
+  error instanceof WebAssembly.RuntimeError ||
+  error instanceof RangeError ||
+  (error instanceof Refused && error.message === NO_MEMORY);
+
+function sentence(error: unknown): string {
+  // "OOM" is how the module's allocator ends.
+  if (error instanceof WebAssembly.RuntimeError && !error.message.includes("OOM"))
+    return "The solver stopped unexpectedly. Your last finished design is back.";
+  if (isFatal(error)) return `${NO_MEMORY} Your last finished design is back.`;
+  return error instanceof Error ? error.message : String(error);
 }
 
 function readMesh(session: Session): OpenedMesh {
@@ -60,38 +77,49 @@ export class Dispatcher {
     });
   }
 
-  handle(request: Job): void {
-    this.#job = request.job;
+  async handle(request: Job): Promise<void> {
+    const { job } = request;
+    this.#job = job;
     this.#step = 0;
     try {
-      this.#run(request);
+      if (request.kind === "open") await this.#open(request);
+      else if (request.kind === "read") await this.#read(request);
+      else this.#run(request);
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
-      this.#post({ kind: "failed", job: request.job, message }, []);
+      this.#post({ kind: "failed", job, message: sentence(error), fatal: isFatal(error) }, []);
     }
   }
 
-  #run(request: Job): void {
+  readonly #onPiece = (done: number, total: number): void =>
+    this.#post({ kind: "reading", job: this.#job, done, total }, []);
+
+  async #open({ job, source, planarise }: Extract<Request, { kind: "open" }>): Promise<void> {
+    const session = this.#session;
+    if (source.kind === "sample") insist(session.openSample(source.name, source.size));
+    else insist(session.openFile(await readKept(source, this.#onPiece), source.format));
+    if (planarise) insist(session.planarise());
+    this.#postOpened(job, null);
+  }
+
+  async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
+    const { source, bytes } = await readFile(file, name, format, this.#onPiece);
+    insist(this.#session.openFile(bytes, format));
+    this.#postOpened(job, source);
+  }
+
+  #run(request: Exclude<Job, { kind: "open" } | { kind: "read" }>): void {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
-      case "open": {
-        const { source } = request;
-        if (source.kind === "sample") insist(session.openSample(source.name, source.size));
-        else insist(session.openFile(source.bytes, source.format));
-        if (request.planarise) insist(session.planarise());
-        this.#postOpened(job);
-        return;
-      }
       case "planarise":
         insist(session.planarise());
-        this.#postOpened(job);
+        this.#postOpened(job, null);
         return;
       case "edit":
         this.#edit(request);
         return;
       case "restore":
-        insist(this.#restore(request.targets, request.shape));
+        insist(this.#restore(request));
         this.#postShown(job, true);
         return;
       case "explore":
@@ -102,13 +130,13 @@ export class Dispatcher {
         insist(session.vary(Float64Array.from(request.coefficients)));
         this.#postShown(job, false);
         return;
-      case "project":
-        insist(session.projectVariation(Float64Array.from(request.coefficients)));
-        this.#postProjected(job);
-        return;
       case "exact":
         insist(session.makeExact());
         this.#postShown(job, true);
+        return;
+      case "project":
+        insist(session.projectVariation(Float64Array.from(request.coefficients)));
+        this.#postProjected(job);
         return;
       case "panels": {
         const figures = session.panelFigures();
@@ -135,14 +163,18 @@ export class Dispatcher {
     this.#postShown(job, mode !== "drag");
   }
 
-  #restore(targets: Targets, shape: Shape): string {
+  #restore({ targets, shape, keep }: Extract<Request, { kind: "restore" }>): string {
     const handles = Float64Array.from(targets.handles);
-    return this.#session.restore(
-      handles,
-      Int32Array.from(targets.pins),
-      shape.moved,
-      shape.positions,
-    );
+    const pins = Int32Array.from(targets.pins);
+    return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);
+  }
+
+  #postProjected(job: number): void {
+    const session = this.#session;
+    const [moved, positions] = [session.projectedMoved(), session.projectedPositions()];
+    const report = JSON.parse(session.projectedReport());
+    const reply: Reply = { kind: "projected", job, shape: { moved, positions }, report };
+    this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
   #exploreOptions(dimension: number, eigenbasis: boolean) {
@@ -159,17 +191,10 @@ export class Dispatcher {
     };
   }
 
-  #postOpened(job: number): void {
+  #postOpened(job: number, source: Source | null): void {
     const mesh = readMesh(this.#session);
     const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
-    this.#post({ kind: "opened", job, mesh }, buffers as Transferable[]);
-  }
-
-  #postProjected(job: number): void {
-    const moved = this.#session.projectedMoved();
-    const positions = this.#session.projectedPositions();
-    const reply: Reply = { kind: "projected", job, shape: { moved, positions } };
-    this.#post(reply, [moved.buffer, positions.buffer]);
+    this.#post({ kind: "opened", job, source, mesh }, buffers as Transferable[]);
   }
 
   #postShown(job: number, withShape: boolean): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page and the solver worker say to each other. Every request carries a job number;
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
-// Progress messages may come before the reply.
+// Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 
@@ -36,12 +36,18 @@ export type Source =
       readonly kind: "file";
       readonly name: string;
       readonly format: FileFormat;
-      readonly bytes: Uint8Array;
+      /** The page's own copy, outside its heap: the file on disk may change or go. */
+      readonly bytes: Blob;
+      /** CRC-32 of `bytes`. */
+      readonly crc: number;
     };
 
 export type Request =
-  | { kind: "start"; job: 0; module: WebAssembly.Module }
+  /** The worker holds the lock named `alive` for as long as it lives. */
+  | { kind: "start"; job: 0; module: WebAssembly.Module; alive: string }
   | { kind: "open"; job: number; source: Source; planarise: boolean } // → opened
+  /** A file of the user's, read for the first time. */
+  | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   | { kind: "planarise"; job: number } // → opened
   | {
       kind: "edit";
@@ -51,12 +57,13 @@ export type Request =
       settings: EditSettings;
       budget: number;
     } // → shown
-  | { kind: "restore"; job: number; targets: Targets; shape: Shape } // → shown
+  /** `keep`: the design is one of the family that was found last, or its centre. */
+  | { kind: "restore"; job: number; targets: Targets; shape: Shape; keep: boolean } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
-  /** The exact shape of a variation; the design shown stays as it is. */
-  | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "exact"; job: number } // → shown
+  /** What `vary` and then `exact` would give; the design shown stays. */
+  | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "panels"; job: number } // → panels
   | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
 
@@ -108,12 +115,14 @@ export interface OpenedMesh extends DisplayMesh {
 export type Reply =
   | { kind: "ready"; job: 0 }
   | { kind: "progress"; job: number; step: number; residual: number }
-  | { kind: "opened"; job: number; mesh: OpenedMesh }
+  | { kind: "reading"; job: number; done: number; total: number }
+  | { kind: "opened"; job: number; source: Source | null; mesh: OpenedMesh }
   /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }
-  | { kind: "projected"; job: number; shape: Shape }
+  | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** Gap in model units and mm/m, for every panel. */
   | { kind: "panels"; job: number; figures: Float32Array }
   | { kind: "exported"; job: number; bytes: Uint8Array }
-  | { kind: "failed"; job: number; message: string };
+  /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
+  | { kind: "failed"; job: number; message: string; fatal: boolean };

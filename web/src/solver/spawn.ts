@@ -14,11 +14,25 @@ async function compile(): Promise<WebAssembly.Module> {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/**
+ * A worker that is killed by the browser sends no event. The browser does release the lock that
+ * the worker holds: whoever waits for it learns of the death. Without locks (a page that is not
+ * served securely) only deaths with an error are noticed.
+ */
+function watch(worker: Worker, alive: string, died: () => void): void {
+  if (!navigator.locks) return;
+  worker.addEventListener("message", ({ data }: MessageEvent<{ kind: string }>) => {
+    if (data.kind === "ready") navigator.locks.request(alive, died).catch(() => {});
+  });
+}
+
 /** A new solver worker; the module is compiled once for the life of the page. */
-export async function spawnSolver(): Promise<Worker> {
+export async function spawnSolver(died: () => void): Promise<Worker> {
   compiled ??= compile();
   const module = await compiled;
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-  worker.postMessage({ kind: "start", job: 0, module } satisfies Request);
+  const alive = `planish-solver-${performance.timeOrigin}-${performance.now()}-${Math.random()}`;
+  watch(worker, alive, died);
+  worker.postMessage({ kind: "start", job: 0, module, alive } satisfies Request);
   return worker;
 }

@@ -9,22 +9,40 @@ const post = (reply: Reply, transfer: Transferable[]): void => scope.postMessage
 
 let dispatcher: Promise<Dispatcher> | null = null;
 
-/** The page compiles once; a worker that replaces a cancelled one starts from the same module. */
-async function start(compiled: WebAssembly.Module): Promise<Dispatcher> {
-  const planish = await createPlanish({
-    instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-      WebAssembly.instantiate(compiled, imports).then(done);
-      return {};
-    },
+/** Holds a lock until the worker ends, however it ends. */
+function stayAlive(name: string): Promise<void> {
+  return new Promise((resolve) => {
+    if (!scope.navigator.locks) resolve();
+    const hold = () => {
+      resolve();
+      return new Promise<void>(() => {});
+    };
+    scope.navigator.locks?.request(name, hold).catch(() => resolve());
   });
+}
+
+/** The page compiles once; a worker that replaces a cancelled one starts from the same module. */
+async function start(compiled: WebAssembly.Module, alive: string): Promise<Dispatcher> {
+  const [planish] = await Promise.all([
+    createPlanish({
+      instantiateWasm(
+        imports: WebAssembly.Imports,
+        done: (instance: WebAssembly.Instance) => void,
+      ) {
+        WebAssembly.instantiate(compiled, imports).then(done);
+        return {};
+      },
+    }),
+    stayAlive(alive),
+  ]);
   post({ kind: "ready", job: 0 }, []);
   return new Dispatcher(planish, post);
 }
 
 scope.onmessage = async ({ data }: MessageEvent<Request>): Promise<void> => {
   if (data.kind === "start") {
-    dispatcher = start(data.module);
+    dispatcher = start(data.module, data.alive);
     return;
   }
-  (await dispatcher)?.handle(data);
+  await (await dispatcher)?.handle(data);
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one solver of the page, and what its answers do to the state.
-import { Abandoned, type Answer, type Question, SolverClient } from "../solver/client.ts";
+import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
+import type { Shape, Source } from "../solver/protocol.ts";
 import { spawnSolver } from "../solver/spawn.ts";
 import { activity, figures, problem } from "./store.ts";
 
@@ -18,11 +19,90 @@ export function announceChanges(changes: Float32Array): void {
   for (const listener of listeners) listener(changes);
 }
 
-export const client = new SolverClient(spawnSolver, (step) => {
-  if (activity.value) activity.value = { ...activity.value, step };
+/** A mesh as the solver has it open. */
+export interface Base {
+  readonly source: Source;
+  readonly planarised: boolean;
+}
+
+/** What the solver holds; null where it would have to be told again. */
+interface Held {
+  base: Base | null;
+  /** The shape that its variations were found around. */
+  centre: Shape | null;
+}
+
+export const held: Held = { base: null, centre: null };
+
+let recover: () => void = () => {};
+
+/** Calls `action` after the solver died and its replacement was started. */
+export function onDeath(action: () => void): void {
+  recover = action;
+}
+
+function forget(): void {
+  held.base = null;
+  held.centre = null;
+}
+
+export const client = new SolverClient(spawnSolver, {
+  progress: (progress) => {
+    const { value } = activity;
+    if (!value) return;
+    const { label, step } = value;
+    activity.value =
+      progress.kind === "reading"
+        ? { label, step, read: { done: progress.done, total: progress.total } }
+        : { label, step: progress.step };
+  },
+  died: (sentence) => {
+    forget();
+    problem.value = sentence;
+    recover();
+  },
 });
 
-function apply(answer: Answer): void {
+/** Replaces the solver at once; what it did is abandoned. */
+export function restartSolver(): void {
+  client.cancel();
+  forget();
+}
+
+/** Keeps account of what the solver holds. A refused `open` may have left another mesh behind. */
+function account(question: Question, done: boolean): void {
+  switch (question.kind) {
+    case "open":
+      held.base = done ? { source: question.source, planarised: question.planarise } : null;
+      held.centre = null;
+      return;
+    case "planarise":
+      if (done && held.base) held.base = { ...held.base, planarised: true };
+      if (done) held.centre = null;
+      return;
+    case "restore":
+      if (done && !question.keep) held.centre = null;
+      return;
+    case "edit":
+    case "read":
+      if (done) held.centre = null;
+  }
+}
+
+async function ask(question: Question): Promise<Answer> {
+  try {
+    const answer = await client.ask(question);
+    account(question, true);
+    if (answer.kind === "opened" && answer.source)
+      held.base = { source: answer.source, planarised: false };
+    return answer;
+  } catch (error) {
+    account(question, false);
+    throw error;
+  }
+}
+
+function show(answer: Answer): void {
   if (answer.kind !== "shown") return;
   announceChanges(answer.changes);
   figures.value = answer.report;
@@ -30,21 +110,23 @@ function apply(answer: Answer): void {
 
 let running = 0;
 
-/** Asks, shows what comes back, and says in words what went wrong; null if nothing changed. */
-export async function run<K extends Answer["kind"]>(
+type AnswerTo<K extends Answer["kind"]> = Extract<Answer, { kind: K }>;
+
+async function attempt<K extends Answer["kind"]>(
   label: string,
   question: Question,
   kind: K,
-): Promise<Extract<Answer, { kind: K }> | null> {
+  visibly: boolean,
+): Promise<AnswerTo<K> | null> {
   running += 1;
   activity.value = { label, step: 0 };
   try {
-    const answer = await client.ask(question);
-    apply(answer);
+    const answer = await ask(question);
+    if (visibly) show(answer);
     problem.value = null;
-    return answer.kind === kind ? (answer as Extract<Answer, { kind: K }>) : null;
+    return answer.kind === kind ? (answer as AnswerTo<K>) : null;
   } catch (error) {
-    if (!(error instanceof Abandoned)) problem.value = sentence(error);
+    if (!(error instanceof Abandoned || error instanceof Died)) problem.value = sentence(error);
     return null;
   } finally {
     running -= 1;
@@ -52,13 +134,29 @@ export async function run<K extends Answer["kind"]>(
   }
 }
 
+/** Asks, shows what comes back, and says in words what went wrong; null if nothing changed. */
+export const run = <K extends Answer["kind"]>(
+  label: string,
+  question: Question,
+  kind: K,
+): Promise<AnswerTo<K> | null> => attempt(label, question, kind, true);
+
+/** The same without showing: for steps on the way to what will be shown. */
+export const runUnseen = <K extends Answer["kind"]>(
+  label: string,
+  question: Question,
+  kind: K,
+): Promise<AnswerTo<K> | null> => attempt(label, question, kind, false);
+
 /**
  * A frame of a drag or a slider. Overtaken frames are dropped; a refused one keeps the frame
  * before it on screen, and what ends the drag says why if it is refused too.
  */
 export async function frame(question: Question): Promise<void> {
   try {
-    apply(await client.stream(question));
+    const answer = await client.stream(question);
+    account(question, true);
+    show(answer);
     problem.value = null;
   } catch {
     // The last good frame stays.

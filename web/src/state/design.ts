@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A design is data: a source, a recipe, and the shape that the recipe gave.
 import type { EditSettings, Shape, ShapeReport, Source, Targets } from "../solver/protocol.ts";
+import { SAMPLES } from "./samples.ts";
 
 export type Point = readonly [number, number, number];
 
@@ -13,8 +14,14 @@ export interface HandleRow {
 }
 
 export interface Variation {
-  readonly dimension: number;
+  /** One per slider; 1 moves some point as far as the edit's own largest move. */
   readonly coefficients: readonly number[];
+  /** The shape around which the directions were found; the same shape gives the same ones. */
+  readonly centre: Shape;
+  /** How many directions were asked for; fewer may have been found. */
+  readonly asked: number;
+  /** Ordered by stiffness instead of by how local they are. */
+  readonly eigenbasis: boolean;
   /** Whether the shape has been projected since the sliders last moved. */
   readonly exact: boolean;
 }
@@ -53,6 +60,11 @@ export const NO_REPORT: ShapeReport = {
   residuals: [],
 };
 
+export const sourceName = (source: Source): string =>
+  source.kind === "file"
+    ? source.name
+    : (SAMPLES.find((s) => s.name === source.name)?.label ?? source.name);
+
 export function toTargets(handles: readonly HandleRow[]): Targets {
   return {
     handles: handles.filter((row) => !row.pinned).flatMap((row) => [row.vertex, ...row.target]),
@@ -60,10 +72,15 @@ export function toTargets(handles: readonly HandleRow[]): Targets {
   };
 }
 
-export const withHandle = (rows: readonly HandleRow[], row: HandleRow): HandleRow[] =>
-  rows.some((r) => r.vertex === row.vertex)
+/** A link writes −0 as 0, so that a target never is −0. */
+const plain = ([x, y, z]: Point): Point => [x + 0, y + 0, z + 0];
+
+export function withHandle(rows: readonly HandleRow[], given: HandleRow): HandleRow[] {
+  const row = { ...given, target: plain(given.target) };
+  return rows.some((r) => r.vertex === row.vertex)
     ? rows.map((r) => (r.vertex === row.vertex ? row : r))
     : [...rows, row];
+}
 
 export const withoutHandle = (rows: readonly HandleRow[], vertex: number): HandleRow[] =>
   rows.filter((row) => row.vertex !== vertex);

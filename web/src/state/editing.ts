@@ -3,7 +3,7 @@
 
 import type { Question } from "../solver/client.ts";
 import type { EditMode, EditSettings } from "../solver/protocol.ts";
-import { announceChanges, client, frame, run } from "./connection.ts";
+import { client, frame, run } from "./connection.ts";
 import {
   type Design,
   type HandleRow,
@@ -14,8 +14,11 @@ import {
   withoutHandle,
 } from "./design.ts";
 import * as steps from "./history.ts";
+import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { draft, figures, hintVertex, history, mesh, notice, problem, selected } from "./store.ts";
+import { show, showPresent } from "./showing.ts";
+import { draft, hintVertex, history, mesh, notice, selected } from "./store.ts";
+import { inTurn } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
 const FRAME_SECONDS = 0.016;
@@ -28,9 +31,11 @@ export function basePoint(vertex: number): Point {
 export const handleOf = (vertex: number): HandleRow | undefined =>
   draft.value?.handles.find((row) => row.vertex === vertex);
 
-function question(design: Design, mode: EditMode): Question {
+/** What makes the solver compute the edit of `design`. */
+export function editQuestion(design: Design, mode: EditMode): Question {
   const targets = toTargets(design.handles);
-  if (targets.handles.length === 0) return { kind: "restore", targets, shape: NO_SHAPE };
+  if (targets.handles.length === 0)
+    return { kind: "restore", targets, shape: NO_SHAPE, keep: false };
   return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS };
 }
 
@@ -42,7 +47,7 @@ export async function commit(next: Design, ask: Question, label: string): Promis
   const steady = history.value;
   if (!steady) return;
   if (!answer?.shape) {
-    await show(steady.present);
+    await showPresent();
     return;
   }
   const done: Design = { ...next, shape: answer.shape, report: answer.report };
@@ -51,53 +56,34 @@ export async function commit(next: Design, ask: Question, label: string): Promis
 }
 
 export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
-  commit({ ...next, variation: null }, question(next, mode), "computing");
-
-/** Puts a known design back, without solving. */
-async function show(design: Design): Promise<void> {
-  const kept = problem.value;
-  draft.value = design;
-  const targets = toTargets(design.handles);
-  await run("restoring", { kind: "restore", targets, shape: design.shape }, "shown");
-  figures.value = design.report;
-  problem.value = kept;
-}
+  commit({ ...next, variation: null }, editQuestion(next, mode), "computing");
 
 function changed(rows: readonly HandleRow[]): Design | null {
   return draft.value ? { ...draft.value, handles: rows } : null;
 }
 
-export function dragHandle(vertex: number, target: Point): void {
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned: false }));
-  if (!next) return;
-  hintVertex.value = null;
-  draft.value = next;
-  void frame(question(next, "drag"));
-}
-
-export async function endDrag(): Promise<void> {
-  client.dropStreams();
-  if (draft.value && draft.value !== history.value?.present)
-    await commitEdit(draft.value, "release");
-}
-
-/** Escape during a drag. */
-export async function abandonDrag(): Promise<void> {
-  client.dropStreams();
-  if (history.value) await show(history.value.present);
-}
+/** One edit of the handles as they are when its turn comes. */
+export const edit = (change: (rows: readonly HandleRow[]) => HandleRow[]): Promise<void> =>
+  inTurn(async () => {
+    const next = changed(change(draft.value?.handles ?? []));
+    if (next) await commitEdit(next, "solve");
+  });
 
 export async function setTarget(vertex: number, target: Point): Promise<void> {
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned: false }));
   hintVertex.value = null;
-  if (next) await commitEdit(next, "solve");
+  await edit((rows) => withHandle(rows, { vertex, target, pinned: false }));
 }
 
-export async function setPinned(vertex: number, pinned: boolean): Promise<void> {
-  const target = handleOf(vertex)?.target ?? basePoint(vertex);
-  const next = changed(withHandle(draft.value?.handles ?? [], { vertex, target, pinned }));
-  if (next) await commitEdit(next, "solve");
-}
+/** Pins points to where the base has them, or lets them go. */
+export const setPinned = (vertices: readonly number[], pinned: boolean): Promise<void> =>
+  edit((rows) => {
+    let next = [...rows];
+    for (const vertex of vertices) {
+      const target = handleOf(vertex)?.target ?? basePoint(vertex);
+      next = withHandle(next, { vertex, target, pinned });
+    }
+    return next;
+  });
 
 /** Adds the selected point, or a sensible one. */
 export async function addHandle(): Promise<void> {
@@ -109,7 +95,7 @@ export async function addHandle(): Promise<void> {
       ? selected.value
       : sensibleVertex(opened.display, opened.topology.boundary, taken);
   if (chosen === null) return;
-  selected.value = chosen;
+  selectOnly(chosen);
   await setTarget(chosen, shownPoint(chosen));
 }
 
@@ -122,65 +108,37 @@ export function shownPoint(vertex: number): Point {
   return [p[3 * k] ?? 0, p[3 * k + 1] ?? 0, p[3 * k + 2] ?? 0];
 }
 
-export async function removeHandle(vertex: number): Promise<void> {
-  const next = changed(withoutHandle(draft.value?.handles ?? [], vertex));
-  if (next) await commitEdit(next, "solve");
-}
+export const removeHandle = (vertex: number): Promise<void> =>
+  edit((rows) => withoutHandle(rows, vertex));
 
 /** While a weight's slider moves. */
 export function previewSettings(change: Partial<EditSettings>): void {
   if (!draft.value) return;
   const next = { ...draft.value, settings: { ...draft.value.settings, ...change } };
   draft.value = next;
-  if (next.handles.length > 0) void frame(question(next, "drag"));
+  if (next.handles.length > 0) void frame(editQuestion(next, "drag"));
 }
 
 export async function commitSettings(change: Partial<EditSettings>): Promise<void> {
-  if (!draft.value) return;
   client.dropStreams();
-  await commitEdit({ ...draft.value, settings: { ...draft.value.settings, ...change } }, "solve");
+  await inTurn(async () => {
+    const design = draft.value;
+    if (!design) return;
+    await commitEdit({ ...design, settings: { ...design.settings, ...change } }, "solve");
+  });
 }
 
 async function step(move: typeof steps.undo<Design>): Promise<void> {
-  if (!history.value) return;
-  const moved = move(history.value);
-  if (moved === history.value) return;
   client.dropStreams();
-  history.value = moved;
-  await show(moved.present);
+  await inTurn(async () => {
+    const from = history.value;
+    const to = from && move(from);
+    if (!to || to === from) return;
+    notice.value = null;
+    if (await show(to.present)) history.value = to;
+    else await showPresent();
+  });
 }
 
 export const undo = (): Promise<void> => step(steps.undo);
 export const redo = (): Promise<void> => step(steps.redo);
-
-/** Stops whatever runs and puts the last finished design back at once. */
-export async function cancel(): Promise<void> {
-  client.cancel();
-  const design = history.value?.present;
-  const opened = mesh.value;
-  if (!design || !opened) return;
-  draft.value = design;
-  figures.value = design.report;
-  announceChanges(displayOf(design));
-  const { source, planarised } = design;
-  await run("restarting the solver", { kind: "open", source, planarise: planarised }, "opened");
-  await show(design);
-}
-
-/** The whole design in display coordinates, from what the page itself keeps. */
-function displayOf(design: Design): Float32Array {
-  const opened = mesh.value;
-  if (!opened) return new Float32Array(0);
-  const { centre, scale } = opened.report;
-  const { display } = opened;
-  const all = new Float32Array((display.length / 3) * 4);
-  for (let v = 0; v < display.length / 3; ++v) {
-    all.set([v, display[3 * v] ?? 0, display[3 * v + 1] ?? 0, display[3 * v + 2] ?? 0], 4 * v);
-  }
-  const { moved, positions } = design.shape;
-  moved.forEach((v, k) => {
-    const at = (axis: 0 | 1 | 2) => ((positions[3 * k + axis] ?? 0) - centre[axis]) * scale;
-    all.set([v, at(0), at(1), at(2)], 4 * v);
-  });
-  return all;
-}

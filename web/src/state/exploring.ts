@@ -1,62 +1,119 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
-import { client, frame, run } from "./connection.ts";
-import type { Design, Variation } from "./design.ts";
+import { client, frame, held, run, runUnseen } from "./connection.ts";
+import { type Design, toTargets, type Variation } from "./design.ts";
 import { commit } from "./editing.ts";
 import * as steps from "./history.ts";
-import { planarise } from "./opening.ts";
-import { dimension, draft, figures, history, mesh } from "./store.ts";
+import { planariseNow } from "./opening.ts";
+import { show } from "./showing.ts";
+import { dimension, draft, eigenbasis, figures, history, mesh, notice } from "./store.ts";
+import { inTurn } from "./turns.ts";
 
-export async function explore(): Promise<void> {
-  const design = draft.value;
-  const steady = history.value;
-  if (!design || !steady) return;
-  if (design.variation && !design.variation.exact) await makeExact();
-  const question = { kind: "explore", dimension: dimension.value, eigenbasis: false } as const;
+type Varied = Design & { readonly variation: Variation };
+
+/** Finds the directions around the shape that the solver shows; how many there are, or null. */
+export async function findDirections(
+  design: Design,
+  asked: number,
+  byStiffness: boolean,
+): Promise<number | null> {
+  const question = { kind: "explore", dimension: asked, eigenbasis: byStiffness } as const;
   const answer = await run("finding variations", question, "explored");
-  if (!answer) return;
-  const coefficients = Array.from({ length: answer.report.dimension }, () => 0);
-  const now = draft.value ?? design;
-  const next: Design = {
-    ...now,
-    variation: { dimension: coefficients.length, coefficients, exact: true },
-  };
-  draft.value = next;
-  history.value = steps.record(history.value ?? steady, next);
+  if (answer) held.centre = design.shape;
+  return answer?.report.dimension ?? null;
 }
 
-function varied(index: number, value: number): (Design & { variation: Variation }) | null {
+export const explore = (): Promise<void> =>
+  inTurn(async () => {
+    if (draft.value?.variation && !draft.value.variation.exact) await makeExactNow();
+    const design = draft.value;
+    if (!design || !history.value) return;
+    const [asked, byStiffness] = [dimension.value, eigenbasis.value];
+    const found = await findDirections(design, asked, byStiffness);
+    if (found === null || !history.value) return;
+    const variation: Variation = {
+      coefficients: Array.from({ length: found }, () => 0),
+      centre: design.shape,
+      asked,
+      eigenbasis: byStiffness,
+      exact: true,
+    };
+    const next: Design = { ...design, variation };
+    draft.value = next;
+    notice.value = null;
+    history.value = steps.record(history.value, next);
+  });
+
+/** True once the solver can evaluate the sliders of `design`: after an undo it may have to look
+ * for the directions again, which gives the same ones. */
+export async function ensureDirections(design: Design): Promise<boolean> {
+  const { variation } = design;
+  if (!variation) return false;
+  if (held.base && held.centre === variation.centre) return true;
+  const before: Design = { ...design, shape: variation.centre };
+  const targets = toTargets(design.handles);
+  const restore = { kind: "restore", targets, shape: variation.centre, keep: false } as const;
+  if (!(await runUnseen("finding variations", restore, "shown"))) return false;
+  const found = await findDirections(before, variation.asked, variation.eigenbasis);
+  return (await show(design)) && found === variation.coefficients.length;
+}
+
+function varied(index: number, value: number): Varied | null {
   const design = draft.value;
   if (!design?.variation) return null;
   const coefficients = design.variation.coefficients.map((x, k) => (k === index ? value : x));
   return { ...design, variation: { ...design.variation, coefficients, exact: false } };
 }
 
+let preparing = false;
+
 /** Each frame of a slider: no solve, only B x. */
 export function previewVariation(index: number, value: number): void {
   const next = varied(index, value);
-  if (!next) return;
-  draft.value = next;
-  void frame({ kind: "vary", coefficients: next.variation.coefficients });
+  if (!next || preparing) return;
+  if (held.centre === next.variation.centre) {
+    draft.value = next;
+    void frame({ kind: "vary", coefficients: next.variation.coefficients });
+    return;
+  }
+  const design = draft.value;
+  preparing = true;
+  void inTurn(async () => {
+    if (design) await ensureDirections(design);
+  }).finally(() => {
+    preparing = false;
+  });
 }
 
 /** On release the design becomes exact again. */
 export async function commitVariation(index: number, value: number): Promise<void> {
-  const next = varied(index, value);
-  if (!next) return;
   client.dropStreams();
-  draft.value = next;
-  await frame({ kind: "vary", coefficients: next.variation.coefficients });
-  const exact = { ...next, variation: { ...next.variation, exact: true } };
+  await inTurn(async () => {
+    const next = varied(index, value);
+    const steady = history.value?.present;
+    if (next && steady) await commitVaried(next, steady);
+  });
+}
+
+/** Evaluates the sliders of `next`, makes the result exact and records it. */
+async function commitVaried(next: Varied, steady: Design): Promise<void> {
+  const ready = held.centre === next.variation.centre || (await ensureDirections(steady));
+  const { coefficients } = next.variation;
+  const shown = ready && (await run("varying", { kind: "vary", coefficients }, "shown"));
+  if (!shown) {
+    await show(steady);
+    return;
+  }
+  const exact: Design = { ...next, variation: { ...next.variation, exact: true } };
   await commit(exact, { kind: "exact" }, "making exact");
 }
 
-/** The nearest flat design to what is shown; an opened mesh that is not flat is planarised. */
-export async function makeExact(): Promise<void> {
+/** Within a turn: the nearest flat design to what is shown. */
+async function makeExactNow(): Promise<void> {
   const design = draft.value;
   if (!design) return;
   if (mesh.value && !mesh.value.report.flat) {
-    await planarise();
+    await planariseNow();
     return;
   }
   const variation = design.variation ? { ...design.variation, exact: true } : null;
@@ -64,3 +121,6 @@ export async function makeExact(): Promise<void> {
     await commit({ ...design, variation }, { kind: "exact" }, "making exact");
   }
 }
+
+/** The nearest flat design to what is shown; an opened mesh that is not flat is planarised. */
+export const makeExact = (): Promise<void> => inTurn(makeExactNow);

@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Opening samples and files, planarising what is not flat.
-import { batch } from "@preact/signals";
+// Opening samples and files, planarising what is not flat. Each is one step of the history.
 import type { FileFormat, OpenedMesh, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE } from "./design.ts";
-import { begin } from "./history.ts";
+import * as steps from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
+import { showPresent, takeMesh } from "./showing.ts";
 import {
-  designName,
-  displayMesh,
   draft,
-  figures,
   hintVertex,
   history,
   importReport,
   mesh,
   notice,
-  panelFigures,
   problem,
-  selected,
-  selectedPanel,
   settings,
 } from "./store.ts";
+import { inTurn } from "./turns.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
-function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
+/** The unedited mesh as a design. */
+export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
   const { worstGap, worstMmPerM } = opened.report;
   return {
     source,
@@ -39,72 +35,50 @@ function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): D
   };
 }
 
-export const sourceName = (source: Source): string =>
-  source.kind === "file"
-    ? source.name
-    : (SAMPLES.find((s) => s.name === source.name)?.label ?? source.name);
-
-/** Takes over a base mesh that the worker has opened; what was shown before is gone. */
-export function adoptMesh(
-  source: Source,
-  name: string,
-  planarised: boolean,
-  opened: OpenedMesh,
-): void {
+/** Shows what the solver has opened, as one more step of the history. */
+function adopt(source: Source, planarised: boolean, opened: OpenedMesh): void {
   const design = freshDesign(source, planarised, opened);
-  batch(() => {
-    mesh.value = opened;
-    displayMesh.value = opened;
-    history.value = begin(design);
-    draft.value = design;
-    figures.value = design.report;
-    selected.value = null;
-    selectedPanel.value = null;
-    panelFigures.value = null;
-    hintVertex.value = null;
-    notice.value = null;
-    importReport.value = false;
-    designName.value = name;
+  takeMesh(design, opened);
+  notice.value = null;
+  history.value = history.value ? steps.record(history.value, design) : steps.begin(design);
+}
+
+export const openSample = (name: string): Promise<void> =>
+  inTurn(async () => {
+    const sample = SAMPLES.find((s) => s.name === name);
+    if (!sample) return;
+    const source: Source = { kind: "sample", name, size: sample.size };
+    const question = { kind: "open", source, planarise: false } as const;
+    const answer = await run(`opening ${sample.label}`, question, "opened");
+    if (answer) adopt(source, false, answer.mesh);
+    else await showPresent();
   });
-}
 
-export async function openSample(name: string): Promise<void> {
-  const sample = SAMPLES.find((s) => s.name === name);
-  if (!sample) return;
-  const source: Source = { kind: "sample", name, size: sample.size };
-  const answer = await run(
-    `opening ${sample.label}`,
-    { kind: "open", source, planarise: false },
-    "opened",
-  );
-  if (answer) adoptMesh(source, sample.label, false, answer.mesh);
-}
+export const openFile = (file: File): Promise<void> =>
+  inTurn(async () => {
+    const { name } = file;
+    const extension = name.split(".").at(-1)?.toLowerCase() ?? "";
+    const format = FORMATS.find((f) => f === extension);
+    if (!format) {
+      problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`;
+      return;
+    }
+    const question = { kind: "read", file, name, format } as const;
+    const answer = await run(`reading ${name}`, question, "opened");
+    if (!answer?.source) return;
+    adopt(answer.source, false, answer.mesh);
+    importReport.value = true;
+  });
 
-export async function openFile(file: File): Promise<void> {
-  const extension = file.name.split(".").at(-1)?.toLowerCase() ?? "";
-  const format = FORMATS.find((f) => f === extension);
-  if (!format) {
-    problem.value = `${file.name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`;
-    return;
-  }
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  const source: Source = { kind: "file", name: file.name, format, bytes };
-  const answer = await run(
-    `loading ${file.name}`,
-    { kind: "open", source, planarise: false },
-    "opened",
-  );
-  if (!answer) return;
-  adoptMesh(source, file.name, false, answer.mesh);
-  importReport.value = true;
-}
-
-export async function planarise(): Promise<void> {
+/** Within a turn. */
+export async function planariseNow(): Promise<void> {
   const design = draft.value;
   if (!design) return;
   const answer = await run("making every panel flat", { kind: "planarise" }, "opened");
-  if (answer) adoptMesh(design.source, designName.value, true, answer.mesh);
+  if (answer) adopt(design.source, true, answer.mesh);
 }
+
+export const planarise = (): Promise<void> => inTurn(planariseNow);
 
 /** The first visit: the painted sample becomes live, and one point asks to be dragged. */
 export async function openFirst(): Promise<void> {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What makes a design again: its source and what was done to it, with a mark of the result.
+import { crc32 } from "../share/crc32.ts";
 import type { EditSettings, Source } from "../solver/protocol.ts";
+import type { Camera } from "./camera.ts";
 import type { Design, HandleRow } from "./design.ts";
 import type { Unit } from "./units.ts";
 
@@ -13,31 +15,25 @@ export interface ResultMark {
   readonly probes: readonly number[];
 }
 
+export interface RecipeVariation {
+  readonly coefficients: readonly number[];
+  readonly asked: number;
+  readonly eigenbasis: boolean;
+}
+
 export interface Recipe {
   readonly source: Source;
   readonly planarised: boolean;
   readonly handles: readonly HandleRow[];
   readonly settings: EditSettings;
-  readonly variation: readonly number[] | null;
+  readonly variation: RecipeVariation | null;
   readonly unit: Unit;
+  readonly camera: Camera | null;
   readonly mark: ResultMark;
 }
 
 /** Vertices that are recorded to measure a deviation. */
 const PROBES = 5;
-
-const TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
-  let c = n;
-  for (let k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
-  return c;
-});
-
-/** The CRC-32 of zip and PNG. */
-export function crc32(bytes: Uint8Array, seed = 0): number {
-  let c = ~seed;
-  for (const byte of bytes) c = (TABLE[(c ^ byte) & 255] ?? 0) ^ (c >>> 8);
-  return ~c >>> 0;
-}
 
 const bytesOf = (array: Int32Array | Float64Array): Uint8Array =>
   new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
@@ -56,13 +52,18 @@ export function markOf({ moved, positions }: Design["shape"]): ResultMark {
   return { hash: crc32(bytesOf(positions), crc32(bytesOf(moved))), moved: moved.length, probes };
 }
 
-export const recipeOf = (design: Design, unit: Unit): Recipe => ({
+export const recipeOf = (design: Design, unit: Unit, camera: Camera | null): Recipe => ({
   source: design.source,
   planarised: design.planarised,
   handles: design.handles,
   settings: design.settings,
-  variation: design.variation?.coefficients ?? null,
+  variation: design.variation && {
+    coefficients: design.variation.coefficients,
+    asked: design.variation.asked,
+    eigenbasis: design.variation.eigenbasis,
+  },
   unit,
+  camera,
   mark: markOf(design.shape),
 });
 

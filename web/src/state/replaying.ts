@@ -1,50 +1,87 @@
 // SPDX-License-Identifier: MIT
-// A recipe is opened by doing it again, and the result is held against its mark.
+// A recipe is opened by doing it again, and the result is held against its mark. All of it is one
+// step of the history; if a part fails, nothing has happened.
+import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+import { placeCamera } from "./camera.ts";
 import { run } from "./connection.ts";
-import { commit, commitEdit } from "./editing.ts";
-import { adoptMesh, sourceName } from "./opening.ts";
+import type { Design } from "./design.ts";
+import { editQuestion } from "./editing.ts";
+import { findDirections } from "./exploring.ts";
+import * as steps from "./history.ts";
+import { freshDesign } from "./opening.ts";
 import { deviation, type Recipe } from "./recipe.ts";
-import { draft, mesh, notice, problem, unit } from "./store.ts";
+import { showPresent, takeMesh } from "./showing.ts";
+import { draft, history, notice, problem, unit } from "./store.ts";
+import { inTurn } from "./turns.ts";
 import { formatLength } from "./units.ts";
 
-/** True if the design is there; otherwise the problem has been said. */
-export async function replay(recipe: Recipe): Promise<boolean> {
-  const { source, planarised } = recipe;
-  const opened = await run(
-    "opening the design",
-    { kind: "open", source, planarise: planarised },
-    "opened",
-  );
-  if (!opened) return false;
-  unit.value = recipe.unit;
-  adoptMesh(source, sourceName(source), planarised, opened.mesh);
-  const count = opened.mesh.report.vertices;
-  if (recipe.handles.some((row) => row.vertex >= count)) {
-    problem.value =
-      "This link moves points that its mesh does not have; the mesh is shown unedited.";
-    return true;
+type Step = { readonly design: Design } | { readonly reason: string | null };
+
+async function solved(design: Design): Promise<Step> {
+  if (design.handles.length === 0) return { design };
+  const answer = await run("opening the design", editQuestion(design, "solve"), "shown");
+  if (!answer?.shape) return { reason: problem.value };
+  return { design: { ...design, shape: answer.shape, report: answer.report } };
+}
+
+async function varied(design: Design, { variation }: Recipe): Promise<Step> {
+  if (!variation) return { design };
+  const { coefficients, asked, eigenbasis } = variation;
+  const centre: Shape = design.shape;
+  const found = await findDirections(design, asked, eigenbasis);
+  if (found !== coefficients.length) {
+    const given = `This link sets ${coefficients.length} variations where its edit has ${found}.`;
+    return { reason: found === null ? problem.value : given };
   }
-  if (!draft.value) return false;
-  await commitEdit({ ...draft.value, handles: recipe.handles, settings: recipe.settings }, "solve");
-  if (recipe.variation) await replayVariation(recipe.variation);
-  announce(recipe);
+  const next: Design = {
+    ...design,
+    variation: { coefficients, centre, asked, eigenbasis, exact: true },
+  };
+  if (coefficients.every((x) => x === 0)) return { design: next };
+  const vary = await run("opening the design", { kind: "vary", coefficients }, "shown");
+  const exact = vary && (await run("opening the design", { kind: "exact" }, "shown"));
+  if (!exact?.shape) return { reason: problem.value };
+  return { design: { ...next, shape: exact.shape, report: exact.report } };
+}
+
+async function compute(recipe: Recipe, opened: OpenedMesh): Promise<Step> {
+  const { source, planarised, handles, settings } = recipe;
+  const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
+  takeMesh(fresh, opened);
+  if (handles.some((row) => row.vertex >= opened.report.vertices))
+    return { reason: "This link moves points that its mesh does not have." };
+  const edited = await solved(fresh);
+  return "design" in edited ? varied(edited.design, recipe) : edited;
+}
+
+async function replayNow(recipe: Recipe): Promise<boolean> {
+  const { source, planarised } = recipe;
+  const question = { kind: "open", source, planarise: planarised } as const;
+  const answer = await run("opening the design", question, "opened");
+  const end = answer ? await compute(recipe, answer.mesh) : { reason: problem.value };
+  if (!("design" in end)) {
+    await showPresent();
+    problem.value = end.reason;
+    return false;
+  }
+  unit.value = recipe.unit;
+  placeCamera(recipe.camera);
+  draft.value = end.design;
+  history.value = history.value ? steps.record(history.value, end.design) : steps.begin(end.design);
+  if (answer) announce(recipe, end.design, answer.mesh.positions);
   return true;
 }
 
-async function replayVariation(coefficients: readonly number[]): Promise<void> {
-  const question = { kind: "explore", dimension: coefficients.length, eigenbasis: false } as const;
-  const found = await run("finding variations", question, "explored");
-  if (!found || !draft.value) return;
-  const varied = await run("varying", { kind: "vary", coefficients }, "shown");
-  if (!varied) return;
-  const variation = { dimension: coefficients.length, coefficients, exact: true };
-  await commit({ ...draft.value, variation }, { kind: "exact" }, "making exact");
+/** True if the design is there; otherwise the problem has been said. */
+export async function replay(recipe: Recipe): Promise<boolean> {
+  let opened = false;
+  await inTurn(async () => {
+    opened = await replayNow(recipe);
+  });
+  return opened;
 }
 
-function announce({ mark }: Recipe): void {
-  const design = draft.value;
-  const base = mesh.value?.positions;
-  if (!design || !base || problem.value) return;
+function announce({ mark }: Recipe, design: Design, base: Float64Array): void {
   const off = deviation(mark, design.shape, base);
   notice.value =
     off === 0

@@ -2,17 +2,25 @@
 // Everything the page shows, as signals. Only the modules of state/ write them.
 import { computed, signal } from "@preact/signals";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { Snapshot } from "../share/saved-record.ts";
 import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
-import type { Design } from "./design.ts";
-import { NO_REPORT } from "./design.ts";
+import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
-import type { Unit } from "./units.ts";
+import { niceStep, type Unit } from "./units.ts";
 
 /** What is running now, for the status line and Cancel. */
 export interface Activity {
   readonly label: string;
   readonly step: number;
+  /** Bytes of a file, while it is read. */
+  readonly read?: { readonly done: number; readonly total: number };
+}
+
+/** Along the axis, or across it in the plane at right angles. "normal" is the surface's. */
+export interface Lock {
+  readonly axis: "x" | "y" | "z" | "normal";
+  readonly plane: boolean;
 }
 
 export type ColourBy = "displacement" | "planarity" | "none";
@@ -29,12 +37,28 @@ export const draft = signal<Design | null>(null);
 export const figures = signal<ShapeReport>(NO_REPORT);
 export const activity = signal<Activity | null>(null);
 export const problem = signal<string | null>(null);
+/** Says that designs are not kept here; null while they are. */
+export const keeping = signal<string | null>(null);
+/** Designs kept under a name, oldest first. */
+export const snapshots = signal<readonly Snapshot[]>([]);
 export const notice = signal<string | null>(null);
 /** Changes to a newer version of the page; null while there is none. */
 export const update = signal<(() => void) | null>(null);
-export const selected = signal<number | null>(null);
+/** Points chosen, the latest last. */
+export const selection = signal<readonly number[]>([]);
+/** Holds a drag to a line or a plane; null while it is free. */
+export const lock = signal<Lock | null>(null);
+/** Whether drags go in steps. */
+export const snapping = signal(false);
+/** The step of a drag, model units; null for one that suits the mesh. */
+export const snapStep = signal<number | null>(null);
+/** Whether a drag in the view draws a box around points instead. */
+export const boxTool = signal(false);
+/** Whether the arrows at a point follow its surface instead of X, Y and Z. */
+export const localArrows = signal(false);
 export const unit = signal<Unit>("m");
 export const dimension = signal(4);
+export const eigenbasis = signal(false);
 export const colourBy = signal<ColourBy>("displacement");
 /** Gap (model units) and mm/m of every panel of the last finished design. */
 export const panelFigures = signal<Float32Array | null>(null);
@@ -45,8 +69,16 @@ export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */
 export const hintVertex = signal<number | null>(null);
 export const importReport = signal(false);
-export const designName = signal(FIRST_SAMPLE.label);
 
+/** The point chosen last. */
+export const selected = computed(() => selection.value.at(-1) ?? null);
+/** The step of a drag, model units: about a tenth of an edge where none was chosen. */
+export const snapDistance = computed(
+  () => snapStep.value ?? niceStep((mesh.value?.report.meanEdge ?? 1) / 10),
+);
+export const designName = computed(() =>
+  draft.value ? sourceName(draft.value.source) : FIRST_SAMPLE.label,
+);
 export const handles = computed(() => draft.value?.handles ?? []);
 export const settings = computed(() => draft.value?.settings ?? null);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);

@@ -31,6 +31,13 @@ export const isUnit = (text: string): text is Unit => Object.hasOwn(METRES, text
 export const convert = (value: number, from: Unit, to: Unit): number =>
   from === to ? value : (value * METRES[from]) / METRES[to];
 
+/** 1, 2 or 5 times a power of ten, not above `rough`. */
+export function niceStep(rough: number): number {
+  const power = 10 ** Math.floor(Math.log10(rough || 0.01));
+  const lead = rough / power;
+  return (lead < 2 ? 1 : lead < 5 ? 2 : 5) * power;
+}
+
 /** A coordinate for a field: as many digits as matter, none that do not. */
 export function formatCoordinate(value: number): string {
   const size = Math.abs(value);

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: MIT
 import { commitVariation, explore, previewVariation } from "../state/exploring.ts";
-import { dimension, draft, figures, ready } from "../state/store.ts";
+import { fillGallery, gallery } from "../state/gallery.ts";
+import { reachOf } from "../state/reach.ts";
+import { dimension, draft, eigenbasis, figures, mesh, ready, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
 import { Slider } from "./slider.tsx";
+import { VariationGallery } from "./variation-gallery.tsx";
 
-function Variations() {
+function Sliders() {
   const variation = draft.value?.variation;
-  if (!variation) return null;
+  const base = mesh.value?.positions;
+  if (!variation || !base) return null;
+  const reach = reachOf(variation.centre, base);
+  const found = variation.coefficients.length;
+  const words = (x: number): string =>
+    `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, unit.value)}`;
   return (
     <>
+      <p class="quiet small">
+        {found < variation.asked && `${found} of ${variation.asked} directions exist here. `}
+        At either end of a slider the point that moves most moves by{" "}
+        {formatLength(reach, unit.value)}.
+      </p>
       {variation.coefficients.map((value, k) => {
         const label = `Variation ${k + 1}`;
         return (
@@ -18,7 +32,7 @@ function Variations() {
             min={-1}
             max={1}
             step={0.01}
-            shown={value.toFixed(2)}
+            shown={words(value)}
             disabled={false}
             onInput={(x) => previewVariation(k, x)}
             onCommit={(x) => void commitVariation(k, x)}
@@ -29,7 +43,22 @@ function Variations() {
   );
 }
 
-/** Step 2: a few sliders around the edit that act instantly. */
+function GalleryButton() {
+  const centre = draft.value?.variation?.centre;
+  if (!centre || gallery.value?.centre === centre) return null;
+  return (
+    <button type="button" class="button wide" onClick={() => void fillGallery()}>
+      Show gallery
+    </button>
+  );
+}
+
+async function exploreAndShow(): Promise<void> {
+  await explore();
+  await fillGallery();
+}
+
+/** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
   const possible = ready.value && figures.value.movedVertices > 0;
   return (
@@ -52,15 +81,28 @@ export function ExploreSection() {
           dimension.value = value;
         }}
       />
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={eigenbasis.value}
+          disabled={!ready.value}
+          onChange={({ currentTarget }) => {
+            eigenbasis.value = currentTarget.checked;
+          }}
+        />
+        <span>Smoothest first</span>
+      </label>
       <button
         type="button"
         class={`button wide${possible && !draft.value?.variation ? " primary" : ""}`}
         disabled={!possible}
-        onClick={() => void explore()}
+        onClick={() => void exploreAndShow()}
       >
         Find variations
       </button>
-      <Variations />
+      <Sliders />
+      <GalleryButton />
+      <VariationGallery />
     </section>
   );
 }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 import type { HandleRow, Point } from "../state/design.ts";
 import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
-import { handles, mesh, ready, selected, unit } from "../state/store.ts";
+import { selectOnly, toggleSelected } from "../state/selection.ts";
+import { handles, mesh, ready, selection, unit } from "../state/store.ts";
+import { niceStep } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
 import { NumberField } from "./number-field.tsx";
+import { SurfaceMove } from "./surface-move.tsx";
 
 const AXES = ["X", "Y", "Z"] as const;
 
-/** A step that suits the mesh: 1, 2 or 5 times a power of ten, about a hundredth of an edge. */
-function niceStep(meanEdge: number): number {
-  const rough = meanEdge / 100 || 0.01;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const lead = rough / power;
-  return (lead < 2 ? 1 : lead < 5 ? 2 : 5) * power;
-}
+/** Longer tables are cut; the view shows every handle. */
+const ROWS = 40;
+
+const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 
 function Row({ row, step }: { row: HandleRow; step: number }) {
   const shown: Point = row.pinned ? basePoint(row.vertex) : row.target;
@@ -23,15 +23,15 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
     void setTarget(row.vertex, [x ?? 0, y ?? 0, z ?? 0]);
   };
   return (
-    <tr class={row.vertex === selected.value ? "selected" : ""}>
+    <tr class={selection.value.includes(row.vertex) ? "selected" : ""}>
       <th scope="row">
         <button
           type="button"
           class="point-button"
           aria-label={`Select ${name}`}
-          onClick={() => {
-            selected.value = row.vertex;
-          }}
+          onClick={({ ctrlKey, metaKey, shiftKey }) =>
+            ctrlKey || metaKey || shiftKey ? toggleSelected(row.vertex) : selectOnly(row.vertex)
+          }
         >
           {row.vertex}
         </button>
@@ -56,7 +56,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
           aria-description={name}
           title="Pinned: this point does not move"
           checked={row.pinned}
-          onChange={({ currentTarget }) => void setPinned(row.vertex, currentTarget.checked)}
+          onChange={({ currentTarget }) => void setPinned([row.vertex], currentTarget.checked)}
         />
       </td>
       <td class="narrow">
@@ -76,7 +76,8 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
 }
 
 export function HandlesTable() {
-  const step = niceStep(mesh.value?.report.meanEdge ?? 1);
+  const step = stepFor(mesh.value?.report.meanEdge ?? 1);
+  const rows = handles.value;
   return (
     <>
       <table class="handles" aria-label="Handles">
@@ -97,23 +98,29 @@ export function HandlesTable() {
           </tr>
         </thead>
         <tbody>
-          {handles.value.map((row) => (
+          {rows.slice(0, ROWS).map((row) => (
             <Row key={row.vertex} row={row} step={step} />
           ))}
         </tbody>
       </table>
-      {handles.value.length === 0 && (
+      {rows.length > ROWS && (
+        <p class="quiet">
+          The first {ROWS} of {rows.length}; the view shows all of them.
+        </p>
+      )}
+      {rows.length === 0 && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
       <button
         type="button"
-        class={`button wide${handles.value.length === 0 ? " primary" : ""}`}
+        class={`button wide${rows.length === 0 ? " primary" : ""}`}
         disabled={!ready.value || !mesh.value?.report.flat}
         onClick={() => void addHandle()}
       >
         <Icon name="plus" />
         Add handle
       </button>
+      <SurfaceMove />
     </>
   );
 }

@@ -5,10 +5,16 @@ import { Icon } from "./icon.tsx";
 const KEYS: readonly (readonly [string, string])[] = [
   ["Drag a point", "moves it; its neighbours follow"],
   ["Drag beside the model", "turns the view; right button or two fingers pan, wheel zooms"],
-  ["Arrow keys in the view", "step from point to point"],
+  ["X, Y, Z, N", "hold a drag to an axis or to the normal; with Shift, to the plane across"],
+  ["Ctrl while dragging", "goes in steps, and back to where the point was"],
+  ["Ctrl + click, Shift + drag", "select several points, or a box of them; they move together"],
+  ["P", "pins the selected points, or lets them go"],
+  ["Click a panel", "shows its figure"],
+  ["Arrow keys in the view", "step from point to point; with Ctrl, add the next point"],
   ["Shift + arrow keys", "turn the view; + and − zoom"],
+  ["1, 2, 3, 4, F", "perspective, top, front, side; fit the model into the view"],
   ["B, held", "shows the design before the edit"],
-  ["Esc", "gives up a drag"],
+  ["Esc", "gives up a drag; otherwise selects nothing"],
   ["Ctrl Z, Ctrl Shift Z", "undo, redo"],
   ["Coordinates", "take units and arithmetic: 1.2m, 3*400mm, +50mm adds"],
 ];

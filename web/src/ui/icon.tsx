@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: MIT
+
+import local from "lucide-static/icons/axis-3d.svg?raw";
 import box from "lucide-static/icons/box.svg?raw";
 import help from "lucide-static/icons/circle-question-mark.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import folder from "lucide-static/icons/folder-open.svg?raw";
+import plane from "lucide-static/icons/layers-2.svg?raw";
+import snap from "lucide-static/icons/magnet.svg?raw";
+import pin from "lucide-static/icons/pin.svg?raw";
 import plus from "lucide-static/icons/plus.svg?raw";
 import redo from "lucide-static/icons/redo-2.svg?raw";
 import share from "lucide-static/icons/share-2.svg?raw";
+import selectBox from "lucide-static/icons/square-dashed-mouse-pointer.svg?raw";
 import undo from "lucide-static/icons/undo-2.svg?raw";
 import close from "lucide-static/icons/x.svg?raw";
 
-const ICONS = { box, download, folder, help, plus, redo, share, undo, close } as const;
+const ICONS = {
+  box,
+  close,
+  download,
+  folder,
+  help,
+  local,
+  pin,
+  plane,
+  plus,
+  redo,
+  selectBox,
+  share,
+  snap,
+  undo,
+} as const;
 
 export type IconName = keyof typeof ICONS;
 

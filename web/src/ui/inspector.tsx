@@ -6,6 +6,7 @@ import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
 import { Slider } from "./slider.tsx";
+import { SnapshotsSection } from "./snapshots-section.tsx";
 
 function NotFlatNote() {
   const report = mesh.value?.report;
@@ -65,6 +66,7 @@ export function Inspector() {
       </section>
       <ExploreSection />
       <ExactSection />
+      <SnapshotsSection />
     </aside>
   );
 }

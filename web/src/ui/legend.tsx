@@ -41,7 +41,7 @@ export function Legend() {
   return (
     <div class="legend">
       <label>
-        Colour by
+        <span class="legend-word">Colour by</span>
         <select
           class="select"
           value={colourBy.value}

@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { encodeLink } from "../share/link.ts";
+import { readCamera } from "../state/camera.ts";
 import { recipeOf } from "../state/recipe.ts";
 import { draft, ready, unit } from "../state/store.ts";
 import { Icon } from "./icon.tsx";
@@ -29,7 +30,7 @@ async function share(): Promise<Shared | null> {
   if (!design) return null;
   const url = new URL(location.href);
   url.hash = "";
-  const link = url.href + (await encodeLink(recipeOf(design, unit.value)));
+  const link = url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
   const copied = await navigator.clipboard.writeText(link).then(
     () => true,
     () => false,

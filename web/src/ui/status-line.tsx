@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-import { cancel } from "../state/editing.ts";
+import { cancel } from "../state/showing.ts";
 import {
+  type Activity,
   activity,
   busy,
   figures,
+  keeping,
   mesh,
   notice,
   problem,
@@ -27,6 +29,14 @@ function numbers(): string {
   return parts.join(" · ");
 }
 
+const megabytes = (bytes: number): string => (bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0);
+
+function activityWords({ label, step, read }: Activity): string {
+  if (read && read.done < read.total)
+    return `${label} · ${megabytes(read.done)} of ${megabytes(read.total)} MB`;
+  return step > 0 ? `${label} · step ${step}` : `${label}…`;
+}
+
 export function StatusLine() {
   const running = activity.value;
   return (
@@ -40,15 +50,17 @@ export function StatusLine() {
         </div>
       )}
       {notice.value && <div class="notice">{notice.value}</div>}
+      {keeping.value && <div class="notice">{keeping.value}</div>}
       {update.value && (
-        <button type="button" class="button small" onClick={update.value}>
-          Update to the new version
-        </button>
+        <div class="notice">
+          A new version is ready.{" "}
+          <button type="button" class="button small" onClick={update.value}>
+            Reload
+          </button>
+        </div>
       )}
       <div class="activity" aria-hidden="true">
-        {running &&
-          ready.value &&
-          `${running.label}${running.step > 0 ? ` · step ${running.step}` : "…"}`}
+        {running && ready.value && activityWords(running)}
       </div>
       <button
         type="button"

@@ -9,6 +9,13 @@
 
 namespace planish {
 
+struct NearestFlatOptions {
+  int max_steps = 100;
+  /// Step, as a share of ‖t‖, below which t counts as the nearest point: ‖t‖² is then least to
+  /// about the square of it. In (0, 1); smaller: more steps, and fewer digits left to rounding.
+  double settled = 5e-5;
+};
+
 struct NearestFlatOutcome {
   SolveStatus status = SolveStatus::kIterationLimit;
   int steps = 0, factorizations = 0;
@@ -17,10 +24,12 @@ struct NearestFlatOutcome {
 
 /// Sequential quadratic programming with the identity as Hessian: each step is the minimum-norm
 /// solution t⁺ = Jᵀ(J Jᵀ + ρI)⁻¹(J t − c), one scalar factor per equation, so 100 K panels are a
-/// matter of tenths of a second. Backtracks on ½‖t‖² + σ‖c‖₁.
+/// matter of tenths of a second. Anderson mixing shortens the linearly convergent tail; steps that
+/// stop shrinking are judged by ½‖t‖² + σ‖c‖₁ instead. At the end t goes onto the constraints to
+/// rounding.
 /// @param patch usually the whole mesh
 /// @param displacement 3 × free, start and result
-NearestFlatOutcome find_nearest_flat(const Patch& patch, int max_steps, const Progress& progress,
-                                     Eigen::Matrix3Xd& displacement);
+NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
+                                     const Progress& progress, Eigen::Matrix3Xd& displacement);
 
 }  // namespace planish

@@ -72,6 +72,12 @@ class WorkingSetNewton {
                          const NewtonOptions& options, DisplacementField& field,
                          const Interruption& interrupted);
 
+  /// Goes on with a cold run that was stopped at a coarse smoothing: from its field and support(),
+  /// with the same start set, at options.first_smoothing.
+  NewtonOutcome run_on(const EditProblem& problem, const StartSet& start,
+                       const NewtonOptions& options, DisplacementField& field,
+                       const Interruption& interrupted);
+
   /// From the field of an earlier run and its support().
   NewtonOutcome run_warm(const EditProblem& problem, const NewtonOptions& options,
                          DisplacementField& field, const Interruption& interrupted);
@@ -94,6 +100,8 @@ class WorkingSetNewton {
  private:
   enum class StepResult { kAccepted, kRejected, kBroken };
 
+  /// Sets start_ to the vertices of `start`.
+  void lay_out(const EditProblem& problem, const StartSet& start);
   NewtonOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
                     DisplacementField& field, const Interruption& interrupted);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// A minimum of the handle edit from nothing: several starts race, the best one wins. [WSN-5]
+#pragma once
+
+#include "planish/engines/working_set_newton.hpp"
+
+namespace planish {
+
+/// The problem has many local minima. Cold starts in different working sets and smoothings are
+/// followed to a coarse smoothing, where their objectives tell most minima apart; those within a
+/// few per cent of the best run on to the last smoothing, and the best of them is polished on its
+/// support. The result depends on the problem alone. Without a norm term there is one start.
+/// @param field the winner's state, newton.support() its support
+/// @returns the winner's status and records; steps and factorizations of all
+NewtonOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
+                           WorkingSetNewton& newton, DisplacementField& field,
+                           const Interruption& interrupted);
+
+}  // namespace planish

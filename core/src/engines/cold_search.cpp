@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/cold_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+/// Chosen among 84 by their minima on 5 samples and 25 meshes, see docs/decisions: the lines of the
+/// mesh lead to wide minima, few rings under a strong smoothing to tight ones.
+constexpr std::array<StartSet, 3> kStarts{StartSet{3, 16, 0.05}, StartSet{2, 0, 1.0},
+                                          StartSet{2, 16, 0.5}};
+constexpr double kCoarse = 0.0045;    ///< smoothing at which the race is judged, share
+constexpr double kCoarseStop = 1e-3;  ///< relative change of the objective that ends it
+constexpr double kPromising = 1.05;   ///< coarse objective, relative to the best, to run on
+
+struct Contender {
+  StartSet start;
+  NewtonOutcome outcome;
+  std::vector<int> support;
+  DisplacementField::Snapshot state;
+};
+
+class ColdSearch {
+ public:
+  ColdSearch(const EditProblem& problem, const NewtonOptions& options, WorkingSetNewton& newton,
+             DisplacementField& field, const Interruption& interrupted)
+      : problem_(problem),
+        options_(options),
+        newton_(newton),
+        field_(field),
+        interrupted_(interrupted) {}
+
+  NewtonOutcome run() {
+    race();
+    field_.clear();
+    newton_.set_support(problem_.handles);
+    if (contenders_.empty()) return total_;
+    Contender& winner = problem_.sparse ? run_on() : contenders_.front();
+    field_.restore(winner.state);
+    newton_.set_support(winner.support);
+    if (problem_.sparse && total_.status != SolveStatus::kCancelled) polish();
+    if (total_.status != SolveStatus::kCancelled) total_.status = winner.outcome.status;
+    total_.objective = winner.outcome.objective;
+    total_.records = std::move(winner.outcome.records);
+    return std::move(total_);
+  }
+
+ private:
+  /// Every start as far as the coarse smoothing, best first.
+  void race() {
+    NewtonOptions coarse = options_;
+    if (problem_.sparse) {
+      coarse.last_smoothing = kCoarse;
+      coarse.stop = kCoarseStop;
+    }
+    for (const StartSet& start : kStarts) {
+      field_.clear();
+      Contender contender;
+      contender.start = start;
+      keep(newton_.run_cold(problem_, start, coarse, field_, interrupted_), contender);
+      if (std::isfinite(contender.outcome.objective) && !contender.outcome.records.empty()) {
+        contenders_.push_back(std::move(contender));
+      }
+      if (!problem_.sparse || total_.status == SolveStatus::kCancelled) break;
+    }
+    std::stable_sort(contenders_.begin(), contenders_.end(), &lower);
+  }
+
+  /// The promising ones to the last smoothing; the best of those that got there.
+  Contender& run_on() {
+    NewtonOptions rest = options_;
+    rest.first_smoothing = options_.smoothing_shrink * kCoarse;
+    const double promising = kPromising * contenders_.front().outcome.objective;
+    Contender* winner = nullptr;
+    for (Contender& contender : contenders_) {
+      if (total_.status == SolveStatus::kCancelled) break;
+      if (winner != nullptr && contender.outcome.objective > promising) break;
+      field_.restore(contender.state);
+      newton_.set_support(contender.support);
+      keep(newton_.run_on(problem_, contender.start, rest, field_, interrupted_), contender);
+      const bool valid = std::isfinite(contender.outcome.objective);
+      if (valid && (winner == nullptr || lower(contender, *winner))) winner = &contender;
+    }
+    return winner != nullptr ? *winner : contenders_.front();
+  }
+
+  /// What the smoothing left outside the support goes, and the norm is followed closer.
+  void polish() {
+    const NewtonOutcome fine = newton_.polish(problem_, handle_scale(problem_), options_, field_);
+    total_.steps += fine.steps;
+    total_.factorizations += fine.factorizations;
+  }
+
+  /// Adds the outcome of a run that used field_.
+  void keep(NewtonOutcome outcome, Contender& contender) {
+    total_.steps += outcome.steps;
+    total_.factorizations += outcome.factorizations;
+    if (outcome.status == SolveStatus::kCancelled) total_.status = outcome.status;
+    std::vector<IterationRecord> records = std::move(contender.outcome.records);
+    records.insert(records.end(), outcome.records.begin(), outcome.records.end());
+    contender.outcome = std::move(outcome);
+    contender.outcome.records = std::move(records);
+    contender.support = newton_.support();
+    contender.state = field_.snapshot();
+  }
+
+  static bool lower(const Contender& a, const Contender& b) {
+    return a.outcome.objective < b.outcome.objective;
+  }
+
+  const EditProblem& problem_;
+  const NewtonOptions& options_;
+  WorkingSetNewton& newton_;
+  DisplacementField& field_;
+  const Interruption& interrupted_;
+  std::vector<Contender> contenders_;
+  NewtonOutcome total_;
+};
+
+}  // namespace
+
+NewtonOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
+                           WorkingSetNewton& newton, DisplacementField& field,
+                           const Interruption& interrupted) {
+  return ColdSearch(problem, options, newton, field, interrupted).run();
+}
+
+}  // namespace planish

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Dragging in the view: locks, steps, several points at once, boxes, pins.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { type ObjMesh, readObj } from "./support/obj.ts";
+import { exportAs, idle, movedCount, openSite, type Site } from "./support/page.ts";
+import { type HandleRow, handleRows, hintedPoint, press } from "./support/view.ts";
+
+let site: Site;
+let base: ObjMesh | null = null;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** A fresh page; the first time also reads its mesh, by export. */
+async function openPage(): Promise<Page> {
+  const page = await site.open();
+  base ??= readObj((await exportAs(page, "OBJ")).toString());
+  return page;
+}
+
+const offset = ({ vertex, target }: HandleRow): number[] =>
+  target.map((x, axis) => x - (base?.points[vertex]?.[axis] ?? 0));
+
+async function release(page: Page): Promise<void> {
+  await page.mouse.up();
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+}
+
+/** Drags the hinted point by an oblique way, with `keys` pressed on the way; gives its offset. */
+async function dragWith(page: Page, ...keys: readonly string[]): Promise<number[]> {
+  const from = await hintedPoint(page);
+  await press(page, from, { x: from.x + 30, y: from.y - 30 });
+  for (const key of keys) await page.keyboard.press(key);
+  await page.mouse.move(from.x + 42, from.y - 55);
+  await release(page);
+  const [row] = await handleRows(page);
+  if (!row) throw new Error("no handle");
+  return offset(row);
+}
+
+const pressed = (page: Page, name: string): Promise<string | null> =>
+  page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed");
+
+describe("a drag", () => {
+  it("is held to an axis by its key, and keeps the other coordinates' bits", async () => {
+    const page = await openPage();
+    const [x, y, z] = await dragWith(page, "z");
+    expect([x, y]).toEqual([0, 0]);
+    expect(z).toBeGreaterThan(0.1);
+    expect(await pressed(page, "Lock to Z")).toBe("true");
+    await page.context().close();
+  });
+
+  it("is held to a plane by Shift and a key", async () => {
+    const page = await openPage();
+    const [x, y, z] = await dragWith(page, "Shift+Z");
+    expect(z).toBe(0);
+    expect(Math.hypot(x ?? 0, y ?? 0)).toBeGreaterThan(0.1);
+    await page.context().close();
+  });
+
+  it("is held to the normal of the surface", async () => {
+    const page = await openPage();
+    const along = await dragWith(page, "n");
+    const [row] = await handleRows(page);
+    const faces = base?.faces.filter((face) => face.includes(row?.vertex ?? -1));
+    // Every edge at a point of a smooth shell is nearly at right angles to its normal.
+    const length = Math.hypot(...along);
+    for (const face of faces ?? []) {
+      const [a = [], b = []] = face.map((v) => base?.points[v] ?? []);
+      const edge = a.map((value, k) => value - (b[k] ?? 0));
+      const cosine =
+        edge.reduce((sum, value, k) => sum + value * (along[k] ?? 0), 0) /
+        (length * Math.hypot(...edge));
+      expect(Math.abs(cosine)).toBeLessThan(0.2);
+    }
+    expect(length).toBeGreaterThan(0.1);
+    await page.context().close();
+  });
+
+  it("goes in steps with Snap, and home again near the base position", async () => {
+    const page = await openPage();
+    await page.getByRole("button", { name: "Snap", exact: true }).click();
+    const step = page.getByRole("spinbutton", { name: "Snap step" });
+    await step.fill("25cm");
+    await step.press("Enter");
+    const from = await hintedPoint(page);
+    await press(page, from, { x: from.x + 23, y: from.y - 60 });
+    await release(page);
+    const [row] = await handleRows(page);
+    if (!row) throw new Error("no handle");
+    for (const part of offset(row))
+      expect(Math.abs(part / 0.25 - Math.round(part / 0.25))).toBeLessThan(1e-6);
+    await page.keyboard.press("Control+z");
+    await expect.poll(() => movedCount(page)).toBe(0);
+    await press(page, from, { x: from.x, y: from.y - 40 }, { x: from.x + 4, y: from.y + 3 });
+    await page.mouse.up();
+    await idle(page);
+    const [home] = await handleRows(page);
+    if (!home) throw new Error("no handle");
+    expect(Math.hypot(...offset(home))).toBeLessThan(1e-6);
+    expect(await movedCount(page)).toBe(0);
+    await page.context().close();
+  });
+
+  it("is given up by Escape", async () => {
+    const page = await openPage();
+    const from = await hintedPoint(page);
+    await press(page, from, { x: from.x, y: from.y - 40 });
+    await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+    await page.keyboard.press("Escape");
+    await expect.poll(() => movedCount(page)).toBe(0);
+    expect(await handleRows(page)).toEqual([]);
+    await page.mouse.up();
+    await page.context().close();
+  });
+});
+
+describe("several points", () => {
+  it("are chosen in a box and move together, as one step", async () => {
+    const page = await openPage();
+    const { x, y } = await hintedPoint(page);
+    await page.getByRole("button", { name: "Select in a box" }).click();
+    await press(page, { x: x - 26, y: y - 22 }, { x: x + 26, y: y + 22 });
+    await page.mouse.up();
+    expect(await movedCount(page)).toBe(0);
+    await page.getByRole("button", { name: "Lock to Z" }).click();
+    await press(page, { x, y }, { x, y: y - 30 });
+    await release(page);
+    const rows = await handleRows(page);
+    expect(rows.length).toBeGreaterThan(1);
+    const [first = []] = rows.map(offset);
+    for (const row of rows) {
+      expect(offset(row).slice(0, 2)).toEqual([0, 0]);
+      expect(offset(row)[2]).toBeCloseTo(first[2] ?? Number.NaN, 9);
+    }
+    await page.getByRole("button", { name: "Undo" }).click();
+    await expect.poll(() => movedCount(page)).toBe(0);
+    expect(await handleRows(page)).toEqual([]);
+    await page.context().close();
+  });
+
+  it("are chosen by keys, pinned and let go; Escape chooses none", async () => {
+    const page = await openPage();
+    await page.getByLabel("3D view").focus();
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("Control+ArrowUp");
+    await page.keyboard.press("Control+ArrowRight");
+    await page.getByRole("button", { name: "Pin selected points" }).click();
+    await idle(page);
+    const rows = await handleRows(page);
+    expect(rows.map((row) => row.pinned)).toEqual([true, true, true]);
+    expect(await pressed(page, "Pin selected points")).toBe("true");
+    await page.getByRole("button", { name: "Pin selected points" }).click();
+    await idle(page);
+    expect((await handleRows(page)).map((row) => row.pinned)).toEqual([false, false, false]);
+    await page.getByLabel("3D view").focus();
+    await page.keyboard.press("Escape");
+    expect(await page.getByRole("button", { name: "Pin selected points" }).isDisabled()).toBe(true);
+    await page.context().close();
+  });
+
+  it("are chosen by Ctrl and clicks", async () => {
+    const page = await openPage();
+    const { x, y } = await hintedPoint(page);
+    await page.mouse.click(x, y);
+    await page.keyboard.down("Control");
+    await page.keyboard.press("ArrowRight");
+    await page.mouse.click(x, y);
+    await page.keyboard.up("Control");
+    await page.getByRole("button", { name: "Pin selected points" }).click();
+    await idle(page);
+    expect((await handleRows(page)).length).toBe(1);
+    await page.context().close();
+  });
+});
+
+it("points move by typed amounts along the surface and out of it", async () => {
+  const page = await openPage();
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.getByText("Move along the surface").click();
+  const out = page.getByRole("spinbutton", { name: "Out" });
+  await out.fill("(3+4)*50mm");
+  await out.press("Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  const [row] = await handleRows(page);
+  if (!row) throw new Error("no handle");
+  expect(Math.hypot(...offset(row))).toBeCloseTo(0.35, 9);
+  expect(offset(row)[2]).toBeGreaterThan(0.3);
+  await page.context().close();
+});
+
+it("a clicked panel says its figure, and the camera stays", async () => {
+  const page = await openPage();
+  await page.getByLabel("3D view").focus();
+  for (let k = 0; k < 10; ++k) await page.keyboard.press("+");
+  const point = await hintedPoint(page);
+  // Near enough, the middle of a panel lies some way to the right of a point.
+  for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
+    await page.mouse.click(point.x + k, point.y - k / 6);
+    await page.waitForTimeout(100);
+  }
+  expect(await page.getByText(/ corners, /).textContent()).toMatch(
+    /4 corners, 0\.0000 mm out of flat/,
+  );
+  expect(await hintedPoint(page)).toEqual(point);
+  await page.keyboard.press("Escape");
+  expect(await page.getByText(/ corners, /).count()).toBe(0);
+  await page.context().close();
+});

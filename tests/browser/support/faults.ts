@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Things that go wrong, made to happen: inside the page, inside the solver's worker, in storage.
+import type { Page } from "playwright-core";
+import type { Prepare } from "./page.ts";
+
+interface FaultyWindow extends Window {
+  solvers: Worker[];
+  /** Kills the solver this many milliseconds after it is given a job of this kind. */
+  kill: { kind: string; after: number } | null;
+}
+
+/** Keeps hold of the solvers, so that they can be killed as the browser would: without a word. */
+export const holdSolvers: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    const page = window as unknown as FaultyWindow & { Worker: typeof Worker };
+    page.solvers = [];
+    page.kill = null;
+    page.Worker = class extends Worker {
+      constructor(...given: ConstructorParameters<typeof Worker>) {
+        super(...given);
+        page.solvers.push(this);
+      }
+      override postMessage(message: { kind: string }): void {
+        super.postMessage(message);
+        if (page.kill?.kind !== message.kind) return;
+        setTimeout(() => this.terminate(), page.kill.after);
+        page.kill = null;
+      }
+    };
+  });
+};
+
+export const killDuring = (page: Page, kind: string, after: number): Promise<void> =>
+  page.evaluate(
+    (kill) => {
+      (window as unknown as FaultyWindow).kill = kill;
+    },
+    { kind, after },
+  );
+
+export const killNow = (page: Page): Promise<void> =>
+  page.evaluate(() => (window as unknown as FaultyWindow).solvers.at(-1)?.terminate());
+
+/** Runs `code` in every solver before its own. */
+export const insideSolver =
+  (code: string): Prepare =>
+  async (context) => {
+    await context.route(/\/worker-[\w-]+\.js$/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `${code}\n${await response.text()}` });
+    });
+  };
+
+/** Memory that cannot grow beyond what a module starts with. */
+export const NO_MORE_MEMORY = `WebAssembly.Memory.prototype.grow = () => {
+  throw new RangeError("no memory");
+};`;
+
+/** Files that come in pieces of 64 KiB, one every 100 ms. */
+export const SLOW_DISK = `Blob.prototype.stream = function () {
+  let at = 0;
+  return new ReadableStream({
+    pull: async (controller) => {
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      const piece = await this.slice(at, at + 65536).arrayBuffer();
+      if (piece.byteLength > 0) controller.enqueue(new Uint8Array(piece));
+      else controller.close();
+      at += 65536;
+    },
+  });
+};`;
+
+export const denyStorage: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    IDBFactory.prototype.open = () => {
+      throw new DOMException("denied", "SecurityError");
+    };
+  });
+};
+
+export const fillStorage: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    IDBObjectStore.prototype.put = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+  });
+};
+
+/** Changes one byte in the middle of every kept record; gives how many there were. */
+export const damageRecords = (page: Page): Promise<number> =>
+  page.evaluate(
+    () =>
+      new Promise<number>((resolve, reject) => {
+        const opening = indexedDB.open("planish");
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const transaction = opening.result.transaction("designs", "readwrite");
+          const store = transaction.objectStore("designs");
+          let count = 0;
+          store.openCursor().onsuccess = ({ target }) => {
+            const cursor = (target as IDBRequest<IDBCursorWithValue | null>).result;
+            if (!cursor) return;
+            const bytes: unknown = cursor.value;
+            if (bytes instanceof Uint8Array) {
+              const at = bytes.length >> 1;
+              bytes[at] = (bytes[at] ?? 0) ^ 1;
+              cursor.update(bytes);
+              count += 1;
+            }
+            cursor.continue();
+          };
+          transaction.oncomplete = () => {
+            opening.result.close();
+            resolve(count);
+          };
+        };
+      }),
+  );
+
+/** A flat roof of n × n quads as OBJ. */
+export function flatRoof(n: number): string {
+  const lines: string[] = [];
+  for (let i = 0; i <= n; ++i) for (let j = 0; j <= n; ++j) lines.push(`v ${j} ${i} ${0.1 * j}`);
+  for (let i = 0; i < n; ++i) {
+    for (let j = 0; j < n; ++j) {
+      const a = i * (n + 1) + j + 1;
+      lines.push(`f ${a} ${a + 1} ${a + n + 2} ${a + n + 1}`);
+    }
+  }
+  return `${lines.join("\n")}\n`;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// One drag in the view: rays in, offsets in model units out, held to a lock and snapped.
+import { type Ray, Vector3 } from "three";
+import type { Frame } from "../mesh/point-frame.ts";
+import type { Point } from "../state/design.ts";
+import type { Drag } from "../state/dragging.ts";
+import type { Lock } from "../state/store.ts";
+import { type Held, meet, snapOffset } from "./constraint.ts";
+
+const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
+
+export interface DragStart {
+  /** The point that leads, display coordinates. */
+  readonly start: Vector3;
+  /** Where it has its base position. */
+  readonly base: Vector3;
+  readonly press: Ray;
+  /** The camera's direction. */
+  readonly view: Vector3;
+  readonly frame: Frame;
+  /** Display units per model unit. */
+  readonly scale: number;
+  /** The arrow or plane that was taken hold of; null for the point itself. */
+  readonly arrow: Held | null;
+}
+
+export interface Snap {
+  /** Model units. */
+  readonly step: number;
+  /** Display units: nearer than this to the base position means there. */
+  readonly reach: number;
+}
+
+export class DragSession {
+  readonly #drag: Drag;
+  readonly #at: DragStart;
+  readonly #local: readonly Vector3[];
+  #ray: Ray;
+
+  constructor(drag: Drag, at: DragStart) {
+    this.#drag = drag;
+    this.#at = at;
+    this.#ray = at.press;
+    const { along, across, normal } = at.frame;
+    this.#local = [along, across, normal].map((vector) => new Vector3(...vector));
+  }
+
+  /** The pointer moved, or (without a ray) the lock or the snapping changed. */
+  move(lock: Lock | null, snap: Snap | null, ray: Ray = this.#ray): void {
+    this.#ray = ray;
+    const held = lock ? this.#heldBy(lock) : this.#at.arrow;
+    const { start, press, view } = this.#at;
+    const to = meet(ray, start, held, view);
+    const from = meet(press, start, held, view);
+    if (!to || !from) return;
+    const offset = to.sub(from);
+    this.#drag.by(this.#toModel(snap ? this.#snapped(offset, held, snap) : offset));
+  }
+
+  end(): void {
+    void this.#drag.end();
+  }
+
+  abandon(): void {
+    void this.#drag.abandon();
+  }
+
+  #heldBy({ axis, plane }: Lock): Held {
+    const direction = axis === "normal" ? this.#local[2] : WORLD[axis];
+    return { direction: direction ?? WORLD.z, plane };
+  }
+
+  #snapped(offset: Vector3, held: Held | null, { step, reach }: Snap): Vector3 {
+    const { start, base, scale } = this.#at;
+    const home = base.clone().sub(start);
+    if (home.distanceTo(offset) < reach) return home;
+    const size = step * scale;
+    if (held && !held.plane) return snapOffset(offset, size, [held.direction]);
+    const local = held !== null && this.#local[2] === held.direction;
+    return snapOffset(offset, size, local ? this.#local : Object.values(WORLD));
+  }
+
+  /** What float32 display coordinates cannot tell from zero is zero: it keeps the target's bits. */
+  #toModel(offset: Vector3): Point {
+    const { scale } = this.#at;
+    const part = (x: number): number => (Math.abs(x) < 1e-6 ? 0 : x / scale);
+    return [part(offset.x), part(offset.y), part(offset.z)];
+  }
+}

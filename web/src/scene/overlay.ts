@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What is drawn over the canvas at constant size: points, the first visit's sentence, the selected
+// panel's figure, and the selection box.
+import { handles, hintVertex, selected, selection } from "../state/store.ts";
+import { type Marker, Markers } from "./markers.ts";
+import { type Box, project, type View } from "./picking.ts";
+
+export interface OverlayParts {
+  readonly markers: HTMLElement;
+  /** The first visit's sentence; placed beside its point. */
+  readonly hint: HTMLElement;
+  /** The selected panel's figure; placed beside it. */
+  readonly figure: HTMLElement;
+  readonly box: HTMLElement;
+}
+
+function markersFor(hovered: number | null): Marker[] {
+  const chosen = new Set(selection.value);
+  const markers: Marker[] = handles.value.map(({ vertex, pinned }) => ({
+    vertex,
+    kind: pinned ? "pin" : "handle",
+    selected: chosen.has(vertex),
+  }));
+  const known = new Set(markers.map((marker) => marker.vertex));
+  for (const vertex of chosen) {
+    if (!known.has(vertex)) markers.push({ vertex, kind: "point", selected: true });
+  }
+  if (hovered !== null && !known.has(hovered) && !chosen.has(hovered)) {
+    markers.push({ vertex: hovered, kind: "hover", selected: false });
+  }
+  if (hintVertex.value !== null && selected.value === null) {
+    markers.push({ vertex: hintVertex.value, kind: "first", selected: false });
+  }
+  return markers;
+}
+
+export class Overlay {
+  readonly #parts: OverlayParts;
+  readonly #markers: Markers;
+  /** Corners of the selected panel. */
+  #panel: Float32Array | null = null;
+
+  constructor(parts: OverlayParts) {
+    this.#parts = parts;
+    this.#markers = new Markers(parts.markers);
+  }
+
+  update(hovered: number | null): void {
+    this.#markers.set(markersFor(hovered));
+  }
+
+  setPanel(corners: Float32Array | null): void {
+    this.#panel = corners;
+  }
+
+  /** Puts everything where the camera sees it. */
+  place(points: Float32Array, view: View): void {
+    this.#markers.place(points, view);
+    const { hint, figure } = this.#parts;
+    const at = hintVertex.value === null ? null : project(points, hintVertex.value, view);
+    putAt(hint, at);
+    putAt(figure, this.#panel && topOf(this.#panel, view));
+  }
+
+  drawBox(box: Box | null): void {
+    const { style } = this.#parts.box;
+    this.#parts.box.hidden = box === null;
+    if (!box) return;
+    style.transform = `translate(${box.left}px, ${box.top}px)`;
+    style.width = `${box.right - box.left}px`;
+    style.height = `${box.bottom - box.top}px`;
+  }
+}
+
+function putAt(element: HTMLElement, at: { x: number; y: number } | null): void {
+  element.hidden = at === null;
+  if (at) element.style.transform = `translate(${at.x.toFixed(0)}px, ${at.y.toFixed(0)}px)`;
+}
+
+/** The middle of the panel's corners, at the height of the highest on screen. */
+function topOf(corners: Float32Array, view: View): { x: number; y: number } | null {
+  const count = corners.length / 3;
+  let [x, y] = [0, Number.POSITIVE_INFINITY];
+  for (let k = 0; k < count; ++k) {
+    const at = project(corners, k, view);
+    if (!at) return null;
+    x += at.x / count;
+    y = Math.min(y, at.y);
+  }
+  return { x, y };
+}

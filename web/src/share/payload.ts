@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The bytes inside a link of version 1:
+//   CRC-32 of the rest (4 bytes) | length of the JSON (4 bytes) | JSON | the file, if any
+// little-endian. Links are kept readable for ever: what is added may be missing, and a change of
+// layout is a new version.
+import type { EngineName, Fairness, FileFormat, Source } from "../solver/protocol.ts";
+import type { Recipe, RecipeVariation, ResultMark } from "../state/recipe.ts";
+import { isUnit } from "../state/units.ts";
+import { crc32 } from "./crc32.ts";
+import {
+  isIndex,
+  isName,
+  isNumbers,
+  isRecord,
+  type Json,
+  MOST_DIRECTIONS,
+  readCamera,
+  readFormat,
+  readHandles,
+  readSettings,
+  writeCamera,
+  writeSettings,
+} from "./reading.ts";
+
+const HEADER = 8;
+/** Vertex, x, y, z for each recorded point. */
+const MOST_PROBES = 4 * 64;
+
+/** The JSON of version 1. Short names: they are part of every link. */
+interface Payload {
+  /** Sample name and size, or file name and format. */
+  s: [string, number] | [string, FileFormat];
+  p: 0 | 1;
+  h: [number, number, number, number, 0 | 1][];
+  w: [number, number, number, Fairness, EngineName];
+  x: readonly number[] | null;
+  /** Directions asked for and whether by stiffness; without it as many as `x` has, not. */
+  d?: [number, 0 | 1];
+  u: string;
+  /** Camera: position and target. */
+  c?: number[];
+  r: [number, number, readonly number[]];
+}
+
+function toPayload(recipe: Recipe): Payload {
+  const { source, handles, variation, mark, camera } = recipe;
+  return {
+    s: source.kind === "sample" ? [source.name, source.size] : [source.name, source.format],
+    p: recipe.planarised ? 1 : 0,
+    h: handles.map(({ vertex, target, pinned }) => [vertex, ...target, pinned ? 1 : 0]),
+    w: writeSettings(recipe.settings) as Payload["w"],
+    x: variation?.coefficients ?? null,
+    ...(variation && { d: [variation.asked, variation.eigenbasis ? 1 : 0] }),
+    u: recipe.unit,
+    ...(camera && { c: writeCamera(camera) }),
+    r: [mark.hash, mark.moved, mark.probes],
+  };
+}
+
+export async function encodePayload(recipe: Recipe): Promise<Uint8Array> {
+  const { source } = recipe;
+  const json = new TextEncoder().encode(JSON.stringify(toPayload(recipe)));
+  const file =
+    source.kind === "file" ? new Uint8Array(await source.bytes.arrayBuffer()) : new Uint8Array(0);
+  const bytes = new Uint8Array(HEADER + json.length + file.length);
+  const view = new DataView(bytes.buffer);
+  view.setUint32(4, json.length, true);
+  bytes.set(json, HEADER);
+  bytes.set(file, HEADER + json.length);
+  view.setUint32(0, crc32(bytes.subarray(4)), true);
+  return bytes;
+}
+
+function readSource(value: unknown, file: Uint8Array): Source | null {
+  if (!Array.isArray(value) || value.length !== 2) return null;
+  const [name, second] = value as [unknown, unknown];
+  if (!isName(name)) return null;
+  if (isIndex(second)) return { kind: "sample", name, size: second };
+  const format = readFormat(second);
+  if (!format) return null;
+  const bytes = new Blob([file as BlobPart]);
+  return { kind: "file", name, format, bytes, crc: crc32(file) };
+}
+
+function readVariation({ x, d }: Json): RecipeVariation | null | undefined {
+  if (x === null) return null;
+  if (!isNumbers(x) || x.length === 0 || x.length > MOST_DIRECTIONS) return undefined;
+  if (d === undefined) return { coefficients: x, asked: x.length, eigenbasis: false };
+  if (!isNumbers(d, 2)) return undefined;
+  const [asked = 0, eigen] = d;
+  const fits = isIndex(asked) && asked >= x.length && asked <= MOST_DIRECTIONS;
+  return fits ? { coefficients: x, asked, eigenbasis: eigen === 1 } : undefined;
+}
+
+function readMark(value: unknown): ResultMark | null {
+  if (!Array.isArray(value) || value.length !== 3) return null;
+  const [hash, moved, probes] = value as unknown[];
+  if (!isIndex(hash) || !isIndex(moved) || !isNumbers(probes)) return null;
+  return probes.length % 4 === 0 && probes.length <= MOST_PROBES ? { hash, moved, probes } : null;
+}
+
+function readPayload(payload: Json, file: Uint8Array): Recipe | null {
+  const source = readSource(payload.s, file);
+  const handles = readHandles(payload.h);
+  const settings = readSettings(payload.w);
+  const variation = readVariation(payload);
+  const mark = readMark(payload.r);
+  const camera = readCamera(payload.c);
+  const { u: unit, p } = payload;
+  if (!source || !handles || !settings || !mark) return null;
+  if (variation === undefined || camera === undefined) return null;
+  if (typeof unit !== "string" || !isUnit(unit)) return null;
+  return { source, planarised: p === 1, handles, settings, variation, unit, camera, mark };
+}
+
+/** null if the bytes are not a whole, unchanged recipe. */
+export function decodePayload(bytes: Uint8Array): Recipe | null {
+  if (bytes.length < HEADER) return null;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const end = HEADER + view.getUint32(4, true);
+  if (end > bytes.length || view.getUint32(0, true) !== crc32(bytes.subarray(4))) return null;
+  try {
+    const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes.subarray(HEADER, end));
+    const payload: unknown = JSON.parse(text);
+    return isRecord(payload) ? readPayload(payload, bytes.slice(end)) : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What a stranger's JSON may say. Every reader gives a value of the right kind or null.
+import type { EditSettings, EngineName, Fairness, FileFormat } from "../solver/protocol.ts";
+import type { Camera } from "../state/camera.ts";
+import type { HandleRow } from "../state/design.ts";
+
+const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
+const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
+const ENGINES: readonly EngineName[] = ["newton", "alm"];
+
+/** Far more than anybody moves by hand. */
+const MOST_HANDLES = 100_000;
+/** The solver's own limit. */
+export const MOST_DIRECTIONS = 24;
+export const LONGEST_NAME = 1_000;
+
+export type Json = Readonly<Record<string, unknown>>;
+
+export const isRecord = (value: unknown): value is Json =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+export const isNumber = (value: unknown): value is number =>
+  typeof value === "number" && Number.isFinite(value);
+
+export const isNumbers = (value: unknown, length?: number): value is number[] =>
+  Array.isArray(value) &&
+  (length === undefined || value.length === length) &&
+  value.every((x) => isNumber(x));
+
+export const isIndex = (value: unknown): value is number =>
+  Number.isInteger(value) && (value as number) >= 0 && (value as number) < 2 ** 32;
+
+export const isName = (value: unknown): value is string =>
+  typeof value === "string" && value.length <= LONGEST_NAME;
+
+export const readFormat = (value: unknown): FileFormat | null =>
+  FORMATS.find((format) => format === value) ?? null;
+
+function readHandle(value: unknown): HandleRow | null {
+  if (!isNumbers(value, 5)) return null;
+  const [vertex, x = 0, y = 0, z = 0, pinned] = value;
+  return isIndex(vertex) ? { vertex, target: [x, y, z], pinned: pinned === 1 } : null;
+}
+
+/** Rows of vertex, x, y, z, pinned (0 or 1). */
+export function readHandles(value: unknown): HandleRow[] | null {
+  if (!Array.isArray(value) || value.length > MOST_HANDLES) return null;
+  const rows: HandleRow[] = [];
+  for (const item of value) {
+    const row = readHandle(item);
+    if (!row) return null;
+    rows.push(row);
+  }
+  return rows;
+}
+
+/** Attraction, locality, smoothness, fairness, engine. */
+export function readSettings(value: unknown): EditSettings | null {
+  if (!Array.isArray(value) || value.length !== 5) return null;
+  const weights: unknown = value.slice(0, 3);
+  const fairness = FAIRNESS.find((name) => name === value[3]);
+  const engine = ENGINES.find((name) => name === value[4]);
+  if (!isNumbers(weights, 3) || !fairness || !engine) return null;
+  const [attraction = 0, locality = 0, smoothness = 0] = weights;
+  return { attraction, locality, smoothness, fairness, engine };
+}
+
+export const writeSettings = (settings: EditSettings): unknown[] => {
+  const { attraction, locality, smoothness, fairness, engine } = settings;
+  return [attraction, locality, smoothness, fairness, engine];
+};
+
+/** Position and target; undefined if there is something else than a camera or nothing. */
+export function readCamera(value: unknown): Camera | null | undefined {
+  if (value === undefined || value === null) return null;
+  if (!isNumbers(value, 6)) return undefined;
+  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = value;
+  return { position: [a, b, c], target: [d, e, f] };
+}
+
+export const writeCamera = ({ position, target }: Camera): number[] =>
+  [...position, ...target].map((x) => Number(x.toFixed(3)));

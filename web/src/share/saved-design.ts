@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// One design inside a saved record: words in JSON, every number that must come back in float64.
+import type { Shape, ShapeReport, Source } from "../solver/protocol.ts";
+import type { Design, HandleRow, Variation } from "../state/design.ts";
+import type { PoolReader, PoolWriter } from "./number-pool.ts";
+import {
+  isIndex,
+  isName,
+  isNumber,
+  isNumbers,
+  isRecord,
+  MOST_DIRECTIONS,
+  readFormat,
+  readHandles,
+  readSettings,
+  writeSettings,
+} from "./reading.ts";
+
+/** Kept files by fileKey(). */
+export type Files = ReadonlyMap<string, Blob>;
+
+type FileSource = Extract<Source, { kind: "file" }>;
+
+export const fileKey = ({ crc, bytes }: Pick<FileSource, "crc" | "bytes">): string =>
+  `${crc.toString(16)}-${bytes.size}`;
+
+const STATUS = /^[a-z_]{1,40}$/;
+const NO_NAME = "unknown";
+
+function writeSource(source: Source): unknown[] {
+  if (source.kind === "sample") return [source.name, source.size];
+  return [source.name, source.format, source.crc, source.bytes.size];
+}
+
+const writeShape = ({ moved, positions }: Shape, pool: PoolWriter): unknown[] => [
+  pool.add(moved),
+  pool.add(positions),
+];
+
+const writeRow = ({ vertex, target, pinned }: HandleRow): number[] => [
+  vertex,
+  ...target,
+  pinned ? 1 : 0,
+];
+
+function writeVariation(variation: Variation, pool: PoolWriter): unknown {
+  const { coefficients, centre, asked, eigenbasis, exact } = variation;
+  return { x: pool.add(coefficients), centre: writeShape(centre, pool), asked, eigenbasis, exact };
+}
+
+export function writeDesign(design: Design, pool: PoolWriter): unknown {
+  const { source, planarised, handles, settings, shape, report, variation } = design;
+  return {
+    source: writeSource(source),
+    planarised,
+    handles: pool.add(handles.flatMap(writeRow)),
+    settings: writeSettings(settings),
+    shape: writeShape(shape, pool),
+    report: { ...report, residuals: [] },
+    variation: variation && writeVariation(variation, pool),
+  };
+}
+
+function readSource(value: unknown, files: Files): Source | null {
+  if (!Array.isArray(value)) return null;
+  const [name, second, crc, size] = value as unknown[];
+  if (!isName(name)) return null;
+  if (value.length === 2 && isIndex(second)) return { kind: "sample", name, size: second };
+  const format = readFormat(second);
+  if (value.length !== 4 || !format || !isIndex(crc) || !isIndex(size)) return null;
+  const bytes = files.get(`${crc.toString(16)}-${size}`);
+  return bytes ? { kind: "file", name, format, bytes, crc } : null;
+}
+
+function readShape(value: unknown, pool: PoolReader): Shape | null {
+  if (!Array.isArray(value) || value.length !== 2) return null;
+  const moved = pool.at(value[0]);
+  const positions = pool.at(value[1]);
+  if (!moved || !positions || positions.length !== 3 * moved.length) return null;
+  const ascending = moved.every((v, k) => isIndex(v) && v < 2 ** 31 && v > (moved[k - 1] ?? -1));
+  if (!ascending || !positions.every((x) => Number.isFinite(x))) return null;
+  return { moved: Int32Array.from(moved), positions };
+}
+
+/** A figure may be unknown, which JSON writes as null. */
+const readFigure = (value: unknown): number => (isNumber(value) ? value : Number.NaN);
+
+function readReport(value: unknown): ShapeReport | null {
+  if (!isRecord(value)) return null;
+  const { status, movedVertices } = value;
+  if (!isIndex(movedVertices)) return null;
+  return {
+    status: typeof status === "string" && STATUS.test(status) ? status : NO_NAME,
+    movedVertices,
+    maxDisplacement: readFigure(value.maxDisplacement),
+    worstGap: readFigure(value.worstGap),
+    worstMmPerM: readFigure(value.worstMmPerM),
+    handleError: readFigure(value.handleError),
+    objective: readFigure(value.objective),
+    iterations: readFigure(value.iterations),
+    seconds: readFigure(value.seconds),
+    residuals: [],
+  };
+}
+
+function readVariation(value: unknown, pool: PoolReader): Variation | null | undefined {
+  if (value === null) return null;
+  if (!isRecord(value)) return undefined;
+  const { asked, eigenbasis, exact } = value;
+  const centre = readShape(value.centre, pool);
+  const coefficients = Array.from(pool.at(value.x) ?? []);
+  if (!centre || coefficients.length === 0 || !isNumbers(coefficients)) return undefined;
+  if (!isIndex(asked) || asked < coefficients.length || asked > MOST_DIRECTIONS) return undefined;
+  if (typeof eigenbasis !== "boolean" || typeof exact !== "boolean") return undefined;
+  return { coefficients, centre, asked, eigenbasis, exact };
+}
+
+/** Five numbers a row. */
+function rowsOf(numbers: Float64Array | null): number[][] | null {
+  if (!numbers || numbers.length % 5 !== 0) return null;
+  return Array.from({ length: numbers.length / 5 }, (_, k) =>
+    Array.from(numbers.subarray(5 * k, 5 * k + 5)),
+  );
+}
+
+/** null if it is not a whole design, or if its file is not there. */
+export function readDesign(value: unknown, pool: PoolReader, files: Files): Design | null {
+  if (!isRecord(value)) return null;
+  const source = readSource(value.source, files);
+  const handles = readHandles(rowsOf(pool.at(value.handles)));
+  const settings = readSettings(value.settings);
+  const shape = readShape(value.shape, pool);
+  const report = readReport(value.report);
+  const variation = readVariation(value.variation, pool);
+  const { planarised } = value;
+  if (!source || !handles || !settings || !shape || !report) return null;
+  if (variation === undefined || typeof planarised !== "boolean") return null;
+  if (report.movedVertices !== shape.moved.length) return null;
+  return { source, planarised, handles, settings, shape, report, variation };
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// A few variations side by side, each made exact before it is shown, so that it can be adopted as
+// it is.
+import { signal } from "@preact/signals";
+import type { Shape, ShapeReport } from "../solver/protocol.ts";
+import { held, runUnseen } from "./connection.ts";
+import type { Design } from "./design.ts";
+import { ensureDirections } from "./exploring.ts";
+import * as steps from "./history.ts";
+import { show, showPresent } from "./showing.ts";
+import { draft, history, notice, problem } from "./store.ts";
+import { inTurn } from "./turns.ts";
+
+export interface GalleryItem {
+  readonly coefficients: readonly number[];
+  readonly shape: Shape;
+  readonly report: ShapeReport;
+}
+
+export interface Gallery {
+  /** The shape whose directions these are. */
+  readonly centre: Shape;
+  readonly items: readonly GalleryItem[];
+  /** How many there will be, unless some cannot be made flat. */
+  readonly planned: number;
+}
+
+export const gallery = signal<Gallery | null>(null);
+
+const SIZE = 9;
+/** How far from the edit, as a share of what the sliders allow. */
+const STEP = 0.7;
+
+/** Coefficients of up to SIZE different designs in `dimension` directions. */
+export function candidates(dimension: number): number[][] {
+  const unit = (index: number, value: number): number[] =>
+    Array.from({ length: dimension }, (_, k) => (k === index ? value : 0));
+  if (dimension === 1) return [-1, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1].map((x) => [x]);
+  const all: number[][] = [];
+  for (let k = 0; k < dimension; ++k) all.push(unit(k, STEP), unit(k, -STEP));
+  for (let a = 0; a < dimension && all.length < SIZE; ++a) {
+    for (let b = a + 1; b < dimension && all.length < SIZE; ++b) {
+      for (const sign of [1, -1]) {
+        const half = STEP * Math.SQRT1_2;
+        all.push(unit(a, half).map((x, k) => (k === b ? sign * half : x)));
+        all.push(unit(a, -half).map((x, k) => (k === b ? sign * half : x)));
+      }
+    }
+  }
+  return all.slice(0, SIZE);
+}
+
+/** Whether the gallery's directions are those of the design shown. */
+const current = (centre: Shape): boolean => draft.value?.variation?.centre === centre;
+
+/** Fills the gallery one by one, giving way to whatever else is asked for. */
+export async function fillGallery(): Promise<void> {
+  const variation = draft.value?.variation;
+  if (!variation || gallery.value?.centre === variation.centre) return;
+  const { centre, coefficients } = variation;
+  const planned = candidates(coefficients.length);
+  gallery.value = { centre, items: [], planned: planned.length };
+  for (const [k, x] of planned.entries()) {
+    let going = false;
+    await inTurn(async () => {
+      const design = history.value?.present;
+      if (!design || !current(centre) || gallery.value?.centre !== centre) return;
+      const there = held.centre === centre || (await ensureDirections(design));
+      going = there && (await addItem(x, k + 1, planned.length));
+    });
+    if (!going) break;
+  }
+  const { value } = gallery;
+  if (value?.centre === centre) gallery.value = { ...value, planned: value.items.length };
+}
+
+/** A variation that cannot be made flat is left out; false only if the search was stopped. */
+async function addItem(x: readonly number[], number: number, total: number): Promise<boolean> {
+  const said = problem.value;
+  const label = `variation ${number} of ${total}`;
+  const answer = await runUnseen(label, { kind: "project", coefficients: x }, "projected");
+  const refused = problem.value !== null && problem.value !== said;
+  problem.value = said;
+  if (!answer || !gallery.value) return refused;
+  const item = { coefficients: x, shape: answer.shape, report: answer.report };
+  gallery.value = { ...gallery.value, items: [...gallery.value.items, item] };
+  return true;
+}
+
+/** Makes one of the gallery the design, as one step of the history. */
+export const adopt = (item: GalleryItem): Promise<void> =>
+  inTurn(async () => {
+    const design = history.value?.present;
+    if (!history.value || !design?.variation || design.shape === item.shape) return;
+    const { coefficients, shape, report } = item;
+    const variation = { ...design.variation, coefficients, exact: true };
+    const next: Design = { ...design, shape, report, variation };
+    notice.value = null;
+    if (await show(next)) history.value = steps.record(history.value, next);
+    else await showPresent();
+  });

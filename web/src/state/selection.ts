@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Which points are chosen: the latest is the one that the arrows stand at.
+import { draft, selectedPanel, selection } from "./store.ts";
+
+export function selectOnly(vertex: number): void {
+  selection.value = [vertex];
+}
+
+export function toggleSelected(vertex: number): void {
+  selection.value = selection.value.includes(vertex)
+    ? selection.value.filter((v) => v !== vertex)
+    : [...selection.value, vertex];
+}
+
+/** Adds points to those that are chosen; `first` of them leads. */
+export function selectAlso(vertices: readonly number[]): void {
+  const kept = selection.value.filter((v) => !vertices.includes(v));
+  selection.value = [...kept, ...vertices];
+}
+
+export function selectHandles(): void {
+  selection.value = (draft.value?.handles ?? []).map((row) => row.vertex);
+}
+
+export function deselect(): void {
+  selection.value = [];
+  selectedPanel.value = null;
+}

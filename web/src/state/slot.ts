@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Each tab keeps its design in a slot of its own. A slot is held by a lock for as long as its tab
+// lives, so that two tabs never write the same one. The database is the only thing shared.
+import { createStore, delMany, get, keys, setMany, type UseStore } from "idb-keyval";
+
+const TAB_KEY = "planish.slot";
+const PREFIX = "slot:";
+
+/** Milliseconds a reloaded tab waits for the page before it to let go of its slot. */
+const HAND_OVER = 500;
+
+let database: UseStore | null = null;
+const store = (): UseStore => {
+  database ??= createStore("planish", "designs");
+  return database;
+};
+
+const fileEntry = (slot: string, key: string): string => `file:${slot}:${key}`;
+
+/** sessionStorage may be denied; then every load is a new tab. */
+function rememberSlot(slot: string): void {
+  try {
+    sessionStorage.setItem(TAB_KEY, slot);
+  } catch {
+    // Asked again at the next load.
+  }
+}
+
+function rememberedSlot(): string | null {
+  try {
+    return sessionStorage.getItem(TAB_KEY);
+  } catch {
+    return null;
+  }
+}
+
+const isTimeout = (error: unknown): boolean =>
+  error instanceof DOMException && (error.name === "TimeoutError" || error.name === "AbortError");
+
+/** Holds the lock until the page goes; false if another tab has it. */
+function hold(slot: string, patience: number): Promise<boolean> {
+  return new Promise((resolve, reject) => {
+    const held = (lock: Lock | null): Promise<void> | undefined => {
+      resolve(lock !== null);
+      return lock ? new Promise<void>(() => {}) : undefined;
+    };
+    const options: LockOptions =
+      patience > 0 ? { signal: AbortSignal.timeout(patience) } : { ifAvailable: true };
+    navigator.locks.request(`planish-${slot}`, options, held).catch((error: unknown) => {
+      if (isTimeout(error)) resolve(false);
+      else reject(error);
+    });
+  });
+}
+
+async function slotsInStore(): Promise<string[]> {
+  const all = await keys<IDBValidKey>(store());
+  return all.flatMap((key) =>
+    typeof key === "string" && key.startsWith(PREFIX) ? [key.slice(PREFIX.length)] : [],
+  );
+}
+
+/** Claims the tab's own slot, else the first of `known` that no other tab has, else a new one. */
+async function claimByLock(known: readonly string[]): Promise<string> {
+  const own = rememberedSlot();
+  if (own && (await hold(own, HAND_OVER))) return own;
+  for (const slot of known) if (await hold(slot, 0)) return slot;
+  for (let k = 0; ; ++k) {
+    const slot = String(k);
+    if (!known.includes(slot) && (await hold(slot, 0))) return slot;
+  }
+}
+
+/**
+ * The slot of this tab. Without locks (a page that is not served securely) a tab has its own
+ * slot until it is closed, and nothing is taken over from another.
+ */
+export async function claimSlot(): Promise<string> {
+  const slot = navigator.locks
+    ? await claimByLock((await slotsInStore()).sort())
+    : (rememberedSlot() ?? `tab-${Date.now()}-${Math.random()}`);
+  rememberSlot(slot);
+  return slot;
+}
+
+export async function readRecord(slot: string): Promise<Uint8Array | null> {
+  const value = await get<unknown>(PREFIX + slot, store());
+  return value instanceof Uint8Array ? value : value === undefined ? null : new Uint8Array(0);
+}
+
+/** The files beside a record, by their keys. */
+export async function readFiles(slot: string): Promise<Map<string, Blob>> {
+  const prefix = fileEntry(slot, "");
+  const files = new Map<string, Blob>();
+  for (const key of await keys<IDBValidKey>(store())) {
+    if (typeof key !== "string" || !key.startsWith(prefix)) continue;
+    const value = await get<unknown>(key, store());
+    if (value instanceof Blob) files.set(key.slice(prefix.length), value);
+  }
+  return files;
+}
+
+/** Writes a record and the files it names that are not there yet, all or nothing. */
+export async function writeRecord(
+  slot: string,
+  record: Uint8Array,
+  files: ReadonlyMap<string, Blob>,
+): Promise<void> {
+  const entries = [...files].map(([key, blob]): [string, Blob] => [fileEntry(slot, key), blob]);
+  await setMany([[PREFIX + slot, record], ...entries], store());
+}
+
+export const dropFiles = (slot: string, files: readonly string[]): Promise<void> =>
+  delMany(
+    files.map((key) => fileEntry(slot, key)),
+    store(),
+  );

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+import { useEffect, useRef } from "preact/hooks";
+import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+import { drawPatch, type Patch } from "./patch-drawing.ts";
+
+/** CSS pixels of every small picture. */
+export const PICTURE_SIZE = [88, 66] as const;
+
+interface PatchPictureProps {
+  readonly mesh: OpenedMesh;
+  readonly patch: Patch;
+  readonly shape: Shape;
+}
+
+/** Decoration: what it shows is said in words beside it. */
+export function PatchPicture({ mesh, patch, shape }: PatchPictureProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const draw = (): void => {
+      if (canvas.current) drawPatch(canvas.current, mesh, patch, shape, PICTURE_SIZE);
+    };
+    draw();
+    const dark = window.matchMedia("(prefers-color-scheme: dark)");
+    dark.addEventListener("change", draw);
+    return () => dark.removeEventListener("change", draw);
+  }, [mesh, patch, shape]);
+  return (
+    <span aria-hidden="true">
+      <canvas ref={canvas} class="picture" />
+    </span>
+  );
+}

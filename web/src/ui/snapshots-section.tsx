@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+import { useEffect } from "preact/hooks";
+import type { Snapshot } from "../share/saved-record.ts";
+import { sourceName } from "../state/design.ts";
+import {
+  adoptSnapshot,
+  deleteSnapshot,
+  isShown,
+  providePictures,
+  renameSnapshot,
+  takeSnapshot,
+} from "../state/snapshots.ts";
+import { history, mesh, ready, snapshots, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
+import { Icon } from "./icon.tsx";
+import { drawPatch, patchOf } from "./patch-drawing.ts";
+import { PICTURE_SIZE } from "./patch-picture.tsx";
+
+/** The last finished design as a small picture; "" if it cannot be drawn. */
+function picture(): string {
+  const design = history.value?.present;
+  const opened = mesh.value;
+  if (!design || !opened) return "";
+  const canvas = document.createElement("canvas");
+  drawPatch(canvas, opened, patchOf(opened, [design.shape]), design.shape, PICTURE_SIZE);
+  return canvas.toDataURL("image/webp", 0.9);
+}
+
+function figuresOf({ design }: Snapshot): string {
+  const { movedVertices, maxDisplacement } = design.report;
+  const name = sourceName(design.source);
+  if (movedVertices === 0) return `${name}, unchanged`;
+  return `${name} · ${movedVertices} points · ${formatLength(maxDisplacement, unit.value)}`;
+}
+
+function Row({ snapshot }: { snapshot: Snapshot }) {
+  const { id, name } = snapshot;
+  return (
+    <li class="snapshot">
+      <button
+        type="button"
+        class="tile"
+        aria-pressed={isShown(snapshot)}
+        aria-label={`Adopt ${name}`}
+        onClick={() => void adoptSnapshot(id)}
+      >
+        {snapshot.picture && <img class="picture" src={snapshot.picture} alt="" />}
+      </button>
+      <div class="snapshot-words">
+        <input
+          type="text"
+          class="snapshot-name"
+          aria-label={`Name of ${name}`}
+          value={name}
+          maxLength={100}
+          onChange={({ currentTarget }) => {
+            renameSnapshot(id, currentTarget.value);
+            currentTarget.value = snapshots.value.find((one) => one.id === id)?.name ?? name;
+          }}
+        />
+        <span class="quiet small">{figuresOf(snapshot)}</span>
+      </div>
+      <button
+        type="button"
+        class="icon-button"
+        aria-label={`Delete ${name}`}
+        onClick={() => deleteSnapshot(id)}
+      >
+        <Icon name="close" />
+      </button>
+    </li>
+  );
+}
+
+/** Designs kept under a name. */
+export function SnapshotsSection() {
+  useEffect(() => providePictures(picture), []);
+  return (
+    <section class="step" aria-labelledby="snapshots">
+      <h2 id="snapshots">Snapshots</h2>
+      <button
+        type="button"
+        class="button wide"
+        disabled={!ready.value}
+        onClick={() => void takeSnapshot()}
+      >
+        Take snapshot
+      </button>
+      {snapshots.value.length > 0 && (
+        <ul class="snapshots" aria-labelledby="snapshots">
+          {snapshots.value.map((snapshot) => (
+            <Row key={snapshot.id} snapshot={snapshot} />
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
