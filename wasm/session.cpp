@@ -261,8 +261,10 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   moved_.clear();
   for (std::size_t k = 0; k < moved.size(); ++k) {
     const int v = moved[k];
-    current_.col(v) = positions.col(static_cast<Eigen::Index>(k));
-    if (current_.col(v) != base_.positions.col(v)) moved_.push_back(v);
+    const auto column = static_cast<Eigen::Index>(k);
+    if (positions.col(column) == base_.positions.col(v)) continue;  // −0 stays −0
+    current_.col(v) = positions.col(column);
+    moved_.push_back(v);
   }
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }

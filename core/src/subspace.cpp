@@ -320,6 +320,8 @@ void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>&
   for (Eigen::Index j = 0; j < subspace.basis.cols(); ++j) {
     rows += (subspace.scale[j] * coefficients[j]) * subspace.basis.col(j);
   }
+  // −0 + 0 is 0: what did not move keeps its bits.
+  out = (out.array() == subspace.origin.array()).select(subspace.origin, out);
 }
 
 }  // namespace planish
