@@ -24,7 +24,15 @@ export function offline(): Plugin {
     name: "offline",
     apply: "build",
     enforce: "post",
-    transformIndexHtml: () => [
+    transformIndexHtml: (_, { bundle = {} }) => [
+      // The solver loads beside the page's own script instead of after it.
+      ...Object.keys(bundle)
+        .filter((name) => name.endsWith(".wasm"))
+        .map((name) => ({
+          tag: "link",
+          attrs: { rel: "preload", as: "fetch", href: `./${name}`, crossorigin: "anonymous" },
+          injectTo: "head" as const,
+        })),
       {
         tag: "meta",
         attrs: { "http-equiv": "Content-Security-Policy", content: POLICY },

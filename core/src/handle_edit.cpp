@@ -350,8 +350,9 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
     return result_of(*last_exact_, std::move(report));
   }
   NewtonOptions options;
-  options.stop = 1e-5;
-  options.max_steps = 40;
+  options.stop = 3e-5;
+  // A frame that changes to another minimum may take dozens of steps; the next frames go on with it.
+  options.max_steps = 7;
   const Interruption out_of_time = [&](const IterationRecord&) {
     return watch.seconds() > budget_seconds;
   };

@@ -49,7 +49,8 @@ function watch(page: Page, origin: string, complaints: string[]): void {
 export const usable = (page: Page): Promise<void> =>
   expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
 
-export async function openSite(directory = "dist"): Promise<Site> {
+/** PLANISH_SITE names another build to test, so that a long run survives the next one. */
+export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): Promise<Site> {
   const { server, url } = await serve(directory, { prefix: "/under/a/path/" });
   const browser: Browser = await chromium.launch({
     executablePath: "/usr/bin/chromium",

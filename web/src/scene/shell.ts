@@ -87,7 +87,7 @@ export class Shell {
   #makeGhost(): LineSegments<BufferGeometry, LineBasicMaterial> {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(this.base, 3));
-    geometry.setIndex([]);
+    geometry.setIndex(new BufferAttribute(new Uint32Array(0), 1));
     const material = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
     const ghost = new LineSegments(geometry, material);
     ghost.frustumCulled = false;
@@ -227,12 +227,23 @@ export class Shell {
       if (this.#displacement(v) < GHOST_SHARE * this.#largest) continue;
       for (const end of row(edgeEnds, v)) seen.add(end >> 1);
     }
-    const index = new Uint32Array(2 * seen.size);
+    const index = this.#ghostIndex(2 * seen.size);
     let k = 0;
     for (const edge of seen) {
-      index[k++] = edges[2 * edge] ?? 0;
-      index[k++] = edges[2 * edge + 1] ?? 0;
+      index.array[k++] = edges[2 * edge] ?? 0;
+      index.array[k++] = edges[2 * edge + 1] ?? 0;
     }
-    this.#ghost.geometry.setIndex(new BufferAttribute(index, 1));
+    index.needsUpdate = true;
+    this.#ghost.geometry.setDrawRange(0, k);
+  }
+
+  /** Room for `count` indices. A replaced index stays in graphics memory until its geometry goes. */
+  #ghostIndex(count: number): BufferAttribute {
+    const { geometry } = this.#ghost;
+    if (geometry.index && geometry.index.count >= count) return geometry.index;
+    geometry.dispose();
+    const index = new BufferAttribute(new Uint32Array(2 * count), 1).setUsage(DynamicDrawUsage);
+    geometry.setIndex(index);
+    return index;
   }
 }

@@ -29,8 +29,12 @@ function watch(worker: Worker, alive: string, died: () => void): void {
 /** A new solver worker; the module is compiled once for the life of the page. */
 export async function spawnSolver(died: () => void): Promise<Worker> {
   compiled ??= compile();
-  const module = await compiled;
+  // The worker loads its script while the module compiles.
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  const module = await compiled.catch((error: unknown) => {
+    worker.terminate();
+    throw error;
+  });
   const alive = `planish-solver-${performance.timeOrigin}-${performance.now()}-${Math.random()}`;
   watch(worker, alive, died);
   worker.postMessage({ kind: "start", job: 0, module, alive } satisfies Request);

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The worker's entry: loads the module, then hands every request to the dispatcher.
-import createPlanish from "@wasm/planish.mjs";
+import createPlanish, { type PlanishModule } from "@wasm/planish.mjs";
 import { Dispatcher } from "./dispatch.ts";
 import type { Reply, Request } from "./protocol.ts";
+import { warmUp } from "./warm-up.ts";
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
 const post = (reply: Reply, transfer: Transferable[]): void => scope.postMessage(reply, transfer);
 
-let dispatcher: Promise<Dispatcher> | null = null;
+interface Solver {
+  readonly planish: PlanishModule;
+  readonly dispatcher: Dispatcher;
+}
+
+let solver: Promise<Solver> | null = null;
+let warm = false;
 
 /** Holds a lock until the worker ends, however it ends. */
 function stayAlive(name: string): Promise<void> {
@@ -22,7 +29,7 @@ function stayAlive(name: string): Promise<void> {
 }
 
 /** The page compiles once; a worker that replaces a cancelled one starts from the same module. */
-async function start(compiled: WebAssembly.Module, alive: string): Promise<Dispatcher> {
+async function start(compiled: WebAssembly.Module, alive: string): Promise<Solver> {
   const [planish] = await Promise.all([
     createPlanish({
       instantiateWasm(
@@ -36,13 +43,18 @@ async function start(compiled: WebAssembly.Module, alive: string): Promise<Dispa
     stayAlive(alive),
   ]);
   post({ kind: "ready", job: 0 }, []);
-  return new Dispatcher(planish, post);
+  return { planish, dispatcher: new Dispatcher(planish, post) };
 }
 
 scope.onmessage = async ({ data }: MessageEvent<Request>): Promise<void> => {
   if (data.kind === "start") {
-    dispatcher = start(data.module, data.alive);
+    solver = start(data.module, data.alive);
     return;
   }
-  await (await dispatcher)?.handle(data);
+  const started = await solver;
+  await started?.dispatcher.handle(data);
+  if (!started || warm) return;
+  // After the first mesh is open, when there is time.
+  warm = true;
+  await warmUp(started.planish).catch(() => {});
 };

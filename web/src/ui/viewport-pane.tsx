@@ -33,7 +33,9 @@ function Shortened({ long, short }: { long: string; short: string }) {
   return (
     <>
       <span class="long-word">{long}</span>
-      <span class="short-word">{short}</span>
+      <span class="short-word" aria-hidden="true">
+        {short}
+      </span>
     </>
   );
 }
@@ -108,7 +110,6 @@ export function ViewportPane() {
           <button
             key={name}
             type="button"
-            aria-label={name}
             title={`${name} (${key})`}
             onClick={() => viewport.current?.view(name)}
           >

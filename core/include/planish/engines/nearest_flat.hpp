@@ -10,7 +10,7 @@
 namespace planish {
 
 struct NearestFlatOptions {
-  int max_steps = 100;
+  int max_steps = 400;
   /// Step, as a share of ‖t‖, below which t counts as the nearest point: ‖t‖² is then least to
   /// about the square of it. In (0, 1); smaller: more steps, and fewer digits left to rounding.
   double settled = 5e-5;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A long day: a hundred edits, undone and redone, leave nothing behind that grows.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { holdSolvers, insideSolver } from "./support/faults.ts";
+import { catchExports, Hands } from "./support/hands.ts";
+import { openSite, type Prepare, type Site } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+interface CountingWindow extends Window {
+  solvers: Worker[];
+  gpu: { buffers: number; textures: number };
+}
+
+/** Counts what WebGL holds, at its own door. */
+const countGraphics: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    const page = window as unknown as CountingWindow;
+    page.gpu = { buffers: 0, textures: 0 };
+    const gl = WebGL2RenderingContext.prototype;
+    const { createBuffer, deleteBuffer, createTexture, deleteTexture } = gl;
+    gl.createBuffer = function () {
+      page.gpu.buffers += 1;
+      return createBuffer.call(this);
+    };
+    gl.deleteBuffer = function (buffer) {
+      if (buffer) page.gpu.buffers -= 1;
+      deleteBuffer.call(this, buffer);
+    };
+    gl.createTexture = function () {
+      page.gpu.textures += 1;
+      return createTexture.call(this);
+    };
+    gl.deleteTexture = function (texture) {
+      if (texture) page.gpu.textures -= 1;
+      deleteTexture.call(this, texture);
+    };
+  });
+};
+
+interface Held {
+  readonly heap: number;
+  readonly buffers: number;
+  readonly textures: number;
+  readonly workers: number;
+  readonly nodes: number;
+  /** Bytes of the solver's memory, which never shrinks. */
+  readonly solver: number;
+}
+
+/** Lets the solver's memory be asked for. */
+const SHOW_MEMORY = `const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...given) => {
+  const instance = await instantiate(...given);
+  self.solverMemory = Object.values(instance.exports).find((x) => x instanceof WebAssembly.Memory);
+  return instance;
+};`;
+
+async function held(page: Page): Promise<Held> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("HeapProfiler.collectGarbage");
+  await session.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await session.send("Runtime.getHeapUsage");
+  const { nodes } = await session.send("Memory.getDOMCounters");
+  const gpu = await page.evaluate(() => (window as unknown as CountingWindow).gpu);
+  await session.detach();
+  const [worker] = page.workers();
+  const solver = (await worker?.evaluate<number>("solverMemory.buffer.byteLength")) ?? Number.NaN;
+  return { heap: usedSize, ...gpu, workers: page.workers().length, nodes, solver };
+}
+
+async function editMany(hands: Hands, count: number): Promise<void> {
+  for (let k = 0; k < count; ++k) {
+    await hands.fill("spinbutton", "Z", k % 2 === 0 ? "+8cm" : "+-8cm");
+    if (k % 10 === 4) {
+      await hands.press("Find variations");
+      await hands.fill("slider", "Variation 1", k % 20 === 4 ? "0.3" : "-0.3");
+    }
+    if (k % 10 === 9) for (const name of ["Undo", "Undo", "Redo", "Redo"]) await hands.press(name);
+  }
+}
+
+it("a hundred edits do not grow the page, the solver or the graphics", async () => {
+  const viewport = { width: 600, height: 480 };
+  const page = await site.open({ viewport, serviceWorkers: "block" }, "", async (context) => {
+    await insideSolver(SHOW_MEMORY)(context);
+    await holdSolvers(context);
+    await catchExports(context);
+    await countGraphics(context);
+  });
+  const hands = new Hands(page);
+  await hands.press("Add handle");
+  await editMany(hands, 20);
+  const before = await held(page);
+  await editMany(hands, 100);
+  const after = await held(page);
+  expect(after.workers).toBe(1);
+  expect(await page.evaluate("window.solvers.length")).toBe(1);
+  expect(after.solver).toBe(before.solver);
+  expect(after.buffers).toBeLessThanOrEqual(before.buffers + 4);
+  expect(after.textures).toBeLessThanOrEqual(before.textures + 2);
+  expect(after.nodes).toBeLessThanOrEqual(before.nodes + 200);
+  // The history keeps what moved in each step: some 100 points × 28 bytes, and the report.
+  expect(after.heap - before.heap).toBeLessThan(4e6);
+  await page.context().close();
+});

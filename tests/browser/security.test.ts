@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Nothing that a file, a link or a name brings becomes markup or code; the page's policy holds as
+// static files are served.
+import { readdirSync, readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { encodeLink } from "../../web/src/share/link.ts";
+import { recipeOf } from "../../web/src/state/recipe.ts";
+import { EDITED, FILE } from "../web/support/golden-designs.ts";
+import { flatRoof } from "./support/faults.ts";
+import { openFile, openSite, type Prepare, type Site, typeTarget, usable } from "./support/page.ts";
+
+const PAYLOAD = `<img src=x onerror="window.owned=1"><svg onload="window.owned=1">`;
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** Any use of these with data would make markup of it; the page uses none after it has started. */
+const trapMarkup: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    const seen: string[] = [];
+    Object.assign(window, { markup: seen });
+    const inner = Object.getOwnPropertyDescriptor(Element.prototype, "innerHTML");
+    Object.defineProperty(Element.prototype, "innerHTML", {
+      ...inner,
+      set(this: Element, text: string) {
+        seen.push(text);
+        inner?.set?.call(this, text);
+      },
+    });
+  });
+};
+
+async function expectUnharmed(page: Page): Promise<void> {
+  await page.waitForTimeout(200);
+  expect(await page.evaluate("window.owned")).toBeUndefined();
+  expect(await page.locator("img[src='x'], [onerror], [onload]").count()).toBe(0);
+  const markup = await page.evaluate<string[]>("window.markup");
+  // Icons come from the build, through the same door.
+  expect(markup.filter((text) => !/^\s*(<!--.*?-->\s*)?<svg\b/s.test(text))).toEqual([]);
+  expect(markup.filter((text) => /onerror|onload|script/i.test(text))).toEqual([]);
+}
+
+describe("markup in data stays text", () => {
+  it("in file names, group names and messages about them", async () => {
+    const page = await site.open({}, "", trapMarkup);
+    const text = `g ${PAYLOAD}\no ${PAYLOAD}\nusemtl ${PAYLOAD}\n${flatRoof(6)}`;
+    await openFile(page, `${PAYLOAD.replaceAll("/", "")}.obj`, text);
+    expect(await page.getByRole("heading", { name: /<img src=x/ }).count()).toBe(1);
+    await page.getByRole("button", { name: "Start editing" }).click();
+    await openFile(page, `${PAYLOAD}.exe`, "");
+    expect(await page.getByRole("alert").innerText()).toContain("<img");
+    await openFile(page, "broken.obj", `v 0 0 0\nf ${PAYLOAD}\n`);
+    await expectUnharmed(page);
+    await page.context().close();
+  });
+
+  it("in snapshot names, also after a reload", async () => {
+    const page = await site.open({}, "", trapMarkup);
+    await typeTarget(page, "+60cm");
+    await page.getByRole("button", { name: "Take snapshot" }).click();
+    const name = page.getByRole("textbox", { name: "Name of Snapshot 1" });
+    await name.fill(PAYLOAD);
+    await name.press("Enter");
+    await page.waitForTimeout(700);
+    await page.reload();
+    await usable(page);
+    expect(await page.getByRole("button", { name: /^Adopt <img/ }).count()).toBe(1);
+    await expectUnharmed(page);
+    await page.context().close();
+  });
+
+  it("in links", async () => {
+    const sample = { ...EDITED, source: { kind: "sample", name: PAYLOAD, size: 3 } } as const;
+    const file = { ...EDITED, handles: [], variation: null, source: { ...FILE, name: PAYLOAD } };
+    for (const design of [sample, file]) {
+      const page = await site.open({}, await encodeLink(recipeOf(design, "m", null)), trapMarkup);
+      await expectUnharmed(page);
+      await page.context().close();
+    }
+  });
+});
+
+describe("the policy", () => {
+  const html = readFileSync("dist/index.html", "utf8");
+  const written = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(html)?.[1] ?? "";
+  const policy = written.replaceAll("&#39;", "'");
+
+  it("allows no script but the page's own files and compiled WebAssembly", () => {
+    expect(policy).toContain("default-src 'none'");
+    expect(/script-src ([^;]*)/.exec(policy)?.[1]).toBe("'self' 'wasm-unsafe-eval'");
+    expect(policy).not.toContain("unsafe-inline");
+    expect(policy).not.toContain("'unsafe-eval'");
+    expect(html).not.toMatch(/<script(?![^>]*\bsrc=)[^>]*>/);
+    expect(html).not.toMatch(/\son\w+=|<style|\sstyle=/);
+  });
+
+  it("stands before everything that it governs", () => {
+    expect(html.indexOf("Content-Security-Policy")).toBeLessThan(html.indexOf("<script"));
+    expect(html.indexOf("Content-Security-Policy")).toBeLessThan(html.indexOf("<link"));
+  });
+
+  it("is enforced", async () => {
+    const own = await openSite();
+    const page = await own.open();
+    const blocked = await page.evaluate(async () => {
+      const seen: string[] = [];
+      document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) =>
+        seen.push(effectiveDirective),
+      );
+      const inline = document.createElement("script");
+      inline.textContent = "window.owned = 1";
+      document.head.append(inline);
+      // In a task of the page's own: what the test itself evaluates is exempt.
+      const answer = await new Promise((done) => {
+        setTimeout(() => {
+          try {
+            done(new Function("return 1")());
+          } catch {
+            done("refused");
+          }
+        });
+      });
+      await fetch("https://example.com/").catch(() => {});
+      await new Promise((done) => setTimeout(done, 100));
+      return { seen, answer, owned: (window as unknown as { owned?: number }).owned };
+    });
+    expect(blocked.owned).toBeUndefined();
+    expect(blocked.answer).toBe("refused");
+    expect(blocked.seen.join()).toMatch(/script-src.*connect-src/);
+    await page.context().close();
+    // Each refusal was logged, which would fail any other test.
+    await expect(own.close()).rejects.toThrow();
+  });
+});
+
+it("no code makes markup or code of data", () => {
+  const sources = readdirSync("web/src", { recursive: true, encoding: "utf8" })
+    .filter((path) => /\.tsx?$/.test(path))
+    .map((path) => [path, readFileSync(`web/src/${path}`, "utf8")] as const);
+  const doors = /innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|new Function\(/;
+  expect(sources.filter(([, text]) => doors.test(text)).map(([path]) => path)).toEqual([]);
+  const raw = sources.filter(([, text]) => text.includes("dangerouslySetInnerHTML"));
+  expect(raw.map(([path]) => path)).toEqual(["ui/icon.tsx"]);
+});
+
+it("every package is pinned, and the lock file agrees", () => {
+  const read = (path: string) => JSON.parse(readFileSync(path, "utf8"));
+  const own = read("package.json");
+  const lock = read("package-lock.json");
+  const wanted: Record<string, string> = { ...own.dependencies, ...own.devDependencies };
+  for (const [name, version] of Object.entries(wanted)) {
+    expect(version, name).toMatch(/^\d+\.\d+\.\d+(-[\w.]+)?$/);
+    expect(lock.packages[`node_modules/${name}`]?.version, name).toBe(version);
+  }
+  for (const [path, entry] of Object.entries<{ integrity?: string; link?: boolean }>(lock.packages))
+    if (path) expect(entry.integrity, path).toMatch(/^sha512-/);
+});
