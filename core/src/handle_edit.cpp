@@ -351,7 +351,8 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   }
   NewtonOptions options;
   options.stop = 3e-5;
-  // A frame that changes to another minimum may take dozens of steps; the next frames go on with it.
+  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
+  // it.
   options.max_steps = 7;
   const Interruption out_of_time = [&](const IterationRecord&) {
     return watch.seconds() > budget_seconds;

@@ -11,6 +11,7 @@
 #include <random>
 #include <string>
 
+#include "glb_file.hpp"
 #include "session.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
@@ -302,14 +303,27 @@ class User {
     expect_refused(session_.open_sample("vault", -3), "no such sample");
   }
 
+  /// As the page does: a GLB goes through the module of its own.
+  [[nodiscard]] std::string written(const std::string& format) const {
+    if (format != "glb") return session_.write(format).value();
+    return assemble_glb(session_.write("obj").value(), {});
+  }
+
+  Refusal open(const std::string& bytes, const std::string& format) {
+    if (format != "glb") return session_.open_file(bytes, format);
+    auto opened = open_glb(bytes);
+    if (auto* sentence = std::get_if<std::string>(&opened)) return std::move(*sentence);
+    return session_.open_file(std::get<OpenedGlb>(opened).mesh, "obj");
+  }
+
   /// The design as a file, opened again: sometimes shaken, sometimes with a byte changed.
   void import() {
     const char* const formats[] = {"obj", "off", "ply", "glb"};
     const char* format = formats[pick(4)];
-    std::string bytes = session_.write(format).value();
+    std::string bytes = written(format);
     const bool damaged = pick(3) == 0;
     if (damaged) bytes[pick(static_cast<unsigned>(bytes.size()))] = static_cast<char>(pick(256));
-    const Refusal refusal = session_.open_file(bytes, format);
+    const Refusal refusal = open(bytes, format);
     if (refusal) return check_unchanged(refusal, "import");
     sliders_ = 1;
     const Positions before = shown_;

@@ -68,7 +68,7 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
     done(session.vary(Float64Array.from(recipe.coefficients)));
     done(session.makeExact());
   }
-  const text = new TextDecoder().decode(session.write("obj", ""));
+  const text = new TextDecoder().decode(session.write("obj"));
   session.delete();
   return text;
 }
