@@ -85,10 +85,11 @@ class Session {
   [[nodiscard]] std::vector<float> display_base() const;
   /// Gap (model units) and mm/m of every face of the design shown, interleaved.
   [[nodiscard]] std::vector<float> panel_figures() const;
-  /// The design shown as a file: obj, off, ply or glb. nullopt if the format is unknown.
-  /// @param design the recipe as text, kept inside a glb; "" for none
-  [[nodiscard]] std::optional<std::string> write(const std::string& format,
-                                                 const std::string& design = {}) const;
+  /// The design shown as a file: obj, off or ply. nullopt for any other format; a GLB is put
+  /// together by assemble_glb() from the OBJ, the base and the variations.
+  [[nodiscard]] std::optional<std::string> write(const std::string& format) const;
+  /// What each slider does at value 1; nothing without variations.
+  [[nodiscard]] GlbVariations variations() const;
 
  private:
   struct Worst {
