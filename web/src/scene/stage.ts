@@ -171,7 +171,9 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.invalidate();
+    // A canvas of a new size is blank: not even one frame may show it.
+    cancelAnimationFrame(this.#pending);
+    this.draw();
   }
 
   /** The geometry changed. Shadows follow at once if drawing is quick, else when it rests. */
