@@ -27,7 +27,7 @@ export function offline(): Plugin {
     transformIndexHtml: (_, { bundle = {} }) => [
       // The solver loads beside the page's own script instead of after it.
       ...Object.keys(bundle)
-        .filter((name) => name.endsWith(".wasm"))
+        .filter((name) => /planish-[^/]*\.wasm$/.test(name))
         .map((name) => ({
           tag: "link",
           attrs: { rel: "preload", as: "fetch", href: `./${name}`, crossorigin: "anonymous" },
