@@ -111,13 +111,22 @@ void on_progress(Session& s, const val& callback) {
     return callback(record.primal_residual).as<bool>() ? Flow::kContinue : Flow::kStop;
   });
 }
-val write(const Session& s, const std::string& format, const std::string& design) {
-  const auto bytes = s.write(format, design).value_or("");
+val write(const Session& s, const std::string& format) {
+  const auto bytes = s.write(format).value_or("");
   return val(emscripten::typed_memory_view(bytes.size(),
                                            reinterpret_cast<const unsigned char*>(bytes.data())))
       .call<val>("slice");
 }
 
+val variation_support(const Session& s) { return copy(s.variations().support); }
+/// 3 × |support| numbers for each variation.
+val variation_displacements(const Session& s) {
+  std::vector<double> all;
+  for (const Positions& move : s.variations().displacements) {
+    all.insert(all.end(), move.data(), move.data() + move.size());
+  }
+  return copy(all);
+}
 val base_positions(const Session& s) { return copy(s.base().positions); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
@@ -164,6 +173,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("makeExact", &make_exact)
       .function("onProgress", &on_progress)
       .function("write", &write)
+      .function("variationSupport", &variation_support)
+      .function("variationDisplacements", &variation_displacements)
       .function("basePositions", &base_positions)
       .function("faceOffsets", &face_offsets)
       .function("faceVertices", &face_vertices)

@@ -52,7 +52,10 @@ export interface Session {
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
-  write(format: string, design: string): Uint8Array;
+  /** obj, off or ply. */
+  write(format: string): Uint8Array;
+  variationSupport(): Int32Array;
+  variationDisplacements(): Float64Array;
   basePositions(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;

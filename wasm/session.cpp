@@ -4,20 +4,19 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
 
-#include "planish/io/gltf.hpp"
-#include "planish/io/mesh_format.hpp"
+#include "json_text.hpp"
+#include "planish/io/obj.hpp"
+#include "planish/io/off.hpp"
+#include "planish/io/ply.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
 
 namespace planish {
 namespace {
-
-using nlohmann::json;
 
 /// Display coordinates span about this much, whatever the unit of the model.
 constexpr double kDisplaySize = 10.0;
@@ -40,8 +39,16 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          "); the design is as it was.";
 }
 
-json residuals(const SolveReport& report) {
-  json list = json::array();
+/// The formats of this module; GLB is another's.
+ReadResult read_text_or_ply(std::string_view bytes, const std::string& format) {
+  if (format == "obj") return read_obj(bytes);
+  if (format == "off") return read_off(bytes);
+  if (format == "ply") return read_ply(bytes);
+  return ReadError{"Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB."};
+}
+
+std::vector<double> residuals(const SolveReport& report) {
+  std::vector<double> list;
   for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
   return list;
 }
@@ -56,9 +63,7 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  const std::optional<MeshFormat> known = format_from_name("." + format);
-  if (!known) return "Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB.";
-  ReadResult result = read_mesh(bytes, *known);
+  ReadResult result = read_text_or_ply(bytes, format);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
   auto& file = std::get<MeshFile>(result);
   adopt(std::move(file.mesh), std::move(file.warnings));
@@ -77,7 +82,8 @@ Refusal Session::planarise() {
   }
   const double max_move = result.max_move;
   adopt(std::move(flat), warnings_);
-  report_ = json{{"status", status_name(result.report.status)}, {"maxMove", max_move}}.dump();
+  report_ =
+      JsonText().add("status", status_name(result.report.status)).add("maxMove", max_move).text();
   return std::nullopt;
 }
 
@@ -88,8 +94,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   warnings_ = std::move(warnings);
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
-  base_worst_ = {.gap = planarity.max_gap, .mm_per_m = planarity.max};
-  base_rounding_ = attainable_tolerance(base_, 0.0);
+  base_worst_ = worst_of(planarity);
   const Eigen::Vector3d low = base_.positions.rowwise().minCoeff();
   const Eigen::Vector3d high = base_.positions.rowwise().maxCoeff();
   centre_ = 0.5 * (low + high);
@@ -104,7 +109,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
 
 Refusal Session::require_flat_base() const {
   if (base_.vertex_count() == 0) return "Open a mesh first.";
-  if (base_worst_.mm_per_m <= tolerance()) return std::nullopt;
+  if (is_base_flat()) return std::nullopt;
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
@@ -156,7 +161,8 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel(current_, moved_).mm_per_m > tolerance()) return "Make the design exact first.";
+  if (worst_panel(current_, moved_).excess > options_.tolerance)
+    return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -165,12 +171,15 @@ Refusal Session::explore(const SubspaceOptions& options) {
   subspace_ = std::move(found);
   prepare_variation();
   const SubspaceReport& r = subspace_->report;
-  report_ =
-      json{{"status", status_name(r.status)},   {"dimension", subspace_->dimension()},
-           {"correlation", r.correlation},      {"orthonormalityError", r.orthonormality_error},
-           {"tangencyError", r.tangency_error}, {"supportSizes", r.support_sizes},
-           {"seconds", watch.seconds()}}
-          .dump();
+  report_ = JsonText()
+                .add("status", status_name(r.status))
+                .add("dimension", subspace_->dimension())
+                .add("correlation", r.correlation)
+                .add("orthonormalityError", r.orthonormality_error)
+                .add("tangencyError", r.tangency_error)
+                .add("supportSizes", r.support_sizes)
+                .add("seconds", watch.seconds())
+                .text();
   return std::nullopt;
 }
 
@@ -261,8 +270,10 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   moved_.clear();
   for (std::size_t k = 0; k < moved.size(); ++k) {
     const int v = moved[k];
-    current_.col(v) = positions.col(static_cast<Eigen::Index>(k));
-    if (current_.col(v) != base_.positions.col(v)) moved_.push_back(v);
+    const auto column = static_cast<Eigen::Index>(k);
+    if (positions.col(column) == base_.positions.col(v)) continue;  // −0 stays −0
+    current_.col(v) = positions.col(column);
+    moved_.push_back(v);
   }
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }
@@ -270,18 +281,22 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
 Session::Worst Session::worst_panel(const Positions& positions,
                                     const std::vector<int>& moved) const {
   Worst worst = base_worst_;
-  if (base_worst_.mm_per_m > tolerance() && !moved.empty()) {
-    const PlanaritySummary all = planarity_summary(base_, positions);
-    return {.gap = all.max_gap, .mm_per_m = all.max};
+  if (!is_base_flat() && !moved.empty()) {
+    return worst_of(planarity_summary(base_, positions));
   }
   for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(positions, base_.face(f));
       worst.gap = std::max(worst.gap, face.gap);
       worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      worst.excess = std::max(worst.excess, face.excess);
     }
   }
   return worst;
+}
+
+Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
+  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
@@ -303,17 +318,18 @@ Mesh Session::shown_mesh() const {
 std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
                                   const SolveReport& solve, double seconds) const {
   const Worst worst = worst_panel(positions, moved);
-  return json{{"status", status_name(solve.status)},
-              {"movedVertices", moved.size()},
-              {"maxDisplacement", largest_move(positions, moved)},
-              {"worstGap", worst.gap},
-              {"worstMmPerM", worst.mm_per_m},
-              {"handleError", solve.handle_error},
-              {"objective", solve.objective.total()},
-              {"iterations", solve.iterations},
-              {"seconds", seconds},
-              {"residuals", residuals(solve)}}
-      .dump();
+  return JsonText()
+      .add("status", status_name(solve.status))
+      .add("movedVertices", moved.size())
+      .add("maxDisplacement", largest_move(positions, moved))
+      .add("worstGap", worst.gap)
+      .add("worstMmPerM", worst.mm_per_m)
+      .add("handleError", solve.handle_error)
+      .add("objective", solve.objective.total())
+      .add("iterations", solve.iterations)
+      .add("seconds", seconds)
+      .add("residuals", residuals(solve))
+      .text();
 }
 
 void Session::write_report(const SolveReport& solve, double seconds) {
@@ -322,24 +338,25 @@ void Session::write_report(const SolveReport& solve, double seconds) {
 
 std::string Session::mesh_report() const {
   const MeshSummary summary = summarize(base_);
-  json sizes = json::object();
-  for (const auto& [size, count] : summary.face_sizes) sizes[std::to_string(size)] = count;
-  return json{{"vertices", summary.vertices},
-              {"faces", summary.faces},
-              {"faceSizes", sizes},
-              {"boundaryLoops", summary.boundary_loops},
-              {"components", summary.components},
-              {"nonmanifoldEdges", summary.nonmanifold_edges},
-              {"isolatedVertices", summary.isolated_vertices},
-              {"meanEdge", summary.mean_edge},
-              {"degreesOfFreedom", degrees_of_freedom(base_)},
-              {"worstGap", base_worst_.gap},
-              {"worstMmPerM", base_worst_.mm_per_m},
-              {"flat", base_worst_.mm_per_m <= tolerance()},
-              {"centre", {centre_.x(), centre_.y(), centre_.z()}},
-              {"scale", scale_},
-              {"warnings", warnings_}}
-      .dump();
+  JsonText sizes;
+  for (const auto& [size, count] : summary.face_sizes) sizes.add(std::to_string(size), count);
+  return JsonText()
+      .add("vertices", summary.vertices)
+      .add("faces", summary.faces)
+      .add("faceSizes", sizes)
+      .add("boundaryLoops", summary.boundary_loops)
+      .add("components", summary.components)
+      .add("nonmanifoldEdges", summary.nonmanifold_edges)
+      .add("isolatedVertices", summary.isolated_vertices)
+      .add("meanEdge", summary.mean_edge)
+      .add("degreesOfFreedom", degrees_of_freedom(base_))
+      .add("worstGap", base_worst_.gap)
+      .add("worstMmPerM", base_worst_.mm_per_m)
+      .add("flat", is_base_flat())
+      .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
+      .add("scale", scale_)
+      .add("warnings", warnings_)
+      .text();
 }
 
 std::vector<float> Session::take_changes() {
@@ -373,14 +390,15 @@ std::vector<float> Session::panel_figures() const {
   return figures;
 }
 
-std::optional<std::string> Session::write(const std::string& format,
-                                          const std::string& design) const {
-  const std::optional<MeshFormat> known = format_from_name("." + format);
-  if (!known) return std::nullopt;
-  if (*known != MeshFormat::kGlb) return write_mesh(shown_mesh(), *known);
-  GlbContent content{.base = base_.positions, .variations = {}, .design = design};
-  if (subspace_) content.variations = variations_of(*subspace_);
-  return write_glb(shown_mesh(), content);
+std::optional<std::string> Session::write(const std::string& format) const {
+  if (format == "obj") return write_obj(shown_mesh());
+  if (format == "off") return write_off(shown_mesh());
+  if (format == "ply") return write_ply(shown_mesh());
+  return std::nullopt;
+}
+
+GlbVariations Session::variations() const {
+  return subspace_ ? variations_of(*subspace_) : GlbVariations{};
 }
 
 }  // namespace planish

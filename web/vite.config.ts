@@ -2,6 +2,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { firstMesh } from "./first-mesh.ts";
+import { smallFont } from "./font.ts";
 import { offline } from "./offline.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -13,7 +14,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [firstMesh(wasm), offline()],
+  plugins: [firstMesh(wasm), smallFont(), offline()],
   worker: { format: "es" },
   build: {
     outDir: here("../dist"),

@@ -60,14 +60,14 @@ describe.each(["vault", "dome", "freeform", "hex", "trihex"])("%s", (name) => {
   it("is generated with the same bits", () => {
     const session = new module.Session();
     expect(session.openSample(name, size)).toBe("");
-    expect(text(session.write("obj", ""))).toBe(runCli("sample", name, "--size", String(size)));
+    expect(text(session.write("obj"))).toBe(runCli("sample", name, "--size", String(size)));
     session.delete();
   });
 
   it("is edited alike", () => {
     const session = new module.Session();
     session.openSample(name, size);
-    const base = text(session.write("obj", ""));
+    const base = text(session.write("obj"));
     const vertex = Math.floor(session.basePositions().length / 6);
     const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * vertex);
     const lifted = z + 0.5;
@@ -82,7 +82,7 @@ describe.each(["vault", "dome", "freeform", "hex", "trihex"])("%s", (name) => {
     const mesh = join(folder, "mesh.obj");
     execFileSync(CLI, ["sample", name, "--size", String(size), "-o", mesh]);
     const native = runCli("edit", mesh, "--handle", `${vertex}=${x},${y},${lifted}`);
-    const wasm = text(session.write("obj", ""));
+    const wasm = text(session.write("obj"));
     expect(deviation(native, wasm)).toBeLessThan(RELATIVE);
     expect(differing(base, wasm)).toEqual(differing(base, native));
     session.delete();

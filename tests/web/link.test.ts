@@ -2,6 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../web/src/share/crc32.ts";
 import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
+import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
 import type { Parsed } from "../../web/src/state/expression.ts";
 import { deviation, markOf, type Recipe } from "../../web/src/state/recipe.ts";
 
@@ -17,13 +18,7 @@ const recipe: Recipe = {
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
   ],
-  settings: {
-    attraction: 1000,
-    locality: 1,
-    smoothness: 0.5,
-    fairness: "second",
-    engine: "newton",
-  },
+  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5 },
   variation: { coefficients: [0.5, -0.25], asked: 2, eigenbasis: false },
   unit: "m",
   camera: null,

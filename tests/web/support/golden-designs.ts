@@ -3,7 +3,7 @@
 import { crc32 } from "../../../web/src/share/crc32.ts";
 import type { SavedRecord } from "../../../web/src/share/saved-record.ts";
 import type { Source } from "../../../web/src/solver/protocol.ts";
-import type { Design } from "../../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS, type Design } from "../../../web/src/state/design.ts";
 
 const content = new TextEncoder().encode("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
 
@@ -27,13 +27,7 @@ export const EDITED: Design = {
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
   ],
-  settings: {
-    attraction: 1000,
-    locality: 1,
-    smoothness: 0.5,
-    fairness: "second",
-    engine: "newton",
-  },
+  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5 },
   shape,
   report: {
     status: "converged",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+import { writeDesign } from "../share/design-text.ts";
 import type { FileFormat } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
-import { designName, problem } from "../state/store.ts";
+import { recipeOf } from "../state/recipe.ts";
+import { designName, draft, mesh, problem, unit } from "../state/store.ts";
 
 const MEDIA: Readonly<Record<FileFormat, string>> = {
   obj: "model/obj",
@@ -19,13 +21,16 @@ function save(blob: Blob, extension: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
+/** What makes the design again, as text. */
+function recipe(): string {
+  const [design, base] = [draft.value, mesh.value];
+  return design && base ? writeDesign(recipeOf(design, unit.value, null), base) : "";
+}
+
 /** The design shown, written by the core in float64. */
 export async function exportMesh(format: FileFormat): Promise<void> {
-  const answer = await run(
-    `writing ${format.toUpperCase()}`,
-    { kind: "export", format, design: "" },
-    "exported",
-  );
+  const question = { kind: "export", format, design: format === "glb" ? recipe() : "" } as const;
+  const answer = await run(`writing ${format.toUpperCase()}`, question, "exported");
   if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);
 }
 

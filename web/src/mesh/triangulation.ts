@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Panels as triangles over their own corners: a panel with n corners has n - 2 of them, always at
 // the same place in the list, so that one panel can be cut anew when an edit makes it concave.
-import { ShapeUtils, Vector2 } from "three";
+// From its own file: the worker must not carry the whole of three.
+import { Earcut } from "three/src/extras/Earcut.js";
+
+interface Corner {
+  readonly x: number;
+  readonly y: number;
+}
 
 /** Where the triangles of panel `f` begin, in triangles. */
 export const firstTriangle = (offsets: Int32Array, f: number): number => (offsets[f] ?? 0) - 2 * f;
@@ -34,21 +40,21 @@ function areaVector(corners: Float32Array, begin: number, end: number): [number,
 }
 
 /** The polygon seen along its area vector, dropping the axis it points along most. */
-function flatten(corners: Float32Array, begin: number, end: number): Vector2[] {
+function flatten(corners: Float32Array, begin: number, end: number): Corner[] {
   const normal = areaVector(corners, begin, end);
   const size = normal.map(Math.abs) as [number, number, number];
   const drop = size[0] > size[1] && size[0] > size[2] ? 0 : size[1] > size[2] ? 1 : 2;
   const [u, v] = [(drop + 1) % 3, (drop + 2) % 3];
   const flip = (normal[drop] ?? 0) < 0 ? -1 : 1;
-  const points: Vector2[] = [];
+  const points: Corner[] = [];
   for (let c = begin; c < end; ++c) {
-    points.push(new Vector2(flip * (corners[3 * c + u] ?? 0), corners[3 * c + v] ?? 0));
+    points.push({ x: flip * (corners[3 * c + u] ?? 0), y: corners[3 * c + v] ?? 0 });
   }
   return points;
 }
 
 /** Corners that turn the other way than the polygon does. */
-function reflexCorners(points: readonly Vector2[]): number[] {
+function reflexCorners(points: readonly Corner[]): number[] {
   const reflex: number[] = [];
   points.forEach((at, k) => {
     const before = points[(k + points.length - 1) % points.length] ?? at;
@@ -87,9 +93,8 @@ export function triangulatePanel(
   else {
     // A polygon that crosses itself may give fewer triangles; the rest stay empty.
     out.fill(begin, at, at + 3 * (count - 2));
-    for (const ear of ShapeUtils.triangulateShape(points, []).slice(0, count - 2)) {
-      for (const k of ear) out[at++] = begin + k;
-    }
+    const ears = Earcut.triangulate(points.flatMap(({ x, y }) => [x, y]));
+    for (const k of ears.slice(0, 3 * (count - 2))) out[at++] = begin + k;
   }
   return reflex.length > 0;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Arrows and small planes at the chosen point. They only show where one can pull; the pointer
-// tool does the pulling, so that every drag is held and snapped in one way.
+// tool does the pulling, so that every drag is held and snapped in one way. They are fetched with
+// the first chosen point: the first drag does not wait for them.
 import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
-import { TransformControls } from "three/addons/controls/TransformControls.js";
+import type { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Frame } from "../mesh/point-frame.ts";
 import type { Lock } from "../state/store.ts";
 import type { Held } from "./constraint.ts";
@@ -20,45 +21,61 @@ const PARTS: Readonly<Record<string, readonly [number, boolean]>> = {
 
 const AXIS_OF: Readonly<Record<string, number>> = { X: 0, Y: 1, Z: 2 };
 
+/** An arrow each way at every axis is more than a point needs. */
+function dropBackArrows(controls: TransformControls): void {
+  const back: Object3D[] = [];
+  controls.getHelper().traverse((part) => {
+    if (!(part instanceof Mesh) || !(part.name in AXIS_OF)) return;
+    const { geometry } = part as Mesh<BufferGeometry>;
+    geometry.computeBoundingBox();
+    const reach = geometry.boundingBox?.max.getComponent(AXIS_OF[part.name] ?? 0) ?? 0;
+    if (reach < 0.1) back.push(part);
+  });
+  for (const part of back) part.removeFromParent();
+}
+
 export class Gizmo {
-  readonly #controls: TransformControls;
+  #controls: TransformControls | null = null;
+  #asked = false;
+  #wanted = false;
+  #lock: Lock | null = null;
   readonly #proxy = new Object3D();
   readonly #stage: Stage;
 
   constructor(stage: Stage) {
     this.#stage = stage;
-    this.#controls = new TransformControls(stage.camera, null);
-    this.#controls.setSize(0.62);
-    this.#controls.setSpace("local");
-    this.#controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
-    this.#dropBackArrows();
-    stage.scene.add(this.#proxy, this.#controls.getHelper());
+    stage.scene.add(this.#proxy);
   }
 
-  /** An arrow each way at every axis is more than a point needs. */
-  #dropBackArrows(): void {
-    const back: Object3D[] = [];
-    this.#controls.getHelper().traverse((part) => {
-      if (!(part instanceof Mesh) || !(part.name in AXIS_OF)) return;
-      const { geometry } = part as Mesh<BufferGeometry>;
-      geometry.computeBoundingBox();
-      const reach = geometry.boundingBox?.max.getComponent(AXIS_OF[part.name] ?? 0) ?? 0;
-      if (reach < 0.1) back.push(part);
-    });
-    for (const part of back) part.removeFromParent();
+  async #fetch(): Promise<void> {
+    if (this.#asked) return;
+    this.#asked = true;
+    const { TransformControls } = await import("three/addons/controls/TransformControls.js");
+    if (!this.#asked) return;
+    const controls = new TransformControls(this.#stage.camera, null);
+    controls.setSize(0.62);
+    controls.setSpace("local");
+    controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
+    dropBackArrows(controls);
+    this.#stage.scene.add(controls.getHelper());
+    this.#controls = controls;
+    this.show(this.#lock);
+    if (this.#wanted) controls.attach(this.#proxy);
+    this.#stage.invalidate();
   }
 
   /** The part under a pixel, which is highlighted; null beside all of them. */
   hover(x: number, y: number, width: number, height: number): Held | null {
-    if (!this.#controls.object) return null;
-    const before = this.#controls.axis;
+    const controls = this.#controls;
+    if (!controls?.object) return null;
+    const before = controls.axis;
     // Typed as an event, but only a place in −1 … 1 is read from it.
     const place = { x: (2 * x) / width - 1, y: 1 - (2 * y) / height, button: 0 };
-    this.#controls.pointerHover(place as unknown as PointerEvent);
+    controls.pointerHover(place as unknown as PointerEvent);
     // The middle, where all planes meet, belongs to the point itself.
-    const part = PARTS[this.#controls.axis ?? ""];
-    if (!part) this.#controls.axis = null;
-    if (this.#controls.axis !== before) this.#stage.invalidate();
+    const part = PARTS[controls.axis ?? ""];
+    if (!part) controls.axis = null;
+    if (controls.axis !== before) this.#stage.invalidate();
     if (!part) return null;
     const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
     this.#proxy.matrixWorld.extractBasis(...columns);
@@ -75,12 +92,16 @@ export class Gizmo {
       this.#proxy.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(along, across, normal));
     }
     this.#proxy.updateMatrixWorld();
-    if (!this.#controls.object) this.#controls.attach(this.#proxy);
+    this.#wanted = true;
+    if (this.#controls && !this.#controls.object) this.#controls.attach(this.#proxy);
+    void this.#fetch();
     this.#stage.invalidate();
   }
 
   /** Shows only the arrows that a lock leaves. */
   show(lock: Lock | null): void {
+    this.#lock = lock;
+    if (!this.#controls) return;
     const axis = lock?.axis === "normal" ? "z" : lock?.axis;
     const shown = (name: string): boolean => !lock || (name === axis) !== lock.plane;
     this.#controls.showX = shown("x");
@@ -89,12 +110,14 @@ export class Gizmo {
   }
 
   detach(): void {
-    this.#controls.detach();
+    this.#wanted = false;
+    this.#controls?.detach();
     this.#stage.invalidate();
   }
 
   dispose(): void {
-    this.#controls.detach();
-    this.#controls.getHelper().dispose();
+    this.#asked = false;
+    this.#controls?.detach();
+    this.#controls?.getHelper().dispose();
   }
 }

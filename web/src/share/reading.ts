@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What a stranger's JSON may say. Every reader gives a value of the right kind or null.
-import type { EditSettings, EngineName, Fairness, FileFormat } from "../solver/protocol.ts";
+import type {
+  EditSettings,
+  EngineName,
+  Fairness,
+  FileFormat,
+  Sparsity,
+} from "../solver/protocol.ts";
 import type { Camera } from "../state/camera.ts";
-import type { HandleRow } from "../state/design.ts";
+import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
-const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
-const ENGINES: readonly EngineName[] = ["newton", "alm"];
+export const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
+export const ENGINES: readonly EngineName[] = ["newton", "alm"];
+export const SPARSITY: readonly Sparsity[] = ["l21", "l2", "none"];
 
 /** Far more than anybody moves by hand. */
 const MOST_HANDLES = 100_000;
@@ -54,21 +61,39 @@ export function readHandles(value: unknown): HandleRow[] | null {
   return rows;
 }
 
-/** Attraction, locality, smoothness, fairness, engine. */
+type Rest = Pick<EditSettings, "sparsity" | "hardHandles" | "tolerance" | "maxIterations">;
+
+/** What was added to the settings later: absent where it is all as usual. */
+function readRest(value: readonly unknown[]): Rest | null {
+  const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
+  if (value.length === 0) return { sparsity, hardHandles, tolerance, maxIterations };
+  const named = SPARSITY.find((name) => name === value[0]);
+  const numbers: unknown = value.slice(1);
+  if (!named || !isNumbers(numbers, 3)) return null;
+  const [hard, given = 0, most = 0] = numbers;
+  return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
+}
+
+/** Attraction, locality, smoothness, fairness, engine; then sparsity, hard, tolerance, limit. */
 export function readSettings(value: unknown): EditSettings | null {
-  if (!Array.isArray(value) || value.length !== 5) return null;
+  if (!Array.isArray(value) || (value.length !== 5 && value.length !== 9)) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);
-  if (!isNumbers(weights, 3) || !fairness || !engine) return null;
+  const rest = readRest(value.slice(5));
+  if (!isNumbers(weights, 3) || !fairness || !engine || !rest) return null;
   const [attraction = 0, locality = 0, smoothness = 0] = weights;
-  return { attraction, locality, smoothness, fairness, engine };
+  return { attraction, locality, smoothness, fairness, engine, ...rest };
 }
 
-export const writeSettings = (settings: EditSettings): unknown[] => {
+export function writeSettings(settings: EditSettings): unknown[] {
   const { attraction, locality, smoothness, fairness, engine } = settings;
-  return [attraction, locality, smoothness, fairness, engine];
-};
+  const { sparsity, hardHandles, tolerance, maxIterations } = settings;
+  const first = [attraction, locality, smoothness, fairness, engine];
+  const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
+  const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
+  return usual ? first : [...first, ...rest];
+}
 
 /** Position and target; undefined if there is something else than a camera or nothing. */
 export function readCamera(value: unknown): Camera | null | undefined {

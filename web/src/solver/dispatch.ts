@@ -2,8 +2,17 @@
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
-import type { EditSettings, OpenedMesh, Reply, Request, Source } from "./protocol.ts";
-import { readFile, readKept } from "./reading.ts";
+import { openGlb, writeGlb } from "./glb.ts";
+import type {
+  EditSettings,
+  FileFormat,
+  OpenedMesh,
+  Reply,
+  Request,
+  Source,
+  StoredDesign,
+} from "./protocol.ts";
+import { keepCopy, readFile, readKept } from "./reading.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -32,9 +41,10 @@ function sentence(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-function readMesh(session: Session): OpenedMesh {
+function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
+  const report = JSON.parse(session.meshReport()) as OpenedMesh["report"];
   return {
-    report: JSON.parse(session.meshReport()) as OpenedMesh["report"],
+    report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
     ...prepareDisplay({
       display: session.displayBase(),
@@ -50,13 +60,15 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     locality: settings.locality,
     smoothness: settings.smoothness,
     fairness: module.FairnessKind[settings.fairness],
-    sparsity: module.Sparsity.l21,
-    hardHandles: false,
+    sparsity: module.Sparsity[settings.sparsity],
+    hardHandles: settings.hardHandles,
     engine: module.Engine[settings.engine],
-    tolerance: 1e-6,
-    maxIterations: 0,
+    tolerance: settings.tolerance,
+    maxIterations: settings.maxIterations,
   };
 }
+
+const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
 export class Dispatcher {
@@ -84,6 +96,7 @@ export class Dispatcher {
     try {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
+      else if (request.kind === "export") await this.#export(request);
       else this.#run(request);
     } catch (error) {
       this.#post({ kind: "failed", job, message: sentence(error), fatal: isFatal(error) }, []);
@@ -96,24 +109,41 @@ export class Dispatcher {
   async #open({ job, source, planarise }: Extract<Request, { kind: "open" }>): Promise<void> {
     const session = this.#session;
     if (source.kind === "sample") insist(session.openSample(source.name, source.size));
-    else insist(session.openFile(await readKept(source, this.#onPiece), source.format));
+    else {
+      const bytes = await readKept(source, this.#onPiece);
+      const { mesh, format } = source.format === "glb" ? await openGlb(bytes) : asIs(bytes, source);
+      insist(session.openFile(mesh, format));
+    }
     if (planarise) insist(session.planarise());
-    this.#postOpened(job, null);
+    this.#postOpened(job, null, null);
   }
 
   async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
-    const { source, bytes } = await readFile(file, name, format, this.#onPiece);
-    insist(this.#session.openFile(bytes, format));
-    this.#postOpened(job, source);
+    const read = await readFile(file, name, format, this.#onPiece);
+    if (format !== "glb") {
+      insist(this.#session.openFile(read.bytes, format));
+      this.#postOpened(job, read.source, null);
+      return;
+    }
+    const { mesh, stored } = await openGlb(read.bytes);
+    insist(this.#session.openFile(mesh, "obj"));
+    this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
   }
 
-  #run(request: Exclude<Job, { kind: "open" } | { kind: "read" }>): void {
+  async #export({ job, format, design }: Extract<Request, { kind: "export" }>): Promise<void> {
+    const session = this.#session;
+    const bytes = format === "glb" ? await writeGlb(session, design) : session.write(format);
+    if (bytes.length === 0) throw new Refused(`${format.toUpperCase()} cannot be written.`);
+    this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
+  }
+
+  #run(request: Exclude<Job, { kind: "open" } | { kind: "read" } | { kind: "export" }>): void {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
       case "planarise":
         insist(session.planarise());
-        this.#postOpened(job, null);
+        this.#postOpened(job, null, null);
         return;
       case "edit":
         this.#edit(request);
@@ -143,27 +173,26 @@ export class Dispatcher {
         this.#post({ kind: "panels", job, figures }, [figures.buffer]);
         return;
       }
-      case "export": {
-        const bytes = session.write(request.format, request.design);
-        if (bytes.length === 0)
-          throw new Refused(`${request.format.toUpperCase()} cannot be written.`);
-        this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
-      }
     }
   }
 
   #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
-    if (settings !== this.#settings) {
-      insist(this.#session.setOptions(toOptions(this.#module, settings)));
-      this.#settings = settings;
-    }
+    this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     insist(this.#session.edit(this.#module.EditMode[mode], handles, pins, budget));
     this.#postShown(job, mode !== "drag");
   }
 
-  #restore({ targets, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+  /** Options that stay the same keep the solver's warm start; each message is a copy. */
+  #setOptions(settings: EditSettings): void {
+    if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
+    insist(this.#session.setOptions(toOptions(this.#module, settings)));
+    this.#settings = settings;
+  }
+
+  #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+    this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);
@@ -191,10 +220,10 @@ export class Dispatcher {
     };
   }
 
-  #postOpened(job: number, source: Source | null): void {
-    const mesh = readMesh(this.#session);
+  #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
+    const mesh = readMesh(this.#session, stored?.warnings ?? []);
     const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
-    this.#post({ kind: "opened", job, source, mesh }, buffers as Transferable[]);
+    this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
   #postShown(job: number, withShape: boolean): void {

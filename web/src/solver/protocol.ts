@@ -8,6 +8,7 @@ import type { DisplayMesh } from "../mesh/display-mesh.ts";
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
 export type EngineName = "newton" | "alm";
+export type Sparsity = "l21" | "l2" | "none";
 export type EditMode = "drag" | "release" | "solve";
 
 /** Targets in model units. `handles`: vertex, x, y, z for each. */
@@ -16,12 +17,20 @@ export interface Targets {
   readonly pins: readonly number[];
 }
 
+/** The core's HandleEditOptions. */
 export interface EditSettings {
   readonly attraction: number;
   readonly locality: number;
   readonly smoothness: number;
   readonly fairness: Fairness;
   readonly engine: EngineName;
+  readonly sparsity: Sparsity;
+  /** Targets are met exactly, or the edit is refused. */
+  readonly hardHandles: boolean;
+  /** Worst panel of a finished edit, mm/m. */
+  readonly tolerance: number;
+  /** 0: the engine's own limit. */
+  readonly maxIterations: number;
 }
 
 /** A finished design: where it differs from its base, in float64. */
@@ -58,7 +67,14 @@ export type Request =
       budget: number;
     } // → shown
   /** `keep`: the design is one of the family that was found last, or its centre. */
-  | { kind: "restore"; job: number; targets: Targets; shape: Shape; keep: boolean } // → shown
+  | {
+      kind: "restore";
+      job: number;
+      targets: Targets;
+      settings: EditSettings;
+      shape: Shape;
+      keep: boolean;
+    } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
   | { kind: "exact"; job: number } // → shown
@@ -112,11 +128,27 @@ export interface OpenedMesh extends DisplayMesh {
   readonly positions: Float64Array;
 }
 
+/** What a GLB held beside its mesh. */
+export interface StoredDesign {
+  /** The recipe as text; "" for none. */
+  readonly design: string;
+  /** The stored result; empty without a recipe. */
+  readonly shape: Shape;
+  readonly warnings: readonly string[];
+}
+
 export type Reply =
   | { kind: "ready"; job: 0 }
   | { kind: "progress"; job: number; step: number; residual: number }
   | { kind: "reading"; job: number; done: number; total: number }
-  | { kind: "opened"; job: number; source: Source | null; mesh: OpenedMesh }
+  /** `source`: the copy to keep of a file that was read; `stored`: what came with a GLB. */
+  | {
+      kind: "opened";
+      job: number;
+      source: Source | null;
+      mesh: OpenedMesh;
+      stored: StoredDesign | null;
+    }
   /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }

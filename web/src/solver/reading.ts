@@ -28,6 +28,12 @@ async function readAll(file: Blob, onPiece: OnPiece): Promise<Uint8Array> {
   return bytes;
 }
 
+/** The copy of a file that the page keeps. */
+export function keepCopy(name: string, format: FileFormat, bytes: Uint8Array): FileSource {
+  const kept = new Blob([bytes as BlobPart]);
+  return { kind: "file", name, format, bytes: kept, crc: crc32(bytes) };
+}
+
 /** Reads a user's file and makes the copy that the page keeps. */
 export async function readFile(
   file: Blob,
@@ -38,8 +44,7 @@ export async function readFile(
   const bytes = await readAll(file, onPiece).catch(() => {
     throw new Error(`${name} could not be read. Open it again.`);
   });
-  const kept = new Blob([bytes as BlobPart]);
-  return { source: { kind: "file", name, format, bytes: kept, crc: crc32(bytes) }, bytes };
+  return { source: keepCopy(name, format, bytes), bytes };
 }
 
 /** Reads a copy that the page kept; throws a sentence if it is not what was kept. */

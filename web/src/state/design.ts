@@ -43,6 +43,10 @@ export const DEFAULT_SETTINGS: EditSettings = {
   smoothness: 1,
   fairness: "second",
   engine: "newton",
+  sparsity: "l21",
+  hardHandles: false,
+  tolerance: 1e-6,
+  maxIterations: 0,
 };
 
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };

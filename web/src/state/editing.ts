@@ -35,7 +35,7 @@ export const handleOf = (vertex: number): HandleRow | undefined =>
 export function editQuestion(design: Design, mode: EditMode): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0)
-    return { kind: "restore", targets, shape: NO_SHAPE, keep: false };
+    return { kind: "restore", targets, settings: design.settings, shape: NO_SHAPE, keep: false };
   return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS };
 }
 

@@ -52,7 +52,9 @@ export async function ensureDirections(design: Design): Promise<boolean> {
   if (held.base && held.centre === variation.centre) return true;
   const before: Design = { ...design, shape: variation.centre };
   const targets = toTargets(design.handles);
-  const restore = { kind: "restore", targets, shape: variation.centre, keep: false } as const;
+  const { settings } = design;
+  const shape = variation.centre;
+  const restore = { kind: "restore", targets, settings, shape, keep: false } as const;
   if (!(await runUnseen("finding variations", restore, "shown"))) return false;
   const found = await findDirections(before, variation.asked, variation.eigenbasis);
   return (await show(design)) && found === variation.coefficients.length;

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Opening samples and files, planarising what is not flat. Each is one step of the history.
-import type { FileFormat, OpenedMesh, Source } from "../solver/protocol.ts";
+// Opening samples, planarising what is not flat. Each is one step of the history.
+import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE } from "./design.ts";
 import * as steps from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
-import {
-  draft,
-  hintVertex,
-  history,
-  importReport,
-  mesh,
-  notice,
-  problem,
-  settings,
-} from "./store.ts";
+import { draft, hintVertex, history, mesh, notice, settings } from "./store.ts";
 import { inTurn } from "./turns.ts";
-
-const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
@@ -36,7 +25,7 @@ export function freshDesign(source: Source, planarised: boolean, opened: OpenedM
 }
 
 /** Shows what the solver has opened, as one more step of the history. */
-function adopt(source: Source, planarised: boolean, opened: OpenedMesh): void {
+export function adopt(source: Source, planarised: boolean, opened: OpenedMesh): void {
   const design = freshDesign(source, planarised, opened);
   takeMesh(design, opened);
   notice.value = null;
@@ -52,22 +41,6 @@ export const openSample = (name: string): Promise<void> =>
     const answer = await run(`opening ${sample.label}`, question, "opened");
     if (answer) adopt(source, false, answer.mesh);
     else await showPresent();
-  });
-
-export const openFile = (file: File): Promise<void> =>
-  inTurn(async () => {
-    const { name } = file;
-    const extension = name.split(".").at(-1)?.toLowerCase() ?? "";
-    const format = FORMATS.find((f) => f === extension);
-    if (!format) {
-      problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`;
-      return;
-    }
-    const question = { kind: "read", file, name, format } as const;
-    const answer = await run(`reading ${name}`, question, "opened");
-    if (!answer?.source) return;
-    adopt(answer.source, false, answer.mesh);
-    importReport.value = true;
   });
 
 /** Within a turn. */

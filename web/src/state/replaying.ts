@@ -44,7 +44,8 @@ async function varied(design: Design, { variation }: Recipe): Promise<Step> {
   return { design: { ...next, shape: exact.shape, report: exact.report } };
 }
 
-async function compute(recipe: Recipe, opened: OpenedMesh): Promise<Step> {
+/** The design of `recipe` on its mesh, which the solver has open; within a turn. */
+export async function compute(recipe: Recipe, opened: OpenedMesh): Promise<Step> {
   const { source, planarised, handles, settings } = recipe;
   const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
   takeMesh(fresh, opened);

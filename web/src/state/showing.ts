@@ -65,10 +65,10 @@ export async function show(design: Design): Promise<boolean> {
   const kept = problem.value;
   if (!(await openBase(design))) return false;
   draft.value = design;
-  const { shape, variation } = design;
+  const { shape, settings, variation } = design;
   const targets = toTargets(design.handles);
   const keep = variation !== null && variation.centre === held.centre;
-  const restore = { kind: "restore", targets, shape, keep } as const;
+  const restore = { kind: "restore", targets, settings, shape, keep } as const;
   if (!(await run("restoring", restore, "shown"))) return false;
   figures.value = design.report;
   problem.value = kept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { openFile } from "../state/opening.ts";
+import { openFile } from "../state/files.ts";
 import { ready } from "../state/store.ts";
 
 /** The whole page takes a dropped mesh. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
-import { openFile, openSample } from "../state/opening.ts";
+import { openFile } from "../state/files.ts";
+import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
 import { canRedo, canUndo, history, ready } from "../state/store.ts";
 import { ExportMenu } from "./export-menu.tsx";

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// A design as the JSON of docs/formats.md, which the command line and GLB files hold too. What can
+// be wrong with it is said in one sentence that names the field.
+import type { EditSettings, Shape, Source } from "../solver/protocol.ts";
+import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+import type { Parsed } from "../state/expression.ts";
+import type { Recipe, RecipeVariation, ResultMark } from "../state/recipe.ts";
+import { isUnit } from "../state/units.ts";
+import { crc32 } from "./crc32.ts";
+import {
+  ENGINES,
+  FAIRNESS,
+  isIndex,
+  isName,
+  isNumber,
+  isNumbers,
+  isRecord,
+  type Json,
+  MOST_DIRECTIONS,
+  SPARSITY,
+} from "./reading.ts";
+
+/** The base that was edited, for its hash. */
+export interface BaseMesh {
+  readonly positions: Float64Array;
+  readonly offsets: Int32Array;
+  readonly vertices: Int32Array;
+}
+
+/** What is read: a recipe, whose mesh lies beside it unless it is a sample. */
+export interface DesignText extends Omit<Recipe, "source" | "camera"> {
+  readonly source: Extract<Source, { kind: "sample" }> | null;
+}
+
+class Refused extends Error {}
+
+const bytesOf = (array: Int32Array | Float64Array): Uint8Array =>
+  new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+
+const hex = (hash: number): string => hash.toString(16).padStart(8, "0");
+
+export const meshHash = ({ positions, offsets, vertices }: BaseMesh): number =>
+  crc32(bytesOf(vertices), crc32(bytesOf(offsets), crc32(bytesOf(positions))));
+
+function sourceJson(source: Source, base: BaseMesh): Json {
+  return source.kind === "sample"
+    ? { sample: source.name, size: source.size }
+    : { file: source.name, hash: hex(meshHash(base)) };
+}
+
+function optionsJson(settings: EditSettings): Json {
+  const { hardHandles, engine, maxIterations, ...rest } = settings;
+  return { ...rest, hard: hardHandles, solver: engine, max_iterations: maxIterations };
+}
+
+const variationJson = ({ coefficients, asked, eigenbasis }: RecipeVariation): Json => ({
+  dimension: asked,
+  eigen: eigenbasis,
+  ...FAMILY,
+  coefficients,
+  exact: true,
+});
+
+/** The core's SubspaceOptions that the page leaves alone. */
+const FAMILY = {
+  fairness_weight: 3,
+  sparsity_weight: 1,
+  closeness_weight: 0,
+  correlation: 0.95,
+  reach: 2,
+} as const;
+
+function markJson({ hash, moved, probes }: ResultMark): Json {
+  const rows: number[][] = [];
+  for (let p = 0; p + 3 < probes.length; p += 4) rows.push(probes.slice(p, p + 4));
+  return { hash: hex(hash), moved, probes: rows };
+}
+
+/** The text for a GLB, which holds the base itself. */
+export function writeDesign(recipe: Recipe, base: BaseMesh): string {
+  const { handles, variation } = recipe;
+  return JSON.stringify({
+    format: "planish-design",
+    version: 1,
+    source: sourceJson(recipe.source, base),
+    planarised: recipe.planarised,
+    unit: recipe.unit,
+    handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
+    pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
+    options: optionsJson(recipe.settings),
+    variations: variation ? [variationJson(variation)] : [],
+    result: markJson(recipe.mark),
+  });
+}
+
+function check(holds: boolean, sentence: string): asserts holds {
+  if (!holds) throw new Refused(sentence);
+}
+
+function readObject(value: unknown, path: string, known: readonly string[]): Json {
+  check(isRecord(value), `${path} must be an object.`);
+  const stranger = Object.keys(value).find((key) => !known.includes(key));
+  check(stranger === undefined, `${path}.${stranger} is not a field of a design.`);
+  return value;
+}
+
+function readSource(value: unknown): DesignText["source"] {
+  const source = readObject(value, "source", ["sample", "size", "file", "hash", "format", "bytes"]);
+  if (source.sample === undefined) return null;
+  const { sample, size } = source;
+  check(isName(sample) && isIndex(size), "source must name a sample and its size.");
+  return { kind: "sample", name: sample, size };
+}
+
+function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T {
+  if (value === undefined) return usual;
+  const word = words.find((known) => known === value);
+  check(word !== undefined, `${path} must be ${words.join(" or ")}.`);
+  return word;
+}
+
+function readOptions(value: unknown): EditSettings {
+  const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
+  names.push("hard", "solver", "tolerance", "max_iterations");
+  const options = readObject(value ?? {}, "options", names);
+  const usual = DEFAULT_SETTINGS;
+  const number = (key: string, otherwise: number): number => {
+    const given = options[key] ?? otherwise;
+    check(isNumber(given) && given >= 0, `options.${key} must be a number of at least 0.`);
+    return given;
+  };
+  return {
+    attraction: number("attraction", usual.attraction),
+    locality: number("locality", usual.locality),
+    smoothness: number("smoothness", usual.smoothness),
+    fairness: pick(options.fairness, FAIRNESS, usual.fairness, "options.fairness"),
+    engine: pick(options.solver, ENGINES, usual.engine, "options.solver"),
+    sparsity: pick(options.sparsity, SPARSITY, usual.sparsity, "options.sparsity"),
+    hardHandles: pick(options.hard, [true, false], usual.hardHandles, "options.hard"),
+    tolerance: number("tolerance", usual.tolerance),
+    maxIterations: number("max_iterations", usual.maxIterations),
+  };
+}
+
+function readHandles(handles: unknown, pins: unknown): HandleRow[] {
+  check(Array.isArray(handles), "handles must be a list.");
+  check(Array.isArray(pins) && pins.every(isIndex), "pins must be a list of points.");
+  const rows = handles.map((row: unknown, k): HandleRow => {
+    check(isNumbers(row, 4) && isIndex(row[0]), `handles[${k}] must be [point, x, y, z].`);
+    const [vertex = 0, x = 0, y = 0, z = 0] = row;
+    return { vertex, target: [x, y, z], pinned: false };
+  });
+  const pinned = pins.map((vertex): HandleRow => ({ vertex, target: [0, 0, 0], pinned: true }));
+  return [...rows, ...pinned];
+}
+
+function readVariation(value: unknown): RecipeVariation {
+  const names = ["dimension", "eigen", "coefficients", "exact", ...Object.keys(FAMILY)];
+  const given = readObject(value, "variations[0]", names);
+  for (const [key, usual] of Object.entries(FAMILY)) {
+    const same = (given[key] ?? usual) === usual;
+    check(same, `variations[0].${key} is one that only the command line can use.`);
+  }
+  const { dimension, coefficients, exact = true } = given;
+  const enough = isIndex(dimension) && dimension <= MOST_DIRECTIONS;
+  check(enough, "variations[0].dimension must be a small whole number.");
+  const fits = isNumbers(coefficients) && coefficients.length <= dimension;
+  check(fits, "variations[0].coefficients must be numbers, at most as many as dimension.");
+  check(exact === true, "variations[0] is not exact; the page shows exact designs only.");
+  const eigenbasis = pick(given.eigen, [true, false], false, "variations[0].eigen");
+  return { coefficients, asked: dimension, eigenbasis };
+}
+
+function readMark(value: unknown): ResultMark {
+  const { hash, moved, probes } = readObject(value, "result", ["hash", "moved", "probes"]);
+  const right = typeof hash === "string" && /^[0-9a-f]{8}$/.test(hash);
+  check(right, "result.hash must be 8 hexadecimal digits.");
+  check(isIndex(moved), "result.moved must be a whole number.");
+  const rows = Array.isArray(probes) && probes.every((row) => isNumbers(row, 4));
+  check(rows, "result.probes must be a list of [point, x, y, z].");
+  return { hash: Number.parseInt(hash, 16), moved, probes: (probes as number[][]).flat() };
+}
+
+const FIELDS = "format version title source planarised unit handles pins options variations result";
+
+function readRoot(value: unknown): DesignText {
+  const root = readObject(value, "The design", FIELDS.split(" "));
+  check(root.format === "planish-design", "format must be planish-design.");
+  check(root.version === 1, `The design is of version ${root.version}; this reads version 1.`);
+  const unit = root.unit ?? "m";
+  check(typeof unit === "string" && isUnit(unit), "unit must be mm, cm, m, km, in or ft.");
+  const variations = root.variations ?? [];
+  check(Array.isArray(variations), "variations must be a list.");
+  check(variations.length <= 1, "The page replays one variation, and the design has more.");
+  return {
+    source: readSource(root.source),
+    planarised: root.planarised === true,
+    unit,
+    handles: readHandles(root.handles ?? [], root.pins ?? []),
+    settings: readOptions(root.options),
+    variation: variations.length > 0 ? readVariation(variations[0]) : null,
+    mark: readMark(root.result),
+  };
+}
+
+/** Any text gives a design or one sentence; it never throws. */
+export function readDesign(text: string): Parsed<DesignText> {
+  try {
+    return { ok: true, value: readRoot(JSON.parse(text)) };
+  } catch (error) {
+    const reason = error instanceof Refused ? error.message : "The design is not JSON.";
+    return { ok: false, reason };
+  }
+}
+
+/** A stored shape keeps its place even where the recipe gives another one today. */
+export const sameShape = (a: Shape, b: Shape): boolean =>
+  a.moved.length === b.moved.length &&
+  crc32(bytesOf(a.positions), crc32(bytesOf(a.moved))) ===
+    crc32(bytesOf(b.positions), crc32(bytesOf(b.moved)));
