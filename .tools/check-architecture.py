@@ -48,6 +48,7 @@ FILE_GROUPS = {
     "solve_report": "report",
     "engine": "report",
     "panel_kernels": "engines",
+    "coupling_graph": "engines",
     "edge_table": "topology",
     "disjoint_sets": "topology",
     "base_planarity": "metrics",
