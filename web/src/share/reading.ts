@@ -67,14 +67,17 @@ function readRest(value: readonly unknown[]): Rest | null {
   if (value.length === 0) return { sparsity, hardHandles, tolerance, maxIterations };
   const named = SPARSITY.find((name) => name === value[0]);
   const numbers: unknown = value.slice(1);
-  if (!named || !isNumbers(numbers, 3)) return null;
-  const [hard, given = 0, most = 0] = numbers;
+  if (!named || !isNumbers(numbers)) return null;
+  const [hard, given = tolerance, most = maxIterations] = numbers;
   return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
 }
 
-/** Attraction, locality, smoothness, fairness, engine; then sparsity, hard, tolerance, limit. */
+/**
+ * Attraction, locality, smoothness, fairness, engine; then as many as were there when it was
+ * written of sparsity, hard, tolerance, limit.
+ */
 export function readSettings(value: unknown): EditSettings | null {
-  if (!Array.isArray(value) || (value.length !== 5 && value.length !== 9)) return null;
+  if (!Array.isArray(value) || value.length < 5 || value.length > 9) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);

@@ -6,8 +6,11 @@ import { createStore, delMany, get, keys, setMany, type UseStore } from "idb-key
 const TAB_KEY = "planish.slot";
 const PREFIX = "slot:";
 
-/** Milliseconds a reloaded tab waits for the page before it to let go of its slot. */
-const HAND_OVER = 500;
+/**
+ * Milliseconds a reloaded tab waits for the page before it to let go of its slot. A busy machine may
+ * take its time; only the copy of a tab that is still open waits in vain.
+ */
+const HAND_OVER = 2500;
 
 let database: UseStore | null = null;
 const store = (): UseStore => {
