@@ -51,6 +51,7 @@ FILE_GROUPS = {
     "edge_table": "topology",
     "disjoint_sets": "topology",
     "base_planarity": "metrics",
+    "panel_health": "metrics",
     "crc32": "design",
     "design_text_read": "design_text",
     "design_text_write": "design_text",

@@ -67,6 +67,7 @@ export interface Session {
   projectedPositions(): Float64Array;
   projectedReport(): string;
   panelFigures(): Float32Array;
+  panelHealth(): Float32Array;
   meshReport(): string;
   report(): string;
   delete(): void;

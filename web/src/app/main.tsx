@@ -4,6 +4,7 @@ import "../ui/tokens.css";
 import "../ui/controls.css";
 import "../ui/layout.css";
 import "../ui/inspector.css";
+import "../ui/analysis.css";
 import "../ui/designs.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";

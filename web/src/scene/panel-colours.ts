@@ -32,7 +32,7 @@ export class PanelColours {
   /** Panels by how far they are out of flat, points by how far they moved, or neither. */
   choose(kind: ColourBy, figures: Float32Array | null): void {
     this.#kind = kind;
-    this.#figures = kind === "planarity" ? figures : null;
+    this.#figures = kind === "planarity" || kind === "health" ? figures : null;
   }
 
   /** Gives every panel its colour; points get theirs from `paintVertex`. */
@@ -66,11 +66,15 @@ export class PanelColours {
     }
   }
 
-  /** Neutral up to the tolerance, then logarithmic up to the fabrication limit. */
+  /**
+   * Flatness: neutral up to the tolerance, then logarithmic up to the fabrication limit. Health:
+   * convex neutral, concave in the middle of the ramp, self-crossing at its end.
+   */
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
+    const health = this.#kind === "health";
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = planarityShare(figures[2 * f + 1] ?? 0);
+      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[2 * f + 1] ?? 0);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

@@ -18,6 +18,7 @@ import {
   lock,
   mesh,
   panelFigures,
+  panelHealth,
   ready,
   selected,
   selectedPanel,
@@ -251,8 +252,9 @@ export class Viewport {
       onChanges((changes) => this.#apply(changes)),
       effect(() => this.#build()),
       effect(() => {
-        const panels = colourBy.value === "planarity" ? panelFigures.value : null;
-        this.#shell?.colourBy(colourBy.value, panels);
+        const kind = colourBy.value;
+        const panels = kind === "health" ? panelHealth.value : panelFigures.value;
+        this.#shell?.colourBy(kind, panels);
         this.stage.invalidate();
       }),
       effect(() => this.#outline(selectedPanel.value)),

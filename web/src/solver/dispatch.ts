@@ -169,8 +169,8 @@ export class Dispatcher {
         this.#postProjected(job);
         return;
       case "panels": {
-        const figures = session.panelFigures();
-        this.#post({ kind: "panels", job, figures }, [figures.buffer]);
+        const [figures, health] = [session.panelFigures(), session.panelHealth()];
+        this.#post({ kind: "panels", job, figures, health }, [figures.buffer, health.buffer]);
         return;
       }
     }

@@ -154,7 +154,7 @@ export type Reply =
   | { kind: "explored"; job: number; report: ExploreReport }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** Gap in model units and mm/m, for every panel. */
-  | { kind: "panels"; job: number; figures: Float32Array }
+  | { kind: "panels"; job: number; figures: Float32Array; health: Float32Array }
   | { kind: "exported"; job: number; bytes: Uint8Array }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };

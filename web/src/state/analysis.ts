@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Figures per panel, of the last finished design.
-import { effect } from "@preact/signals";
+import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
-import { history, panelFigures, selectedPanel } from "./store.ts";
+import { history, panelFigures, panelHealth, selectedPanel } from "./store.ts";
+
+export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
 
 export interface PanelRow {
   readonly panel: number;
   /** Model units. */
   readonly gap: number;
   readonly mmPerM: number;
+  /** Place in OUTLINES. */
+  readonly outline: number;
+  /** Model units. */
+  readonly edge: number;
+  /** Degrees. */
+  readonly angle: number;
 }
+
+export type PanelColumn = keyof PanelRow;
 
 /** Larger meshes are measured when asked, not after every edit. */
 const EAGER = 200_000;
@@ -22,7 +32,10 @@ export function keepPanelFigures(): () => void {
     client.ask({ kind: "panels" }).then(
       (answer) => {
         if (answer.kind !== "panels" || answer.figures.length > 2 * EAGER) return;
-        panelFigures.value = answer.figures;
+        batch(() => {
+          panelFigures.value = answer.figures;
+          panelHealth.value = answer.health;
+        });
         if ((selectedPanel.peek() ?? 0) * 2 >= answer.figures.length) selectedPanel.value = null;
       },
       () => {
@@ -32,16 +45,51 @@ export function keepPanelFigures(): () => void {
   });
 }
 
-/** The panels furthest from flat, worst first. */
-export function worstPanels(figures: Float32Array, count: number): PanelRow[] {
-  const worst: PanelRow[] = [];
+function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
+  return {
+    panel,
+    gap: figures[2 * panel] ?? 0,
+    mmPerM: figures[2 * panel + 1] ?? 0,
+    outline: health[4 * panel] ?? 0,
+    edge: health[4 * panel + 1] ?? 0,
+    angle: health[4 * panel + 2] ?? 0,
+  };
+}
+
+/** The first `count` panels by `column`; panels that are equal stay in their order. */
+export function firstPanels(
+  figures: Float32Array,
+  health: Float32Array,
+  column: PanelColumn,
+  descending: boolean,
+  count: number,
+): PanelRow[] {
+  const first: PanelRow[] = [];
+  const before = (a: PanelRow, b: PanelRow): boolean =>
+    descending ? a[column] > b[column] : a[column] < b[column];
   for (let panel = 0; 2 * panel + 1 < figures.length; ++panel) {
-    const mmPerM = figures[2 * panel + 1] ?? 0;
-    if (worst.length === count && mmPerM <= (worst.at(-1)?.mmPerM ?? 0)) continue;
-    const place = worst.findIndex((row) => row.mmPerM < mmPerM);
-    const row = { panel, gap: figures[2 * panel] ?? 0, mmPerM };
-    worst.splice(place < 0 ? worst.length : place, 0, row);
-    worst.length = Math.min(worst.length, count);
+    const row = rowOf(panel, figures, health);
+    const last = first.at(-1);
+    if (first.length === count && last && !before(row, last)) continue;
+    const place = first.findIndex((other) => before(row, other));
+    first.splice(place < 0 ? first.length : place, 0, row);
+    first.length = Math.min(first.length, count);
   }
-  return worst;
+  return first;
+}
+
+export interface HealthCounts {
+  readonly changed: number;
+  readonly concave: number;
+  readonly crossing: number;
+}
+
+export function countHealth(health: Float32Array): HealthCounts {
+  let [changed, concave, crossing] = [0, 0, 0];
+  for (let k = 0; k + 3 < health.length; k += 4) {
+    if (health[k] === 1) concave += 1;
+    if (health[k] === 2) crossing += 1;
+    if (health[k + 3] === 1) changed += 1;
+  }
+  return { changed, concave, crossing };
 }

@@ -23,7 +23,7 @@ export interface Lock {
   readonly plane: boolean;
 }
 
-export type ColourBy = "displacement" | "planarity" | "none";
+export type ColourBy = "displacement" | "planarity" | "health" | "none";
 
 /** False until the page can be used. */
 export const ready = signal(false);
@@ -62,6 +62,8 @@ export const eigenbasis = signal(false);
 export const colourBy = signal<ColourBy>("displacement");
 /** Gap (model units) and mm/m of every panel of the last finished design. */
 export const panelFigures = signal<Float32Array | null>(null);
+/** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
+export const panelHealth = signal<Float32Array | null>(null);
 /** The panel that the table and the view point at. */
 export const selectedPanel = signal<number | null>(null);
 /** Shows the base instead of the design while held. */

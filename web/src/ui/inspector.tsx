@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { planarise } from "../state/opening.ts";
-import { mesh, ready, settings } from "../state/store.ts";
+import { figures, mesh, ready, settings, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
+import { Advanced } from "./advanced.tsx";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
+import { LastSolve } from "./last-solve.tsx";
 import { Slider } from "./slider.tsx";
 import { SnapshotsSection } from "./snapshots-section.tsx";
 
@@ -53,6 +56,19 @@ function Weights() {
   );
 }
 
+/** Why a point does not go where it was asked to. */
+function RefusedNote() {
+  const { status, handleError } = figures.value;
+  if (status !== "infeasible_handles") return null;
+  return (
+    <div class="note warn">
+      <p>
+        {`The target cannot be reached while every panel stays flat: the point stops ${formatLength(handleError, unit.value)} short. Move it less, let more points follow, or remove a pin.`}
+      </p>
+    </div>
+  );
+}
+
 export function Inspector() {
   return (
     <aside class="inspector" aria-label="Inspector">
@@ -63,6 +79,9 @@ export function Inspector() {
         <NotFlatNote />
         <HandlesTable />
         <Weights />
+        <RefusedNote />
+        <Advanced />
+        <LastSolve />
       </section>
       <ExploreSection />
       <ExactSection />

@@ -7,6 +7,7 @@ import { formatLength } from "../state/units.ts";
 const CHOICES: readonly (readonly [ColourBy, string])[] = [
   ["displacement", "Displacement"],
   ["planarity", "Planarity"],
+  ["health", "Panel health"],
   ["none", "Nothing"],
 ];
 
@@ -19,8 +20,25 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   );
 }
 
+/** Three classes, each with its word: never by colour alone. */
+function HealthScale() {
+  const swatch = (palette: Palette, k: number): string => palette.planarity[2 * k] ?? palette.panel;
+  return (
+    <ul class="legend-classes">
+      {["convex", "concave", "crosses itself (bow-tie)"].map((word, k) => (
+        <li key={word}>
+          <span class="swatch light-only" style={{ background: swatch(LIGHT, k) }} />
+          <span class="swatch dark-only" style={{ background: swatch(DARK, k) }} />
+          {word}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
 function Scale() {
   if (colourBy.value === "none") return null;
+  if (colourBy.value === "health") return <HealthScale />;
   const moved = colourBy.value === "displacement";
   const ends = moved
     ? ["0 mm, untouched", formatLength(figures.value.maxDisplacement, unit.value)]
