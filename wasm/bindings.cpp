@@ -71,8 +71,13 @@ EditTargets to_targets(const val& handles, const val& pins) {
 std::string open_sample(Session& s, const std::string& name, int size) {
   return attempt([&] { return s.open_sample(name, size); });
 }
-std::string open_file(Session& s, const std::string& bytes, const std::string& format) {
-  return attempt([&] { return s.open_file(bytes, format); });
+/// Copied in one go: a std::string parameter would be filled byte by byte.
+std::string open_file(Session& s, const val& bytes, const std::string& format) {
+  return attempt([&] {
+    std::vector<unsigned char> file(bytes["length"].as<std::size_t>());
+    val(emscripten::typed_memory_view(file.size(), file.data())).call<void>("set", bytes);
+    return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
+  });
 }
 std::string planarise(Session& s) {
   return attempt([&] { return s.planarise(); });

@@ -95,8 +95,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   warnings_ = std::move(warnings);
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
-  base_worst_ = {.gap = planarity.max_gap, .mm_per_m = planarity.max};
-  base_rounding_ = attainable_tolerance(base_, 0.0);
+  base_worst_ = worst_of(planarity);
   const Eigen::Vector3d low = base_.positions.rowwise().minCoeff();
   const Eigen::Vector3d high = base_.positions.rowwise().maxCoeff();
   centre_ = 0.5 * (low + high);
@@ -111,7 +110,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
 
 Refusal Session::require_flat_base() const {
   if (base_.vertex_count() == 0) return "Open a mesh first.";
-  if (base_worst_.mm_per_m <= tolerance()) return std::nullopt;
+  if (is_base_flat()) return std::nullopt;
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
@@ -163,7 +162,8 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel(current_, moved_).mm_per_m > tolerance()) return "Make the design exact first.";
+  if (worst_panel(current_, moved_).excess > options_.tolerance)
+    return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
@@ -271,8 +271,10 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   moved_.clear();
   for (std::size_t k = 0; k < moved.size(); ++k) {
     const int v = moved[k];
-    current_.col(v) = positions.col(static_cast<Eigen::Index>(k));
-    if (current_.col(v) != base_.positions.col(v)) moved_.push_back(v);
+    const auto column = static_cast<Eigen::Index>(k);
+    if (positions.col(column) == base_.positions.col(v)) continue;  // −0 stays −0
+    current_.col(v) = positions.col(column);
+    moved_.push_back(v);
   }
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }
@@ -280,18 +282,22 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
 Session::Worst Session::worst_panel(const Positions& positions,
                                     const std::vector<int>& moved) const {
   Worst worst = base_worst_;
-  if (base_worst_.mm_per_m > tolerance() && !moved.empty()) {
-    const PlanaritySummary all = planarity_summary(base_, positions);
-    return {.gap = all.max_gap, .mm_per_m = all.max};
+  if (!is_base_flat() && !moved.empty()) {
+    return worst_of(planarity_summary(base_, positions));
   }
   for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(positions, base_.face(f));
       worst.gap = std::max(worst.gap, face.gap);
       worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      worst.excess = std::max(worst.excess, face.excess);
     }
   }
   return worst;
+}
+
+Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
+  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
@@ -347,7 +353,7 @@ std::string Session::mesh_report() const {
       .add("degreesOfFreedom", degrees_of_freedom(base_))
       .add("worstGap", base_worst_.gap)
       .add("worstMmPerM", base_worst_.mm_per_m)
-      .add("flat", base_worst_.mm_per_m <= tolerance())
+      .add("flat", is_base_flat())
       .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
       .add("scale", scale_)
       .add("warnings", warnings_)

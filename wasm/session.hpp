@@ -14,6 +14,7 @@
 #include "planish/adjacency.hpp"
 #include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
+#include "planish/metrics.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
 
@@ -96,7 +97,7 @@ class Session {
 
  private:
   struct Worst {
-    double gap = 0.0, mm_per_m = 0.0;
+    double gap = 0.0, mm_per_m = 0.0, excess = 0.0;  ///< see FacePlanarity
   };
 
   void adopt(Mesh mesh, std::vector<std::string> warnings);
@@ -107,10 +108,10 @@ class Session {
   /// `positions` projected; a sentence if that fails, with both left as they are.
   [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
   [[nodiscard]] Shape shape_of(const Positions& positions) const;
+  [[nodiscard]] static Worst worst_of(const PlanaritySummary& planarity);
+  [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
   /// `positions` differ from the base at most at `moved`.
   [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
-  /// mm/m, as far as the base's coordinates can hold it.
-  [[nodiscard]] double tolerance() const { return std::max(options_.tolerance, base_rounding_); }
   [[nodiscard]] double largest_move(const Positions& positions,
                                     const std::vector<int>& moved) const;
   [[nodiscard]] Mesh shown_mesh() const;
@@ -122,7 +123,6 @@ class Session {
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
   Worst base_worst_;
-  double base_rounding_ = 0.0;  ///< mm/m, see attainable_tolerance()
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double scale_ = 1.0;
 

@@ -25,9 +25,9 @@ export function offline(): Plugin {
     apply: "build",
     enforce: "post",
     transformIndexHtml: (_, { bundle = {} }) => [
-      // The solver loads beside the page's own script instead of after it; GLB waits to be asked.
+      // The solver loads beside the page's own script instead of after it.
       ...Object.keys(bundle)
-        .filter((name) => /\/planish-[^/]*\.wasm$/.test(name))
+        .filter((name) => /planish-[^/]*\.wasm$/.test(name))
         .map((name) => ({
           tag: "link",
           attrs: { rel: "preload", as: "fetch", href: `./${name}`, crossorigin: "anonymous" },

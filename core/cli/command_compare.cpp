@@ -7,6 +7,9 @@
 #include "planish/comparison/edit_measure.hpp"
 #include "planish/comparison/global_subspace.hpp"
 #include "planish/comparison/methods.hpp"
+#include "planish/metrics.hpp"
+#include "planish/projection.hpp"
+#include "planish/subspace.hpp"
 
 namespace planish::cli {
 namespace {
@@ -18,8 +21,8 @@ using comparison::EditTask;
 constexpr int kInnerLimit = 30;     ///< l_max of the product's reference engine
 constexpr int kStepBudget = 12000;  ///< steps of alternating minimisation in all
 
-/// The product's own fast engine, measured like the others.
-ComparedEdit edit_by_newton(const EditTask& task) {
+/// As `planish edit` does it, exact finish included.
+ComparedEdit edit_by_product(const EditTask& task) {
   const HandleEditResult result = solve_handle_edit(task.mesh, task.targets, task.options);
   return {.positions = apply(task.mesh, result),
           .finished = result.report.status == SolveStatus::kConverged,
@@ -28,15 +31,16 @@ ComparedEdit edit_by_newton(const EditTask& task) {
 }
 
 ComparedEdit run_method(const std::string& method, const EditTask& task) {
-  if (method == "newton") return edit_by_newton(task);
+  if (method == "newton" || method == "reference") return edit_by_product(task);
   if (method == "alm") return edit_by_alternation(task, kInnerLimit, kStepBudget);
   if (method == "admm") return edit_by_alternation(task, 1, kStepBudget);
   if (method == "hof10") return edit_one_ring(task);
   if (method == "hk12") return edit_greedily(task);
   if (method == "shapeup") return edit_by_shape_up(task);
   if (method == "yypm11") return edit_in_tangent_space(task);
-  throw CommandError(kWrongUsage, "there is no method \"" + method +
-                                      "\"; use newton, alm, admm, hof10, hk12, shapeup or yypm11");
+  throw CommandError(kWrongUsage,
+                     "there is no method \"" + method +
+                         "\"; use newton, reference, alm, admm, hof10, hk12, shapeup or yypm11");
 }
 
 /// Processor time of this process, seconds: a busy machine does not count.
@@ -63,14 +67,9 @@ Json records_json(const std::vector<IterationRecord>& records) {
   return list;
 }
 
-/// The global basis at the edited mesh, and how far it reaches beyond the edit.
-Json basis_json(const EditTask& task, const Positions& edited, int dimension) {
-  Mesh flat = task.mesh;
-  flat.positions = edited;
-  const double start = processor_seconds();
-  const Eigen::MatrixXd basis = comparison::global_subspace(flat, dimension, task.options.fairness);
-  const double seconds = processor_seconds() - start;
-  const Eigen::RowVectorXd edit = (edited - task.mesh.positions).colwise().norm();
+/// How far vectors reach beyond the edit: 3n × s, interleaved by vertex.
+Json reach_json(const Eigen::MatrixXd& basis, const Positions& base, const Positions& edited) {
+  const Eigen::RowVectorXd edit = (edited - base).colwise().norm();
   Json correlation = Json::array();
   Json visible = Json::array();
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
@@ -79,10 +78,52 @@ Json basis_json(const EditTask& task, const Positions& edited, int dimension) {
     correlation.push_back(lengths.dot(edit) / edit.norm());
     visible.push_back((lengths.array() > 1e-3 * lengths.maxCoeff()).count());
   }
-  return {{"dimension", basis.cols()},
-          {"correlation", correlation},
-          {"visibly_moved", visible},
+  return {{"dimension", basis.cols()}, {"correlation", correlation}, {"visibly_moved", visible}};
+}
+
+/// (8) on the mesh explored with every slider at 0.5.
+Json projection_json(const EditTask& task, Mesh edited, const Subspace& subspace) {
+  Positions rows;
+  evaluate(subspace, Eigen::VectorXd::Constant(subspace.dimension(), 0.5), rows);
+  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+    edited.positions.col(subspace.support[k]) = rows.col(static_cast<Eigen::Index>(k));
+  }
+  ProjectionOptions options;
+  options.engine = task.options.engine;
+  const double start = processor_seconds();
+  const ProjectionResult result = project_to_planar(edited, task.mesh.positions, options);
+  const double seconds = processor_seconds() - start;
+  return {{"before_mm_per_m", planarity_summary(edited).max},
+          {"after_mm_per_m", result.report.planarity_after},
           {"processor_seconds", seconds}};
+}
+
+/// The family of (7), that of [YYPM11], and (8), each at the edited mesh and timed.
+void add_exploration(const EditTask& task, const Positions& positions, int dimension, Json& json) {
+  Mesh edited = task.mesh;
+  edited.positions = positions;
+  std::vector<int> close;
+  for (const Handle& handle : task.targets.handles) close.push_back(handle.vertex);
+  SubspaceOptions options{.dimension = dimension, .engine = task.options.engine};
+  options.fairness = task.options.fairness;
+  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  double start = processor_seconds();
+  const Subspace subspace = compute_subspace(task.mesh, positions, close, options);
+  const double local_seconds = processor_seconds() - start;
+  Eigen::MatrixXd local = Eigen::MatrixXd::Zero(positions.size(), subspace.basis.cols());
+  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
+    local.middleRows<3>(3 * subspace.support[k]) =
+        subspace.basis.middleRows<3>(3 * static_cast<Eigen::Index>(k));
+  }
+  start = processor_seconds();
+  const Eigen::MatrixXd global =
+      comparison::global_subspace(edited, dimension, task.options.fairness);
+  const double global_seconds = processor_seconds() - start;
+  json["family"] = reach_json(local, task.mesh.positions, positions);
+  json["family"]["processor_seconds"] = local_seconds;
+  json["global_family"] = reach_json(global, task.mesh.positions, positions);
+  json["global_family"]["processor_seconds"] = global_seconds;
+  json["projection"] = projection_json(task, edited, subspace);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -92,6 +133,7 @@ ExitCode run(const Arguments& arguments) {
   if (output) check_output_name(*output);
   EditTask task;
   task.options = edit_options(arguments);
+  task.options.engine = words[0] == "newton" ? Engine::kNewton : Engine::kAugmentedLagrangian;
   task.mesh = flat_base(load_mesh(words[1]).mesh, task.options).mesh;
   task.targets = edit_targets(arguments, task.mesh);
   const double start = processor_seconds();
@@ -103,7 +145,7 @@ ExitCode run(const Arguments& arguments) {
                {"processor_seconds", seconds}};
   json.update(measure_json(comparison::measure(task, result.positions)));
   if (const auto dimension = arguments.value("--dimension")) {
-    json["subspace"] = basis_json(task, result.positions, parse_whole(*dimension, "--dimension"));
+    add_exploration(task, result.positions, parse_whole(*dimension, "--dimension"), json);
   }
   if (arguments.has("--records")) json["records"] = records_json(result.records);
   if (output) {
@@ -122,12 +164,13 @@ ExitCode run(const Arguments& arguments) {
 Command compare_command() {
   std::vector<OptionRow> rows = edit_option_rows();
   rows.insert(rows.end(),
-              {{"--dimension", "S", "also the global subspace of [YYPM11] at the result"},
+              {{"--dimension", "S", "also families of variations at the result, and a projection"},
                {"--records", "", "objective, residuals and penalty of every outer step"},
                kOutputRow,
                kReportRow});
   return {"compare", "METHOD MESH <edit options> [-o OUT] [--report R.json]",
-          "the edit by another method (newton alm admm hof10 hk12 shapeup yypm11), measured alike",
+          "the edit by another method (newton reference alm admm hof10 hk12 shapeup yypm11), "
+          "measured alike",
           rows, run};
 }
 

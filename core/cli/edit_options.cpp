@@ -127,7 +127,7 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
 
 FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
   FlatBase base{mesh, std::nullopt};
-  if (planarity_summary(mesh).max <= attainable_tolerance(mesh, options.tolerance)) return base;
+  if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
   base.planarised = project_to_planar(mesh, {}, {}, progress_line());
   clear_progress_line();
   for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {

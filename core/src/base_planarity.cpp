@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "planish/metrics.hpp"
 
@@ -13,22 +14,33 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-BasePlanarity::BasePlanarity(const Mesh& mesh)
-    : values_(at(mesh.face_count())), order_(values_.size()) {
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    values_[at(f)] = face_planarity(mesh.positions, mesh.face(f)).mm_per_m;
-  }
+FaceRanking::FaceRanking(std::vector<double> values)
+    : values_(std::move(values)), order_(values_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   std::stable_sort(order_.begin(), order_.end(),
                    [&](int a, int b) { return values_[at(a)] > values_[at(b)]; });
 }
 
-double BasePlanarity::worst_outside(std::vector<int> touched) const {
-  std::sort(touched.begin(), touched.end());
+double FaceRanking::worst() const { return order_.empty() ? 0.0 : values_[at(order_.front())]; }
+
+double FaceRanking::worst_outside(const std::vector<int>& touched) const {
   for (const int f : order_) {
     if (!std::binary_search(touched.begin(), touched.end(), f)) return values_[at(f)];
   }
   return 0.0;
+}
+
+BasePlanarity::BasePlanarity(const Mesh& mesh) {
+  std::vector<double> gaps, excesses;
+  gaps.reserve(at(mesh.face_count()));
+  excesses.reserve(at(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const FacePlanarity flatness = face_planarity(mesh.positions, mesh.face(f));
+    gaps.push_back(flatness.mm_per_m);
+    excesses.push_back(flatness.excess);
+  }
+  mm_per_m = FaceRanking(std::move(gaps));
+  excess = FaceRanking(std::move(excesses));
 }
 
 }  // namespace planish

@@ -8,22 +8,27 @@
 
 namespace planish {
 
-/// Faces sorted by [MET-1], so that "the worst panel outside a set" costs what the set costs.
-class BasePlanarity {
+/// One figure per face, sorted, so that "the worst panel outside a set" costs what the set costs.
+class FaceRanking {
  public:
-  explicit BasePlanarity(const Mesh& mesh);
+  FaceRanking() = default;
+  explicit FaceRanking(std::vector<double> values);
 
-  /// mm/m; 0 for a mesh without faces.
-  [[nodiscard]] double worst() const { return order_.empty() ? 0.0 : values_[first()]; }
+  /// 0 for a mesh without faces.
+  [[nodiscard]] double worst() const;
 
-  /// mm/m over the faces that are not in `touched`, any order; 0 if there are none.
-  [[nodiscard]] double worst_outside(std::vector<int> touched) const;
+  /// Over the faces that are not in `touched`, which ascends; 0 if there are none.
+  [[nodiscard]] double worst_outside(const std::vector<int>& touched) const;
 
  private:
-  [[nodiscard]] std::size_t first() const { return static_cast<std::size_t>(order_.front()); }
-
   std::vector<double> values_;  ///< by face
   std::vector<int> order_;      ///< worst first
+};
+
+/// [MET-1] and [MET-3] of a mesh, mm/m.
+struct BasePlanarity {
+  explicit BasePlanarity(const Mesh& mesh);
+  FaceRanking mm_per_m, excess;
 };
 
 }  // namespace planish

@@ -2,8 +2,6 @@
 #include "planish/design.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -85,8 +83,7 @@ class Player {
     if (file != nullptr && file->hash != 0 && file->hash != mesh_hash(result_.base)) {
       return "the mesh is not the one that the design was made on";
     }
-    const double tolerance = attainable_tolerance(result_.base, design_.options.tolerance);
-    if (planarity_summary(result_.base).max > tolerance) {
+    if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
       return "the mesh has panels that are not flat, and the design does not planarise it";
     }
     result_.shape = result_.base.positions;
@@ -159,31 +156,7 @@ class Player {
   Replay result_;
 };
 
-std::optional<std::string> find_problem(const DesignVariation& variation) {
-  if (auto problem = planish::find_problem(variation.options)) return problem;
-  if (variation.coefficients.size() > static_cast<std::size_t>(variation.options.dimension)) {
-    return "coefficients must be at most as many as dimension";
-  }
-  const bool finite = std::all_of(variation.coefficients.begin(), variation.coefficients.end(),
-                                  [](double x) { return std::isfinite(x); });
-  return finite ? std::nullopt : std::optional<std::string>("coefficients must be finite");
-}
-
 }  // namespace
-
-std::optional<std::string> find_problem(const Design& design) {
-  constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
-  if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
-    return "unit must be mm, cm, m, km, in or ft";
-  }
-  if (auto problem = find_problem(design.options)) return "options: " + *problem;
-  for (std::size_t k = 0; k < design.variations.size(); ++k) {
-    if (const auto problem = find_problem(design.variations[k])) {
-      return "variations[" + std::to_string(k) + "]: " + *problem;
-    }
-  }
-  return std::nullopt;
-}
 
 std::uint32_t mesh_hash(const Mesh& mesh) {
   const auto count = static_cast<std::size_t>(mesh.positions.size());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -112,7 +113,10 @@ class Field {
 
  private:
   [[nodiscard]] std::string path_of(std::string_view key) const {
-    const std::string name = key.size() > 40 ? quoted(key) : std::string(key);
+    const bool plain = key.size() <= 40 && std::all_of(key.begin(), key.end(), [](char c) {
+                         return c == '_' || (c >= 'a' && c <= 'z');
+                       });
+    const std::string name = plain ? std::string(key) : quoted(key);
     return path_.empty() ? name : path_ + "." + name;
   }
 

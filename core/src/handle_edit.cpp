@@ -33,46 +33,6 @@ class Stopwatch {
 
 }  // namespace
 
-std::optional<std::string> find_problem(const HandleEditOptions& options) {
-  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!weight(options.attraction) || options.attraction == 0.0) {
-    return "attraction must be a number greater than 0";
-  }
-  if (!weight(options.locality)) return "locality must be a number of at least 0";
-  if (!weight(options.smoothness)) return "smoothness must be a number of at least 0";
-  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
-    return "tolerance must be a number greater than 0 (mm/m)";
-  }
-  if (options.max_iterations < 0) return "max_iterations must be at least 0";
-  return std::nullopt;
-}
-
-std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh) {
-  std::vector<int> seen;
-  for (const Handle& handle : targets.handles) {
-    const std::string name = "handle " + std::to_string(handle.vertex);
-    if (handle.vertex < 0 || handle.vertex >= mesh.vertex_count()) {
-      return name + ": the mesh has vertices 0 to " + std::to_string(mesh.vertex_count() - 1);
-    }
-    if (!handle.target.allFinite()) return name + ": the target is not finite";
-    seen.push_back(handle.vertex);
-  }
-  std::sort(seen.begin(), seen.end());
-  if (const auto twice = std::adjacent_find(seen.begin(), seen.end()); twice != seen.end()) {
-    return "handle " + std::to_string(*twice) + " is given twice";
-  }
-  for (const int pin : targets.pins) {
-    if (pin < 0 || pin >= mesh.vertex_count()) {
-      return "pin " + std::to_string(pin) + ": the mesh has vertices 0 to " +
-             std::to_string(mesh.vertex_count() - 1);
-    }
-    if (std::binary_search(seen.begin(), seen.end(), pin)) {
-      return "vertex " + std::to_string(pin) + " is both a handle and a pin";
-    }
-  }
-  return std::nullopt;
-}
-
 Positions apply(const Mesh& mesh, const HandleEditResult& result) {
   Positions positions = mesh.positions;
   for (std::size_t k = 0; k < result.moved.size(); ++k) {
@@ -100,6 +60,7 @@ class HandleEditSolver::State {
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
   [[nodiscard]] bool nothing_to_do() const;
   [[nodiscard]] bool is_exact(const ExactDesign& design) const;
+  [[nodiscard]] SolveStatus honest(SolveStatus status, const ExactDesign& design) const;
   [[nodiscard]] static ExactDesign unmoved();
   ExactDesign run_engine(const Progress& progress, SolveReport& report);
   ExactDesign come_nearer(const Progress& progress, SolveReport& report);
@@ -114,10 +75,9 @@ class HandleEditSolver::State {
   std::unique_ptr<PatchCutter> cutter_;
   EditProblem problem_;
   std::vector<int> drag_support_;
-  std::vector<int> overridden_;  ///< vertices whose term is not the default
-  std::optional<HandleEditResult> last_exact_;
-  /// mm/m: what the options ask for, as far as the coordinates can hold it.
-  double tolerance_ = 0.0;
+  std::vector<int> overridden_;            ///< vertices whose term is not the default
+  std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
+  std::vector<int> pins_;                  ///< ascending
   double setup_seconds_ = 0.0;
 };
 
@@ -139,7 +99,6 @@ void HandleEditSolver::State::rebuild() {
   finish_ = std::make_unique<ExactFinish>(*model_);
   cutter_ = std::make_unique<PatchCutter>(model_->vertex_count(), model_->mesh.face_count(),
                                           static_cast<int>(model_->fairness.rows()));
-  tolerance_ = attainable_tolerance(model_->mesh, options_.tolerance);
   problem_ = {};
   problem_.model = model_.get();
   problem_.fairness_weight = options_.smoothness;
@@ -178,6 +137,13 @@ void HandleEditSolver::State::clear_targets() {
 
 void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   clear_targets();
+  std::vector<int> pins = targets.pins;
+  std::sort(pins.begin(), pins.end());
+  if (pins != pins_) {  // what was exact before may have moved what is pinned now
+    pins_ = std::move(pins);
+    drag_support_.clear();
+    last_exact_.reset();
+  }
   for (const Handle& handle : targets.handles) {
     VertexTerm term;
     term.square_weight = options_.attraction;
@@ -222,9 +188,11 @@ HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, S
         std::max(report.max_displacement, (design.positions.col(columns[k]) - base.col(v)).norm());
   }
   report.moved_vertices = static_cast<int>(result.moved.size());
+  if (report.usable()) report.status = honest(report.status, design);
   report.objective = design_objective(problem_, design, *cutter_);
-  report.planarity_before = planarity_->worst();
-  report.planarity_after = std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces));
+  report.planarity_before = planarity_->mm_per_m.worst();
+  report.planarity_after =
+      std::max(design.worst_mm_per_m, planarity_->mm_per_m.worst_outside(design.faces));
   for (const int v : problem_.handles) {
     Eigen::Vector3d reached = Eigen::Vector3d::Zero();
     const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), v);
@@ -251,7 +219,7 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   report.iterations += outcome.steps;
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
-  return finish_->finish(problem_, newton_->support(), *trial_, tolerance_);
+  return finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
 }
 
 /// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
@@ -279,7 +247,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
                   : newton_->run_warm(problem_, options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
-    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, tolerance_);
+    ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
     if (!is_exact(next)) break;
     best = std::move(next);
     if (outcome.status == SolveStatus::kCancelled) {
@@ -304,7 +272,7 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   report.iterations = outcome.inner_steps;
   report.factorizations = outcome.factorizations;
   report.records = outcome.records;
-  return finish_->finish(problem_, outcome.support, *trial_, tolerance_);
+  return finish_->finish(problem_, outcome.support, *trial_, options_.tolerance);
 }
 
 bool HandleEditSolver::State::nothing_to_do() const {
@@ -314,8 +282,14 @@ bool HandleEditSolver::State::nothing_to_do() const {
 
 bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
   if (!design.positions.allFinite()) return false;
-  return std::max(design.worst_mm_per_m, planarity_->worst_outside(design.faces)) <=
-         std::max(tolerance_, planarity_->worst());
+  return design.worst_excess <= std::max(options_.tolerance, planarity_->excess.worst());
+}
+
+/// A design of a base that was not flat itself is no exact one, however it ended.
+SolveStatus HandleEditSolver::State::honest(SolveStatus status, const ExactDesign& design) const {
+  const double excess =
+      std::max(design.worst_excess, planarity_->excess.worst_outside(design.faces));
+  return excess <= options_.tolerance ? status : SolveStatus::kToleranceNotMet;
 }
 
 ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
@@ -370,14 +344,15 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   set_targets(targets);
   if (nothing_to_do()) {  // back where the drag began: the path that led here is forgotten
     drag_support_.clear();
+    last_exact_ = unmoved();
     SolveReport report;
     report.status = SolveStatus::kConverged;
-    last_exact_ = result_of(unmoved(), std::move(report));
-    return *last_exact_;
+    return result_of(*last_exact_, std::move(report));
   }
   NewtonOptions options;
   options.stop = 3e-5;
-  // A frame that changes to another minimum may take dozens of steps; the next frames go on with it.
+  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
+  // it.
   options.max_steps = 7;
   const Interruption out_of_time = [&](const IterationRecord&) {
     return watch.seconds() > budget_seconds;
@@ -397,25 +372,16 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;
   report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
-  const ExactDesign design = finish_->finish(problem_, drag_support_, *field_, tolerance_);
-  HandleEditResult result = result_of(design, std::move(report));
-  const bool exact = design.positions.allFinite() &&
-                     result.report.planarity_after <= std::max(tolerance_, planarity_->worst());
-  if (!exact) {  // the last exact state stands; the next frame starts afresh
+  ExactDesign design = finish_->finish(problem_, drag_support_, *field_, options_.tolerance);
+  if (is_exact(design)) {
+    last_exact_ = std::move(design);
+  } else {  // the last exact state stands; the next frame starts afresh
     drag_support_.clear();
-    if (last_exact_) {
-      result.moved = last_exact_->moved;
-      result.moved_positions = last_exact_->moved_positions;
-      result.report.planarity_after = last_exact_->report.planarity_after;
-      result.report.moved_vertices = last_exact_->report.moved_vertices;
-      result.report.max_displacement = last_exact_->report.max_displacement;
-    } else {
-      result = result_of(unmoved(), std::move(result.report));
-    }
-    result.report.status = SolveStatus::kIterationLimit;
+    report.status = SolveStatus::kIterationLimit;
   }
+  HandleEditResult result = result_of(last_exact_ ? *last_exact_ : unmoved(), std::move(report));
+  if (last_exact_) last_exact_->factorizations = 0;  // a frame that repeats it has not made them
   result.report.solve_seconds = watch.seconds();
-  if (exact) last_exact_ = result;
   return result;
 }
 

@@ -16,8 +16,6 @@
 namespace planish {
 namespace {
 
-/// Squares and products of four coordinates must stay finite.
-constexpr double kLargestCoordinate = 1e100;
 /// Twice the area over the squared perimeter below which a face counts as a line.
 constexpr double kNoArea = 1e-12;
 

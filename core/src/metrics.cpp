@@ -9,6 +9,18 @@
 #include "planish/constraints/planar_polygon.hpp"
 
 namespace planish {
+namespace {
+
+/// mm/m that rounding leaves of a flat panel: half a unit in the last place per coordinate moves a
+/// corner by up to √3/2 ε |p|, two corners apart, and as much again for the plane through them.
+double rounding_mm_per_m(double largest_coordinate, double longest_edge) {
+  constexpr double kUnits = 4.0;
+  constexpr double kCoarsest = 1e-3;  // a panel that holds less is not called flat
+  const double step = std::numeric_limits<double>::epsilon() * largest_coordinate;
+  return std::min(kCoarsest, 1000.0 * kUnits * step / longest_edge);
+}
+
+}  // namespace
 
 FacePlanarity face_planarity(const Positions& positions, std::span<const int> face) {
   if (face.size() < 4) return {};
@@ -19,7 +31,9 @@ FacePlanarity face_planarity(const Positions& positions, std::span<const int> fa
   mean /= static_cast<double>(face.size());
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double longest = 0.0;
+  double largest = 0.0;
   for (std::size_t k = 0; k < face.size(); ++k) {
+    largest = std::max(largest, positions.col(face[k]).cwiseAbs().maxCoeff());
     const Eigen::Vector3d here = positions.col(face[k]) - origin;
     const Eigen::Vector3d next = positions.col(face[(k + 1) % face.size()]) - origin;
     longest = std::max(longest, (next - here).norm());
@@ -39,7 +53,9 @@ FacePlanarity face_planarity(const Positions& positions, std::span<const int> fa
     low = std::min(low, distance);
     high = std::max(high, distance);
   }
-  return {high - low, 1000.0 * (high - low) / longest};
+  const double mm_per_m = 1000.0 * (high - low) / longest;
+  const bool is_rounding = mm_per_m <= rounding_mm_per_m(largest, longest);  // false for NaN
+  return {high - low, mm_per_m, is_rounding ? 0.0 : mm_per_m};
 }
 
 PlanaritySummary planarity_summary(const Mesh& mesh) {
@@ -55,36 +71,15 @@ PlanaritySummary planarity_summary(const Mesh& mesh, const Positions& positions)
     const FacePlanarity here = face_planarity(positions, mesh.face(f));
     ++counted;
     sum += here.mm_per_m;
-    if (here.mm_per_m > summary.max || summary.worst_face < 0) {
+    if (!(here.mm_per_m <= summary.max) || summary.worst_face < 0) {
       summary.max = here.mm_per_m;
       summary.worst_face = f;
     }
     summary.max_gap = std::max(summary.max_gap, here.gap);
+    if (!(here.excess <= summary.max_excess)) summary.max_excess = here.excess;
   }
   if (counted > 0) summary.mean = sum / counted;
   return summary;
-}
-
-double attainable_tolerance(const Mesh& mesh, double tolerance) {
-  // Half a unit in the last place per coordinate, two vertices apart, and as much for the plane.
-  constexpr double kUnits = 4.0;
-  constexpr double kCoarsest = 1e-3;  // mm/m: a mesh that holds less is not called flat
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    if (face.size() < 4) continue;
-    double longest = 0.0;
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Eigen::Vector3d edge =
-          mesh.positions.col(face[(k + 1) % face.size()]) - mesh.positions.col(face[k]);
-      longest = std::max(longest, edge.norm());
-    }
-    if (longest > 0.0) shortest = std::min(shortest, longest);
-  }
-  if (mesh.vertex_count() == 0) return tolerance;
-  const double rounding =
-      std::numeric_limits<double>::epsilon() * mesh.positions.cwiseAbs().maxCoeff();
-  return std::max(tolerance, std::min(kCoarsest, 1000.0 * kUnits * rounding / shortest));
 }
 
 int degrees_of_freedom(const Mesh& mesh) {

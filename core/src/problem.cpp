@@ -130,6 +130,21 @@ ObjectiveTerms objective(const Patch& patch) {
   return result;
 }
 
+FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
+                      const FlatnessEquation& equation) {
+  FourPoints result;
+  for (int k = 0; k < 4; ++k) {
+    const int v = equation.vertices[at(k)];
+    result.col(k) = patch.points.col(v);
+    if (v < patch.free_count) {
+      result.col(k) += displacement.col(v);
+    } else {
+      result.col(k) += patch.displacement.col(v);
+    }
+  }
+  return result;
+}
+
 FourPoints corners(const Patch& patch, const FlatnessEquation& equation) {
   FourPoints result;
   for (int k = 0; k < 4; ++k) {

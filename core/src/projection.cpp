@@ -30,8 +30,9 @@ Flatness measure_flatness(const Mesh& mesh, double tolerance) {
   Flatness flatness;
   std::vector<std::pair<double, int>> found;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const double gap = face_planarity(mesh.positions, mesh.face(f)).mm_per_m;
-    if (!(gap <= flatness.worst)) flatness.worst = gap;
+    const FacePlanarity face = face_planarity(mesh.positions, mesh.face(f));
+    const double gap = face.excess;
+    if (!(face.mm_per_m <= flatness.worst)) flatness.worst = face.mm_per_m;
     if (!(gap <= tolerance)) found.emplace_back(-gap, f);
   }
   std::sort(found.begin(), found.end());
@@ -243,9 +244,9 @@ ProjectionResult attempt(Mesh& current, Flatness& flatness, Attempt kind, int ri
   return result;
 }
 
-ProjectionResult project(const Mesh& mesh, const Positions* reference, ProjectionOptions options,
-                         const std::vector<int>& pins, const Progress& progress) {
-  options.tolerance = attainable_tolerance(mesh, options.tolerance);
+ProjectionResult project(const Mesh& mesh, const Positions* reference,
+                         const ProjectionOptions& options, const std::vector<int>& pins,
+                         const Progress& progress) {
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
   const Flatness before = measure_flatness(mesh, options.tolerance);

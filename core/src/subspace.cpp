@@ -16,7 +16,6 @@
 namespace planish {
 namespace {
 
-constexpr int kMostDimensions = 24;
 constexpr double kSparsifyShare = 1e-4;  ///< rows below this share of the largest become zero
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -305,23 +304,6 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
 
 }  // namespace
 
-std::optional<std::string> find_problem(const SubspaceOptions& options) {
-  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (options.dimension < 1 || options.dimension > kMostDimensions) {
-    return "dimension must be 1 to " + std::to_string(kMostDimensions);
-  }
-  if (!weight(options.fairness_weight)) return "fairness_weight must be a number of at least 0";
-  if (!weight(options.sparsity_weight) || options.sparsity_weight == 0.0) {
-    return "sparsity_weight must be a number greater than 0";
-  }
-  if (!weight(options.closeness_weight)) return "closeness_weight must be a number of at least 0";
-  if (!weight(options.correlation) || options.correlation >= 1.0) {
-    return "correlation must be at least 0 and less than 1";
-  }
-  if (options.reach < 0) return "reach must be at least 0";
-  return std::nullopt;
-}
-
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
                           const SubspaceOptions& options, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -338,6 +320,8 @@ void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>&
   for (Eigen::Index j = 0; j < subspace.basis.cols(); ++j) {
     rows += (subspace.scale[j] * coefficients[j]) * subspace.basis.col(j);
   }
+  // −0 + 0 is 0: what did not move keeps its bits.
+  out = (out.array() == subspace.origin.array()).select(subspace.origin, out);
 }
 
 }  // namespace planish

@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: MIT
+
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { exportAs, idle, movedCount, openSite, type Site, status } from "./support/page.ts";
+import { randomFrom } from "../web/support/mutations.ts";
+import { flatRoof } from "./support/faults.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openFile,
+  openSite,
+  type Site,
+  status,
+  typeTarget,
+  usable,
+} from "./support/page.ts";
 
 let site: Site;
 beforeAll(async () => {
@@ -28,6 +42,98 @@ it("a shared link opens as the same design, to the last bit", async () => {
   expect(await status(other)).toContain(numbers);
   expect(await exportAs(other, "OBJ")).toEqual(file);
   await other.context().close();
+});
+
+async function linkOf(page: Page): Promise<string> {
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  await page.keyboard.press("Escape");
+  return link;
+}
+
+async function vary(page: Page, slider: string, value: string): Promise<void> {
+  await page.getByRole("button", { name: "Find variations" }).click();
+  await expect.poll(() => page.getByRole("slider", { name: slider }).count()).toBe(1);
+  await idle(page);
+  await page.getByRole("slider", { name: slider }).fill(value);
+  await idle(page);
+}
+
+it("a link holds file, unit, families and camera: shared again it is the same link", async () => {
+  const page = await site.open({ reducedMotion: "reduce" });
+  await openFile(page, "roof.obj", flatRoof(10));
+  await page.getByRole("combobox", { name: "Unit of the file" }).selectOption("cm");
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await typeTarget(page, "+0.6");
+  await vary(page, "Variation 1", "0.4");
+  await vary(page, "Variation 2", "-0.3");
+  await page.getByRole("button", { name: "Top", exact: true }).click();
+  await page.waitForTimeout(500);
+  const link = await linkOf(page);
+  const file = await exportAs(page, "OBJ");
+  await page.context().close();
+
+  const other = await site.open({ reducedMotion: "reduce" }, new URL(link).hash);
+  await expect.poll(() => other.getByText(/Verified/).count()).toBe(1);
+  await idle(other);
+  expect(await exportAs(other, "OBJ")).toEqual(file);
+  expect(await linkOf(other)).toBe(link);
+  await other.context().close();
+});
+
+/** Triangles with coordinates that cannot be packed. */
+function noise(triangles: number): string {
+  const random = randomFrom(7);
+  const lines = Array.from(
+    { length: 3 * triangles },
+    () => `v ${random()} ${random()} ${random()}`,
+  );
+  for (let k = 0; k < triangles; ++k) lines.push(`f ${3 * k + 1} ${3 * k + 2} ${3 * k + 3}`);
+  return `${lines.join("\n")}\n`;
+}
+
+it("warns of long links and offers a file instead of longer ones", async () => {
+  const page = await site.open();
+  await openFile(page, "noise.obj", noise(100));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  expect((await linkOf(page)).length).toBeGreaterThan(8_000);
+  await page.getByRole("button", { name: "Share" }).click();
+  expect(await page.getByText(/Some programs cut links this long/).count()).toBe(1);
+  expect(await page.getByRole("button", { name: "Save as GLB" }).count()).toBe(0);
+  await page.keyboard.press("Escape");
+  await openFile(page, "noise.obj", noise(400));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  expect((await linkOf(page)).length).toBeGreaterThan(32_000);
+  await page.getByRole("button", { name: "Share" }).click();
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as GLB" }).click();
+  expect((await download).suggestedFilename()).toBe("noise.glb");
+  await page.context().close();
+});
+
+it("a link opened over a kept design keeps that one; after an edit a reload keeps the edit", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+30cm");
+  const link = await linkOf(page);
+  await typeTarget(page, "+20cm");
+  const kept = await exportAs(page, "OBJ");
+  await page.waitForTimeout(700);
+  const tab = await page.context().newPage();
+  await page.close();
+  await tab.goto(link);
+  await expect.poll(() => tab.getByText(/Verified/).count()).toBe(1);
+  await idle(tab);
+  await typeTarget(tab, "+10cm");
+  const edited = await exportAs(tab, "OBJ");
+  await tab.waitForTimeout(700);
+  await tab.reload();
+  await usable(tab);
+  await idle(tab);
+  expect(await exportAs(tab, "OBJ")).toEqual(edited);
+  await tab.getByRole("button", { name: "Adopt Before the link" }).click();
+  await idle(tab);
+  expect(await exportAs(tab, "OBJ")).toEqual(kept);
+  await tab.context().close();
 });
 
 it("a damaged link gets a sentence and the page still works", async () => {

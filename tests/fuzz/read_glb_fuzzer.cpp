@@ -35,6 +35,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const bool whole = input.substr(0, 4) == "glTF";
   const std::string bytes = whole ? std::string(input) : wrapped(input);
-  planish::fuzz::check_design(bytes, {.fixed = 65536, .multiple = 512});
+  planish::fuzz::check_glb(bytes, {.fixed = 65536, .multiple = 512});
   return 0;
 }

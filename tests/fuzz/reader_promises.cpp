@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "reader_promises.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "memory_meter.hpp"
+#include "planish/design_text.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/io/ply.hpp"
 #include "planish/mesh_check.hpp"
@@ -40,10 +42,12 @@ bool same_groups(const Mesh& a, const Mesh& b) {
   return true;
 }
 
-void check_refusal(const ReadError& error) {
-  require(!error.message.empty(), "a refusal says why");
-  require(error.message.find('\n') == std::string::npos, "a refusal is one line");
-  require(error.message.size() < 400, "a refusal is one sentence");
+void check_refusal(const std::string& sentence) {
+  require(!sentence.empty(), "a refusal says why");
+  require(std::none_of(sentence.begin(), sentence.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < ' '; }),
+          "a refusal is one line, without control characters");
+  require(sentence.size() < 400, "a refusal is one sentence");
 }
 
 void check_groups(const Mesh& mesh) {
@@ -66,7 +70,15 @@ void check_round_trip(const Mesh& mesh, MeshFormat format) {
   if (format == MeshFormat::kGlb) require(same_groups(mesh, file->mesh), "GLB keeps the groups");
 }
 
-void check_mesh_file(const MeshFile& file) {
+/// Writing four files costs several times what reading one does, so every eighth input pays it. By
+/// the bytes alone: a finding stays one when it is run again.
+bool is_sampled(std::string_view bytes) {
+  std::uint32_t hash = 2166136261u;  // FNV-1a
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return (hash >> 16) % 8 == 0;
+}
+
+void check_mesh_file(const MeshFile& file, bool round_trip) {
   const Mesh& mesh = file.mesh;
   require(mesh.positions.allFinite(), "coordinates are finite");
   check_groups(mesh);
@@ -74,6 +86,7 @@ void check_mesh_file(const MeshFile& file) {
   const auto* same = std::get_if<MeshFile>(&checked);
   require(same != nullptr, "an accepted mesh passes check_mesh() again");
   require(same_geometry(mesh, same->mesh), "check_mesh() changes nothing");
+  if (!round_trip) return;
   for (const MeshFormat format :
        {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly, MeshFormat::kGlb}) {
     check_round_trip(mesh, format);
@@ -97,11 +110,11 @@ void check_reader(std::string_view bytes, MeshFormat format, MemoryBound bound) 
     peak = meter.peak();
   }
   check_memory(peak, bytes.size(), bound);
-  if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(*error);
-  check_mesh_file(std::get<MeshFile>(result));
+  if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(error->message);
+  check_mesh_file(std::get<MeshFile>(result), is_sampled(bytes));
 }
 
-void check_design(std::string_view bytes, MemoryBound bound) {
+void check_glb(std::string_view bytes, MemoryBound bound) {
   std::variant<GlbFile, ReadError> result = ReadError{};
   std::size_t peak = 0;
   {
@@ -110,15 +123,17 @@ void check_design(std::string_view bytes, MemoryBound bound) {
     peak = meter.peak();
   }
   check_memory(peak, bytes.size(), bound);
-  if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(*error);
+  if (const auto* error = std::get_if<ReadError>(&result)) return check_refusal(error->message);
   const auto& glb = std::get<GlbFile>(result);
-  check_mesh_file(glb.file);
+  const bool round_trip = is_sampled(bytes);
+  check_mesh_file(glb.file, round_trip);
   if (glb.base) {
     Mesh base = glb.file.mesh;
     base.positions = *glb.base;
     require(std::holds_alternative<MeshFile>(check_mesh(std::move(base))),
             "a stored base is a mesh too");
   }
+  if (!round_trip) return;
   const std::string text = write_glb(glb.file.mesh, {.base = glb.base, .design = glb.design});
   const auto again = read_glb_design(text);
   const auto* same = std::get_if<GlbFile>(&again);
@@ -127,6 +142,28 @@ void check_design(std::string_view bytes, MemoryBound bound) {
   require(same->base.has_value() == glb.base.has_value() &&
               (!glb.base || same_bits(*same->base, *glb.base)),
           "the base comes back to the same bits");
+}
+
+void check_design(std::string_view text, MemoryBound bound) {
+  std::variant<Design, std::string> result;
+  std::size_t peak = 0;
+  {
+    const MemoryMeter meter;
+    result = read_design(text);
+    peak = meter.peak();
+  }
+  check_memory(peak, text.size(), bound);
+  if (const auto* sentence = std::get_if<std::string>(&result)) return check_refusal(*sentence);
+  const auto& design = std::get<Design>(result);
+  require(!find_problem(design), "an accepted design keeps the rules");
+  const std::string written = write_design(design);
+  require(is_design_text(written), "a written design is recognised as one");
+  const auto again = read_design(written);
+  if (const auto* sentence = std::get_if<std::string>(&again)) {
+    std::fprintf(stderr, "read again: %s\n", sentence->c_str());
+  }
+  require(std::holds_alternative<Design>(again), "a written design can be read");
+  require(write_design(std::get<Design>(again)) == written, "a written design comes back");
 }
 
 }  // namespace planish::fuzz

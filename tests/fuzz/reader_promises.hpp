@@ -19,11 +19,15 @@ struct MemoryBound {
 /// Reads `bytes` and checks:
 ///  - a refusal is one sentence, without line ends;
 ///  - an accepted mesh passes check_mesh() again, unchanged;
-///  - it comes back from every format to the same bits;
+///  - it comes back from every format to the same bits (every eighth input);
 ///  - reading held no more memory than the bound.
 void check_reader(std::string_view bytes, MeshFormat format, MemoryBound bound);
 
-/// The same for read_glb_design(): the base and the design string survive as well.
-void check_design(std::string_view bytes, MemoryBound bound);
+/// The same for read_glb_design(): the base and the design string survive as well (every eighth).
+void check_glb(std::string_view bytes, MemoryBound bound);
+
+/// The same for read_design(): an accepted design keeps its rules, and its text comes back letter
+/// for letter once it has been written.
+void check_design(std::string_view text, MemoryBound bound);
 
 }  // namespace planish::fuzz

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "planish/design_text.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/io/ply.hpp"
@@ -58,6 +59,22 @@ void add_sample(const Mesh& mesh, Corpus& corpus) {
   }
 }
 
+/// A design with everything in it, and one with as little as can be.
+void add_designs(Corpus& corpus) {
+  Design design;
+  design.title = "caf\xC3\xA9 \"1\"\n";
+  design.source = SampleSource{"vault", 8};
+  corpus.add("design", write_design(design));
+  design.source = FileSource{"a.obj", 0xdeadbeef, "obj", "v 0 0 0\n"};
+  design.planarised = true;
+  design.targets = {{{4, {1.0, 2.0, 3.5}}, {7, {-1e-9, 1e9, 0.1}}}, {1, 2}};
+  design.variations.push_back({{.dimension = 2}, {0.5, -0.25}, true});
+  design.result = DesignMark{0x12345678, 1, {{4, {1.0, 2.0, 3.5}}}};
+  corpus.add("design", write_design(design));
+  corpus.add("design",
+             R"({"format":"planish-design","version":1,"source":{"sample":"a","size":3}})");
+}
+
 /// Dialects that our writers do not speak.
 void add_dialects(Corpus& corpus) {
   corpus.add("obj",
@@ -102,5 +119,6 @@ int main(int count, char** arguments) {
     fuzz::add_sample(mesh, corpus);
   }
   fuzz::add_dialects(corpus);
+  fuzz::add_designs(corpus);
   return 0;
 }

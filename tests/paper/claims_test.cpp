@@ -88,6 +88,27 @@ TEST(PaperClaim, GapVanishesExactlyWithTheCorrelation) {
   record("smallest_gap_of_touching_pairs", touching);
 }
 
+/// Appendix A: ‖u_i‖‖v_i‖ = ¼ ∮ [(‖x u_i‖ + ‖y v_i‖)² − ‖x u_i + y v_i‖²] ds.
+TEST(PaperClaim, TheIdentityOfAppendixA) {
+  constexpr int kSamples = 2048;
+  const double step = 2.0 * std::acos(-1.0) / kSamples;
+  double largest = 0.0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Eigen::Vector3d u = testing::random_points(seed, 1).col(0);
+    const Eigen::Vector3d v = testing::random_points(seed + 1000, 1).col(0);
+    double sum = 0.0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double x = std::cos((k + 0.5) * step), y = std::sin((k + 0.5) * step);
+      const double apart = (x * u).norm() + (y * v).norm();
+      sum += step * (apart * apart - (x * u + y * v).squaredNorm());
+    }
+    const double product = u.norm() * v.norm();
+    largest = std::max(largest, std::abs(0.25 * sum / product - 1.0));
+  }
+  EXPECT_LE(largest, 1e-5);
+  record("largest_difference", largest);
+}
+
 TEST(PaperClaim, DegreesOfFreedomPerVertexApproachTheCountsOfTheRegularMeshes) {
   const std::vector<std::pair<std::string, double>> claims{
       {"vault", 2.0}, {"freeform", 2.0}, {"trihex", 2.0}, {"hex", 1.5}};

@@ -19,10 +19,9 @@ namespace planish::testing {
 /// The worst face.
 [[nodiscard]] double worst_svd_mm_per_m(const Mesh& mesh, const Positions& positions);
 
-/// How flat a panel can be expected to be: the promise of 1e-6 mm/m, or what the coordinates'
-/// own rounding leaves (8 units in the last place over the shortest longest-edge of a face, at most
-/// 1e-3 mm/m).
-[[nodiscard]] double flatness_promise(const Mesh& mesh);
+/// How flat a face can be expected to be: the promise of 1e-6 mm/m, or what the rounding of its own
+/// coordinates leaves (8 units in the last place over its longest edge, at most 1e-3 mm/m).
+[[nodiscard]] double flatness_promise(const Positions& positions, std::span<const int> face);
 
 /// The edit is finite, ascending and exact in its list of moved vertices; pins are untouched;
 /// panels are flat unless the status says otherwise, and never worse than the base; the report

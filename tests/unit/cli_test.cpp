@@ -223,13 +223,19 @@ TEST_F(Cli, EveryCommandHasHelp) {
 
 TEST_F(Cli, ComparesMethodsByOneYardstick) {
   ASSERT_EQ(run("sample dome --size 12 -o dome.obj"), 0);
-  for (const std::string method : {"newton", "alm", "admm", "hof10", "hk12", "shapeup", "yypm11"}) {
+  for (const std::string method :
+       {"newton", "reference", "alm", "admm", "hof10", "hk12", "shapeup", "yypm11"}) {
     ASSERT_EQ(run("compare " + method + " dome.obj --handle 78+=0,0,0.3 --report r.json"), 0);
     const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
     EXPECT_EQ(report.at("method"), method);
     EXPECT_GT(report.at("moved_vertices"), 0) << method;
     EXPECT_LT(report.at("handle_error"), 0.1) << method;
   }
+  ASSERT_EQ(run("compare newton dome.obj --handle 78+=0,0,0.3 --dimension 3 --report r.json"), 0);
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(report.at("family").at("visibly_moved").size(), 3U);
+  EXPECT_EQ(report.at("global_family").at("correlation").size(), 3U);
+  EXPECT_LE(report.at("projection").at("after_mm_per_m"), 1e-6);
   EXPECT_EQ(run("compare magic dome.obj --handle 78+=0,0,0.3"), 2);
   EXPECT_NE(err().find("magic"), std::string::npos);
 }

@@ -64,12 +64,12 @@ const finite = (numbers: Iterable<number>): boolean => [...numbers].every(Number
 const index = (x: number): boolean => Number.isInteger(x) && x >= 0;
 
 function whatIsWrongWithRecipe(recipe: Recipe): string | null {
-  const { handles, settings, variation, unit, mark, source } = recipe;
+  const { handles, settings, families, unit, mark, source } = recipe;
   const { attraction, locality, smoothness } = settings;
   if (!handles.every(({ vertex, target }) => index(vertex) && finite(target))) return "handles";
   if (!finite([attraction, locality, smoothness])) return "settings";
-  if (variation && !finite(variation.coefficients)) return "variation";
-  if (variation && variation.asked < variation.coefficients.length) return "variation";
+  for (const { coefficients, asked } of families)
+    if (!finite(coefficients) || asked < coefficients.length) return "families";
   if (!isUnit(unit) || !index(mark.hash) || !finite(mark.probes)) return "unit or mark";
   return typeof source.name === "string" ? null : "source";
 }

@@ -19,7 +19,7 @@ const recipe: Recipe = {
     { vertex: 5, target: [0, 0, 0], pinned: true },
   ],
   settings: { ...DEFAULT_SETTINGS, smoothness: 0.5 },
-  variation: { coefficients: [0.5, -0.25], asked: 2, eigenbasis: false },
+  families: [{ coefficients: [0.5, -0.25], asked: 2, eigenbasis: false }],
   unit: "m",
   camera: null,
   mark: markOf(shape),
@@ -28,7 +28,7 @@ const recipe: Recipe = {
 const withFile: Recipe = {
   ...recipe,
   planarised: true,
-  variation: null,
+  families: [],
   source: {
     kind: "file",
     name: "röof.obj",
@@ -37,6 +37,14 @@ const withFile: Recipe = {
     crc: crc32(Uint8Array.of(1, 2, 250)),
   },
   camera: { position: [1.5, -2, 0.125], target: [0, 0, 1] },
+};
+
+const inSteps: Recipe = {
+  ...recipe,
+  families: [
+    { coefficients: [1 / 3], asked: 3, eigenbasis: true },
+    { coefficients: [0.1, 0, -1], asked: 3, eigenbasis: false },
+  ],
 };
 
 /** Version 1 as it was when it was published: it must open for ever. */
@@ -52,6 +60,11 @@ describe("links", () => {
   it.each([
     ["a sample", recipe],
     ["a file", withFile],
+    [
+      "an ℓ2 edit",
+      { ...recipe, settings: { ...recipe.settings, sparsity: "l2" } } satisfies Recipe,
+    ],
+    ["families one after the other", inSteps],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);
     expect(link).toMatch(/^#v1=[\w-]+$/);
@@ -64,7 +77,7 @@ describe("links", () => {
     const link = await encodeLink({
       ...recipe,
       handles: recipe.handles.slice(0, 1),
-      variation: null,
+      families: [],
     });
     expect(link.length).toBeLessThan(600);
   });

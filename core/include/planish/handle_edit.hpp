@@ -40,8 +40,8 @@ struct HandleEditOptions {
   Sparsity sparsity = Sparsity::kL21;
   bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
   Engine engine = Engine::kNewton;
-  /// Worst panel of a finished edit, mm/m, > 0; see attainable_tolerance() for meshes far from the
-  /// origin. [MET-1]
+  /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
+  /// hold it, see FacePlanarity::excess. [MET-3]
   double tolerance = 1e-6;
   /// Outer steps ≥ 1; 0 picks the engine's own limit.
   int max_iterations = 0;

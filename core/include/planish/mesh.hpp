@@ -12,6 +12,9 @@ namespace planish {
 /// 3 × n, one point a column.
 using Positions = Eigen::Matrix3Xd;
 
+/// Squares and products of four coordinates must stay finite.
+inline constexpr double kLargestCoordinate = 1e100;
+
 /// A named run of faces, kept from file to file: starts at `first_face`, ends where the next
 /// begins.
 struct FaceGroup {

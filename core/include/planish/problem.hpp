@@ -104,4 +104,8 @@ void residuals(const Patch& patch, Eigen::VectorXd& out);
 /// The four displaced corners of an equation.
 [[nodiscard]] FourPoints corners(const Patch& patch, const FlatnessEquation& equation);
 
+/// The same with the free ones displaced by `displacement` (3 × free) instead of the patch's own.
+[[nodiscard]] FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
+                                    const FlatnessEquation& equation);
+
 }  // namespace planish

@@ -19,7 +19,7 @@ struct ProjectionOptions {
   double distance_weight = 1.0;  ///< α_d > 0; higher: closer to the given mesh [PRO-2]
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Engine engine = Engine::kNewton;
-  double tolerance = 1e-6;  ///< worst panel, mm/m, > 0; as far as attainable_tolerance() allows
+  double tolerance = 1e-6;  ///< of every panel's FacePlanarity::excess, mm/m, > 0
   int max_iterations = 0;   ///< 0 picks the engine's own limit
 };
 

@@ -11,22 +11,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Corners of an equation with the free ones displaced.
-FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
-                      const FlatnessEquation& equation) {
-  FourPoints result;
-  for (int k = 0; k < 4; ++k) {
-    const int v = equation.vertices[at(k)];
-    result.col(k) = patch.points.col(v);
-    if (v < patch.free_count) {
-      result.col(k) += displacement.col(v);
-    } else {
-      result.col(k) += patch.displacement.col(v);
-    }
-  }
-  return result;
-}
-
 /// Equations of each free vertex.
 RaggedRows equations_of_vertices(const Patch& patch) {
   RaggedRows rows;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling_graph.hpp"
+
 namespace planish {
 namespace {
 
@@ -44,37 +46,19 @@ EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
 
 /// The pattern of AᵀA + EᵀE on the free vertices.
 RaggedRows EditSplitting::graph() const {
-  const int n = patch_.free_count;
-  std::vector<std::vector<int>> near(at(n));
-  const auto join = [&](int a, int b) {
-    if (a >= n || b >= n || a == b) return;
-    near[at(a)].push_back(b);
-    near[at(b)].push_back(a);
-  };
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const auto face = patch_.faces[f];
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      if (is_large(f)) {
-        join(face[k], face.back());
+  return coupling_graph(patch_.free_count, [&](const auto& join) {
+    for (int f = 0; f < patch_.faces.size(); ++f) {
+      const auto face = patch_.faces[f];
+      if (!is_large(f)) {
+        join_all(face, join);
         continue;
       }
-      for (std::size_t l = 0; l < k; ++l) join(face[k], face[l]);
+      for (const int v : face) join(v, face.back());
     }
-  }
-  for (int r = 0; r < patch_.fairness_vertices.size(); ++r) {
-    const auto row = patch_.fairness_vertices[r];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < k; ++l) join(row[k], row[l]);
+    for (int r = 0; r < patch_.fairness_vertices.size(); ++r) {
+      join_all(patch_.fairness_vertices[r], join);
     }
-  }
-  RaggedRows rows;
-  for (auto& list : near) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    rows.values.insert(rows.values.end(), list.begin(), list.end());
-    rows.offsets.push_back(static_cast<int>(rows.values.size()));
-  }
-  return rows;
+  });
 }
 
 /// μ (I + MᵀM) + ω_f EᵀE, (17).

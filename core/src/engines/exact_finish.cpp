@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "planish/engines/constraint_correction.hpp"
 #include "planish/metrics.hpp"
@@ -95,13 +96,13 @@ void ExactFinish::measure(ExactDesign& design) {
           corners.col(static_cast<Eigen::Index>(c)) = model_.mesh.positions.col(face[c]);
         }
       }
-      const double gap = face_planarity(corners, order).mm_per_m;
-      if (gap > design.worst_mm_per_m || design.worst_face < 0) {
-        design.worst_mm_per_m = gap;
-        design.worst_face = f;
-      }
+      const FacePlanarity flatness = face_planarity(corners, order);
+      // Negated, so that a NaN is the worst of all.
+      if (!(flatness.mm_per_m <= design.worst_mm_per_m)) design.worst_mm_per_m = flatness.mm_per_m;
+      if (!(flatness.excess <= design.worst_excess)) design.worst_excess = flatness.excess;
     }
   }
+  std::sort(design.faces.begin(), design.faces.end());
   for (const int v : design.vertices) local_of_[at(v)] = -1;
 }
 
@@ -111,11 +112,13 @@ ExactDesign ExactFinish::finish(const EditProblem& problem, std::span<const int>
   ExactDesign best = attempt(problem, support, field, true);
   int factorizations = best.factorizations;
   std::vector<int> wider(support.begin(), support.end());
-  for (int ring = 0; ring <= kMostRings && !(best.worst_mm_per_m <= tolerance); ++ring) {
+  for (int ring = 0; ring <= kMostRings && !(best.worst_excess <= tolerance); ++ring) {
     if (ring > 0) wider = grower_.grow(wider, 1);
     ExactDesign next = attempt(problem, wider, field, ring > 0 && ring < kMostRings);
     factorizations += next.factorizations;
-    if (next.worst_mm_per_m < best.worst_mm_per_m) best = std::move(next);
+    if (next.worst_mm_per_m < best.worst_mm_per_m || std::isnan(best.worst_mm_per_m)) {
+      best = std::move(next);
+    }
   }
   best.factorizations = factorizations;
   return best;

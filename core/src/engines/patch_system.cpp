@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "coupling_graph.hpp"
+
 namespace planish {
 namespace {
 
@@ -28,6 +30,17 @@ int pair_index(int i, int j) { return i * (i - 1) / 2 + j; }
 
 }  // namespace
 
+void update_norm_duals(const Eigen::Matrix3Xd& before, double smoothing, PatchState& state) {
+  for (Eigen::Index k = 0; k < before.cols(); ++k) {
+    const Eigen::Vector3d d = before.col(k);
+    const Eigen::Vector3d w = state.norm_dual.col(k);
+    const double s = std::sqrt(d.squaredNorm() + smoothing * smoothing);
+    const Eigen::Vector3d moved = state.displacement.col(k) - d;
+    const Eigen::Vector3d next = (d + moved - w * (d.dot(moved) / s)) / s;
+    state.norm_dual.col(k) = next / std::max(1.0, next.norm());
+  }
+}
+
 void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   patch_ = &patch;
   constraints_ = constraints;
@@ -42,44 +55,14 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
 }
 
 void PatchSystem::build_graph() {
-  const int n = patch_->free_count;
-  // Room for every pair first, then each row sorted and made unique: no list grows.
-  const auto each_pair = [&](const auto& use) {
+  graph_ = coupling_graph(patch_->free_count, [&](const auto& join) {
     for (const FlatnessEquation& equation : patch_->equations) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        for (std::size_t l = 0; l < k; ++l) use(equation.vertices[k], equation.vertices[l]);
-      }
+      join_all(equation.vertices, join);
     }
     for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-      const auto row = patch_->fairness_vertices[r];
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        for (std::size_t l = 0; l < k; ++l) use(row[k], row[l]);
-      }
+      join_all(patch_->fairness_vertices[r], join);
     }
-  };
-  std::vector<int> begin(at(n) + 1, 0);
-  each_pair([&](int a, int b) {
-    if (a >= n || b >= n || a == b) return;
-    ++begin[at(a) + 1];
-    ++begin[at(b) + 1];
   });
-  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-  std::vector<int> pairs(at(begin.back()));
-  std::vector<int> next(begin.begin(), begin.end() - 1);
-  each_pair([&](int a, int b) {
-    if (a >= n || b >= n || a == b) return;
-    pairs[at(next[at(a)]++)] = b;
-    pairs[at(next[at(b)]++)] = a;
-  });
-  graph_.offsets.assign(1, 0);
-  graph_.values.clear();
-  for (int v = 0; v < n; ++v) {
-    const auto first = pairs.begin() + begin[at(v)];
-    const auto last = pairs.begin() + begin[at(v) + 1];
-    std::sort(first, last);
-    graph_.values.insert(graph_.values.end(), first, std::unique(first, last));
-    graph_.offsets.push_back(static_cast<int>(graph_.values.size()));
-  }
 }
 
 /// One slot per edge of the graph: equations and fairness rows then look edges up by row.
@@ -167,12 +150,11 @@ Eigen::Vector3d PatchSystem::displaced(const Eigen::Matrix3Xd& displacement, int
 
 FourPoints PatchSystem::corners_at(const Eigen::Matrix3Xd& displacement,
                                    const FlatnessEquation& equation) const {
-  FourPoints result;
-  for (int k = 0; k < 4; ++k) {
-    const int v = equation.vertices[at(k)];
-    result.col(k) = patch_->points.col(v);
-    if (constraints_ == Constraints::kExact) result.col(k) += displaced(displacement, v);
+  if (constraints_ == Constraints::kExact) {
+    return planish::corners_at(*patch_, displacement, equation);
   }
+  FourPoints result;
+  for (int k = 0; k < 4; ++k) result.col(k) = patch_->points.col(equation.vertices[at(k)]);
   return result;
 }
 

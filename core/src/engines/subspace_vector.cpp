@@ -138,15 +138,8 @@ bool SubspaceVectorSolver::newton_step(const Eigen::MatrixXd& basis, double smoo
     Eigen::Matrix3Xd trial = t + share * delta;
     trial /= trial.norm();
     if (!(system_.energy(trial, smoothing) < before)) continue;
-    for (int v = 0; v < patch_.free_count; ++v) {  // Chan–Golub–Mulet dual update
-      const Eigen::Vector3d d = t.col(v);
-      const Eigen::Vector3d w = state_.norm_dual.col(v);
-      const Eigen::Vector3d moved = trial.col(v) - d;
-      const double s = std::sqrt(d.squaredNorm() + smoothing * smoothing);
-      const Eigen::Vector3d next = (d + moved - w * (d.dot(moved) / s)) / s;
-      state_.norm_dual.col(v) = next / std::max(1.0, next.norm());
-    }
-    t = trial;
+    t.swap(trial);
+    update_norm_duals(trial, smoothing, state_);
     return true;
   }
   return false;

@@ -23,7 +23,7 @@ std::vector<int> WorkingSetGrower::grow(std::span<const int> seeds, int rings) {
   };
   for (const int v : seeds) add(v);
   std::size_t begin = 0;
-  for (int ring = 0; ring < rings; ++ring) {
+  for (int ring = 0; ring < rings && begin < set.size(); ++ring) {
     const std::size_t end = set.size();
     for (std::size_t k = begin; k < end; ++k) {
       for (const int f : model_.adjacency.faces[set[k]]) {

@@ -132,19 +132,6 @@ void WorkingSetNewton::choose_working_set(const EditProblem& problem, const Newt
   zero_.setZero(3, patch_.free_count);
 }
 
-void WorkingSetNewton::update_norm_duals(double smoothing, const Eigen::Matrix3Xd& before) {
-  for (int k = 0; k < patch_.free_count; ++k) {
-    const Eigen::Vector3d d = before.col(k);
-    const Eigen::Vector3d w = state_.norm_dual.col(k);
-    const double s = std::sqrt(d.squaredNorm() + smoothing * smoothing);
-    const Eigen::Vector3d moved = state_.displacement.col(k) - d;
-    Eigen::Vector3d next = (d + moved - w * (d.dot(moved) / s)) / s;
-    const double length = next.norm();
-    if (length > 1.0) next /= length;
-    state_.norm_dual.col(k) = next;
-  }
-}
-
 /// Backtracks on the augmented Lagrangian F + λ⁺ᵀc + ρ/2 ‖c‖², each trial corrected to second order
 /// with the same factor.
 bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothing,
@@ -204,7 +191,7 @@ WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& op
   largest_move_ = (trial_ - state_.displacement).colwise().norm().maxCoeff();
   state_.displacement.swap(trial_);  // trial_ is the state before the step from here on
   state_.multipliers += step_length_ * (new_multipliers_ - state_.multipliers);
-  update_norm_duals(smoothing, trial_);
+  update_norm_duals(trial_, smoothing, state_);
   if (step_length_ == 1.0 && shift_ > 0.0) shift_ = shift_ < 1e-3 ? 0.0 : 0.2 * shift_;
   return StepResult::kAccepted;
 }

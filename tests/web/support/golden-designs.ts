@@ -44,6 +44,7 @@ export const EDITED: Design = {
   variation: {
     coefficients: [0.5, -0.25, 0],
     centre: { moved: shape.moved.slice(), positions: shape.positions.map((x) => x / 2) },
+    earlier: [{ coefficients: [1 / 3], asked: 1, eigenbasis: true }],
     asked: 4,
     eigenbasis: false,
     exact: true,

@@ -41,6 +41,7 @@ export class Stage {
   readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
   #paper = "#FFFFFF";
+  #size = "";
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
@@ -53,6 +54,8 @@ export class Stage {
       antialias: true,
       powerPreference: "high-performance",
     });
+    // Asking after each program stops the page until the graphics card has caught up.
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
@@ -159,11 +162,18 @@ export class Stage {
 
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    const size = `${width} × ${height} × ${ratio}`;
+    // The same size again would still wait for the graphics card.
+    if (size === this.#size) return;
+    this.#size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.invalidate();
+    // A canvas of a new size is blank: not even one frame may show it.
+    cancelAnimationFrame(this.#pending);
+    this.draw();
   }
 
   /** The geometry changed. Shadows follow at once if drawing is quick, else when it rests. */

@@ -291,8 +291,8 @@ export class Viewport {
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
     this.#overlay.setPanel(null);
-    this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     this.#resize();
+    this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     if (first || !same) this.stage.view("Perspective", shown.display, true);
   }
 

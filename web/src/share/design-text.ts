@@ -2,9 +2,9 @@
 // A design as the JSON of docs/formats.md, which the command line and GLB files hold too. What can
 // be wrong with it is said in one sentence that names the field.
 import type { EditSettings, Shape, Source } from "../solver/protocol.ts";
-import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
-import type { Recipe, RecipeVariation, ResultMark } from "../state/recipe.ts";
+import type { Recipe, ResultMark } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
 import {
@@ -53,7 +53,7 @@ function optionsJson(settings: EditSettings): Json {
   return { ...rest, hard: hardHandles, solver: engine, max_iterations: maxIterations };
 }
 
-const variationJson = ({ coefficients, asked, eigenbasis }: RecipeVariation): Json => ({
+const variationJson = ({ coefficients, asked, eigenbasis }: Family): Json => ({
   dimension: asked,
   eigen: eigenbasis,
   ...FAMILY,
@@ -78,7 +78,7 @@ function markJson({ hash, moved, probes }: ResultMark): Json {
 
 /** The text for a GLB, which holds the base itself. */
 export function writeDesign(recipe: Recipe, base: BaseMesh): string {
-  const { handles, variation } = recipe;
+  const { handles, families } = recipe;
   return JSON.stringify({
     format: "planish-design",
     version: 1,
@@ -88,7 +88,7 @@ export function writeDesign(recipe: Recipe, base: BaseMesh): string {
     handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
     pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
     options: optionsJson(recipe.settings),
-    variations: variation ? [variationJson(variation)] : [],
+    variations: families.map(variationJson),
     result: markJson(recipe.mark),
   });
 }
@@ -154,20 +154,21 @@ function readHandles(handles: unknown, pins: unknown): HandleRow[] {
   return [...rows, ...pinned];
 }
 
-function readVariation(value: unknown): RecipeVariation {
+function readVariation(value: unknown, k: number): Family {
+  const path = `variations[${k}]`;
   const names = ["dimension", "eigen", "coefficients", "exact", ...Object.keys(FAMILY)];
-  const given = readObject(value, "variations[0]", names);
+  const given = readObject(value, path, names);
   for (const [key, usual] of Object.entries(FAMILY)) {
     const same = (given[key] ?? usual) === usual;
-    check(same, `variations[0].${key} is one that only the command line can use.`);
+    check(same, `${path}.${key} is one that only the command line can use.`);
   }
   const { dimension, coefficients, exact = true } = given;
   const enough = isIndex(dimension) && dimension <= MOST_DIRECTIONS;
-  check(enough, "variations[0].dimension must be a small whole number.");
+  check(enough, `${path}.dimension must be a small whole number.`);
   const fits = isNumbers(coefficients) && coefficients.length <= dimension;
-  check(fits, "variations[0].coefficients must be numbers, at most as many as dimension.");
-  check(exact === true, "variations[0] is not exact; the page shows exact designs only.");
-  const eigenbasis = pick(given.eigen, [true, false], false, "variations[0].eigen");
+  check(fits, `${path}.coefficients must be numbers, at most as many as dimension.`);
+  check(exact === true, `${path} is not exact; the page shows exact designs only.`);
+  const eigenbasis = pick(given.eigen, [true, false], false, `${path}.eigen`);
   return { coefficients, asked: dimension, eigenbasis };
 }
 
@@ -191,14 +192,13 @@ function readRoot(value: unknown): DesignText {
   check(typeof unit === "string" && isUnit(unit), "unit must be mm, cm, m, km, in or ft.");
   const variations = root.variations ?? [];
   check(Array.isArray(variations), "variations must be a list.");
-  check(variations.length <= 1, "The page replays one variation, and the design has more.");
   return {
     source: readSource(root.source),
     planarised: root.planarised === true,
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
     settings: readOptions(root.options),
-    variation: variations.length > 0 ? readVariation(variations[0]) : null,
+    families: variations.map(readVariation),
     mark: readMark(root.result),
   };
 }

@@ -4,7 +4,8 @@
 // little-endian. Links are kept readable for ever: what is added may be missing, and a change of
 // layout is a new version.
 import type { EngineName, Fairness, FileFormat, Source } from "../solver/protocol.ts";
-import type { Recipe, RecipeVariation, ResultMark } from "../state/recipe.ts";
+import type { Family } from "../state/design.ts";
+import type { Recipe, ResultMark } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
 import {
@@ -25,6 +26,7 @@ import {
 const HEADER = 8;
 /** Vertex, x, y, z for each recorded point. */
 const MOST_PROBES = 4 * 64;
+const MOST_FAMILIES = 100;
 
 /** The JSON of version 1. Short names: they are part of every link. */
 interface Payload {
@@ -36,14 +38,24 @@ interface Payload {
   x: readonly number[] | null;
   /** Directions asked for and whether by stiffness; without it as many as `x` has, not. */
   d?: [number, 0 | 1];
+  /** Families before that of `x`: what `d` says, then the coefficients. */
+  e?: [number, 0 | 1, ...number[]][];
   u: string;
   /** Camera: position and target. */
   c?: number[];
   r: [number, number, readonly number[]];
 }
 
+const toEarlier = ({ asked, eigenbasis, coefficients }: Family): [number, 0 | 1, ...number[]] => [
+  asked,
+  eigenbasis ? 1 : 0,
+  ...coefficients,
+];
+
 function toPayload(recipe: Recipe): Payload {
-  const { source, handles, variation, mark, camera } = recipe;
+  const { source, handles, families, mark, camera } = recipe;
+  const variation = families.at(-1);
+  const earlier = families.slice(0, -1);
   return {
     s: source.kind === "sample" ? [source.name, source.size] : [source.name, source.format],
     p: recipe.planarised ? 1 : 0,
@@ -51,6 +63,7 @@ function toPayload(recipe: Recipe): Payload {
     w: writeSettings(recipe.settings) as Payload["w"],
     x: variation?.coefficients ?? null,
     ...(variation && { d: [variation.asked, variation.eigenbasis ? 1 : 0] }),
+    ...(earlier.length > 0 && { e: earlier.map(toEarlier) }),
     u: recipe.unit,
     ...(camera && { c: writeCamera(camera) }),
     r: [mark.hash, mark.moved, mark.probes],
@@ -82,14 +95,29 @@ function readSource(value: unknown, file: Uint8Array): Source | null {
   return { kind: "file", name, format, bytes, crc: crc32(file) };
 }
 
-function readVariation({ x, d }: Json): RecipeVariation | null | undefined {
-  if (x === null) return null;
-  if (!isNumbers(x) || x.length === 0 || x.length > MOST_DIRECTIONS) return undefined;
-  if (d === undefined) return { coefficients: x, asked: x.length, eigenbasis: false };
-  if (!isNumbers(d, 2)) return undefined;
-  const [asked = 0, eigen] = d;
-  const fits = isIndex(asked) && asked >= x.length && asked <= MOST_DIRECTIONS;
-  return fits ? { coefficients: x, asked, eigenbasis: eigen === 1 } : undefined;
+function readFamily(asked: unknown, eigen: unknown, x: unknown): Family | null {
+  if (!isNumbers(x) || x.length === 0 || !isIndex(asked)) return null;
+  if (asked < x.length || asked > MOST_DIRECTIONS) return null;
+  return { coefficients: x, asked, eigenbasis: eigen === 1 };
+}
+
+/** null if they are not families; earlier ones make no sense without the last. */
+function readFamilies({ x, d, e = [] }: Json): Family[] | null {
+  if (!Array.isArray(e) || e.length > MOST_FAMILIES) return null;
+  if (x === null) return e.length === 0 ? [] : null;
+  const [asked, eigen] = Array.isArray(d)
+    ? d
+    : d === undefined && Array.isArray(x)
+      ? [x.length]
+      : [];
+  const all: Family[] = [];
+  for (const value of e) {
+    const family = Array.isArray(value) ? readFamily(value[0], value[1], value.slice(2)) : null;
+    if (!family) return null;
+    all.push(family);
+  }
+  const last = readFamily(asked, eigen, x);
+  return last && [...all, last];
 }
 
 function readMark(value: unknown): ResultMark | null {
@@ -103,14 +131,14 @@ function readPayload(payload: Json, file: Uint8Array): Recipe | null {
   const source = readSource(payload.s, file);
   const handles = readHandles(payload.h);
   const settings = readSettings(payload.w);
-  const variation = readVariation(payload);
+  const families = readFamilies(payload);
   const mark = readMark(payload.r);
   const camera = readCamera(payload.c);
   const { u: unit, p } = payload;
   if (!source || !handles || !settings || !mark) return null;
-  if (variation === undefined || camera === undefined) return null;
+  if (!families || camera === undefined) return null;
   if (typeof unit !== "string" || !isUnit(unit)) return null;
-  return { source, planarised: p === 1, handles, settings, variation, unit, camera, mark };
+  return { source, planarised: p === 1, handles, settings, families, unit, camera, mark };
 }
 
 /** null if the bytes are not a whole, unchanged recipe. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One design inside a saved record: words in JSON, every number that must come back in float64.
 import type { Shape, ShapeReport, Source } from "../solver/protocol.ts";
-import type { Design, HandleRow, Variation } from "../state/design.ts";
+import type { Design, Family, HandleRow, Variation } from "../state/design.ts";
 import type { PoolReader, PoolWriter } from "./number-pool.ts";
 import {
   isIndex,
@@ -9,6 +9,7 @@ import {
   isNumber,
   isNumbers,
   isRecord,
+  type Json,
   MOST_DIRECTIONS,
   readFormat,
   readHandles,
@@ -43,9 +44,20 @@ const writeRow = ({ vertex, target, pinned }: HandleRow): number[] => [
   pinned ? 1 : 0,
 ];
 
+const writeFamily = ({ coefficients, asked, eigenbasis }: Family, pool: PoolWriter): Json => ({
+  x: pool.add(coefficients),
+  asked,
+  eigenbasis,
+});
+
 function writeVariation(variation: Variation, pool: PoolWriter): unknown {
-  const { coefficients, centre, asked, eigenbasis, exact } = variation;
-  return { x: pool.add(coefficients), centre: writeShape(centre, pool), asked, eigenbasis, exact };
+  const { centre, exact, earlier } = variation;
+  return {
+    ...writeFamily(variation, pool),
+    earlier: earlier.map((family) => writeFamily(family, pool)),
+    centre: writeShape(centre, pool),
+    exact,
+  };
 }
 
 export function writeDesign(design: Design, pool: PoolWriter): unknown {
@@ -103,16 +115,29 @@ function readReport(value: unknown): ShapeReport | null {
   };
 }
 
+function readFamily(value: unknown, pool: PoolReader): Family | null {
+  if (!isRecord(value)) return null;
+  const { asked, eigenbasis } = value;
+  const coefficients = Array.from(pool.at(value.x) ?? []);
+  if (coefficients.length === 0 || !isNumbers(coefficients)) return null;
+  if (!isIndex(asked) || asked < coefficients.length || asked > MOST_DIRECTIONS) return null;
+  return typeof eigenbasis === "boolean" ? { coefficients, asked, eigenbasis } : null;
+}
+
 function readVariation(value: unknown, pool: PoolReader): Variation | null | undefined {
   if (value === null) return null;
-  if (!isRecord(value)) return undefined;
-  const { asked, eigenbasis, exact } = value;
+  if (!isRecord(value) || !Array.isArray(value.earlier)) return undefined;
+  const family = readFamily(value, pool);
   const centre = readShape(value.centre, pool);
-  const coefficients = Array.from(pool.at(value.x) ?? []);
-  if (!centre || coefficients.length === 0 || !isNumbers(coefficients)) return undefined;
-  if (!isIndex(asked) || asked < coefficients.length || asked > MOST_DIRECTIONS) return undefined;
-  if (typeof eigenbasis !== "boolean" || typeof exact !== "boolean") return undefined;
-  return { coefficients, centre, asked, eigenbasis, exact };
+  const { exact } = value;
+  if (!family || !centre || typeof exact !== "boolean") return undefined;
+  const earlier: Family[] = [];
+  for (const item of value.earlier) {
+    const one = readFamily(item, pool);
+    if (!one) return undefined;
+    earlier.push(one);
+  }
+  return { ...family, centre, earlier, exact };
 }
 
 /** Five numbers a row. */

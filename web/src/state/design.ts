@@ -13,15 +13,21 @@ export interface HandleRow {
   readonly pinned: boolean;
 }
 
-export interface Variation {
+/** One member of a family of variations. */
+export interface Family {
   /** One per slider; 1 moves some point as far as the edit's own largest move. */
   readonly coefficients: readonly number[];
-  /** The shape around which the directions were found; the same shape gives the same ones. */
-  readonly centre: Shape;
   /** How many directions were asked for; fewer may have been found. */
   readonly asked: number;
   /** Ordered by stiffness instead of by how local they are. */
   readonly eigenbasis: boolean;
+}
+
+export interface Variation extends Family {
+  /** The shape around which the directions were found; the same shape gives the same ones. */
+  readonly centre: Shape;
+  /** The families before, each around what the one before it gave; the last led to `centre`. */
+  readonly earlier: readonly Family[];
   /** Whether the shape has been projected since the sliders last moved. */
   readonly exact: boolean;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
 import { client, frame, held, run, runUnseen } from "./connection.ts";
-import { type Design, toTargets, type Variation } from "./design.ts";
+import { type Design, type Family, toTargets, type Variation } from "./design.ts";
 import { commit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { planariseNow } from "./opening.ts";
@@ -23,6 +23,14 @@ export async function findDirections(
   return answer?.report.dimension ?? null;
 }
 
+/** The families that led to the shape of `design`; one that was not used led nowhere. */
+function earlierOf({ variation }: Design): readonly Family[] {
+  if (!variation) return [];
+  const { coefficients, asked, eigenbasis, earlier } = variation;
+  if (coefficients.every((x) => x === 0)) return earlier;
+  return [...earlier, { coefficients, asked, eigenbasis }];
+}
+
 export const explore = (): Promise<void> =>
   inTurn(async () => {
     if (draft.value?.variation && !draft.value.variation.exact) await makeExactNow();
@@ -34,6 +42,7 @@ export const explore = (): Promise<void> =>
     const variation: Variation = {
       coefficients: Array.from({ length: found }, () => 0),
       centre: design.shape,
+      earlier: earlierOf(design),
       asked,
       eigenbasis: byStiffness,
       exact: true,

@@ -13,11 +13,14 @@ import { inTurn } from "./turns.ts";
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
   const { worstGap, worstMmPerM } = opened.report;
+  // The page has no control for these, so they must not outlive the link that set them.
+  const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
+  const weights = settings.value ?? DEFAULT_SETTINGS;
   return {
     source,
     planarised,
     handles: [],
-    settings: settings.value ?? DEFAULT_SETTINGS,
+    settings: { ...weights, sparsity, hardHandles, tolerance, maxIterations },
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM },
     variation: null,

@@ -3,7 +3,7 @@
 import { crc32 } from "../share/crc32.ts";
 import type { EditSettings, Source } from "../solver/protocol.ts";
 import type { Camera } from "./camera.ts";
-import type { Design, HandleRow } from "./design.ts";
+import type { Design, Family, HandleRow } from "./design.ts";
 import type { Unit } from "./units.ts";
 
 /** Enough of a result to recognise it, or to say how far another one is from it. */
@@ -15,18 +15,13 @@ export interface ResultMark {
   readonly probes: readonly number[];
 }
 
-export interface RecipeVariation {
-  readonly coefficients: readonly number[];
-  readonly asked: number;
-  readonly eigenbasis: boolean;
-}
-
 export interface Recipe {
   readonly source: Source;
   readonly planarised: boolean;
   readonly handles: readonly HandleRow[];
   readonly settings: EditSettings;
-  readonly variation: RecipeVariation | null;
+  /** Families of variations, each around what the one before it gave; the last has the sliders. */
+  readonly families: readonly Family[];
   readonly unit: Unit;
   readonly camera: Camera | null;
   readonly mark: ResultMark;
@@ -52,16 +47,18 @@ export function markOf({ moved, positions }: Design["shape"]): ResultMark {
   return { hash: crc32(bytesOf(positions), crc32(bytesOf(moved))), moved: moved.length, probes };
 }
 
+function familiesOf({ variation }: Design): Family[] {
+  if (!variation) return [];
+  const { coefficients, asked, eigenbasis, earlier } = variation;
+  return [...earlier, { coefficients, asked, eigenbasis }];
+}
+
 export const recipeOf = (design: Design, unit: Unit, camera: Camera | null): Recipe => ({
   source: design.source,
   planarised: design.planarised,
   handles: design.handles,
   settings: design.settings,
-  variation: design.variation && {
-    coefficients: design.variation.coefficients,
-    asked: design.variation.asked,
-    eigenbasis: design.variation.eigenbasis,
-  },
+  families: familiesOf(design),
   unit,
   camera,
   mark: markOf(design.shape),

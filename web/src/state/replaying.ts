@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A recipe is opened by doing it again, and the result is held against its mark. All of it is one
 // step of the history; if a part fails, nothing has happened.
-import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+import type { OpenedMesh } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
 import { run } from "./connection.ts";
-import type { Design } from "./design.ts";
+import type { Design, Family } from "./design.ts";
 import { editQuestion } from "./editing.ts";
 import { findDirections } from "./exploring.ts";
 import * as steps from "./history.ts";
@@ -24,24 +24,30 @@ async function solved(design: Design): Promise<Step> {
   return { design: { ...design, shape: answer.shape, report: answer.report } };
 }
 
-async function varied(design: Design, { variation }: Recipe): Promise<Step> {
-  if (!variation) return { design };
-  const { coefficients, asked, eigenbasis } = variation;
-  const centre: Shape = design.shape;
+/** One family around `design`: found, evaluated and made exact. */
+async function member(design: Design, family: Family, earlier: readonly Family[]): Promise<Step> {
+  const { coefficients, asked, eigenbasis } = family;
   const found = await findDirections(design, asked, eigenbasis);
   if (found !== coefficients.length) {
     const given = `This link sets ${coefficients.length} variations where its edit has ${found}.`;
     return { reason: found === null ? problem.value : given };
   }
-  const next: Design = {
-    ...design,
-    variation: { coefficients, centre, asked, eigenbasis, exact: true },
-  };
+  const centre = design.shape;
+  const next: Design = { ...design, variation: { ...family, centre, earlier, exact: true } };
   if (coefficients.every((x) => x === 0)) return { design: next };
   const vary = await run("opening the design", { kind: "vary", coefficients }, "shown");
   const exact = vary && (await run("opening the design", { kind: "exact" }, "shown"));
   if (!exact?.shape) return { reason: problem.value };
   return { design: { ...next, shape: exact.shape, report: exact.report } };
+}
+
+async function varied(design: Design, { families }: Recipe): Promise<Step> {
+  let step: Step = { design };
+  for (const [k, family] of families.entries()) {
+    if (!("design" in step)) break;
+    step = await member(step.design, family, families.slice(0, k));
+  }
+  return step;
 }
 
 /** The design of `recipe` on its mesh, which the solver has open; within a turn. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { exportMesh } from "../export/exporting.ts";
 import { encodeLink } from "../share/link.ts";
 import { readCamera } from "../state/camera.ts";
 import { recipeOf } from "../state/recipe.ts";
@@ -20,7 +21,7 @@ interface Shared {
 function advice({ link, copied }: Shared): string {
   const what = `${copied ? "Copied" : "Copy this link"}: ${link.length} characters.`;
   if (link.length > TOO_LONG)
-    return `${what} That is too long for most programs: export a GLB instead.`;
+    return `${what} That is too long for most programs: send the design as a file instead.`;
   if (link.length > LONG) return `${what} Some programs cut links this long.`;
   return `${what} It holds the whole design; nothing is stored anywhere else.`;
 }
@@ -80,6 +81,20 @@ export function ShareDialog() {
               onFocus={({ currentTarget }) => currentTarget.select()}
             />
             <p>{advice(shared.value)}</p>
+            {shared.value.link.length > TOO_LONG && (
+              <div class="dialog-actions">
+                <button
+                  type="button"
+                  class="button primary"
+                  onClick={() => {
+                    dialog.current?.close();
+                    void exportMesh("glb");
+                  }}
+                >
+                  Save as GLB
+                </button>
+              </div>
+            )}
           </>
         )}
       </dialog>

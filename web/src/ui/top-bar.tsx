@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
+import { FIGURES, openFigure } from "../state/figures.ts";
 import { openFile } from "../state/files.ts";
 import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
@@ -42,7 +43,9 @@ function SampleChooser() {
       class="select"
       disabled={!ready.value}
       value={value}
-      onChange={(event) => void openSample(event.currentTarget.value)}
+      onChange={({ currentTarget }) => {
+        if (!openFigure(currentTarget.value)) void openSample(currentTarget.value);
+      }}
     >
       {value === "" && (
         <option value="" disabled>
@@ -54,6 +57,13 @@ function SampleChooser() {
           {sample.label}
         </option>
       ))}
+      <optgroup label="Figures of the paper">
+        {FIGURES.map((figure) => (
+          <option key={figure.name} value={figure.name}>
+            {figure.label}
+          </option>
+        ))}
+      </optgroup>
     </select>
   );
 }

@@ -28,7 +28,11 @@ export class ViewKeys {
 
   constructor(canvas: HTMLCanvasElement, viewport: Viewport) {
     this.#viewport = viewport;
-    canvas.addEventListener("keydown", (event) => this.#down(event), { signal: this.#off.signal });
+    const { signal } = this.#off;
+    canvas.addEventListener("keydown", (event) => this.#down(event), { signal });
+    const byPointer = (on: boolean) => () => canvas.classList.toggle("by-pointer", on);
+    canvas.addEventListener("pointerdown", byPointer(true), { signal });
+    canvas.addEventListener("blur", byPointer(false), { signal });
   }
 
   dispose(): void {

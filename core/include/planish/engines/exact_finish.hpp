@@ -16,9 +16,9 @@ struct ExactDesign {
   std::vector<int> vertices;  ///< ascending; all others have displacement exactly 0
   Positions displacement;     ///< 3 × |vertices|, solver units
   Positions positions;        ///< 3 × |vertices|, model units, as they will be written
-  std::vector<int> faces;     ///< faces with a moved vertex
+  std::vector<int> faces;     ///< ascending: faces with a moved vertex
   double worst_mm_per_m = 0;  ///< over `faces`, measured on `positions` [MET-1]
-  int worst_face = -1;
+  double worst_excess = 0;    ///< the same for FacePlanarity::excess: what a tolerance bounds
   int factorizations = 0;
 };
 
@@ -27,7 +27,8 @@ class ExactFinish {
   explicit ExactFinish(const MeshModel& model);
 
   /// Corrects `field` on `support` with the handles held, then free, then on a wider support, until
-  /// every touched panel is within `tolerance` (mm/m); the best attempt is returned in any case.
+  /// the excess of every touched panel is within `tolerance` (mm/m); the best attempt is returned
+  /// in any case.
   [[nodiscard]] ExactDesign finish(const EditProblem& problem, std::span<const int> support,
                                    const DisplacementField& field, double tolerance);
 

@@ -23,6 +23,10 @@ struct PatchState {
   Eigen::VectorXd multipliers;    ///< one per equation
 };
 
+/// Chan–Golub–Mulet's update of w after a step from `before` to state.displacement. [WSN-3]
+/// @param smoothing ε > 0
+void update_norm_duals(const Eigen::Matrix3Xd& before, double smoothing, PatchState& state);
+
 class PatchSystem {
  public:
   /// What the constraints are: c(p + d) = 0, or their linearisation J(p) d = 0 for tangent spaces.

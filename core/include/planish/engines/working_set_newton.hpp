@@ -108,7 +108,6 @@ class WorkingSetNewton {
                           double relative_smoothing, DisplacementField& field);
   [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);
   [[nodiscard]] bool search_line(const NewtonOptions& options, double smoothing, double decrease);
-  void update_norm_duals(double smoothing, const Eigen::Matrix3Xd& before);
   void find_support(double smoothing);
 
   const MeshModel& model_;

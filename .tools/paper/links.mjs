@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Links of recorded designs: replayed in the page's own solver (in node), marked with what that
+// gave, and written by the page's own encoder. The command line's last bits may be others: rounding
+// differs between the two builds by up to 1e-9 of the mesh; the largest difference is reported.
+import { readFileSync } from "node:fs";
+import { createServer } from "vite";
+import { ROOT } from "./command.mjs";
+
+async function loadPlanish() {
+  const built = new URL("../../build/wasm/wasm/", import.meta.url);
+  const { default: create } = await import(new URL("planish.mjs", built).href);
+  return create({ wasmBinary: readFileSync(new URL("planish.wasm", built)) });
+}
+
+/** What a link carries, from a design of docs/formats.md; its mark is the command line's. */
+function toRecipe(design, camera) {
+  const { source, planarised, unit, handles, pins, options, variations, result } = design;
+  const [variation] = variations ?? [];
+  return {
+    source: { kind: "sample", name: source.sample, size: source.size },
+    planarised,
+    handles: [
+      ...handles.map(([vertex, ...target]) => ({ vertex, target, pinned: false })),
+      ...pins.map((vertex) => ({ vertex, target: [0, 0, 0], pinned: true })),
+    ],
+    settings: {
+      attraction: options.attraction,
+      locality: options.locality,
+      smoothness: options.smoothness,
+      fairness: options.fairness,
+      engine: options.solver,
+      sparsity: options.sparsity,
+      hardHandles: options.hard,
+      tolerance: options.tolerance,
+      maxIterations: options.max_iterations,
+    },
+    variation: variation
+      ? {
+          coefficients: variation.coefficients,
+          asked: variation.dimension,
+          eigenbasis: variation.eigen,
+        }
+      : null,
+    unit,
+    camera,
+    mark: {
+      hash: Number.parseInt(result.hash, 16),
+      moved: result.moved,
+      probes: result.probes.flat(),
+    },
+  };
+}
+
+/** The worker's side of the page, asked without a worker. */
+class Solver {
+  #dispatcher;
+  #reply = null;
+
+  constructor({ Dispatcher }, module) {
+    this.#dispatcher = new Dispatcher(module, (reply) => {
+      if (reply.kind !== "progress" && reply.kind !== "reading") this.#reply = reply;
+    });
+  }
+
+  async ask(request) {
+    await this.#dispatcher.handle({ job: 1, ...request });
+    if (this.#reply.kind === "failed") throw new Error(this.#reply.message);
+    return this.#reply;
+  }
+
+  /** The base and the shape that `recipe` gives, by the steps of state/replaying.ts. */
+  async replay({ source, planarised, handles, settings, variation }, { toTargets }) {
+    const { mesh } = await this.ask({ kind: "open", source, planarise: planarised });
+    const targets = toTargets(handles);
+    let shown = await this.ask({ kind: "edit", mode: "solve", targets, settings, budget: 1 });
+    if (variation) {
+      const { asked, eigenbasis, coefficients } = variation;
+      await this.ask({ kind: "explore", dimension: asked, eigenbasis });
+      await this.ask({ kind: "vary", coefficients });
+      shown = await this.ask({ kind: "exact" });
+    }
+    return { base: mesh.positions, shape: shown.shape };
+  }
+}
+
+const PAGE = {
+  link: "/web/src/share/link.ts",
+  recipe: "/web/src/state/recipe.ts",
+  design: "/web/src/state/design.ts",
+  dispatch: "/web/src/solver/dispatch.ts",
+};
+
+async function withPageModules(use) {
+  const server = await createServer({
+    root: ROOT,
+    configFile: false,
+    logLevel: "error",
+    server: { middlewareMode: true, watch: null },
+    optimizeDeps: { noDiscovery: true },
+  });
+  try {
+    const names = Object.keys(PAGE);
+    const modules = await Promise.all(names.map((name) => server.ssrLoadModule(PAGE[name])));
+    return await use(Object.fromEntries(names.map((name, k) => [name, modules[k]])));
+  } finally {
+    await server.close();
+  }
+}
+
+/** One { link, moved, deviation } per { design, camera }: its fragment ("#v1=…"), and how far apart
+ * page and command line are, model units. */
+export const linksOf = (views) =>
+  withPageModules(async ({ link, recipe, design, dispatch }) => {
+    const solver = new Solver(dispatch, await loadPlanish());
+    const links = [];
+    for (const view of views) {
+      const native = toRecipe(view.design, view.camera);
+      const { base, shape } = await solver.replay(native, design);
+      const mark = recipe.markOf(shape);
+      const deviation = recipe.deviation(native.mark, shape, base);
+      links.push({
+        link: await link.encodeLink({ ...native, mark }),
+        moved: mark.moved,
+        deviation,
+      });
+    }
+    return links;
+  });

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// What a design must keep; see handle_edit_rules.cpp.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "planish/design.hpp"
+
+namespace planish {
+namespace {
+
+std::optional<std::string> find_problem(const DesignVariation& variation) {
+  if (auto problem = planish::find_problem(variation.options)) return problem;
+  if (variation.coefficients.size() > static_cast<std::size_t>(variation.options.dimension)) {
+    return "coefficients must be at most as many as dimension";
+  }
+  const bool finite = std::all_of(variation.coefficients.begin(), variation.coefficients.end(),
+                                  [](double x) { return std::isfinite(x); });
+  return finite ? std::nullopt : std::optional<std::string>("coefficients must be finite");
+}
+
+}  // namespace
+
+std::optional<std::string> find_problem(const Design& design) {
+  constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
+  if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
+    return "unit must be mm, cm, m, km, in or ft";
+  }
+  if (auto problem = find_problem(design.options)) return "options: " + *problem;
+  for (std::size_t k = 0; k < design.variations.size(); ++k) {
+    if (const auto problem = find_problem(design.variations[k])) {
+      return "variations[" + std::to_string(k) + "]: " + *problem;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace planish

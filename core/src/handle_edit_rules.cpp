@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// What options and targets of an edit must keep. Apart from the solver, so that whoever reads
+/// designs needs no solver.
+#include <algorithm>
+#include <cmath>
+
+#include "planish/handle_edit.hpp"
+
+namespace planish {
+
+std::optional<std::string> find_problem(const HandleEditOptions& options) {
+  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!weight(options.attraction) || options.attraction == 0.0) {
+    return "attraction must be a number greater than 0";
+  }
+  if (!weight(options.locality)) return "locality must be a number of at least 0";
+  if (!weight(options.smoothness)) return "smoothness must be a number of at least 0";
+  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
+    return "tolerance must be a number greater than 0 (mm/m)";
+  }
+  if (options.max_iterations < 0) return "max_iterations must be at least 0";
+  return std::nullopt;
+}
+
+std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh) {
+  std::vector<int> seen;
+  for (const Handle& handle : targets.handles) {
+    const std::string name = "handle " + std::to_string(handle.vertex);
+    if (handle.vertex < 0 || handle.vertex >= mesh.vertex_count()) {
+      return name + ": the mesh has vertices 0 to " + std::to_string(mesh.vertex_count() - 1);
+    }
+    if (!handle.target.allFinite()) return name + ": the target is not finite";
+    if (handle.target.cwiseAbs().maxCoeff() > kLargestCoordinate) {
+      return name + ": the target has a coordinate larger than 1e100";
+    }
+    seen.push_back(handle.vertex);
+  }
+  std::sort(seen.begin(), seen.end());
+  if (const auto twice = std::adjacent_find(seen.begin(), seen.end()); twice != seen.end()) {
+    return "handle " + std::to_string(*twice) + " is given twice";
+  }
+  for (const int pin : targets.pins) {
+    if (pin < 0 || pin >= mesh.vertex_count()) {
+      return "pin " + std::to_string(pin) + ": the mesh has vertices 0 to " +
+             std::to_string(mesh.vertex_count() - 1);
+    }
+    if (std::binary_search(seen.begin(), seen.end(), pin)) {
+      return "vertex " + std::to_string(pin) + " is both a handle and a pin";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace planish

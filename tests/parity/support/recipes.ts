@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Designs to be made by every build and compared to the last bit.
+import type { PlanishModule } from "@wasm/planish.mjs";
+
+export interface Recipe {
+  readonly name: string;
+  /** A sample, or the text of an OBJ file that is planarised first. */
+  readonly source: { readonly sample: string; readonly size: number } | { readonly obj: string };
+  /** Point, x, y, z each. */
+  readonly handles: readonly (readonly [number, number, number, number])[];
+  readonly pins: readonly number[];
+  readonly options: {
+    readonly fairness: "laplacian" | "second" | "third";
+    readonly sparsity: "l21" | "l2" | "none";
+    readonly solver: "newton" | "alm";
+    readonly hard: boolean;
+  };
+  /** Slider values; absent: no variation. */
+  readonly coefficients?: readonly number[];
+}
+
+/**
+ * The design as the page makes it, as OBJ: seventeen digits, so equal texts are equal bits. Refers to
+ * nothing outside itself: its source also runs in a worker.
+ */
+export function makeDesign(module: PlanishModule, recipe: Recipe): string {
+  const done = (refusal: string): void => {
+    if (refusal !== "") throw new Error(`${recipe.name}: ${refusal}`);
+  };
+  const { source, options } = recipe;
+  const [fairness, engine] = [module.FairnessKind[options.fairness], module.Engine[options.solver]];
+  const session = new module.Session();
+  if ("obj" in source) {
+    done(session.openFile(new TextEncoder().encode(source.obj), "obj"));
+    done(session.planarise());
+  } else {
+    done(session.openSample(source.sample, source.size));
+  }
+  done(
+    session.setOptions({
+      attraction: 1000,
+      locality: 1,
+      smoothness: 1,
+      fairness,
+      sparsity: module.Sparsity[options.sparsity],
+      hardHandles: options.hard,
+      engine,
+      tolerance: 1e-6,
+      maxIterations: 0,
+    }),
+  );
+  const handles = Float64Array.from(recipe.handles.flat());
+  done(session.edit(module.EditMode.solve, handles, Int32Array.from(recipe.pins), 1));
+  if (recipe.coefficients) {
+    done(
+      session.explore({
+        dimension: recipe.coefficients.length,
+        fairnessWeight: 3,
+        sparsityWeight: 1,
+        closenessWeight: 0,
+        correlation: 0.95,
+        reach: 2,
+        eigenbasis: false,
+        fairness,
+        engine,
+      }),
+    );
+    done(session.vary(Float64Array.from(recipe.coefficients)));
+    done(session.makeExact());
+  }
+  const text = new TextDecoder().decode(session.write("obj"));
+  session.delete();
+  return text;
+}
+
+/** The same as a saved design, for the command line. */
+export function designText(recipe: Recipe): string {
+  const { source, options, coefficients } = recipe;
+  const file = "obj" in source;
+  return JSON.stringify({
+    format: "planish-design",
+    version: 1,
+    source: file ? { file: "given.obj", format: "obj", bytes: btoa(source.obj) } : source,
+    planarised: file,
+    handles: recipe.handles,
+    pins: recipe.pins,
+    options,
+    variations: coefficients ? [{ dimension: coefficients.length, coefficients }] : [],
+  });
+}
