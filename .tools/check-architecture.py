@@ -28,6 +28,7 @@ ARROWS = {
     "constraints": {"mesh"},
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints"},
+    "edit_freedom": {"mesh", "adjacency", "constraints"},
     "mesh_check": {"mesh", "topology", "read_result"},
     "io": {"mesh", "mesh_check", "topology", "read_result"},
     "shapes": {"mesh", "trigonometry"},

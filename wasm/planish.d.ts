@@ -66,8 +66,6 @@ export interface Session {
   projectedMoved(): Int32Array;
   projectedPositions(): Float64Array;
   projectedReport(): string;
-  panelFigures(): Float32Array;
-  panelHealth(): Float32Array;
   meshReport(): string;
   report(): string;
   delete(): void;

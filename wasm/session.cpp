@@ -13,7 +13,6 @@
 #include "planish/io/ply.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
 #include "planish/shapes.hpp"
 
 namespace planish {
@@ -378,34 +377,6 @@ std::vector<float> Session::display_base() const {
   Eigen::Map<Eigen::Matrix3Xf>(display.data(), 3, base_.positions.cols()) =
       ((base_.positions.colwise() - centre_) * scale_).cast<float>();
   return display;
-}
-
-std::vector<float> Session::panel_figures() const {
-  std::vector<float> figures;
-  figures.reserve(2 * static_cast<std::size_t>(base_.face_count()));
-  for (int f = 0; f < base_.face_count(); ++f) {
-    const FacePlanarity face = face_planarity(current_, base_.face(f));
-    figures.push_back(static_cast<float>(face.gap));
-    figures.push_back(static_cast<float>(face.mm_per_m));
-  }
-  return figures;
-}
-
-std::vector<float> Session::panel_health() const {
-  std::vector<char> moved(static_cast<std::size_t>(base_.vertex_count()), 0);
-  for (const int v : moved_) moved[static_cast<std::size_t>(v)] = 1;
-  std::vector<float> health;
-  health.reserve(4 * static_cast<std::size_t>(base_.face_count()));
-  for (int f = 0; f < base_.face_count(); ++f) {
-    const auto face = base_.face(f);
-    const PanelHealth panel = planish::panel_health(current_, face);
-    const bool changed = std::any_of(
-        face.begin(), face.end(), [&](int v) { return moved[static_cast<std::size_t>(v)] != 0; });
-    health.insert(health.end(),
-                  {static_cast<float>(panel.outline), static_cast<float>(panel.shortest_edge),
-                   static_cast<float>(panel.smallest_angle), changed ? 1.0F : 0.0F});
-  }
-  return health;
 }
 
 std::optional<std::string> Session::write(const std::string& format) const {

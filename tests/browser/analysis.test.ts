@@ -45,6 +45,61 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
   await page.context().close();
 });
 
+it("colours by every figure, with a legend in mm or mm/m and a histogram", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const moved = await movedCount(page);
+  const histogram = page.getByRole("img", { name: /^Histogram: / });
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toBe(`Histogram: ${moved} points move, ${441 - moved} untouched`);
+  const choose = (name: string) =>
+    page.getByRole("combobox", { name: "Colour by" }).selectOption(name);
+  const view = page.getByLabel("3D view");
+  const seen = [await view.screenshot()];
+  await choose("Fairness");
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toMatch(/\d+ points bend, \d+ smooth/);
+  expect(await page.getByText("0 mm, smooth").count()).toBe(1);
+  seen.push(await view.screenshot());
+  await choose("Planarity");
+  expect(await page.getByText(/^Worst 0\.0000 mm \(\d\.\de-\d+ mm\/m\)$/).count()).toBe(1);
+  expect(await page.getByText(/0 panels out of flat, 400 flat/).count()).toBe(1);
+  seen.push(await view.screenshot());
+  await choose("Panel health");
+  await expect.poll(() => page.getByText(/^convex\s*400$/).count()).toBe(1);
+  const pictures = new Set(seen.map((picture) => picture.toString("base64")));
+  expect(pictures.size).toBe(3);
+  await page.context().close();
+});
+
+it("says why a target is refused: how far short, which panels hold it; each can be seen", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+10cm");
+  // Everything around the point is held: nothing can follow it.
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+  await page.getByLabel("3D view").focus();
+  for (const way of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowLeft", "ArrowDown", "ArrowDown"])
+    await page.keyboard.press(`Control+${way}`);
+  for (const way of ["ArrowRight", "ArrowRight"]) await page.keyboard.press(`Control+${way}`);
+  await page.getByRole("table", { name: "Handles" }).getByRole("rowheader").first().waitFor();
+  await page.getByRole("button", { name: "Pin selected points" }).click();
+  await idle(page);
+  const first = page.getByRole("checkbox", { name: "Pinned" }).first();
+  if (await first.isChecked()) await first.uncheck();
+  await idle(page);
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  await expect.poll(() => why.textContent()).toMatch(/stops \d+ mm short/);
+  const shows = why.getByRole("button", { name: /^Show panel \d+$/ });
+  await expect.poll(() => shows.count()).toBeGreaterThan(0);
+  const panel = await shows.first().textContent();
+  await shows.first().click();
+  expect(await page.getByText(/ corners, /).textContent()).toContain(`Panel ${panel}`);
+  await page.context().close();
+});
+
 it("marks panels that cross themselves, in words too", async () => {
   const page = await site.open({ viewport: { width: 1280, height: 900 } });
   const chooser = page.waitForEvent("filechooser");
@@ -71,6 +126,16 @@ it("shows how the solve went and changes it behind a fold; axe finds nothing", a
     const before = await movedCount(page);
     await page.getByText("Last solve", { exact: true }).click();
     expect(await page.getByRole("img", { name: /^Residual of \d+ steps/ }).count()).toBe(1);
+    const fact = (name: string) => page.getByText(name, { exact: true }).locator("xpath=../dd");
+    await expect.poll(() => fact("Ways left to move them").count()).toBe(1);
+    const [points = 0, equations = 0, rank = 0, ways = 0] = [
+      ...((await fact("Points that may move").textContent()) ?? "").matchAll(/^\d+/g),
+      ...((await fact("Flatness equations on them").textContent()) ?? "").matchAll(/\d+/g),
+      ...((await fact("Ways left to move them").textContent()) ?? "").matchAll(/\d+/g),
+    ].map(Number);
+    expect(points).toBe(before);
+    expect(rank).toBeLessThanOrEqual(equations);
+    expect(ways).toBe(3 * points - rank);
     await page.getByText("Advanced", { exact: true }).click();
     await page.getByRole("combobox", { name: "Fairness" }).selectOption("Laplacian");
     await idle(page);

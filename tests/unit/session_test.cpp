@@ -161,19 +161,5 @@ TEST(Session, AVariationKeepsThePartsOfTheEditThatNoVectorMoves) {
   EXPECT_EQ(session.current(), edited);
 }
 
-TEST(Session, SaysWhichPanelsMustBeMadeAgain) {
-  Session session = open_vault();
-  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
-  const std::vector<float> health = session.panel_health();
-  ASSERT_EQ(health.size(), 4 * static_cast<std::size_t>(session.base().face_count()));
-  for (int f = 0; f < session.base().face_count(); ++f) {
-    const auto face = session.base().face(f);
-    const bool changed = std::any_of(face.begin(), face.end(), [&](int v) {
-      return session.current().col(v) != session.base().positions.col(v);
-    });
-    EXPECT_EQ(health[4 * static_cast<std::size_t>(f) + 3], changed ? 1.0F : 0.0F) << f;
-  }
-}
-
 }  // namespace
 }  // namespace planish

@@ -9,7 +9,7 @@ import "../ui/designs.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
 import { prepareDisplay } from "../mesh/display-mesh.ts";
-import { keepPanelFigures } from "../state/analysis.ts";
+import { keepFreedom, keepPanelFigures } from "../state/analysis.ts";
 import { displayMesh } from "../state/store.ts";
 import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
@@ -22,4 +22,5 @@ displayMesh.value = prepareDisplay({
 const root = document.getElementById("app");
 if (root) render(<App />, root);
 keepPanelFigures();
+keepFreedom();
 void begin();

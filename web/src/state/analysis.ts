@@ -2,7 +2,19 @@
 // Figures per panel, of the last finished design.
 import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
-import { history, panelFigures, panelHealth, selectedPanel } from "./store.ts";
+import { toTargets } from "./design.ts";
+import {
+  bending,
+  colourBy,
+  freedom,
+  history,
+  measurable,
+  panelFigures,
+  panelHealth,
+  ready,
+  selectedPanel,
+  watchFreedom,
+} from "./store.ts";
 
 export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
 
@@ -21,25 +33,52 @@ export interface PanelRow {
 
 export type PanelColumn = keyof PanelRow;
 
-/** Larger meshes are measured when asked, not after every edit. */
+/** Panels: larger meshes have no table. */
 const EAGER = 200_000;
 
 /** Measures the panels again whenever a design is finished. */
 export function keepPanelFigures(): () => void {
   return effect(() => {
     const design = history.value?.present;
-    if (!design) return;
-    client.ask({ kind: "panels" }).then(
+    measurable.value;
+    if (!design || !ready.value) return;
+    const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
+    client.ask({ kind: "panels", fairness }).then(
       (answer) => {
-        if (answer.kind !== "panels" || answer.figures.length > 2 * EAGER) return;
+        const measures = answer.kind === "panels" ? answer.measures : null;
+        if (!measures || measures.figures.length > 2 * EAGER) return;
         batch(() => {
-          panelFigures.value = answer.figures;
-          panelHealth.value = answer.health;
+          panelFigures.value = measures.figures;
+          panelHealth.value = measures.health;
+          bending.value = measures.bending;
         });
-        if ((selectedPanel.peek() ?? 0) * 2 >= answer.figures.length) selectedPanel.value = null;
+        if ((selectedPanel.peek() ?? 0) * 2 >= measures.figures.length) selectedPanel.value = null;
       },
       () => {
         panelFigures.value = null;
+      },
+    );
+  });
+}
+
+/** Counts what a finished edit leaves free, where it was refused or someone looks. */
+export function keepFreedom(): () => void {
+  return effect(() => {
+    const design = history.value?.present;
+    measurable.value;
+    if (!design || !ready.value) return;
+    const refused = design.report.status === "infeasible_handles";
+    if (!refused && !watchFreedom.value) {
+      freedom.value = null;
+      return;
+    }
+    client.ask({ kind: "freedom", targets: toTargets(design.handles) }).then(
+      (answer) => {
+        if (answer.kind === "freedom" && history.peek()?.present === design)
+          freedom.value = answer.freedom;
+      },
+      () => {
+        freedom.value = null;
       },
     );
   });
@@ -79,17 +118,19 @@ export function firstPanels(
 }
 
 export interface HealthCounts {
+  readonly convex: number;
   readonly changed: number;
   readonly concave: number;
   readonly crossing: number;
 }
 
 export function countHealth(health: Float32Array): HealthCounts {
-  let [changed, concave, crossing] = [0, 0, 0];
+  let [convex, changed, concave, crossing] = [0, 0, 0, 0];
   for (let k = 0; k + 3 < health.length; k += 4) {
+    if (health[k] === 0) convex += 1;
     if (health[k] === 1) concave += 1;
     if (health[k] === 2) crossing += 1;
     if (health[k + 3] === 1) changed += 1;
   }
-  return { changed, concave, crossing };
+  return { convex, changed, concave, crossing };
 }

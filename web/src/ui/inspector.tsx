@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { planarise } from "../state/opening.ts";
-import { figures, mesh, ready, settings, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
-import { Advanced } from "./advanced.tsx";
+import { mesh, ready, settings } from "../state/store.ts";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
-import { LastSolve } from "./last-solve.tsx";
+import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
-import { SnapshotsSection } from "./snapshots-section.tsx";
 
 function NotFlatNote() {
   const report = mesh.value?.report;
@@ -56,18 +53,12 @@ function Weights() {
   );
 }
 
-/** Why a point does not go where it was asked to. */
-function RefusedNote() {
-  const { status, handleError } = figures.value;
-  if (status !== "infeasible_handles") return null;
-  return (
-    <div class="note warn">
-      <p>
-        {`The target cannot be reached while every panel stays flat: the point stops ${formatLength(handleError, unit.value)} short. Move it less, let more points follow, or remove a pin.`}
-      </p>
-    </div>
-  );
-}
+const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
+const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
+const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
+const SnapshotsSection = later(() =>
+  import("./snapshots-section.tsx").then((part) => part.SnapshotsSection),
+);
 
 export function Inspector() {
   return (

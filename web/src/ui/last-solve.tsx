@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-import { figures, mesh, unit } from "../state/store.ts";
+import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+import { HoldingPanels } from "./holding-panels.tsx";
 
 const WIDTH = 280;
 const HEIGHT = 72;
@@ -30,31 +31,50 @@ function Curve({ residuals }: { residuals: readonly number[] }) {
   );
 }
 
-/** How the last solve went, and what the mesh leaves free. */
+/** Of the points that move alone: how many ways are left to move them together. */
+function freedomFacts(): readonly (readonly [string, string])[] {
+  const report = freedom.value;
+  if (!report) return [];
+  const { points, equations, rank, freedom: ways } = report;
+  return [
+    ["Points that may move", `${points} (${3 * points} coordinates)`],
+    ["Flatness equations on them", `${equations}, rank ${rank}`],
+    ["Ways left to move them", String(ways)],
+  ];
+}
+
+function facts(): readonly (readonly [string, string])[] {
+  const { iterations, objective, handleError } = figures.value;
+  return [
+    ["Degrees of freedom of the mesh", String(mesh.value?.report.degreesOfFreedom ?? "–")],
+    ...freedomFacts(),
+    ["Steps", String(iterations)],
+    ["Objective", objective.toPrecision(5)],
+    ["Furthest from a target", formatLength(handleError, unit.value)],
+  ];
+}
+
+/** How the last solve went, and what it leaves free. */
 export function LastSolve() {
-  const { residuals, iterations, objective, handleError } = figures.value;
-  const freedom = mesh.value?.report.degreesOfFreedom;
+  const { residuals, handleError, status } = figures.value;
+  const refused = status === "infeasible_handles";
   return (
-    <details class="disclosure">
+    <details
+      class="disclosure"
+      onToggle={({ currentTarget }) => {
+        watchFreedom.value = currentTarget.open;
+      }}
+    >
       <summary>Last solve</summary>
       <dl class="facts">
-        <div>
-          <dt>Degrees of freedom</dt>
-          <dd>{freedom ?? "–"}</dd>
-        </div>
-        <div>
-          <dt>Steps</dt>
-          <dd>{iterations}</dd>
-        </div>
-        <div>
-          <dt>Objective</dt>
-          <dd>{objective.toPrecision(5)}</dd>
-        </div>
-        <div>
-          <dt>Furthest from a target</dt>
-          <dd>{formatLength(handleError, unit.value)}</dd>
-        </div>
+        {facts().map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
       </dl>
+      {handleError > 0 && !refused && <HoldingPanels />}
       {residuals.length > 1 && <Curve residuals={residuals} />}
     </details>
   );
