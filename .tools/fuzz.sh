@@ -1,27 +1,34 @@
 #!/usr/bin/env bash
 # Fuzzes the readers: 20 s each (PLANISH_FUZZ_SECONDS), or with --long until 1,000,000 inputs each
-# (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb design. What is learnt is kept outside the
-# tree, in PLANISH_FUZZ_CORPUS or ~/.cache/planish/fuzz; a finding in build/fuzz/findings.
+# (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb design, and web: the page's own
+# decoders of links and kept designs, 1,000,000 inputs each (the unit check gives them 20,000; part of
+# --long without names). What is learnt is kept outside the tree, in PLANISH_FUZZ_CORPUS or
+# ~/.cache/planish/fuzz; a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 known=(obj off ply glb design)
 corpora=${PLANISH_FUZZ_CORPUS:-${XDG_CACHE_HOME:-$HOME/.cache}/planish/fuzz}
 limit=-max_total_time=${PLANISH_FUZZ_SECONDS:-20}
-readers=()
+readers=() long='' web=''
 for word in "$@"; do
   case " ${known[*]} " in
     *" $word "*) readers+=("$word") && continue ;;
   esac
-  [ "$word" = --long ] || { echo "fuzz: unknown word '$word' (--long, ${known[*]})" >&2 && exit 2; }
-  limit=-runs=${PLANISH_FUZZ_INPUTS:-1000000}
+  [ "$word" = web ] && web=yes && continue
+  [ "$word" = --long ] || { echo "fuzz: unknown word '$word' (--long, ${known[*]}, web)" >&2 && exit 2; }
+  long=yes limit=-runs=${PLANISH_FUZZ_INPUTS:-1000000}
 done
-[ ${#readers[@]} -gt 0 ] || readers=("${known[@]}")
+[ ${#readers[@]} -gt 0 ] || [ -n "$web" ] || { readers=("${known[@]}") && web=$long; }
 
 [ -e build/fuzz/build.ninja ] || cmake --preset fuzz --log-level=WARNING
 cmake --build --preset fuzz -j "${PLANISH_JOBS:-2}" | grep -v '^\[' || [ "${PIPESTATUS[0]}" -eq 0 ]
 
 failed=0
+if [ -n "$web" ]; then
+  PLANISH_FUZZ_INPUTS=${PLANISH_FUZZ_INPUTS:-1000000} nice -n 19 npx --no-install vitest run \
+    --config web/vitest.config.ts --dir tests/web decoder-fuzz || failed=1
+fi
 for reader in "${readers[@]}"; do
   corpus=$corpora/$reader findings=build/fuzz/findings/$reader- log=build/fuzz/$reader.log
   mkdir -p "$corpus" build/fuzz/findings

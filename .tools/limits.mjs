@@ -69,17 +69,53 @@ async function importInPage(path) {
   await page.getByRole("button", { name: "Open file" }).click();
   const chosen = await chooser;
   const start = await page.evaluate(() => performance.now());
+  const before = processorTimes();
   await chosen.setFiles(path);
   await page.getByRole("heading", { name: "large.obj" }).waitFor({ timeout: 120_000 });
   const shown = await page.evaluate(() => performance.now());
   await page.waitForTimeout(3000);
   const tasks = await page.evaluate(() => window.tasks);
+  const after = processorTimes();
   await browser.close();
   server.close();
   return {
     time: shown - start,
+    spent: busiest(before, after),
     tasks: tasks.map((t) => ({ at: t.startTime - start, duration: t.duration })),
   };
+}
+
+/** Processor time so far of each page's own thread and of its solver, seconds, by process (Linux). */
+function processorTimes() {
+  const times = new Map();
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    try {
+      if (!readFileSync(`/proc/${pid}/cmdline`, "utf8").includes("--type=renderer")) continue;
+      const total = { page: 0, solver: 0 };
+      for (const tid of readdirSync(`/proc/${pid}/task`)) {
+        const task = `/proc/${pid}/task/${tid}`;
+        const spent = Number(readFileSync(`${task}/schedstat`, "utf8").split(" ")[0]) / 1e9;
+        if (tid === pid) total.page += spent;
+        else if (readFileSync(`${task}/comm`, "utf8").startsWith("Dedicated"))
+          total.solver += spent;
+      }
+      times.set(pid, total);
+    } catch {
+      // It ended meanwhile.
+    }
+  }
+  return times;
+}
+
+/** What the busiest solver and its page took in between. */
+function busiest(before, after) {
+  let most = { page: 0, solver: 0 };
+  for (const [pid, { page, solver }] of after) {
+    const from = before.get(pid) ?? { page: 0, solver: 0 };
+    const spent = { page: page - from.page, solver: solver - from.solver };
+    if (spent.solver > most.solver) most = spent;
+  }
+  return most;
 }
 
 async function loadModule() {
@@ -115,10 +151,13 @@ const large = join(folder, "large.obj");
 await writeLargeMesh(large);
 const native = elapsed(() => execFileSync(CLI, ["info", large]));
 console.log(`1,000,000 points, command line: ${seconds(native)} (with all its figures)`);
-const { time, tasks } = await importInPage(large);
+const { time, spent, tasks } = await importInPage(large);
 const longest = Math.max(0, ...tasks.map(({ duration }) => duration));
 console.log(
   `1,000,000 points, page: ${seconds(time)}, longest task of the page ${Math.round(longest)} ms`,
+);
+console.log(
+  `  processor time: solver ${spent.solver.toFixed(2)} s, page ${spent.page.toFixed(2)} s`,
 );
 for (const { at, duration } of tasks)
   console.log(`  task at ${seconds(at)}: ${Math.round(duration)} ms`);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Every check but sanitize, which takes longer. With names, only those: format lint types architecture native wasm unit
-# parity browser tidy cppcheck fuzz sanitize. The last line counts.
+# Every check but the sanitize ones, whose first build takes long. With names, only those: format lint types
+# architecture native wasm unit parity browser tidy cppcheck sanitize fuzz sanitize_all. sanitize runs
+# the unit and regression tests under ASan and UBSan, sanitize_all all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 bash .tools/setup.sh || exit 1
@@ -35,7 +36,8 @@ check_browser() {
 check_tidy() { bash .tools/tidy.sh; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
 check_fuzz() { bash .tools/fuzz.sh; }
-check_sanitize() { ready sanitize planish_tests && ctest --preset sanitize -j "$jobs"; }
+check_sanitize() { ready sanitize planish_quick_tests && build/sanitize/tests/planish_quick_tests --gtest_brief=1; }
+check_sanitize_all() { ready sanitize planish_tests && ctest --preset sanitize -j "$jobs"; }
 
 # How many tests a log speaks of: "passed failed"; a check without tests counts as one.
 count() { # log status

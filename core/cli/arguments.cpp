@@ -31,7 +31,7 @@ Arguments::Arguments(std::span<const std::string_view> words, std::span<const Op
     }
     const auto [name, attached] = split_option(word);
     const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const OptionRow& r) { return r.name == name; });
+                                  [wanted = name](const OptionRow& r) { return r.name == wanted; });
     if (row == table.end()) {
       throw CommandError(kWrongUsage, "unknown option " + std::string(name));
     }
