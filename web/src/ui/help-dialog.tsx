@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { useRef } from "preact/hooks";
+import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
 
 const KEYS: readonly (readonly [string, string])[] = [
@@ -32,18 +33,7 @@ export function HelpDialog() {
         <Icon name="help" />
         <span class="bar-label">Help</span>
       </button>
-      <dialog ref={dialog} class="dialog" aria-labelledby="help-title">
-        <div class="dialog-head">
-          <h2 id="help-title">How it works</h2>
-          <button
-            type="button"
-            class="icon-button"
-            aria-label="Close"
-            onClick={() => dialog.current?.close()}
-          >
-            <Icon name="close" />
-          </button>
-        </div>
+      <Dialog dialog={dialog} id="help" title="How it works">
         <p>
           Move a point of a structure made of flat panels. The few points that must follow do;
           everything else keeps its coordinates to the last bit, and every panel stays flat to one
@@ -61,7 +51,7 @@ export function HelpDialog() {
           Flatness of a panel is the distance between the two planes, parallel to its best-fit
           plane, that hold all its corners; in mm/m it is divided by the panel's longest edge.
         </p>
-      </dialog>
+      </Dialog>
     </>
   );
 }
