@@ -4,7 +4,7 @@ import { FIGURES, openFigure } from "../state/figures.ts";
 import { openFile } from "../state/files.ts";
 import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
-import { canRedo, canUndo, history, ready } from "../state/store.ts";
+import { canRedo, canUndo, designName, history, ready } from "../state/store.ts";
 import { ExportMenu } from "./export-menu.tsx";
 import { HelpDialog } from "./help-dialog.tsx";
 import { Icon, type IconName } from "./icon.tsx";
@@ -49,7 +49,7 @@ function SampleChooser() {
     >
       {value === "" && (
         <option value="" disabled>
-          Your mesh
+          {designName.value}
         </option>
       )}
       {SAMPLES.map((sample) => (
