@@ -57,6 +57,13 @@ print(good, bad)
 PY
 }
 
+# What a failed check said: the lines that name a failure with what follows them, then its end.
+explain() { # log
+  grep -nE -A 8 'Failure$|FAILED|\*\*\*|RuntimeError|Aborted|error:|^ *FAIL ' "$1" | head -n 80
+  echo "..."
+  tail -n 20 "$1"
+}
+
 run() { # name
   local log="$logs/$1.log" start=$SECONDS status=0
   "check_$1" >"$log" 2>&1 || status=$?
@@ -69,7 +76,7 @@ run() { # name
   else
     failures+=("$1")
     printf '  FAIL  %-13s %4d failed  %4d s   %s\n' "$1" "$bad" $((SECONDS - start)) "$log"
-    tail -n 60 "$log" | sed 's/^/        /'
+    explain "$log" | sed 's/^/        /'
   fi
 }
 
