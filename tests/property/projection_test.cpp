@@ -115,7 +115,8 @@ TEST_P(ProjectionOf, AScaledAndMovedMeshIsTheScaledAndMovedProjection) {
   const Positions here = moved_positions(bent, project_to_planar(bent));
   const Positions there = moved_positions(other, project_to_planar(other));
   const Positions expected = (0.01 * here).colwise() + Eigen::Vector3d(3, -4, 5);
-  EXPECT_LT((there - expected).colwise().norm().maxCoeff(), 1e-8 * mean_edge_length(other));
+  // Rounding is another far from the origin, and the nearest point is settled, not exact.
+  EXPECT_LT((there - expected).colwise().norm().maxCoeff(), 1e-6 * mean_edge_length(other));
 }
 
 /// Both engines solve the same problem.

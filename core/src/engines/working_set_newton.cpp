@@ -89,6 +89,10 @@ NewtonOutcome WorkingSetNewton::polish(const EditProblem& problem, double scale,
   NewtonOptions fine = options;
   fine.first_smoothing = fine.last_smoothing = 0.1 * options.last_smoothing;
   fine.max_steps = 8;
+  // Once steps are this short, rounding, which differs from machine to machine, decides only digits
+  // that nobody sees: native and wasm then agree to 1e-9.
+  fine.stop = 0.0;
+  fine.settled_move = 1e-6;
   NewtonOutcome outcome = run(problem, scale, fine, field, {});
   frozen_ = false;
   return outcome;
@@ -257,7 +261,8 @@ NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
       if (close || change <= kSlowProgress * objective) {
         smoothing = std::max(last, options.smoothing_shrink * smoothing);
       }
-    } else if (change <= options.stop * objective || largest_move_ <= 1e-4 * scale) {
+    } else if (change <= options.stop * objective ||
+               largest_move_ <= options.settled_move * scale) {
       outcome.status = SolveStatus::kConverged;
       ++outcome.steps;
       break;

@@ -36,6 +36,8 @@ struct NewtonOptions {
   double trust = 0.5;
   /// Stop when the objective changes by less than this share of itself, > 0.
   double stop = 1e-6;
+  /// Stop as well when no vertex moves further than this in a step, share, ≥ 0.
+  double settled_move = 1e-4;
   int max_steps = 150;
 };
 
