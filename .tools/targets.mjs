@@ -132,7 +132,7 @@ const movePointer = async ([x, y, duration]) => {
   const begin = performance.now();
   for (let k = 1; performance.now() < begin + duration; ++k) {
     const place = { clientX: x, clientY: y - 20 * Math.sin(k / 16) };
-    const held = { pointerId: 1, pointerType: "mouse", buttons: 1, bubbles: true };
+    const held = { pointerId: 1, pointerType: "mouse", isPrimary: true, buttons: 1 };
     canvas.dispatchEvent(new PointerEvent("pointermove", { ...held, ...place }));
     await new Promise((next) => setTimeout(next, 10));
   }

@@ -21,12 +21,9 @@ export interface Standpoint {
   readonly target: Vector3;
 }
 
-/** Share of the view's height, from above, that tools cover at most. */
-const COVERED = 0.2;
-
 /**
- * The nearest standpoint from which a camera that looks against `towards` sees every point below
- * `covered` (share of the view's height, from above), with equal margins left and right or above
+ * The nearest standpoint from which a camera that looks against `towards` sees every point in
+ * the `free` share of the view's height about its axis, with equal margins left and right or above
  * and below. In the camera's own axes each side of the view is a half-space for its position, so
  * the answer is closed.
  */
@@ -34,13 +31,13 @@ export function standpoint(
   points: Float32Array,
   towards: Vector3,
   { fov, aspect, up }: PerspectiveCamera,
-  covered: number,
+  free: number,
 ): Standpoint {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const above = new Vector3().crossVectors(towards, right);
-  const high = Math.tan((fov * Math.PI) / 360) * FILL;
-  const low = high * (1 - 2 * Math.min(covered, COVERED));
-  const wide = high * aspect;
+  const whole = Math.tan((fov * Math.PI) / 360) * FILL;
+  const high = whole * free;
+  const wide = whole * aspect;
   const sides = { right: -Infinity, left: -Infinity, top: -Infinity, bottom: -Infinity };
   const point = new Vector3();
   for (let v = 0; v < points.length / 3; ++v) {
@@ -48,17 +45,16 @@ export function standpoint(
     const [a, b, c] = [point.dot(right), point.dot(above), point.dot(towards)];
     sides.right = Math.max(sides.right, a + wide * c);
     sides.left = Math.max(sides.left, -a + wide * c);
-    sides.top = Math.max(sides.top, b + low * c);
+    sides.top = Math.max(sides.top, b + high * c);
     sides.bottom = Math.max(sides.bottom, -b + high * c);
   }
   const across = (sides.right + sides.left) / (2 * wide);
-  const upright = (sides.top + sides.bottom) / (low + high);
+  const upright = (sides.top + sides.bottom) / (2 * high);
   const middle = new Box3().setFromArray(points).getCenter(new Vector3()).dot(towards);
-  const near = Math.max(across, upright, middle + 0.5);
   const place = (depth: number): Vector3 =>
     new Vector3()
       .addScaledVector(right, (sides.right - sides.left) / 2)
-      .addScaledVector(above, (sides.top - sides.bottom + (high - low) * near) / 2)
+      .addScaledVector(above, (sides.top - sides.bottom) / 2)
       .addScaledVector(towards, depth);
-  return { position: place(near), target: place(middle) };
+  return { position: place(Math.max(across, upright, middle + 0.5)), target: place(middle) };
 }

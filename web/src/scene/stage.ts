@@ -122,8 +122,8 @@ export class Stage {
   }
 
   #standpoint(points: Float32Array, towards: Vector3): Standpoint {
-    const covered = TOOLS / Math.max(1, this.renderer.domElement.clientHeight);
-    return standpoint(points, towards, this.camera, covered);
+    const { height = 1, offsetY = 0 } = this.camera.view ?? {};
+    return standpoint(points, towards, this.camera, 1 + (2 * offsetY) / height);
   }
 
   /** The ray through a place on screen, −1 … 1 to the right and upwards. */
@@ -177,7 +177,9 @@ export class Stage {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    // The axis goes through the middle of what the tools leave free.
+    const down = Math.min(TOOLS, height / 5) / 2;
+    this.camera.setViewOffset(width, height, 0, -down, width, height);
     // A canvas of a new size is blank: not even one frame may show it.
     cancelAnimationFrame(this.#pending);
     this.draw();
