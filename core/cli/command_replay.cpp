@@ -25,8 +25,8 @@ struct Opened {
 
 Design parse(const std::string& path, std::string_view text) {
   auto design = read_design(text);
-  if (auto* sentence = std::get_if<std::string>(&design)) refuse(path, *sentence);
-  return std::move(std::get<Design>(design));
+  if (const auto* sentence = std::get_if<std::string>(&design)) refuse(path, *sentence);
+  return std::get<Design>(std::move(design));
 }
 
 Opened open_glb(const std::string& path) {

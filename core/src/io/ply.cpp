@@ -175,7 +175,9 @@ std::string read_element(const PlyElement& element, ValueStream& values, PlyDraf
   }
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (read_row(element, roles, values, draft)) continue;
-    return values.place() + element.name + " " + std::to_string(row) + ": " +
+    const bool known = element.name == "vertex" || element.name == "face";
+    const std::string name = known ? element.name : quoted(element.name);
+    return values.place() + name + " " + std::to_string(row) + ": " +
            (values.problem().empty() ? "the length of a list is negative" : values.problem());
   }
   return "";
