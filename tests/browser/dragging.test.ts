@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
 import { exportAs, idle, movedCount, openSite, type Site } from "./support/page.ts";
-import { type HandleRow, handleRows, hintedPoint, press } from "./support/view.ts";
+import { type HandleRow, handleRows, hintedPoint, type Place, press } from "./support/view.ts";
 
 let site: Site;
 let base: ObjMesh | null = null;
@@ -210,15 +210,26 @@ it("points move by typed amounts along the surface and out of it", async () => {
   await page.context().close();
 });
 
+/** The hinted point once the camera stands still and has been drawn. */
+async function restingPoint(page: Page): Promise<Place> {
+  for (let before = await hintedPoint(page); ; ) {
+    await page.waitForTimeout(700);
+    const now = await hintedPoint(page);
+    if (now.x === before.x && now.y === before.y) return now;
+    before = now;
+  }
+}
+
 it("a clicked panel says its figure, and the camera stays", async () => {
   const page = await openPage();
   await page.getByLabel("3D view").focus();
-  for (let k = 0; k < 10; ++k) await page.keyboard.press("+");
-  await page.waitForTimeout(500);
-  const point = await hintedPoint(page);
-  // Near enough, the middle of a panel lies some way to the right of a point and below it.
+  await page.keyboard.press("2");
+  await page.waitForTimeout(700);
+  for (let k = 0; k < 8; ++k) await page.keyboard.press("+");
+  const point = await restingPoint(page);
+  // From above and near enough, the middle of a panel lies right of a point and below it.
   for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
-    await page.mouse.click(point.x + k, point.y + 0.8 * k);
+    await page.mouse.click(point.x + k, point.y + k);
     await page.waitForTimeout(300);
   }
   expect(await page.getByText(/ corners, /).textContent()).toMatch(
