@@ -2,55 +2,9 @@
 import { useRef } from "preact/hooks";
 import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
+import { later } from "./later.tsx";
 
-interface Hint {
-  /** What is pressed or done; a name of a key is in brackets: "[Ctrl] while dragging". */
-  readonly how: string;
-  readonly what: string;
-}
-
-const HINTS: readonly Hint[] = [
-  { how: "Drag a point", what: "moves it; its neighbours follow" },
-  {
-    how: "Drag beside the model",
-    what: "turns the view; right button or two fingers pan, wheel zooms",
-  },
-  {
-    how: "[X] [Y] [Z] [N]",
-    what: "hold a drag to an axis or to the normal; with Shift, to the plane across",
-  },
-  { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
-  {
-    how: "[Ctrl] click, [Shift] drag",
-    what: "select several points, or a box of them; they move together",
-  },
-  { how: "[P]", what: "pins the selected points, or lets them go" },
-  { how: "Click a panel", what: "shows its figure" },
-  {
-    how: "[←] [↑] [↓] [→] in the view",
-    what: "step from point to point; with Ctrl, add the next point",
-  },
-  { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
-  {
-    how: "[1] [2] [3] [4], [F]",
-    what: "perspective, top, front, side; fit the model into the view",
-  },
-  { how: "[B], held", what: "shows the design before the edit" },
-  { how: "[Esc]", what: "gives up a drag; otherwise selects nothing" },
-  { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
-  { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
-];
-
-/** Words, with names of keys as keys. */
-function Keys({ text }: { text: string }) {
-  return (
-    <>
-      {text
-        .split(/\[(.+?)\]/)
-        .map((part, k) => (k % 2 === 1 ? <kbd key={part}>{part}</kbd> : part))}
-    </>
-  );
-}
+const HelpText = later(() => import("./help-text.tsx").then((part) => part.HelpText));
 
 export function HelpDialog() {
   const dialog = useRef<HTMLDialogElement>(null);
@@ -66,25 +20,7 @@ export function HelpDialog() {
         <span class="bar-label">Help</span>
       </button>
       <Dialog dialog={dialog} id="help" title="How it works">
-        <p>
-          Move a point of a structure made of flat panels. The few points that must follow do;
-          everything else keeps its coordinates to the last bit, and every panel stays flat to one
-          millionth of a millimetre per metre.
-        </p>
-        <dl class="keys">
-          {HINTS.map(({ how, what }) => (
-            <div key={how}>
-              <dt>
-                <Keys text={how} />
-              </dt>
-              <dd>{what}</dd>
-            </div>
-          ))}
-        </dl>
-        <p class="quiet">
-          Flatness of a panel is the distance between the two planes, parallel to its best-fit
-          plane, that hold all its corners; in mm/m it is divided by the panel's longest edge.
-        </p>
+        <HelpText />
       </Dialog>
     </>
   );
