@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the page promises about time and size, measured on the built site in a real browser:
-// node .tools/targets.mjs [name…]   (ready transfer drag cancel link)
+// What the page promises about time, measured on the built site in a real browser (how much it
+// loads is a test, tests/browser/transfer.test.ts):
+// node .tools/targets.mjs [name…]   (ready drag cancel link)
 // Wall-clock figures come with the load of the machine; processor times of the page's own thread
 // come from the browser's trace and say what the page does, whatever else runs.
 import { loadavg } from "node:os";
-import { gzipSync } from "node:zlib";
 import { findVariations, lift, openBrowser, openPage, settled } from "./page.mjs";
 
 const VIEW = { width: 1280, height: 800 };
@@ -53,19 +53,6 @@ async function ready(site) {
     const [low, high] = [Math.min(...times), Math.max(...times)];
     console.log(`ready ${how}: ${ms(median(times))} (${ms(low)} to ${ms(high)}); at most 1500 ms`);
   }
-}
-
-async function transfer(site) {
-  const context = await site.browser.newContext({ viewport: VIEW, serviceWorkers: "block" });
-  const answers = [];
-  context.on("response", (response) => answers.push(response));
-  const page = await context.newPage();
-  await page.goto(site.url);
-  await page.getByRole("status").filter({ hasText: "points move" }).waitFor();
-  const bodies = await Promise.all(answers.map((answer) => answer.body()));
-  const total = bodies.reduce((sum, body) => sum + gzipSync(body, { level: 9 }).length, 0);
-  console.log(`transfer before a drag: ${total} bytes gzip; at most 500000`);
-  await context.close();
 }
 
 /** A translational surface of 71 × 71 points: every panel is a parallelogram, so flat. */
@@ -188,8 +175,9 @@ const timeCancel = async () => {
   await new Promise((next) => setTimeout(next, 20));
   const begin = performance.now();
   find("Cancel").click();
+  const points = (text) => text.split(" points")[0];
   do await frame();
-  while (document.querySelector("[role=status]").textContent !== before);
+  while (points(document.querySelector("[role=status]").textContent) !== points(before));
   const shown = performance.now() - begin;
   while (!find("Cancel").disabled) await frame();
   return { shown, ready: performance.now() - begin };
@@ -229,7 +217,7 @@ async function link(site) {
   await page.context().close();
 }
 
-const TARGETS = { ready, transfer, drag, cancel, link };
+const TARGETS = { ready, drag, cancel, link };
 
 const only = process.argv.slice(2);
 const site = await openBrowser();
