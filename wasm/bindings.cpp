@@ -142,7 +142,6 @@ val moved_positions(const Session& s) { return copy(s.moved_positions()); }
 val projected_moved(const Session& s) { return copy(s.projected().moved); }
 val projected_positions(const Session& s) { return copy(s.projected().positions); }
 std::string projected_report(const Session& s) { return s.projected_report(); }
-val panel_figures(const Session& s) { return copy(s.panel_figures()); }
 std::string mesh_report(const Session& s) { return s.mesh_report(); }
 std::string report(const Session& s) { return s.report(); }
 
@@ -190,7 +189,6 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("projectedMoved", &projected_moved)
       .function("projectedPositions", &projected_positions)
       .function("projectedReport", &projected_report)
-      .function("panelFigures", &panel_figures)
       .function("meshReport", &mesh_report)
       .function("report", &report);
   emscripten::value_object<HandleEditOptions>("HandleEditOptions")

@@ -66,7 +66,6 @@ export interface Session {
   projectedMoved(): Int32Array;
   projectedPositions(): Float64Array;
   projectedReport(): string;
-  panelFigures(): Float32Array;
   meshReport(): string;
   report(): string;
   delete(): void;

@@ -379,17 +379,6 @@ std::vector<float> Session::display_base() const {
   return display;
 }
 
-std::vector<float> Session::panel_figures() const {
-  std::vector<float> figures;
-  figures.reserve(2 * static_cast<std::size_t>(base_.face_count()));
-  for (int f = 0; f < base_.face_count(); ++f) {
-    const FacePlanarity face = face_planarity(current_, base_.face(f));
-    figures.push_back(static_cast<float>(face.gap));
-    figures.push_back(static_cast<float>(face.mm_per_m));
-  }
-  return figures;
-}
-
 std::optional<std::string> Session::write(const std::string& format) const {
   if (format == "obj") return write_obj(shown_mesh());
   if (format == "off") return write_off(shown_mesh());

@@ -84,8 +84,6 @@ class Session {
   [[nodiscard]] std::vector<float> take_changes();
   /// All base vertices in display coordinates.
   [[nodiscard]] std::vector<float> display_base() const;
-  /// Gap (model units) and mm/m of every face of the design shown, interleaved.
-  [[nodiscard]] std::vector<float> panel_figures() const;
   /// The design shown as a file: obj, off or ply. nullopt for any other format; a GLB is put
   /// together by assemble_glb() from the OBJ, the base and the variations.
   [[nodiscard]] std::optional<std::string> write(const std::string& format) const;

@@ -3,6 +3,7 @@
 // gave, and written by the page's own encoder. The command line's last bits may be others: rounding
 // differs between the two builds by up to 1e-9 of the mesh; the largest difference is reported.
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { createServer } from "vite";
 import { ROOT } from "./command.mjs";
 
@@ -34,13 +35,15 @@ function toRecipe(design, camera) {
       tolerance: options.tolerance,
       maxIterations: options.max_iterations,
     },
-    variation: variation
-      ? {
-          coefficients: variation.coefficients,
-          asked: variation.dimension,
-          eigenbasis: variation.eigen,
-        }
-      : null,
+    families: variation
+      ? [
+          {
+            coefficients: variation.coefficients,
+            asked: variation.dimension,
+            eigenbasis: variation.eigen,
+          },
+        ]
+      : [],
     unit,
     camera,
     mark: {
@@ -69,12 +72,11 @@ class Solver {
   }
 
   /** The base and the shape that `recipe` gives, by the steps of state/replaying.ts. */
-  async replay({ source, planarised, handles, settings, variation }, { toTargets }) {
+  async replay({ source, planarised, handles, settings, families }, { toTargets }) {
     const { mesh } = await this.ask({ kind: "open", source, planarise: planarised });
     const targets = toTargets(handles);
     let shown = await this.ask({ kind: "edit", mode: "solve", targets, settings, budget: 1 });
-    if (variation) {
-      const { asked, eigenbasis, coefficients } = variation;
+    for (const { asked, eigenbasis, coefficients } of families) {
       await this.ask({ kind: "explore", dimension: asked, eigenbasis });
       await this.ask({ kind: "vary", coefficients });
       shown = await this.ask({ kind: "exact" });
@@ -95,6 +97,9 @@ async function withPageModules(use) {
     root: ROOT,
     configFile: false,
     logLevel: "error",
+    resolve: {
+      alias: { "@wasm": fileURLToPath(new URL("../../build/wasm/wasm", import.meta.url)) },
+    },
     server: { middlewareMode: true, watch: null },
     optimizeDeps: { noDiscovery: true },
   });

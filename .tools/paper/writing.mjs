@@ -15,13 +15,13 @@ const save = (name, value) =>
 
 /** Records every scene anew. Each comes with its link and the report of its run. */
 export async function writeScenes() {
-  mkdirSync(FOLDER, { recursive: true });
-  for (const name of readdirSync(FOLDER)) rmSync(join(FOLDER, name));
   const recorded = SCENES.map(record);
   const links = await linksOf(
     recorded.map(({ scene, design }) => ({ design, camera: cameraOf(scene) })),
   );
   const scenes = recorded.map((entry, k) => ({ ...entry, ...links[k] }));
+  mkdirSync(FOLDER, { recursive: true });
+  for (const name of readdirSync(FOLDER)) rmSync(join(FOLDER, name));
   for (const { scene, design } of scenes) {
     writeFileSync(join(FOLDER, `${scene.name}.json`), `${JSON.stringify(design)}\n`);
   }

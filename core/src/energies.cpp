@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -144,6 +145,25 @@ FairnessOperator fairness_operator(const Mesh& mesh, const Adjacency& adjacency,
       return third_differences(mesh, adjacency);
   }
   return {};
+}
+
+std::vector<double> bending(const FairnessOperator& fairness, const Positions& displacement) {
+  constexpr double kEqual = 1.0 - 1e-9;  // a third difference is about both its inner vertices
+  std::vector<double> result(static_cast<std::size_t>(fairness.cols()), 0.0);
+  for (Eigen::Index r = 0; r < fairness.rows(); ++r) {
+    Eigen::Vector3d bend = Eigen::Vector3d::Zero();
+    double largest = 0.0;
+    for (FairnessOperator::InnerIterator entry(fairness, r); entry; ++entry) {
+      bend += entry.value() * displacement.col(entry.col());
+      largest = std::max(largest, std::abs(entry.value()));
+    }
+    for (FairnessOperator::InnerIterator entry(fairness, r); entry; ++entry) {
+      if (std::abs(entry.value()) < kEqual * largest) continue;
+      double& here = result[static_cast<std::size_t>(entry.col())];
+      here = std::max(here, bend.norm());
+    }
+  }
+  return result;
 }
 
 }  // namespace planish

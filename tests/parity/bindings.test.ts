@@ -2,29 +2,59 @@
 // planish.d.ts is written by hand; this holds it to what the module really has.
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
-import { loadPlanish } from "./support/planish.ts";
+import { loadAnalysis, loadPlanish } from "./support/planish.ts";
 
-const declarations = readFileSync(new URL("../../wasm/planish.d.ts", import.meta.url), "utf8");
+const read = (name: string): string =>
+  readFileSync(new URL(`../../wasm/${name}.d.ts`, import.meta.url), "utf8");
+const declarations = read("planish");
 
 /** Names that the body of `interface <name>` declares at its first level. */
-function declared(name: string): string[] {
-  const body = new RegExp(`interface ${name} \\{([\\s\\S]*?)\\n\\}`).exec(declarations)?.[1] ?? "";
+function declared(name: string, text = declarations): string[] {
+  const body = new RegExp(`interface ${name} \\{([\\s\\S]*?)\\n\\}`).exec(text)?.[1] ?? "";
   return [...body.matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)].map((match) => match[1] ?? "").sort();
 }
 
 const inherited = new Set(["constructor", "isAliasOf", "clone", "isDeleted", "deleteLater"]);
 
-it("declares every bound member of Session and binds every declared one", async () => {
-  const { Session } = await loadPlanish();
-  const session = new Session();
+/** Names of what is bound to an object, its prototypes included. */
+function boundTo(object: object): string[] {
   const bound = new Set<string>();
-  for (let at = session; at !== Object.prototype; at = Object.getPrototypeOf(at)) {
+  for (let at = object; at !== Object.prototype; at = Object.getPrototypeOf(at)) {
     for (const name of Object.getOwnPropertyNames(at)) {
       if (!inherited.has(name) && name !== "$$") bound.add(name);
     }
   }
+  return [...bound].sort();
+}
+
+it("declares every bound member of Session and binds every declared one", async () => {
+  const { Session } = await loadPlanish();
+  const session = new Session();
+  expect(boundTo(session)).toEqual(declared("Session"));
   session.delete();
-  expect([...bound].sort()).toEqual(declared("Session"));
+});
+
+it("declares every bound member of Analysis; it measures what a session shows", async () => {
+  const { Session } = await loadPlanish();
+  const { Analysis, FairnessKind } = await loadAnalysis();
+  const session = new Session();
+  expect(session.openSample("vault", 9)).toBe("");
+  const analysis = new Analysis(
+    session.basePositions(),
+    session.faceOffsets(),
+    session.faceVertices(),
+  );
+  expect(boundTo(analysis)).toEqual(declared("Analysis", read("planish_analysis")));
+  const middle = 40;
+  const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * middle);
+  analysis.show(Int32Array.of(middle), Float64Array.of(x, y, z + 0.5));
+  const figures = analysis.panelFigures();
+  expect(figures.length).toBe(2 * 64);
+  expect(figures.filter((mmPerM, k) => k % 2 === 1 && mmPerM > 1).length).toBe(4);
+  expect(analysis.panelHealth().filter((flag, k) => k % 4 === 3 && flag === 1).length).toBe(4);
+  expect(analysis.vertexBending(FairnessKind.second)[middle]).toBeCloseTo(1, 6);
+  analysis.delete();
+  session.delete();
 });
 
 it.each(["EditMode", "Engine", "FairnessKind", "Sparsity"] as const)(

@@ -196,5 +196,31 @@ TEST(FairnessOperator, IsEmptyOnALonePanel) {
   }
 }
 
+TEST(Bending, IsTheSecondDifferenceOnALine) {
+  const Mesh mesh = testing::quad_grid(5, 5);
+  Positions displacement = Positions::Zero(3, mesh.vertex_count());
+  displacement(2, 12) = 0.5;
+  const std::vector<double> bends =
+      bending(make_operator(mesh, FairnessKind::kSecondDifference), displacement);
+  EXPECT_NEAR(bends[12], 1.0, kRounding);  // 0 − 2 · 0.5 + 0
+  for (const int next : {7, 11, 13, 17}) {
+    EXPECT_NEAR(bends[static_cast<std::size_t>(next)], 0.5, kRounding);
+  }
+  for (const int far : {6, 8, 0, 24, 10, 2}) EXPECT_EQ(bends[static_cast<std::size_t>(far)], 0.0);
+}
+
+TEST(Bending, OfEveryOperatorIsZeroForATranslation) {
+  for (const char* name : {"vault", "hex", "trihex"}) {
+    const Mesh mesh = testing::sample(name, 7);
+    const Positions moved = Positions::Constant(3, mesh.vertex_count(), 2.5);
+    for (const FairnessKind kind : {FairnessKind::kLaplacian, FairnessKind::kSecondDifference,
+                                    FairnessKind::kThirdDifference}) {
+      for (const double bend : bending(make_operator(mesh, kind), moved)) {
+        EXPECT_NEAR(bend, 0.0, kRounding);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace planish

@@ -38,6 +38,7 @@ async function connect() {
   };
   const client = new SolverClient(spawn, {
     progress: (progress) => steps.push(progress.kind === "progress" ? progress.step : 0),
+    measurable: () => {},
     died: (sentence) => deaths.push(sentence),
   });
   await client.ready;
@@ -69,7 +70,7 @@ describe("the solver client", () => {
     const asked = client.ask({ kind: "exact" });
     worker.reply({ kind: "failed", job: 77, message: "stale", fatal: false });
     worker.reply({ kind: "progress", job: 1, step: 5, residual: 1 });
-    worker.reply({ kind: "panels", job: 1, figures: new Float32Array() });
+    worker.reply({ kind: "panels", job: 1, measures: null });
     expect(await asked).toMatchObject({ kind: "panels" });
     expect(steps).toEqual([5]);
   });
@@ -77,10 +78,10 @@ describe("the solver client", () => {
   it("turns a failure into its sentence and goes on", async () => {
     const { client, worker } = await connect();
     const asked = settled(client.ask({ kind: "exact" }));
-    const next = client.ask({ kind: "panels" });
+    const next = client.ask({ kind: "panels", fairness: null });
     worker.reply({ kind: "failed", job: 1, message: "No.", fatal: false });
     expect(await asked).toMatchObject({ message: "No." });
-    worker.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    worker.reply({ kind: "panels", job: 2, measures: null });
     expect(await next).toMatchObject({ kind: "panels" });
   });
 
@@ -90,9 +91,9 @@ describe("the solver client", () => {
     client.cancel();
     expect(await asked).toBeInstanceOf(Abandoned);
     expect(worker.terminated).toBe(true);
-    const next = client.ask({ kind: "panels" });
+    const next = client.ask({ kind: "panels", fairness: null });
     await client.ready;
-    workers[1]?.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    workers[1]?.reply({ kind: "panels", job: 2, measures: null });
     expect(await next).toMatchObject({ kind: "panels" });
   });
 
@@ -110,16 +111,16 @@ describe("the solver client", () => {
   ])("replaces a worker that ends %s", async (_, end) => {
     const { client, worker, workers, deaths } = await connect();
     const asked = settled(client.ask({ kind: "exact" }));
-    const waiting = settled(client.ask({ kind: "panels" }));
+    const waiting = settled(client.ask({ kind: "panels", fairness: null }));
     end(worker);
     expect(await asked).toBeInstanceOf(Died);
     expect(await waiting).toBeInstanceOf(Abandoned);
     expect(deaths).toEqual([expect.stringMatching(/stopped/)]);
     worker.die();
     expect(deaths.length).toBe(1);
-    const next = client.ask({ kind: "panels" });
+    const next = client.ask({ kind: "panels", fairness: null });
     await client.ready;
-    workers[1]?.reply({ kind: "panels", job: 2, figures: new Float32Array() });
+    workers[1]?.reply({ kind: "panels", job: 2, measures: null });
     expect(await next).toMatchObject({ kind: "panels" });
     expect(workers.length).toBe(2);
   });

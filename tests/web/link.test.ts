@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../web/src/share/crc32.ts";
 import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
@@ -55,6 +56,16 @@ async function content(decoded: Parsed<Recipe>): Promise<Uint8Array | null> {
   if (!decoded.ok || decoded.value.source.kind === "sample") return null;
   return new Uint8Array(await decoded.value.source.bytes.arrayBuffer());
 }
+
+it("every link of docs/paper.md can be read", async () => {
+  const scenes = new URL("../../docs/scenes/links.json", import.meta.url);
+  const links = JSON.parse(readFileSync(scenes, "utf8")) as { name: string; link: string }[];
+  expect(links.length).toBeGreaterThan(20);
+  for (const { name, link } of links) {
+    const decoded = await decodeLink(link);
+    expect(decoded.ok, name).toBe(true);
+  }
+});
 
 describe("links", () => {
   it.each([

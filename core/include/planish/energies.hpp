@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <vector>
 
 #include "planish/adjacency.hpp"
 #include "planish/mesh.hpp"
@@ -31,5 +32,11 @@ using FairnessOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// straight, the row is 2 (mean of the neighbours − vertex), which has the same scale.
 [[nodiscard]] FairnessOperator fairness_operator(const Mesh& mesh, const Adjacency& adjacency,
                                                  FairnessKind kind);
+
+/// How sharply a displacement bends at each vertex: the largest ‖(E d)_r‖ over the rows r that are
+/// about the vertex, that is, have their largest coefficient there. In the unit of
+/// `displacement` (3 × n); 0 where no row is. [EN-4]
+[[nodiscard]] std::vector<double> bending(const FairnessOperator& fairness,
+                                          const Positions& displacement);
 
 }  // namespace planish

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { readFile } from "node:fs/promises";
 import type { PlanishModule } from "@wasm/planish.mjs";
+import type { AnalysisModule } from "@wasm/planish_analysis.mjs";
 
 const BUILT = new URL("../../../build/wasm/wasm/", import.meta.url);
 
@@ -8,4 +9,10 @@ const BUILT = new URL("../../../build/wasm/wasm/", import.meta.url);
 export async function loadPlanish(): Promise<PlanishModule> {
   const { default: create } = await import(new URL("planish.mjs", BUILT).href);
   return create({ wasmBinary: await readFile(new URL("planish.wasm", BUILT)) });
+}
+
+/** The module that measures designs, in node. */
+export async function loadAnalysis(): Promise<AnalysisModule> {
+  const { default: create } = await import(new URL("planish_analysis.mjs", BUILT).href);
+  return create({ wasmBinary: await readFile(new URL("planish_analysis.wasm", BUILT)) });
 }

@@ -1,30 +1,50 @@
 // SPDX-License-Identifier: MIT
 // The page's own address: a link stays there until the design is no longer the one it names.
 import { effect } from "@preact/signals";
-import { decodeLink, isLink } from "../share/link.ts";
-import { markOf } from "../state/recipe.ts";
-import { replay } from "../state/replaying.ts";
-import { deleteSnapshot, takeSnapshot } from "../state/snapshots.ts";
+import { isLink } from "../share/fragment.ts";
+import type { Design } from "../state/design.ts";
+import { fetchPart } from "../state/later.ts";
+import { markOf, type Recipe } from "../state/recipe.ts";
+import { deleteSnapshot, providePictures, takeSnapshot } from "../state/snapshots.ts";
 import { history, problem } from "../state/store.ts";
+
+/** What opens links; null, with the problem said, if it cannot be loaded. */
+const linkParts = () =>
+  fetchPart(async () => {
+    const [{ decodeLink }, { replay }] = await Promise.all([
+      import("../share/link.ts"),
+      import("../state/replaying.ts"),
+    ]);
+    return { decodeLink, replay };
+  });
 
 /** Opens the design that the address names; false if there is none or it cannot be opened. */
 export async function openAddress(): Promise<boolean> {
-  if (!isLink(location.hash)) return false;
-  const recipe = await decodeLink(location.hash);
-  if (recipe.ok) return replay(recipe.value);
+  const parts = isLink(location.hash) ? await linkParts() : null;
+  if (!parts) return false;
+  const recipe = await parts.decodeLink(location.hash);
+  if (recipe.ok) return parts.replay(recipe.value);
   problem.value = recipe.reason;
   return false;
 }
 
-/** The same over a design that was kept, which stays as a snapshot. */
+/** A design that was kept stays as a snapshot, unless it is the link's own. */
+async function keepAside(kept: Design, { mark }: Recipe): Promise<string | null> {
+  if (markOf(kept.shape).hash === mark.hash) return null;
+  const pictures = await fetchPart(() => import("../ui/snapshot-picture.ts"));
+  if (pictures) providePictures(pictures.snapshotPicture);
+  return takeSnapshot("Before the link");
+}
+
+/** The same over a design that was kept. */
 export async function openAddressOverKept(): Promise<boolean> {
-  const recipe = isLink(location.hash) ? await decodeLink(location.hash) : null;
+  const parts = isLink(location.hash) ? await linkParts() : null;
+  const recipe = parts && (await parts.decodeLink(location.hash));
   const kept = history.value?.present;
-  if (!recipe?.ok || !kept) return openAddress();
-  if (markOf(kept.shape).hash === recipe.value.mark.hash) return replay(recipe.value);
-  const snapshot = takeSnapshot("Before the link");
-  const opened = await replay(recipe.value);
-  if (!opened) deleteSnapshot(snapshot);
+  if (!parts || !recipe?.ok || !kept) return openAddress();
+  const snapshot = await keepAside(kept, recipe.value);
+  const opened = await parts.replay(recipe.value);
+  if (!opened && snapshot !== null) deleteSnapshot(snapshot);
   return opened;
 }
 

@@ -2,12 +2,16 @@
 import { useEffect } from "preact/hooks";
 import { ready } from "../state/store.ts";
 import { FileDrop } from "../ui/file-drop.tsx";
-import { ImportReport } from "../ui/import-report.tsx";
 import { Inspector } from "../ui/inspector.tsx";
+import { later } from "../ui/later.tsx";
 import { StatusLine } from "../ui/status-line.tsx";
 import { TopBar } from "../ui/top-bar.tsx";
 import { ViewportPane } from "../ui/viewport-pane.tsx";
 import { listenToShortcuts } from "./shortcuts.ts";
+
+const ImportReport = later(() =>
+  import("../ui/import-report.tsx").then((part) => part.ImportReport),
+);
 
 export function App() {
   useEffect(() => listenToShortcuts(), []);

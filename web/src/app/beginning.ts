@@ -2,6 +2,7 @@
 import { restoreSaved, startAutosave } from "../state/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
 import { client } from "../state/connection.ts";
+import { loadFigures } from "../state/figures.ts";
 import { begin as beginHistory } from "../state/history.ts";
 import { openFirst } from "../state/opening.ts";
 import { show } from "../state/showing.ts";
@@ -58,5 +59,6 @@ export async function begin(): Promise<void> {
   ready.value = true;
   startAutosave();
   followAddress();
+  void loadFigures();
   void keepOffline();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
-import { showBefore } from "../state/store.ts";
+import { ready, showBefore } from "../state/store.ts";
+import { pickAndOpen } from "../ui/pick-file.ts";
 
 const typing = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
@@ -15,6 +16,9 @@ function down(event: KeyboardEvent): void {
   } else if (command && key === "z") {
     event.preventDefault();
     void undo();
+  } else if (command && key === "o") {
+    event.preventDefault();
+    if (ready.value) void pickAndOpen();
   } else if (!command && !event.altKey && key === "b") {
     showBefore.value = true;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-import { writeDesign } from "../share/design-text.ts";
 import type { FileFormat } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
+import { fetchPart } from "../state/later.ts";
 import { recipeOf } from "../state/recipe.ts";
 import { designName, draft, mesh, problem, unit } from "../state/store.ts";
 
@@ -22,14 +22,19 @@ function save(blob: Blob, extension: string): void {
 }
 
 /** What makes the design again, as text. */
-function recipe(): string {
+async function recipe(): Promise<string> {
+  const text = await fetchPart(() => import("../share/design-text.ts"));
   const [design, base] = [draft.value, mesh.value];
-  return design && base ? writeDesign(recipeOf(design, unit.value, null), base) : "";
+  return text && design && base ? text.writeDesign(recipeOf(design, unit.value, null), base) : "";
 }
 
 /** The design shown, written by the core in float64. */
 export async function exportMesh(format: FileFormat): Promise<void> {
-  const question = { kind: "export", format, design: format === "glb" ? recipe() : "" } as const;
+  const question = {
+    kind: "export",
+    format,
+    design: format === "glb" ? await recipe() : "",
+  } as const;
   const answer = await run(`writing ${format.toUpperCase()}`, question, "exported");
   if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);
 }

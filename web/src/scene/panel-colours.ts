@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the colours of the panels mean: how far points moved, or how far panels are out of flat.
+// What the colours of the panels mean: how far points moved, how sharply the edit bends, how far
+// panels are out of flat, or whether they can be made.
 import { BufferAttribute, DynamicDrawUsage } from "three";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
@@ -29,15 +30,16 @@ export class PanelColours {
     this.#panelRamp = makeRamp(palette.planarity);
   }
 
-  /** Panels by how far they are out of flat, points by how far they moved, or neither. */
+  /** `figures`: of points for fairness, of panels otherwise; null for the points' displacement. */
   choose(kind: ColourBy, figures: Float32Array | null): void {
     this.#kind = kind;
-    this.#figures = kind === "planarity" ? figures : null;
+    this.#figures = figures;
   }
 
   /** Gives every panel its colour; points get theirs from `paintVertex`. */
   paintAll(): void {
-    if (this.#figures) this.#paintPanels(this.#figures);
+    if (this.#figures && this.#kind === "fairness") this.#paintPoints(this.#figures);
+    else if (this.#figures) this.#paintPanels(this.#figures);
     else this.#paintNeutral();
     this.#dirty.addAll(this.#mesh.vertices.length);
   }
@@ -66,11 +68,25 @@ export class PanelColours {
     }
   }
 
-  /** Neutral up to the tolerance, then logarithmic up to the fabrication limit. */
+  #paintPoints(bending: Float32Array): void {
+    const end = bending.reduce((largest, bend) => Math.max(largest, bend), 0);
+    bending.forEach((bend, vertex) => {
+      const t = end > 0 ? bend / end : 0;
+      for (const corner of row(this.#mesh.topology.corners, vertex)) {
+        writeRamp(this.#panelRamp, t, this.#colour, 3 * corner);
+      }
+    });
+  }
+
+  /**
+   * Flatness: neutral up to the tolerance, then logarithmic up to the fabrication limit. Health:
+   * convex neutral, concave in the middle of the ramp, self-crossing at its end.
+   */
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
+    const health = this.#kind === "health";
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = planarityShare(figures[2 * f + 1] ?? 0);
+      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[2 * f + 1] ?? 0);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

@@ -10,7 +10,9 @@ import { handleOf } from "../state/editing.ts";
 import { deselect, selectAlso, selectOnly, toggleSelected } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
+  bending,
   boxTool,
+  type ColourBy,
   colourBy,
   displayMesh,
   draft,
@@ -18,6 +20,7 @@ import {
   lock,
   mesh,
   panelFigures,
+  panelHealth,
   ready,
   selected,
   selectedPanel,
@@ -48,6 +51,13 @@ const HOME = 10;
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 const palette = (): Palette => (dark.matches ? DARK : LIGHT);
+
+/** What the colours show, where it is not how far points moved. */
+function figuresOf(kind: ColourBy): Float32Array | null {
+  if (kind === "health") return panelHealth.value;
+  if (kind === "fairness") return bending.value;
+  return kind === "planarity" ? panelFigures.value : null;
+}
 
 /** A window may move to a screen with other pixels. Returns how to stop watching. */
 function watchPixelRatio(changed: () => void): () => void {
@@ -251,8 +261,8 @@ export class Viewport {
       onChanges((changes) => this.#apply(changes)),
       effect(() => this.#build()),
       effect(() => {
-        const panels = colourBy.value === "planarity" ? panelFigures.value : null;
-        this.#shell?.colourBy(colourBy.value, panels);
+        const kind = colourBy.value;
+        this.#shell?.colourBy(kind, figuresOf(kind));
         this.stage.invalidate();
       }),
       effect(() => this.#outline(selectedPanel.value)),

@@ -20,8 +20,6 @@ const DAMAGED = refuse(
   "This link is damaged: part of it is missing or was changed. Ask for it again.",
 );
 
-export const isLink = (hash: string): boolean => /^#v\d+=/.test(hash);
-
 /** Any string gives a recipe or a sentence that says what is wrong with it; it never throws. */
 export async function decodeLink(hash: string): Promise<Parsed<Recipe>> {
   const version = /^#v(\d{1,9})=/.exec(hash)?.[1];

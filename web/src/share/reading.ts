@@ -66,17 +66,19 @@ type Rest = Pick<EditSettings, "sparsity" | "hardHandles" | "tolerance" | "maxIt
 /** What was added to the settings later: absent where it is all as usual. */
 function readRest(value: readonly unknown[]): Rest | null {
   const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
-  if (value.length === 0) return { sparsity, hardHandles, tolerance, maxIterations };
+  const usual = { sparsity, hardHandles, tolerance, maxIterations };
+  if (value.length === 0) return usual;
   const named = SPARSITY.find((name) => name === value[0]);
+  if (named && value.length === 1) return { ...usual, sparsity: named };
   const numbers: unknown = value.slice(1);
   if (!named || !isNumbers(numbers, 3)) return null;
   const [hard, given = 0, most = 0] = numbers;
   return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
 }
 
-/** Attraction, locality, smoothness, fairness, engine; then sparsity, hard, tolerance, limit. */
+/** Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit. */
 export function readSettings(value: unknown): EditSettings | null {
-  if (!Array.isArray(value) || (value.length !== 5 && value.length !== 9)) return null;
+  if (!Array.isArray(value) || ![5, 6, 9].includes(value.length)) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);

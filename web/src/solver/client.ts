@@ -6,7 +6,9 @@ type Job = Exclude<Request, { kind: "start" }>;
 type Unnumbered<T> = T extends unknown ? Omit<T, "job"> : never;
 export type Question = Unnumbered<Job>;
 export type Progress = Extract<Reply, { kind: "progress" } | { kind: "reading" }>;
-export type Answer = Exclude<Reply, { kind: "ready" } | Progress>;
+/** Said by the worker on its own. */
+type Unasked = Extract<Reply, { kind: "ready" } | { kind: "measurable" }>;
+export type Answer = Exclude<Reply, Unasked | Progress>;
 
 /** Rejects a job that was cancelled or overtaken; nothing to tell the user. */
 export class Abandoned extends Error {}
@@ -27,6 +29,8 @@ export type SpawnWorker = (died: () => void) => Promise<Worker>;
 
 export interface ClientEvents {
   readonly progress: (progress: Progress) => void;
+  /** What measures designs has arrived in this worker. */
+  readonly measurable: () => void;
   /** The worker is gone and its replacement starts: open and restore must follow. */
   readonly died: (sentence: string) => void;
 }
@@ -112,6 +116,7 @@ export class SolverClient {
     await new Promise<void>((resolve, reject) => {
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
         if (data.kind === "ready") resolve();
+        else if (data.kind === "measurable") this.#events.measurable();
         else this.#receive(data);
       };
       worker.onerror = (event) => {
@@ -133,7 +138,7 @@ export class SolverClient {
     this.#worker.postMessage({ ...next.question, job: ++this.#job } as Request);
   }
 
-  #receive(reply: Exclude<Reply, { kind: "ready" }>): void {
+  #receive(reply: Exclude<Reply, Unasked>): void {
     if (reply.job !== this.#job || !this.#current) return;
     if (reply.kind === "progress" || reply.kind === "reading") {
       this.#events.progress(reply);

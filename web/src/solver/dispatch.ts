@@ -2,9 +2,11 @@
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
+import { DesignAnalysis } from "./analysis.ts";
 import { openGlb, writeGlb } from "./glb.ts";
 import type {
   EditSettings,
+  Fairness,
   FileFormat,
   OpenedMesh,
   Reply,
@@ -17,6 +19,9 @@ import { keepCopy, readFile, readKept } from "./reading.ts";
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
 type Job = Exclude<Request, { kind: "start" }>;
+
+/** Jobs that wait for something: a file, a module. */
+type Waited = "open" | "read" | "export";
 
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
@@ -75,6 +80,7 @@ export class Dispatcher {
   readonly #module: PlanishModule;
   readonly #session: Session;
   readonly #post: Post;
+  readonly #analysis: DesignAnalysis;
   #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
@@ -82,6 +88,9 @@ export class Dispatcher {
   constructor(module: PlanishModule, post: Post) {
     this.#module = module;
     this.#session = new module.Session();
+    this.#analysis = new DesignAnalysis(this.#session, () =>
+      post({ kind: "measurable", job: 0 }, []),
+    );
     this.#post = post;
     this.#session.onProgress((residual) => {
       this.#post({ kind: "progress", job: this.#job, step: ++this.#step, residual }, []);
@@ -137,7 +146,7 @@ export class Dispatcher {
     this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
   }
 
-  #run(request: Exclude<Job, { kind: "open" } | { kind: "read" } | { kind: "export" }>): void {
+  #run(request: Exclude<Job, { kind: Waited }>): void {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
@@ -168,12 +177,20 @@ export class Dispatcher {
         insist(session.projectVariation(Float64Array.from(request.coefficients)));
         this.#postProjected(job);
         return;
-      case "panels": {
-        const figures = session.panelFigures();
-        this.#post({ kind: "panels", job, figures }, [figures.buffer]);
+      case "panels":
+        this.#postMeasures(job, request.fairness);
         return;
-      }
+      case "freedom":
+        this.#post({ kind: "freedom", job, freedom: this.#analysis.freedom(request.targets) }, []);
+        return;
     }
+  }
+
+  #postMeasures(job: number, fairness: Fairness | null): void {
+    const measures = this.#analysis.panels(fairness);
+    const arrays = measures ? [measures.figures, measures.health, measures.bending] : [];
+    const buffers = arrays.flatMap((array) => (array ? [array.buffer] : []));
+    this.#post({ kind: "panels", job, measures }, buffers);
   }
 
   #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
@@ -221,6 +238,7 @@ export class Dispatcher {
   }
 
   #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
+    this.#analysis.forget();
     const mesh = readMesh(this.#session, stored?.warnings ?? []);
     const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);

@@ -80,7 +80,9 @@ export type Request =
   | { kind: "exact"; job: number } // → shown
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
-  | { kind: "panels"; job: number } // → panels
+  /** `fairness`: also how sharply the edit bends at each point, by this operator. */
+  | { kind: "panels"; job: number; fairness: Fairness | null } // → panels
+  | { kind: "freedom"; job: number; targets: Targets } // → freedom
   | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
 
 export interface MeshReport {
@@ -122,6 +124,30 @@ export interface ExploreReport {
   readonly seconds: number;
 }
 
+/** What is measured on a finished design. */
+export interface PanelMeasures {
+  /** Gap in model units and mm/m, for every panel. */
+  readonly figures: Float32Array;
+  /** Outline, shortest edge, smallest angle and 1 if it changed, for every panel. */
+  readonly health: Float32Array;
+  /** How sharply the edit bends at every vertex, model units; null if not asked for. */
+  readonly bending: Float32Array | null;
+}
+
+/** What the points that move can still do, to first order, everything else staying. */
+export interface FreedomReport {
+  readonly points: number;
+  readonly equations: number;
+  /** Numerical rank of the flatness equations at these points. */
+  readonly rank: number;
+  /** 3 · points − rank. */
+  readonly freedom: number;
+  /** Share of the pull to the targets that the panels bear, 0 … 1. */
+  readonly borne: number;
+  /** Panels that hold the handles back, most first. */
+  readonly holding: readonly number[];
+}
+
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
 export interface OpenedMesh extends DisplayMesh {
   readonly report: MeshReport;
@@ -153,8 +179,12 @@ export type Reply =
   | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
   | { kind: "explored"; job: number; report: ExploreReport }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
-  /** Gap in model units and mm/m, for every panel. */
-  | { kind: "panels"; job: number; figures: Float32Array }
+  /** null until `measurable`. */
+  | { kind: "panels"; job: number; measures: PanelMeasures | null }
+  /** What measures has arrived: ask again. Until then nothing else waits for it. */
+  | { kind: "measurable"; job: 0 }
+  /** null until `measurable`, and where too many points move to count. */
+  | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };

@@ -3,7 +3,7 @@
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
 import type { Shape, Source } from "../solver/protocol.ts";
 import { spawnSolver } from "../solver/spawn.ts";
-import { activity, figures, problem } from "./store.ts";
+import { activity, figures, measurable, problem } from "./store.ts";
 
 export type ChangesListener = (changes: Float32Array) => void;
 
@@ -55,6 +55,9 @@ export const client = new SolverClient(spawnSolver, {
       progress.kind === "reading"
         ? { label, step, read: { done: progress.done, total: progress.total } }
         : { label, step: progress.step };
+  },
+  measurable: () => {
+    measurable.value += 1;
   },
   died: (sentence) => {
     forget();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The paper's figures as designs to open; made by .tools/paper.mjs, see docs/paper.md.
-import offered from "../../../docs/scenes/offered.json";
+import { signal } from "@preact/signals";
+import { fetchPart } from "./later.ts";
 
 export interface Figure {
   readonly name: string;
@@ -8,11 +9,17 @@ export interface Figure {
   readonly link: string;
 }
 
-export const FIGURES: readonly Figure[] = offered;
+/** None until the page can be used. */
+export const offeredFigures = signal<readonly Figure[]>([]);
+
+export async function loadFigures(): Promise<void> {
+  const part = await fetchPart(() => import("../../../docs/scenes/offered.json"));
+  offeredFigures.value = part?.default ?? [];
+}
 
 /** By the page's address, as any link. False if there is no such figure. */
 export function openFigure(name: string): boolean {
-  const figure = FIGURES.find((f) => f.name === name);
+  const figure = offeredFigures.value.find((f) => f.name === name);
   if (figure) location.hash = figure.link;
   return figure !== undefined;
 }

@@ -5,9 +5,11 @@ import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { announceChanges, type Base, held, onDeath, restartSolver, run } from "./connection.ts";
 import { type Design, sourceName, toTargets } from "./design.ts";
 import {
+  bending,
   displayMesh,
   draft,
   figures,
+  freedom,
   hintVertex,
   history,
   importReport,
@@ -44,6 +46,8 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     selection.value = [];
     selectedPanel.value = null;
     panelFigures.value = null;
+    bending.value = null;
+    freedom.value = null;
     hintVertex.value = null;
     importReport.value = false;
   });

@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { Snapshot } from "../share/saved-record.ts";
-import type { OpenedMesh, ShapeReport } from "../solver/protocol.ts";
+import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
@@ -23,7 +23,7 @@ export interface Lock {
   readonly plane: boolean;
 }
 
-export type ColourBy = "displacement" | "planarity" | "none";
+export type ColourBy = "displacement" | "planarity" | "fairness" | "health" | "none";
 
 /** False until the page can be used. */
 export const ready = signal(false);
@@ -60,8 +60,18 @@ export const unit = signal<Unit>("m");
 export const dimension = signal(4);
 export const eigenbasis = signal(false);
 export const colourBy = signal<ColourBy>("displacement");
+/** Counts how often what measures designs has arrived: with every new solver. */
+export const measurable = signal(0);
 /** Gap (model units) and mm/m of every panel of the last finished design. */
 export const panelFigures = signal<Float32Array | null>(null);
+/** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
+export const panelHealth = signal<Float32Array | null>(null);
+/** How sharply the edit bends at every point, model units; null while nobody looks. */
+export const bending = signal<Float32Array | null>(null);
+/** Whether someone looks at what the edit leaves free. */
+export const watchFreedom = signal(false);
+/** What the points that move can still do; null while nobody looks, or if they are too many. */
+export const freedom = signal<FreedomReport | null>(null);
 /** The panel that the table and the view point at. */
 export const selectedPanel = signal<number | null>(null);
 /** Shows the base instead of the design while held. */

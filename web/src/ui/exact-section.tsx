@@ -2,7 +2,9 @@
 import { makeExact } from "../state/exploring.ts";
 import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
 import { formatGap } from "../state/units.ts";
-import { PanelsTable } from "./panels-table.tsx";
+import { later } from "./later.tsx";
+
+const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
 
 function hold(on: boolean): void {
   showBefore.value = on;

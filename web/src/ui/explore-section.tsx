@@ -4,8 +4,12 @@ import { fillGallery, gallery } from "../state/gallery.ts";
 import { reachOf } from "../state/reach.ts";
 import { dimension, draft, eigenbasis, figures, mesh, ready, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
-import { VariationGallery } from "./variation-gallery.tsx";
+
+const VariationGallery = later(() =>
+  import("./variation-gallery.tsx").then((part) => part.VariationGallery),
+);
 
 function Sliders() {
   const variation = draft.value?.variation;

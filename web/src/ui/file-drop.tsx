@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { openFile } from "../state/files.ts";
 import { ready } from "../state/store.ts";
+import { openGiven } from "./pick-file.ts";
 
 /** The whole page takes a dropped mesh. */
 export function FileDrop({ children }: { children: ComponentChildren }) {
@@ -11,7 +11,7 @@ export function FileDrop({ children }: { children: ComponentChildren }) {
     event.preventDefault();
     over.value = false;
     const file = event.dataTransfer?.files[0];
-    if (file && ready.value) void openFile(file);
+    if (file && ready.value) void openGiven(file);
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button Open file does the same

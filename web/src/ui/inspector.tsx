@@ -5,8 +5,8 @@ import { mesh, ready, settings } from "../state/store.ts";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
+import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
-import { SnapshotsSection } from "./snapshots-section.tsx";
 
 function NotFlatNote() {
   const report = mesh.value?.report;
@@ -53,6 +53,13 @@ function Weights() {
   );
 }
 
+const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
+const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
+const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
+const SnapshotsSection = later(() =>
+  import("./snapshots-section.tsx").then((part) => part.SnapshotsSection),
+);
+
 export function Inspector() {
   return (
     <aside class="inspector" aria-label="Inspector">
@@ -63,6 +70,9 @@ export function Inspector() {
         <NotFlatNote />
         <HandlesTable />
         <Weights />
+        <RefusedNote />
+        <Advanced />
+        <LastSolve />
       </section>
       <ExploreSection />
       <ExactSection />

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+import { fetchPart } from "../state/later.ts";
+
 /** Asks for one file; null if the user changes their mind. */
-export function pickFile(accept: string): Promise<File | null> {
+function pickFile(accept: string): Promise<File | null> {
   return new Promise((resolve) => {
     const input = document.createElement("input");
     input.type = "file";
@@ -9,4 +11,15 @@ export function pickFile(accept: string): Promise<File | null> {
     input.addEventListener("cancel", () => resolve(null));
     input.click();
   });
+}
+
+/** Opens a mesh that was picked or dropped. */
+export async function openGiven(file: File): Promise<void> {
+  const files = await fetchPart(() => import("../state/files.ts"));
+  await files?.openFile(file);
+}
+
+export async function pickAndOpen(): Promise<void> {
+  const file = await pickFile(".obj,.off,.ply,.glb");
+  if (file) await openGiven(file);
 }

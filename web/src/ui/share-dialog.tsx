@@ -2,8 +2,8 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { exportMesh } from "../export/exporting.ts";
-import { encodeLink } from "../share/link.ts";
 import { readCamera } from "../state/camera.ts";
+import { fetchPart } from "../state/later.ts";
 import { recipeOf } from "../state/recipe.ts";
 import { draft, ready, unit } from "../state/store.ts";
 import { Icon } from "./icon.tsx";
@@ -27,11 +27,12 @@ function advice({ link, copied }: Shared): string {
 }
 
 async function share(): Promise<Shared | null> {
+  const links = await fetchPart(() => import("../share/link.ts"));
   const design = draft.value;
-  if (!design) return null;
+  if (!links || !design) return null;
   const url = new URL(location.href);
   url.hash = "";
-  const link = url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
+  const link = url.href + (await links.encodeLink(recipeOf(design, unit.value, readCamera())));
   const copied = await navigator.clipboard.writeText(link).then(
     () => true,
     () => false,
@@ -44,7 +45,7 @@ export function ShareDialog() {
   const shared = useSignal<Shared | null>(null);
   const open = async (): Promise<void> => {
     shared.value = await share();
-    dialog.current?.showModal();
+    if (shared.value) dialog.current?.showModal();
   };
   return (
     <>

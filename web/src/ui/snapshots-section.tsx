@@ -10,21 +10,10 @@ import {
   renameSnapshot,
   takeSnapshot,
 } from "../state/snapshots.ts";
-import { history, mesh, ready, snapshots, unit } from "../state/store.ts";
+import { ready, snapshots, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
-import { drawPatch, patchOf } from "./patch-drawing.ts";
-import { PICTURE_SIZE } from "./patch-picture.tsx";
-
-/** The last finished design as a small picture; "" if it cannot be drawn. */
-function picture(): string {
-  const design = history.value?.present;
-  const opened = mesh.value;
-  if (!design || !opened) return "";
-  const canvas = document.createElement("canvas");
-  drawPatch(canvas, opened, patchOf(opened, [design.shape]), design.shape, PICTURE_SIZE);
-  return canvas.toDataURL("image/webp", 0.9);
-}
+import { snapshotPicture } from "./snapshot-picture.ts";
 
 function figuresOf({ design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;
@@ -74,7 +63,7 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
 
 /** Designs kept under a name. */
 export function SnapshotsSection() {
-  useEffect(() => providePictures(picture), []);
+  useEffect(() => providePictures(snapshotPicture), []);
   return (
     <section class="step" aria-labelledby="snapshots">
       <h2 id="snapshots">Snapshots</h2>

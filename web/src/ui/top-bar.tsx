@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
-import { FIGURES, openFigure } from "../state/figures.ts";
-import { openFile } from "../state/files.ts";
+import { offeredFigures, openFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
 import { canRedo, canUndo, history, ready } from "../state/store.ts";
 import { ExportMenu } from "./export-menu.tsx";
 import { HelpDialog } from "./help-dialog.tsx";
 import { Icon, type IconName } from "./icon.tsx";
-import { pickFile } from "./pick-file.ts";
+import { pickAndOpen } from "./pick-file.ts";
 import { ShareDialog } from "./share-dialog.tsx";
 
 interface BarButtonProps {
@@ -58,7 +57,7 @@ function SampleChooser() {
         </option>
       ))}
       <optgroup label="Figures of the paper">
-        {FIGURES.map((figure) => (
+        {offeredFigures.value.map((figure) => (
           <option key={figure.name} value={figure.name}>
             {figure.label}
           </option>
@@ -66,11 +65,6 @@ function SampleChooser() {
       </optgroup>
     </select>
   );
-}
-
-async function chooseFile(): Promise<void> {
-  const file = await pickFile(".obj,.off,.ply,.glb");
-  if (file) await openFile(file);
 }
 
 export function TopBar() {
@@ -82,8 +76,9 @@ export function TopBar() {
         <BarButton
           icon="folder"
           label="Open file"
+          keys="Ctrl O"
           disabled={!ready.value}
-          onClick={() => void chooseFile()}
+          onClick={() => void pickAndOpen()}
         />
       </div>
       <div class="bar-group">

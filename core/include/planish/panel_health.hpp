@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// Whether a panel can be made: its outline, its shortest edge, its smallest angle.
+#pragma once
+
+#include <span>
+
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+enum class PanelOutline {
+  kConvex,
+  kConcave,       ///< some corner turns the other way
+  kSelfCrossing,  ///< two edges cross, as in a bow-tie; planar hexagons in saddles become this
+};
+
+struct PanelHealth {
+  PanelOutline outline = PanelOutline::kConvex;
+  double shortest_edge = 0.0;   ///< model units
+  double smallest_angle = 0.0;  ///< inside the panel, degrees, 0 … 360
+};
+
+/// Seen along the panel's own normal; `positions` is 3 × n of the whole mesh. O(k²) for a concave
+/// panel with k corners, and one with more than 256 is not tested for crossings.
+[[nodiscard]] PanelHealth panel_health(const Positions& positions, std::span<const int> face);
+
+}  // namespace planish

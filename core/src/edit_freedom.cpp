@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "planish/edit_freedom.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <utility>
+
+#include "planish/constraints/planar_polygon.hpp"
+
+namespace planish {
+namespace {
+
+/// Gradients are pure numbers of size 1; what a rank counts must stand out of their rounding.
+constexpr double kRankThreshold = 1e-8;
+/// Multiplications of the factorization: about a second in a browser.
+constexpr double kMostWork = 2e9;
+/// Forces below this share of the largest are rounding.
+constexpr double kLeastShare = 1e-6;
+
+std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
+
+/// Faces that use a vertex of `free`, ascending.
+std::vector<int> faces_around(const Adjacency& adjacency, std::span<const int> free) {
+  std::vector<int> faces;
+  for (const int v : free) {
+    faces.insert(faces.end(), adjacency.faces[v].begin(), adjacency.faces[v].end());
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// The place of a vertex in `free`, or −1.
+Eigen::Index place(std::span<const int> free, int vertex) {
+  const auto found = std::lower_bound(free.begin(), free.end(), vertex);
+  return found != free.end() && *found == vertex ? found - free.begin() : -1;
+}
+
+/// The flatness equations of some faces, and their derivatives by the free points.
+struct Linearised {
+  std::vector<int> faces;  ///< of each equation
+  Eigen::MatrixXd slopes;  ///< 3·free × equations: the transposed Jacobian
+};
+
+Linearised linearise(const Mesh& mesh, const Positions& positions, const std::vector<int>& faces,
+                     std::span<const int> free) {
+  Linearised result;
+  std::vector<FlatnessEquation> equations;
+  for (const int f : faces) {
+    append_flatness_equations(positions, mesh.face(f), equations);
+    result.faces.resize(equations.size(), f);
+  }
+  const auto rows = 3 * static_cast<Eigen::Index>(free.size());
+  result.slopes.setZero(rows, static_cast<Eigen::Index>(equations.size()));
+  for (std::size_t e = 0; e < equations.size(); ++e) {
+    FourPoints corners;
+    for (int k = 0; k < 4; ++k) corners.col(k) = positions.col(equations[e].vertices[at(k)]);
+    const FourPoints slope = gradient(equations[e], corners);
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Index row = place(free, equations[e].vertices[at(k)]);
+      if (row >= 0) {
+        result.slopes.col(static_cast<Eigen::Index>(e)).segment<3>(3 * row) += slope.col(k);
+      }
+    }
+  }
+  return result;
+}
+
+/// The force of every panel, largest first. @param forces one multiplier per equation
+std::vector<HoldingPanel> by_panel(const Linearised& system, const Eigen::VectorXd& forces,
+                                   double pull) {
+  std::vector<HoldingPanel> panels;
+  for (Eigen::Index e = 0; e < forces.size(); ++e) {
+    const double share = std::abs(forces[e]) * system.slopes.col(e).norm() / pull;
+    if (panels.empty() || panels.back().face != system.faces[at(e)]) {
+      panels.push_back({system.faces[at(e)], 0.0});
+    }
+    panels.back().share += share;
+  }
+  const auto stronger = [](const auto& a, const auto& b) { return a.share > b.share; };
+  std::stable_sort(panels.begin(), panels.end(), stronger);
+  const double least = panels.empty() ? 0.0 : kLeastShare * panels.front().share;
+  std::erase_if(panels, [&](const HoldingPanel& p) { return !(p.share > least); });
+  return panels;
+}
+
+}  // namespace
+
+std::optional<EditFreedom> measure_freedom(const Mesh& mesh, const Adjacency& adjacency,
+                                           const Positions& positions, std::span<const int> free,
+                                           std::span<const Pull> pulls) {
+  const std::vector<int> faces = faces_around(adjacency, free);
+  double equations = 0.0;
+  for (const int f : faces) equations += static_cast<double>(mesh.face(f).size() - 3);
+  const double rows = 3.0 * static_cast<double>(free.size());
+  if (2.0 * rows * equations * std::min(rows, equations) > kMostWork) return std::nullopt;
+
+  const Linearised system = linearise(mesh, positions, faces, free);
+  EditFreedom result;
+  result.points = static_cast<int>(free.size());
+  result.equations = static_cast<int>(system.slopes.cols());
+  if (system.slopes.size() == 0) return result;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(system.slopes.rows(), system.slopes.cols());
+  factor.setThreshold(kRankThreshold);
+  factor.compute(system.slopes);
+  result.rank = static_cast<int>(factor.rank());
+
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(system.slopes.rows());
+  for (const Pull& one : pulls) {
+    const Eigen::Index row = place(free, one.vertex);
+    if (row >= 0) pull.segment<3>(3 * row) += one.rest;
+  }
+  const double size = pull.norm();
+  if (!(size > 0.0)) return result;
+  const Eigen::VectorXd forces = factor.solve(pull);
+  result.borne = (system.slopes * forces).norm() / size;
+  result.holding = by_panel(system, forces, size);
+  return result;
+}
+
+}  // namespace planish

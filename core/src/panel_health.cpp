@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "planish/panel_health.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace planish {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr std::size_t kMostTested = 256;
+
+using Outline = std::vector<Eigen::Vector2d>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The corners in the plane across the area vector (Newell).
+Outline flatten(const Positions& positions, std::span<const int> face) {
+  const Eigen::Vector3d origin = positions.col(face[0]);
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Eigen::Vector3d a = positions.col(face[k]) - origin;
+    const Eigen::Vector3d b = positions.col(face[(k + 1) % face.size()]) - origin;
+    normal += a.cross(b);
+  }
+  if (normal.isZero(0.0)) {  // a symmetric bow-tie has no area: any two edges span its plane
+    for (std::size_t k = 1; k + 1 < face.size() && normal.isZero(0.0); ++k) {
+      const Eigen::Vector3d a = positions.col(face[k]) - origin;
+      normal = a.cross(positions.col(face[k + 1]) - origin);
+    }
+  }
+  if (normal.isZero(0.0)) normal = Eigen::Vector3d::UnitZ();
+  normal.normalize();
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  Outline outline;
+  for (const int vertex : face) {
+    const Eigen::Vector3d p = positions.col(vertex) - origin;
+    outline.emplace_back(p.dot(u), p.dot(v));
+  }
+  return outline;
+}
+
+bool separates(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p,
+               const Eigen::Vector2d& q) {
+  return cross(b - a, p - a) * cross(b - a, q - a) < 0.0;
+}
+
+bool crosses_itself(const Outline& outline) {
+  const std::size_t n = outline.size();
+  if (n > kMostTested) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % n];
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const Eigen::Vector2d &p = outline[j], &q = outline[(j + 1) % n];
+      if (separates(a, b, p, q) && separates(p, q, a, b)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+PanelHealth panel_health(const Positions& positions, std::span<const int> face) {
+  const Outline outline = flatten(positions, face);
+  const std::size_t n = outline.size();
+  PanelHealth health;
+  health.shortest_edge = std::numeric_limits<double>::infinity();
+  std::vector<double> turns;
+  double total = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector2d in = outline[k] - outline[(k + n - 1) % n];
+    const Eigen::Vector2d out = outline[(k + 1) % n] - outline[k];
+    health.shortest_edge = std::min(health.shortest_edge, out.norm());
+    turns.push_back(std::atan2(cross(in, out), in.dot(out)));
+    total += turns.back();
+  }
+  constexpr double kStraight = 1e-9;  // a corner in the middle of an edge turns by rounding only
+  const double way = total < 0.0 ? -1.0 : 1.0;
+  bool same_way = true;
+  health.smallest_angle = 360.0;
+  for (const double turn : turns) {
+    same_way = same_way && way * turn > -kStraight;
+    health.smallest_angle = std::min(health.smallest_angle, (kPi - way * turn) * 180.0 / kPi);
+  }
+  const bool once = std::abs(std::abs(total) - 2.0 * kPi) < 0.1;
+  if (!same_way || !once) {
+    health.outline = crosses_itself(outline) ? PanelOutline::kSelfCrossing : PanelOutline::kConcave;
+  }
+  return health;
+}
+
+}  // namespace planish

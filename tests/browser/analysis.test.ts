@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// What an expert looks for: health of panels, sorting, how the solve went, settings behind a fold.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { idle, movedCount, openSite, type Site, typeTarget } from "./support/page.ts";
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** The cells of one column of the table Panels. */
+async function column(page: Page, place: number): Promise<string[]> {
+  const rows = page.getByRole("table", { name: "Panels" }).getByRole("row");
+  const texts = await rows.evaluateAll(
+    (all, k) => all.slice(1).map((row) => row.children[k]?.textContent ?? ""),
+    place,
+  );
+  return texts;
+}
+
+const degrees = async (page: Page): Promise<number[]> =>
+  (await column(page, 3)).map(Number.parseFloat);
+
+it("lists panels by any figure, by keyboard, and says which must be made again", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => page.getByText(/^[1-9]\d* panels must be made again/).count()).toBe(1);
+  const angle = page.getByRole("columnheader", { name: "Angle" });
+  await angle.getByRole("button").focus();
+  await page.keyboard.press("Enter");
+  expect(await angle.getAttribute("aria-sort")).toBe("ascending");
+  const smallest = await degrees(page);
+  expect(smallest).toEqual(smallest.toSorted((a, b) => a - b));
+  await page.keyboard.press("Enter");
+  expect(await angle.getAttribute("aria-sort")).toBe("descending");
+  const largest = await degrees(page);
+  expect(largest).toEqual(largest.toSorted((a, b) => b - a));
+  expect(Math.min(...largest)).toBeGreaterThan(Math.max(...smallest));
+  await page.context().close();
+});
+
+it("colours by every figure, with a legend in mm or mm/m and a histogram", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const moved = await movedCount(page);
+  const histogram = page.getByRole("img", { name: /^Histogram: / });
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toBe(`Histogram: ${moved} points move, ${441 - moved} untouched`);
+  const choose = (name: string) =>
+    page.getByRole("combobox", { name: "Colour by" }).selectOption(name);
+  const view = page.getByLabel("3D view");
+  const seen = [await view.screenshot()];
+  await choose("Fairness");
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toMatch(/\d+ points bend, \d+ smooth/);
+  expect(await page.getByText("0 mm, smooth").count()).toBe(1);
+  seen.push(await view.screenshot());
+  await choose("Planarity");
+  expect(await page.getByText(/^Worst 0\.0000 mm \(\d\.\de-\d+ mm\/m\)$/).count()).toBe(1);
+  expect(await page.getByText(/0 panels out of flat, 400 flat/).count()).toBe(1);
+  seen.push(await view.screenshot());
+  await choose("Panel health");
+  await expect.poll(() => page.getByText(/^convex\s*400$/).count()).toBe(1);
+  const pictures = new Set(seen.map((picture) => picture.toString("base64")));
+  expect(pictures.size).toBe(3);
+  await page.context().close();
+});
+
+it("says why a target is refused: how far short, which panels hold it; each can be seen", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+10cm");
+  // Everything around the point is held: nothing can follow it.
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+  await page.getByLabel("3D view").focus();
+  for (const way of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowLeft", "ArrowDown", "ArrowDown"])
+    await page.keyboard.press(`Control+${way}`);
+  for (const way of ["ArrowRight", "ArrowRight"]) await page.keyboard.press(`Control+${way}`);
+  await page.getByRole("table", { name: "Handles" }).getByRole("rowheader").first().waitFor();
+  await page.getByRole("button", { name: "Pin selected points" }).click();
+  await idle(page);
+  const first = page.getByRole("checkbox", { name: "Pinned" }).first();
+  if (await first.isChecked()) await first.uncheck();
+  await idle(page);
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  await expect.poll(() => why.textContent()).toMatch(/stops \d+ mm short/);
+  const shows = why.getByRole("button", { name: /^Show panel \d+$/ });
+  await expect.poll(() => shows.count()).toBeGreaterThan(0);
+  const panel = await shows.first().textContent();
+  await shows.first().click();
+  expect(await page.getByText(/ corners, /).textContent()).toContain(`Panel ${panel}`);
+  await page.context().close();
+});
+
+it("marks panels that cross themselves, in words too", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open file" }).click();
+  const bowTie = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
+  await (await chooser).setFiles({
+    name: "bow.obj",
+    mimeType: "text/plain",
+    buffer: Buffer.from(bowTie),
+  });
+  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await expect.poll(() => page.getByText(/1 self-crossing/).count()).toBe(1);
+  await page.getByRole("columnheader", { name: "Shape" }).getByRole("button").click();
+  expect((await column(page, 5))[0]).toBe("crosses itself");
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
+  expect(await page.getByText("crosses itself (bow-tie)").count()).toBe(1);
+  await page.context().close();
+});
+
+it("shows how the solve went and changes it behind a fold; axe finds nothing", async () => {
+  for (const colorScheme of ["light", "dark"] as const) {
+    const page = await site.open({ viewport: { width: 1280, height: 900 }, colorScheme });
+    await typeTarget(page, "+40cm");
+    const before = await movedCount(page);
+    await page.getByText("Last solve", { exact: true }).click();
+    expect(await page.getByRole("img", { name: /^Residual of \d+ steps/ }).count()).toBe(1);
+    const fact = (name: string) => page.getByText(name, { exact: true }).locator("xpath=../dd");
+    await expect.poll(() => fact("Ways left to move them").count()).toBe(1);
+    const [points = 0, equations = 0, rank = 0, ways = 0] = [
+      ...((await fact("Points that may move").textContent()) ?? "").matchAll(/^\d+/g),
+      ...((await fact("Flatness equations on them").textContent()) ?? "").matchAll(/\d+/g),
+      ...((await fact("Ways left to move them").textContent()) ?? "").matchAll(/\d+/g),
+    ].map(Number);
+    expect(points).toBe(before);
+    expect(rank).toBeLessThanOrEqual(equations);
+    expect(ways).toBe(3 * points - rank);
+    await page.getByText("Advanced", { exact: true }).click();
+    await page.getByRole("combobox", { name: "Fairness" }).selectOption("Laplacian");
+    await idle(page);
+    await expect.poll(() => movedCount(page)).not.toBe(before);
+    await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+    await idle(page);
+    await expect.poll(() => page.getByText("0 mm", { exact: true }).count()).toBeGreaterThan(0);
+    await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
+    const violations = (await page.evaluate(
+      `${AXE}; axe.run(document).then((result) => result.violations)`,
+    )) as { id: string; nodes: { html: string }[] }[];
+    expect(violations.map(({ id, nodes }) => `${id} ${nodes[0]?.html}`)).toEqual([]);
+    if (process.env.PLANISH_PICTURES)
+      await page.screenshot({
+        path: `${process.env.PLANISH_PICTURES}/analysis-${colorScheme}.png`,
+      });
+    await page.getByRole("button", { name: "Undo" }).click();
+    await idle(page);
+    await page.context().close();
+  }
+});

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "analysis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+constexpr int kMiddle = 8 * 17 + 8;
+
+struct EditedVault {
+  Mesh mesh = testing::sample("vault", 17);
+  EditTargets targets = testing::pull(mesh, kMiddle, {0.0, 0.0, 0.5});
+  HandleEditResult result = solve_handle_edit(mesh, targets);
+  Analysis analysis{mesh};
+
+  EditedVault() { analysis.show(result.moved, result.moved_positions); }
+  [[nodiscard]] bool moved(int v) const {
+    return std::binary_search(result.moved.begin(), result.moved.end(), v);
+  }
+};
+
+TEST(Analysis, SaysWhichPanelsMustBeMadeAgain) {
+  const EditedVault vault;
+  const std::vector<float> health = vault.analysis.panel_health();
+  ASSERT_EQ(health.size(), 4 * static_cast<std::size_t>(vault.mesh.face_count()));
+  for (int f = 0; f < vault.mesh.face_count(); ++f) {
+    const auto face = vault.mesh.face(f);
+    const bool changed =
+        std::any_of(face.begin(), face.end(), [&](int v) { return vault.moved(v); });
+    EXPECT_EQ(health[4 * static_cast<std::size_t>(f) + 3], changed ? 1.0F : 0.0F) << f;
+  }
+}
+
+TEST(Analysis, FarFromTheEditNothingBends) {
+  const EditedVault vault;
+  const std::vector<float> bends = vault.analysis.vertex_bending(FairnessKind::kSecondDifference);
+  ASSERT_EQ(bends.size(), static_cast<std::size_t>(vault.mesh.vertex_count()));
+  EXPECT_GT(*std::max_element(bends.begin(), bends.end()), 0.0F);
+  EXPECT_EQ(bends.front(), 0.0F);
+  EXPECT_EQ(bends.back(), 0.0F);
+}
+
+TEST(Analysis, CountsWhatTheEditLeavesFree) {
+  const EditedVault vault;
+  const auto found = nlohmann::json::parse(vault.analysis.freedom(vault.targets));
+  EXPECT_EQ(found["points"].get<std::size_t>(), vault.result.moved.size());
+  EXPECT_EQ(found["freedom"].get<int>(), 3 * found["points"].get<int>() - found["rank"].get<int>());
+  EXPECT_LE(found["rank"].get<int>(), found["equations"].get<int>());
+}
+
+TEST(Analysis, NamesThePanelsAtAHandleThatIsHeld) {
+  const Mesh mesh = testing::sample("vault", 17);
+  EditTargets targets = testing::pull(mesh, kMiddle, {0.0, 0.0, 0.5});
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (v != kMiddle) targets.pins.push_back(v);
+  }
+  const Analysis analysis(mesh);
+  const auto found = nlohmann::json::parse(analysis.freedom(targets));
+  EXPECT_EQ(found["freedom"].get<int>(), 0);
+  EXPECT_NEAR(found["borne"].get<double>(), 1.0, 1e-9);
+  std::set<int> around;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (std::find(face.begin(), face.end(), kMiddle) != face.end()) around.insert(f);
+  }
+  ASSERT_FALSE(found["holding"].empty());
+  for (const int face : found["holding"]) EXPECT_TRUE(around.contains(face)) << face;
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "analysis.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "json_text.hpp"
+#include "planish/edit_freedom.hpp"
+#include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
+
+namespace planish {
+
+Analysis::Analysis(Mesh base)
+    : base_(std::move(base)), adjacency_(build_adjacency(base_)), current_(base_.positions) {}
+
+void Analysis::show(std::vector<int> moved, const Positions& positions) {
+  current_ = base_.positions;
+  moved_ = std::move(moved);
+  current_(Eigen::all, moved_) = positions;
+}
+
+std::vector<float> Analysis::panel_figures() const {
+  std::vector<float> figures;
+  figures.reserve(2 * static_cast<std::size_t>(base_.face_count()));
+  for (int f = 0; f < base_.face_count(); ++f) {
+    const FacePlanarity face = face_planarity(current_, base_.face(f));
+    figures.push_back(static_cast<float>(face.gap));
+    figures.push_back(static_cast<float>(face.mm_per_m));
+  }
+  return figures;
+}
+
+std::vector<float> Analysis::panel_health() const {
+  std::vector<char> moved(static_cast<std::size_t>(base_.vertex_count()), 0);
+  for (const int v : moved_) moved[static_cast<std::size_t>(v)] = 1;
+  std::vector<float> health;
+  health.reserve(4 * static_cast<std::size_t>(base_.face_count()));
+  for (int f = 0; f < base_.face_count(); ++f) {
+    const auto face = base_.face(f);
+    const PanelHealth panel = planish::panel_health(current_, face);
+    const bool changed = std::any_of(
+        face.begin(), face.end(), [&](int v) { return moved[static_cast<std::size_t>(v)] != 0; });
+    health.insert(health.end(),
+                  {static_cast<float>(panel.outline), static_cast<float>(panel.shortest_edge),
+                   static_cast<float>(panel.smallest_angle), changed ? 1.0F : 0.0F});
+  }
+  return health;
+}
+
+std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {
+  const Positions displacement = current_ - base_.positions;
+  const auto bends = bending(fairness_operator(base_, adjacency_, kind), displacement);
+  return {bends.begin(), bends.end()};
+}
+
+std::string Analysis::freedom(const EditTargets& targets) const {
+  std::vector<int> free = moved_;
+  std::vector<Pull> pulls;
+  for (const Handle& handle : targets.handles) {
+    pulls.push_back({handle.vertex, handle.target - current_.col(handle.vertex)});
+    free.push_back(handle.vertex);
+  }
+  std::sort(free.begin(), free.end());
+  free.erase(std::unique(free.begin(), free.end()), free.end());
+  const auto pinned = [&](int v) {
+    return std::find(targets.pins.begin(), targets.pins.end(), v) != targets.pins.end();
+  };
+  free.erase(std::remove_if(free.begin(), free.end(), pinned), free.end());
+  const auto found = measure_freedom(base_, adjacency_, current_, free, pulls);
+  if (!found) return "{}";
+  std::vector<int> holding;
+  for (const HoldingPanel& panel : found->holding) holding.push_back(panel.face);
+  return JsonText()
+      .add("points", found->points)
+      .add("equations", found->equations)
+      .add("rank", found->rank)
+      .add("freedom", found->freedom())
+      .add("borne", found->borne)
+      .add("holding", holding)
+      .text();
+}
+
+}  // namespace planish

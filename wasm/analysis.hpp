@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// What is measured on a finished design for its tables, legends and explanations. A module of its
+/// own in the browser: nothing of it is needed to drag.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planish/adjacency.hpp"
+#include "planish/energies.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// One base mesh and the design shown on it.
+class Analysis {
+ public:
+  /// @param base as a session gave it out, so checked
+  explicit Analysis(Mesh base);
+
+  /// The design to be measured: `moved` ascending, everything else at the base.
+  void show(std::vector<int> moved, const Positions& positions);
+
+  /// Gap (model units) and mm/m of every face, interleaved.
+  [[nodiscard]] std::vector<float> panel_figures() const;
+  /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
+  /// units), smallest angle (degrees), and 1 if one of its points moved.
+  [[nodiscard]] std::vector<float> panel_health() const;
+  /// How sharply the edit bends at each vertex, model units, see bending().
+  [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
+  /// JSON: points, equations, rank, freedom, borne, and the panels that hold the handles back, most
+  /// first; {} where there are too many points, see measure_freedom().
+  [[nodiscard]] std::string freedom(const EditTargets& targets) const;
+
+ private:
+  Mesh base_;
+  Adjacency adjacency_;
+  Positions current_;  ///< 3 × n
+  std::vector<int> moved_;
+};
+
+}  // namespace planish

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+/// The analysis module as JavaScript sees it: a list. Memory that runs out ends the module, and
+/// with it the worker, which is replaced.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::Analysis;
+using planish::EditTargets;
+using planish::FairnessKind;
+using planish::Mesh;
+using planish::Positions;
+
+val copy(const std::vector<float>& data) {
+  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
+}
+
+Positions to_positions(const val& numbers) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
+}
+
+std::vector<int> to_indices(const val& numbers) {
+  return emscripten::convertJSArrayToNumberVector<int>(numbers);
+}
+
+Analysis* create(const val& positions, const val& offsets, const val& vertices) {
+  Mesh mesh;
+  mesh.positions = to_positions(positions);
+  mesh.face_offsets = to_indices(offsets);
+  mesh.face_vertices = to_indices(vertices);
+  return new Analysis(std::move(mesh));  // NOLINT(cppcoreguidelines-owning-memory): embind owns it
+}
+void show(Analysis& a, const val& moved, const val& positions) {
+  a.show(to_indices(moved), to_positions(positions));
+}
+val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
+val panel_health(const Analysis& a) { return copy(a.panel_health()); }
+val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
+/// `handles` holds vertex, x, y, z for each.
+std::string freedom(const Analysis& a, const val& handles, const val& pins) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
+  EditTargets targets{.handles = {}, .pins = to_indices(pins)};
+  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
+    targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
+  }
+  return a.freedom(targets);
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_analysis) {
+  emscripten::enum_<FairnessKind>("FairnessKind")
+      .value("laplacian", FairnessKind::kLaplacian)
+      .value("second", FairnessKind::kSecondDifference)
+      .value("third", FairnessKind::kThirdDifference);
+  emscripten::class_<Analysis>("Analysis")
+      .constructor(&create, emscripten::allow_raw_pointers())
+      .function("show", &show)
+      .function("panelFigures", &panel_figures)
+      .function("panelHealth", &panel_health)
+      .function("vertexBending", &vertex_bending)
+      .function("freedom", &freedom);
+}

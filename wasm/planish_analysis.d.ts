@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What analysis_bindings.cpp lists, by hand.
+import type { EnumValue } from "./planish.d.ts";
+
+/** One base mesh and the design shown on it. */
+export interface Analysis {
+  show(moved: Int32Array, positions: Float64Array): void;
+  /** Gap (model units) and mm/m of every panel. */
+  panelFigures(): Float32Array;
+  /** Of every panel: outline, shortest edge, smallest angle (degrees), 1 if it changed. */
+  panelHealth(): Float32Array;
+  /** How sharply the edit bends at every vertex, model units. */
+  vertexBending(kind: EnumValue): Float32Array;
+  /** JSON; "{}" where too many points move. `handles`: vertex, x, y, z for each. */
+  freedom(handles: Float64Array, pins: Int32Array): string;
+  delete(): void;
+}
+
+export interface AnalysisModule {
+  Analysis: new (positions: Float64Array, offsets: Int32Array, vertices: Int32Array) => Analysis;
+  FairnessKind: { laplacian: EnumValue; second: EnumValue; third: EnumValue };
+}
+
+export default function createPlanishAnalysis(options?: object): Promise<AnalysisModule>;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What is measured on a finished design, by a module of its own that is fetched after the first.
+import type { Session } from "@wasm/planish.mjs";
+import type { Analysis, AnalysisModule } from "@wasm/planish_analysis.mjs";
+import analysisUrl from "@wasm/planish_analysis.wasm?url";
+import type { Fairness, FreedomReport, PanelMeasures, Targets } from "./protocol.ts";
+
+async function load(): Promise<AnalysisModule> {
+  const { default: create } = await import("@wasm/planish_analysis.mjs");
+  return create({ locateFile: () => analysisUrl });
+}
+
+/** Measures what one session shows; nothing before its module has arrived, so that a drag never
+ * waits for it. */
+export class DesignAnalysis {
+  readonly #session: Session;
+  readonly #arrived: () => void;
+  #loading = false;
+  #module: AnalysisModule | null = null;
+  #analysis: Analysis | null = null;
+
+  constructor(session: Session, arrived: () => void) {
+    this.#session = session;
+    this.#arrived = arrived;
+  }
+
+  /** The session has another base now. */
+  forget(): void {
+    this.#analysis?.delete();
+    this.#analysis = null;
+  }
+
+  panels(fairness: Fairness | null): PanelMeasures | null {
+    const [module, analysis] = this.#current();
+    if (!module || !analysis) return null;
+    return {
+      figures: analysis.panelFigures(),
+      health: analysis.panelHealth(),
+      bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
+    };
+  }
+
+  freedom({ handles, pins }: Targets): FreedomReport | null {
+    const [, analysis] = this.#current();
+    if (!analysis) return null;
+    const text = analysis.freedom(Float64Array.from(handles), Int32Array.from(pins));
+    const report = JSON.parse(text) as Partial<FreedomReport>;
+    return report.points === undefined ? null : (report as FreedomReport);
+  }
+
+  #current(): [AnalysisModule, Analysis] | [null, null] {
+    const session = this.#session;
+    if (!this.#module) {
+      void this.#load();
+      return [null, null];
+    }
+    this.#analysis ??= new this.#module.Analysis(
+      session.basePositions(),
+      session.faceOffsets(),
+      session.faceVertices(),
+    );
+    this.#analysis.show(session.moved(), session.movedPositions());
+    return [this.#module, this.#analysis];
+  }
+
+  /** Without it there are no tables; the next question tries again. */
+  async #load(): Promise<void> {
+    if (this.#loading) return;
+    this.#loading = true;
+    try {
+      this.#module = await load();
+      this.#arrived();
+    } catch {
+      this.#module = null;
+    }
+    this.#loading = false;
+  }
+}

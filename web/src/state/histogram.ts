@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// How the figures that colour the model are distributed.
+import { planarityShare } from "../scene/ramp.ts";
+import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+
+export interface Histogram {
+  /** How many lie in each equal part of the ramp; those at rest are not among them. */
+  readonly bins: readonly number[];
+  /** Untouched points, flat panels, smooth points. */
+  readonly rest: number;
+  /** The figure at the ramp's end. */
+  readonly end: number;
+}
+
+const BINS = 16;
+
+/** @param share place on the ramp, 0 for what is at rest */
+function count(values: ArrayLike<number>, end: number, share: (x: number) => number): Histogram {
+  const bins = new Array<number>(BINS).fill(0);
+  let rest = 0;
+  for (let k = 0; k < values.length; ++k) {
+    const place = share(values[k] ?? 0);
+    const bin = Math.min(BINS - 1, Math.floor(place * BINS));
+    if (place > 0) bins[bin] = (bins[bin] ?? 0) + 1;
+    else rest += 1;
+  }
+  return { bins, rest, end };
+}
+
+function maximum(values: ArrayLike<number>): number {
+  let largest = 0;
+  for (let k = 0; k < values.length; ++k) largest = Math.max(largest, values[k] ?? 0);
+  return largest;
+}
+
+function linear(values: ArrayLike<number>): Histogram {
+  const end = maximum(values);
+  return count(values, end, (x) => (end > 0 ? x / end : 0));
+}
+
+/** How far points moved, model units. */
+export function ofDisplacement({ positions: base }: OpenedMesh, shape: Shape): Histogram {
+  const lengths = new Float64Array(base.length / 3);
+  shape.moved.forEach((v, k) => {
+    const gap = (c: number): number => (shape.positions[3 * k + c] ?? 0) - (base[3 * v + c] ?? 0);
+    lengths[v] = Math.hypot(gap(0), gap(1), gap(2));
+  });
+  return linear(lengths);
+}
+
+/** How sharply the edit bends at points, model units. */
+export const ofBending = (bending: Float32Array): Histogram => linear(bending);
+
+/** mm/m of panels, on the legend's logarithmic scale. @param figures gap and mm/m for each */
+export function ofPlanarity(figures: Float32Array): Histogram {
+  const perMetre = figures.filter((_, k) => k % 2 === 1);
+  return count(perMetre, maximum(perMetre), planarityShare);
+}
