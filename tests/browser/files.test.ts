@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Files into the page by every door, what it says about them, and a picture out of it.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { flatRoof } from "./support/faults.ts";
+import {
+  exportAs,
+  idle,
+  openFile,
+  openSite,
+  type Site,
+  status,
+  typeTarget,
+} from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** Two triangles, a flat hexagon and a quad that is out of flat, in two parts. */
+const MIXED = [
+  ..."0 0 0,1000 0 0,1000 1000 100,0 1000 0,2000 0 0,500 -800 0".split(","),
+  ..."9000 0 0,9500 0 0,9750 433 0,9500 866 0,9000 866 0,8750 433 0".split(","),
+]
+  .map((point) => `v ${point}`)
+  .concat("f 1 2 3 4", "f 2 5 3", "f 1 6 2", "f 7 8 9 10 11 12", "")
+  .join("\n");
+
+async function reportOf(page: Page, name: string): Promise<string> {
+  return (await page.getByRole("region", { name }).innerText()).replace(/\s+/g, " ");
+}
+
+describe("a mesh opens", () => {
+  it("by dropping it on the page", async () => {
+    const page = await site.open();
+    const dropped = await page.evaluateHandle((text) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], "dropped.obj"));
+      return transfer;
+    }, flatRoof(6));
+    await page.getByRole("main").dispatchEvent("dragover", { dataTransfer: dropped });
+    expect(await page.getByText("Drop an OBJ, OFF, PLY or GLB mesh").count()).toBe(1);
+    await page.getByRole("main").dispatchEvent("drop", { dataTransfer: dropped });
+    await expect.poll(() => status(page)).toMatch(/0 of 49 points/);
+    expect(await page.getByRole("region", { name: "dropped.obj" }).count()).toBe(1);
+    await page.context().close();
+  });
+
+  it("by keyboard alone, also in OFF", async () => {
+    const page = await site.open();
+    const chooser = page.waitForEvent("filechooser");
+    // The test's own way of catching the chooser takes a moment.
+    await page.waitForTimeout(300);
+    await page.keyboard.press("Control+o");
+    const off = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+    await (await chooser).setFiles({
+      name: "one.off",
+      mimeType: "text/plain",
+      buffer: Buffer.from(off),
+    });
+    await expect.poll(() => status(page)).toMatch(/0 of 4 points/);
+    await page.getByRole("button", { name: "Start editing" }).focus();
+    await page.keyboard.press("Enter");
+    expect(await page.getByRole("region", { name: "one.off" }).count()).toBe(0);
+    await page.context().close();
+  });
+
+  it("with a report of what it is, in the unit that its numbers are in", async () => {
+    const page = await site.open();
+    await openFile(page, "mixed.obj", MIXED);
+    const report = await reportOf(page, "mixed.obj");
+    expect(report).toMatch(/Points 12/);
+    expect(report).toMatch(/2 triangles, 1 quads, 1 hexagons/);
+    expect(report).toMatch(/Separate parts 2/);
+    expect(report).toMatch(/Non-manifold edges 0/);
+    expect(report).toMatch(/Planarise first\?/);
+    const unit = page.getByRole("combobox", { name: "Unit of the file" });
+    const worst = async (): Promise<number> =>
+      Number(/Worst panel ([\d.]+) mm/.exec(await reportOf(page, "mixed.obj"))?.[1]);
+    await unit.selectOption("mm");
+    const inMillimetres = await worst();
+    expect(inMillimetres).toBeGreaterThan(10);
+    expect(inMillimetres).toBeLessThan(100);
+    await unit.selectOption("cm");
+    expect((await worst()) / inMillimetres).toBeCloseTo(10, 1);
+    await page.getByRole("button", { name: "Planarise", exact: true }).last().click();
+    await idle(page);
+    expect(await status(page)).toMatch(/worst panel 0\.0000 mm/);
+    await page.context().close();
+  });
+
+  it("not if three panels share an edge: the sentence names the line and the panels", async () => {
+    const page = await site.open();
+    await openFile(page, "fan.obj", `${MIXED}v 500 500 900\nf 1 2 13\n`);
+    expect(await page.getByRole("alert").textContent()).toMatch(
+      /line \d+: the edge between vertices 0 and 1 is shared by 3 faces/,
+    );
+    expect(await status(page)).toMatch(/0 of 441 points/);
+    await page.context().close();
+  });
+
+  it("of sixty thousand points, while the page goes on answering", async () => {
+    const page = await site.open();
+    const chooser = page.waitForEvent("filechooser");
+    await page.getByRole("button", { name: "Open file" }).click();
+    const buffer = Buffer.from(flatRoof(249));
+    await (await chooser).setFiles({ name: "large.obj", mimeType: "text/plain", buffer });
+    await page.getByRole("button", { name: "Help" }).click();
+    expect(await page.getByRole("dialog", { name: "How it works" }).isVisible()).toBe(true);
+    await page.keyboard.press("Escape");
+    await expect.poll(() => status(page), { timeout: 60_000 }).toMatch(/0 of 62500 points/);
+    await page.context().close();
+  });
+});
+
+it("the picture out of the page is the view, in its own size", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+60cm");
+  const png = await exportAs(page, "PNG");
+  expect(png.subarray(1, 4).toString()).toBe("PNG");
+  const canvas = page.getByLabel("3D view");
+  const size = await canvas.evaluate((element: HTMLCanvasElement) => [
+    element.width,
+    element.height,
+  ]);
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual(size);
+  const colours = await page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const picture = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+    context?.drawImage(picture, 0, 0);
+    const data = context?.getImageData(0, 0, picture.width, picture.height).data ?? [];
+    const seen = new Set<number>();
+    for (let k = 0; k + 3 < data.length; k += 4)
+      seen.add(((data[k] ?? 0) << 16) | ((data[k + 1] ?? 0) << 8) | (data[k + 2] ?? 0));
+    return seen.size;
+  }, png.toString("base64"));
+  expect(colours).toBeGreaterThan(100);
+  await page.context().close();
+});

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What a drag on five thousand points costs: processor time of the page's own thread, not the
+// clock, which on a busy machine says more about the machine. Rates and long tasks are printed.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { movedCount, openFile, openSite, type Prepare, type Site } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** Points along one side. */
+const SIDE = 71;
+
+/** A doubly curved roof of parallelograms: every panel is flat. */
+function curvedRoof(): string {
+  const lines: string[] = [];
+  const height = (t: number): number => 0.12 * SIDE * Math.sin((Math.PI * t) / (SIDE - 1));
+  for (let j = 0; j < SIDE; ++j)
+    for (let i = 0; i < SIDE; ++i) lines.push(`v ${i} ${j} ${height(i) + height(j)}`);
+  for (let j = 0; j + 1 < SIDE; ++j) {
+    for (let i = 0; i + 1 < SIDE; ++i) {
+      const a = j * SIDE + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + SIDE + 1} ${a + SIDE}`);
+    }
+  }
+  return `${lines.join("\n")}\n`;
+}
+
+interface PacedWindow extends Window {
+  answers: number;
+  longTasks: number[];
+}
+
+/** Counts the solver's answers and the page's long tasks, at the browser's own doors. */
+const countAnswers: Prepare = async (context) => {
+  await context.addInitScript(() => {
+    const page = window as unknown as PacedWindow & { Worker: typeof Worker };
+    page.answers = 0;
+    page.longTasks = [];
+    page.Worker = class extends Worker {
+      constructor(...given: ConstructorParameters<typeof Worker>) {
+        super(...given);
+        this.addEventListener("message", ({ data }: MessageEvent<{ kind: string }>) => {
+          if (data.kind === "shown") page.answers += 1;
+        });
+      }
+    };
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) page.longTasks.push(duration);
+    }).observe({ type: "longtask" });
+  });
+};
+
+/** Seconds of processor time that scripts have taken in the page's thread. */
+async function scriptSeconds(page: Page): Promise<() => Promise<number>> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  return async () => {
+    const { metrics } = await session.send("Performance.getMetrics");
+    return metrics.find(({ name }) => name === "ScriptDuration")?.value ?? Number.NaN;
+  };
+}
+
+it("a drag on 5041 points: every frame's script stays far below a long task", async () => {
+  const viewport = { width: 480, height: 360 };
+  const page = await site.open({ viewport, reducedMotion: "reduce" }, "", countAnswers);
+  await openFile(page, "roof.obj", curvedRoof());
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await page.waitForTimeout(500);
+  const spent = await scriptSeconds(page);
+  const box = await page.getByLabel("3D view").boundingBox();
+  if (!box) throw new Error("no 3D view");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 4);
+  await expect.poll(() => movedCount(page), { timeout: 20_000 }).toBeGreaterThan(0);
+  const before = await page.evaluate(() => {
+    const window_ = window as unknown as PacedWindow;
+    window_.longTasks = [];
+    return window_.answers;
+  });
+  const [begun, scriptBefore] = [Date.now(), await spent()];
+  for (let k = 0; k < 120; ++k) {
+    await page.mouse.move(x + 12 * Math.sin(k / 9), y - 6 - 12 * Math.sin(k / 19) ** 2);
+    await page.waitForTimeout(8);
+  }
+  const seconds = (Date.now() - begun) / 1000;
+  const script = (await spent()) - scriptBefore;
+  const { answers, longTasks } = await page.evaluate(() => {
+    const { answers, longTasks } = window as unknown as PacedWindow;
+    return { answers, longTasks };
+  });
+  await page.mouse.up();
+  const updates = answers - before;
+  const perUpdate = (1000 * script) / updates;
+  console.info(
+    `drag on ${SIDE * SIDE} points: ${(updates / seconds).toFixed(0)} updates a second by the clock, ` +
+      `${perUpdate.toFixed(1)} ms of script each, ${longTasks.length} long tasks` +
+      (longTasks.length > 0 ? ` (longest ${Math.max(...longTasks).toFixed(0)} ms)` : ""),
+  );
+  expect(updates).toBeGreaterThan(20);
+  expect(perUpdate).toBeLessThan(50);
+  await page.context().close();
+});
