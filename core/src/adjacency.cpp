@@ -2,8 +2,9 @@
 #include "planish/adjacency.hpp"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace planish {
 namespace {
@@ -13,47 +14,67 @@ struct Corner {
   int before, after;
 };
 
-/// Faces of each vertex, by counting sort: ascending face index within a row.
-RaggedRows faces_of_vertices(const Mesh& mesh) {
-  RaggedRows rows;
+/// Where each vertex is used: faces in ascending order, and its place in `face_vertices` for each.
+struct VertexUses {
+  RaggedRows faces;
+  std::vector<int> places;
+};
+
+/// By counting sort.
+VertexUses uses_of_vertices(const Mesh& mesh) {
+  VertexUses uses;
+  RaggedRows& rows = uses.faces;
   rows.offsets.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
   for (const int v : mesh.face_vertices) ++rows.offsets[static_cast<std::size_t>(v) + 1];
   for (std::size_t v = 1; v < rows.offsets.size(); ++v) rows.offsets[v] += rows.offsets[v - 1];
   rows.values.resize(mesh.face_vertices.size());
+  uses.places.resize(mesh.face_vertices.size());
   std::vector<int> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  int place = 0;
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (const int v : mesh.face(f)) {
-      rows.values[static_cast<std::size_t>(next[static_cast<std::size_t>(v)]++)] = f;
+      const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(v)]++);
+      rows.values[at] = f;
+      uses.places[at] = place++;
     }
   }
-  return rows;
+  return uses;
 }
 
-Corner corner_at(std::span<const int> face, int vertex) {
-  const auto at = static_cast<std::size_t>(
-      std::distance(face.begin(), std::find(face.begin(), face.end(), vertex)));
-  return {face[(at + face.size() - 1) % face.size()], face[(at + 1) % face.size()]};
+Corner corner_at(const Mesh& mesh, int f, int place) {
+  const auto face = mesh.face(f);
+  const auto at = static_cast<std::size_t>(place - mesh.face_offsets[static_cast<std::size_t>(f)]);
+  return {face[at > 0 ? at - 1 : face.size() - 1], face[at + 1 < face.size() ? at + 1 : 0]};
 }
 
 /// Walks around one vertex. Each corner joins two neighbours; a walk that starts at a neighbour
-/// used by one corner only (a boundary edge) visits a fan, any other walk a disk.
+/// used by one corner only (a boundary edge) visits a fan, any other walk a disk. In O(n log n): a
+/// vertex may be the tip of a cone of any number of faces.
 class VertexFan {
  public:
-  void start() { corners_.clear(); }
-  void add(Corner corner) { corners_.push_back(corner); }
+  void start() {
+    corners_.clear();
+    uses_.clear();
+  }
+  void add(Corner corner) {
+    const auto index = corners_.size();
+    uses_.push_back({corner.before, index});
+    uses_.push_back({corner.after, index});
+    corners_.push_back(corner);
+  }
 
   /// Neighbours in order, appended to `out`. Returns {on a boundary, a single fan or disk}.
   std::pair<bool, bool> append_ordered(std::vector<int>& out) {
+    std::sort(uses_.begin(), uses_.end());
     used_.assign(corners_.size(), 0);
     bool boundary = false;
     int walks = 0;
-    for (const Corner& corner : corners_) {  // fans first: they have ends to start from
-      for (const int neighbour : {corner.before, corner.after}) {
-        if (open_uses(neighbour) == 1 && total_uses(neighbour) == 1) {
-          boundary = true;
-          ++walks;
-          walk(neighbour, out);
-        }
+    for (std::size_t c = 0; c < corners_.size(); ++c) {  // fans first: they have ends to start from
+      for (const int neighbour : {corners_[c].before, corners_[c].after}) {
+        if (used_[c] || uses_of(neighbour).size() != 1) continue;
+        boundary = true;
+        ++walks;
+        walk(neighbour, out);
       }
     }
     for (std::size_t c = 0; c < corners_.size(); ++c) {
@@ -66,34 +87,33 @@ class VertexFan {
   }
 
  private:
-  [[nodiscard]] int total_uses(int neighbour) const {
-    return static_cast<int>(std::count_if(corners_.begin(), corners_.end(), [&](const Corner& c) {
-      return c.before == neighbour || c.after == neighbour;
-    }));
+  using Use = std::pair<int, std::size_t>;  ///< a neighbour and a corner that it belongs to
+
+  [[nodiscard]] std::span<const Use> uses_of(int neighbour) const {
+    const auto begin = std::lower_bound(uses_.begin(), uses_.end(), Use{neighbour, 0});
+    auto end = begin;
+    while (end != uses_.end() && end->first == neighbour) ++end;
+    return std::span<const Use>(uses_).subspan(static_cast<std::size_t>(begin - uses_.begin()),
+                                               static_cast<std::size_t>(end - begin));
   }
-  [[nodiscard]] int open_uses(int neighbour) const {
-    int uses = 0;
-    for (std::size_t c = 0; c < corners_.size(); ++c) {
-      if (!used_[c] && (corners_[c].before == neighbour || corners_[c].after == neighbour)) ++uses;
-    }
-    return uses;
-  }
+
   void walk(int neighbour, std::vector<int>& out) {
     out.push_back(neighbour);
     for (bool moved = true; moved;) {
       moved = false;
-      for (std::size_t c = 0; c < corners_.size() && !moved; ++c) {
+      for (const auto& [from, c] : uses_of(neighbour)) {
         if (used_[c]) continue;
-        if (corners_[c].before != neighbour && corners_[c].after != neighbour) continue;
-        neighbour = corners_[c].before == neighbour ? corners_[c].after : corners_[c].before;
+        neighbour = corners_[c].before == from ? corners_[c].after : corners_[c].before;
         used_[c] = 1;
         out.push_back(neighbour);
         moved = true;
+        break;
       }
     }
   }
 
   std::vector<Corner> corners_;
+  std::vector<Use> uses_;  ///< sorted
   std::vector<char> used_;
 };
 
@@ -101,7 +121,8 @@ class VertexFan {
 
 Adjacency build_adjacency(const Mesh& mesh) {
   Adjacency adjacency;
-  adjacency.faces = faces_of_vertices(mesh);
+  VertexUses uses = uses_of_vertices(mesh);
+  adjacency.faces = std::move(uses.faces);
   const auto n = static_cast<std::size_t>(mesh.vertex_count());
   adjacency.boundary.assign(n, 0);
   adjacency.regular.assign(n, 1);
@@ -110,7 +131,8 @@ Adjacency build_adjacency(const Mesh& mesh) {
   VertexFan fan;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     fan.start();
-    for (const int f : adjacency.faces[v]) fan.add(corner_at(mesh.face(f), v));
+    auto use = static_cast<std::size_t>(adjacency.faces.offsets[static_cast<std::size_t>(v)]);
+    for (const int f : adjacency.faces[v]) fan.add(corner_at(mesh, f, uses.places[use++]));
     const auto [boundary, regular] = fan.append_ordered(adjacency.neighbours.values);
     adjacency.boundary[static_cast<std::size_t>(v)] = boundary ? 1 : 0;
     adjacency.regular[static_cast<std::size_t>(v)] = regular ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "support/mesh_builders.hpp"
@@ -132,6 +133,27 @@ TEST(Adjacency, ClosesADiskOfTwoFaces) {
   EXPECT_EQ(adjacency.neighbours[4].size(), 2u);
   EXPECT_FALSE(adjacency.boundary[4]);
   EXPECT_TRUE(adjacency.regular[4]);
+}
+
+/// A cone of that many faces took time by the square once: ten minutes for a million.
+TEST(Adjacency, GoesAroundTheTipOfACone) {
+  constexpr int kFaces = 200'000;
+  Mesh cone;
+  cone.positions = Positions::Zero(3, kFaces + 1);
+  for (int k = 0; k < kFaces; ++k) {
+    cone.face_vertices.insert(cone.face_vertices.end(), {0, 1 + k, 1 + (k + 1) % kFaces});
+    cone.face_offsets.push_back(static_cast<int>(cone.face_vertices.size()));
+  }
+  const Adjacency adjacency = build_adjacency(cone);
+  const std::vector<int> around = row(adjacency.neighbours, 0);
+  ASSERT_EQ(around.size(), static_cast<std::size_t>(kFaces));
+  for (std::size_t k = 1; k < around.size(); ++k) {
+    const int step = std::abs(around[k] - around[k - 1]);
+    ASSERT_TRUE(step == 1 || step == kFaces - 1) << k;
+  }
+  EXPECT_EQ(std::set<int>(around.begin(), around.end()).size(), around.size());
+  EXPECT_FALSE(adjacency.boundary[0]);
+  EXPECT_TRUE(adjacency.regular[0]);
 }
 
 }  // namespace

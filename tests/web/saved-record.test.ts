@@ -29,6 +29,27 @@ describe("a saved record", () => {
     expect(decodeRecord(bytes, files)).toEqual({ kind: "newer" });
   });
 
+  it("leaves out a camera or a picture that its reader would refuse, never the design", () => {
+    const camera = { position: [Number.NaN, 0, 1], target: [0, 0, 0] } as const;
+    const [first] = RECORD.snapshots;
+    if (!first) throw new Error("no snapshot");
+    const odd = [
+      "data:,",
+      "data:image/svg+xml;base64,AAAA",
+      `data:image/png;base64,${"A".repeat(300_000)}`,
+    ];
+    const many = Array.from({ length: 1500 }, (_, k) => ({ ...first, picture: odd[k % 3] ?? "" }));
+    const row = { vertex: 7, target: [1, 2, 3], pinned: true } as const;
+    const present = { ...RECORD.present, handles: Array.from({ length: 150_000 }, () => row) };
+    const read = decodeRecord(encodeRecord({ ...RECORD, camera, present, snapshots: many }), files);
+    const snapshots = many.map((snapshot) => ({ ...snapshot, picture: "" }));
+    expect(read.kind).toBe("record");
+    if (read.kind !== "record") return;
+    expect(read.record.camera).toBeNull();
+    expect(read.record.snapshots).toEqual(snapshots);
+    expect(read.record.present.handles).toHaveLength(150_000);
+  });
+
   it("is whole or damaged, wherever it is cut or changed", () => {
     const bytes = encodeRecord(RECORD);
     for (let cut = 0; cut < bytes.length; cut += 3)

@@ -86,35 +86,80 @@ export const fillStorage: Prepare = async (context) => {
   });
 };
 
-/** Changes one byte in the middle of every kept record; gives how many there were. */
-export const damageRecords = (page: Page): Promise<number> =>
+/** Holds back the database of a page that is loaded with `?slow` for `milliseconds`. */
+export const slowStorage =
+  (milliseconds: number): Prepare =>
+  async (context) => {
+    await context.addInitScript((wait) => {
+      if (!location.search.includes("slow")) return;
+      const open = IDBFactory.prototype.open;
+      IDBFactory.prototype.open = function (...given) {
+        const request = open.apply(this, given);
+        const set = (listener: (event: Event) => void): void =>
+          request.addEventListener("success", (event) =>
+            setTimeout(() => listener.call(request, event), wait),
+          );
+        Object.defineProperty(request, "onsuccess", { set });
+        return request;
+      };
+    }, milliseconds);
+  };
+
+/** The kept records by slot, as base64, after `flip` was applied to a byte of each: place, bits. */
+export const keptRecords = (
+  page: Page,
+  flip: { at: number | "middle"; bits: number } | null = null,
+): Promise<Record<string, string>> =>
   page.evaluate(
-    () =>
-      new Promise<number>((resolve, reject) => {
+    (change) =>
+      new Promise<Record<string, string>>((resolve, reject) => {
         const opening = indexedDB.open("planish");
         opening.onerror = () => reject(opening.error);
         opening.onsuccess = () => {
           const transaction = opening.result.transaction("designs", "readwrite");
-          const store = transaction.objectStore("designs");
-          let count = 0;
-          store.openCursor().onsuccess = ({ target }) => {
+          const found: Record<string, string> = {};
+          transaction.objectStore("designs").openCursor().onsuccess = ({ target }) => {
             const cursor = (target as IDBRequest<IDBCursorWithValue | null>).result;
             if (!cursor) return;
             const bytes: unknown = cursor.value;
             if (bytes instanceof Uint8Array) {
-              const at = bytes.length >> 1;
-              bytes[at] = (bytes[at] ?? 0) ^ 1;
-              cursor.update(bytes);
-              count += 1;
+              const at = change?.at === "middle" ? bytes.length >> 1 : (change?.at ?? 0);
+              bytes[at] = (bytes[at] ?? 0) ^ (change?.bits ?? 0);
+              if (change) cursor.update(bytes);
+              found[String(cursor.key)] = btoa(String.fromCharCode(...bytes));
             }
             cursor.continue();
           };
           transaction.oncomplete = () => {
             opening.result.close();
-            resolve(count);
+            resolve(found);
           };
         };
       }),
+    flip,
+  );
+
+/** Changes one byte in the middle of every kept record; gives how many there were. */
+export const damageRecords = async (page: Page): Promise<number> =>
+  Object.keys(await keptRecords(page, { at: "middle", bits: 1 })).length;
+
+/** Puts a record into a slot. */
+export const putRecord = (page: Page, slot: string, record: Uint8Array): Promise<void> =>
+  page.evaluate(
+    ([key, numbers]) =>
+      new Promise<void>((resolve, reject) => {
+        const opening = indexedDB.open("planish");
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const transaction = opening.result.transaction("designs", "readwrite");
+          transaction.objectStore("designs").put(Uint8Array.from(numbers), key);
+          transaction.oncomplete = () => {
+            opening.result.close();
+            resolve();
+          };
+        };
+      }),
+    [slot, [...record]] as const,
   );
 
 /** A flat roof of n × n quads as OBJ. */

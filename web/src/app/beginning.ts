@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { restoreSaved, startAutosave } from "../state/autosave.ts";
+import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
 import { client } from "../state/connection.ts";
 import { loadFigures } from "../state/figures.ts";
@@ -24,8 +24,12 @@ async function openSaved(saved: ReturnType<typeof restoreSaved>): Promise<boolea
   await inTurn(async () => {
     shown = await show(record.present);
   });
+  if (!shown) {
+    problem.value = `Your last design could not be opened; it stays kept. ${problem.value ?? ""}`;
+    await keepElsewhere();
+    return false;
+  }
   snapshots.value = record.snapshots;
-  if (!shown) return false;
   history.value = beginHistory(record.present);
   unit.value = record.unit;
   placeCamera(record.camera);

@@ -12,6 +12,7 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { row, type Topology } from "../mesh/topology.ts";
 import { DirtyRange } from "./dirty-range.ts";
+import { displaySphere } from "./framing.ts";
 
 /** Above this a line is a pixel of its own accord, and wide lines would cost 12 times the memory. */
 const WIDE_LIMIT = 60_000;
@@ -81,6 +82,7 @@ class Hairlines implements EdgeLines {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", this.#points);
     geometry.setIndex(new BufferAttribute(new Uint32Array(topology.edges), 1));
+    geometry.boundingSphere = displaySphere();
     const material = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
     this.object = new LineSegments(geometry, material);
     this.object.frustumCulled = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a camera must stand.
-import { Box3, type PerspectiveCamera, Vector3 } from "three";
+import { Box3, type PerspectiveCamera, Sphere, Vector3 } from "three";
 
 export type ViewName = "Perspective" | "Top" | "Front" | "Side";
 
@@ -11,6 +11,12 @@ export const DIRECTIONS: Readonly<Record<ViewName, readonly [number, number, num
   Front: [0, -1, 0],
   Side: [1, 0, 0],
 };
+
+/**
+ * Holds every mesh in display coordinates, which span 10 about the origin. The renderer sorts by its
+ * middle; left to itself it would look at every point, which takes half a second for a million.
+ */
+export const displaySphere = (): Sphere => new Sphere(new Vector3(), 5);
 
 /** Share of the view that a fitted subject fills. */
 const FILL = 0.86;

@@ -18,6 +18,7 @@ import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import { type EdgeLines, makeEdgeLines } from "./edge-lines.ts";
+import { displaySphere } from "./framing.ts";
 import type { Palette } from "./palette.ts";
 import { PanelColours } from "./panel-colours.ts";
 import { PanelOutline } from "./panel-outline.ts";
@@ -67,6 +68,7 @@ export class Shell {
     geometry.setAttribute("position", corners);
     geometry.setAttribute("color", this.#colours.attribute);
     geometry.setIndex(new BufferAttribute(this.triangles, 1).setUsage(DynamicDrawUsage));
+    geometry.boundingSphere = displaySphere();
     const material = new MeshStandardMaterial({
       vertexColors: true,
       flatShading: true,
@@ -88,6 +90,7 @@ export class Shell {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(this.base, 3));
     geometry.setIndex(new BufferAttribute(new Uint32Array(0), 1));
+    geometry.boundingSphere = displaySphere();
     const material = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
     const ghost = new LineSegments(geometry, material);
     ghost.frustumCulled = false;

@@ -15,8 +15,6 @@ export const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
 export const ENGINES: readonly EngineName[] = ["newton", "alm"];
 export const SPARSITY: readonly Sparsity[] = ["l21", "l2", "none"];
 
-/** Far more than anybody moves by hand. */
-const MOST_HANDLES = 100_000;
 /** The solver's own limit. */
 export const MOST_DIRECTIONS = 24;
 export const LONGEST_NAME = 1_000;
@@ -51,7 +49,7 @@ function readHandle(value: unknown): HandleRow | null {
 
 /** Rows of vertex, x, y, z, pinned (0 or 1). */
 export function readHandles(value: unknown): HandleRow[] | null {
-  if (!Array.isArray(value) || value.length > MOST_HANDLES) return null;
+  if (!Array.isArray(value)) return null;
   const rows: HandleRow[] = [];
   for (const item of value) {
     const row = readHandle(item);

@@ -7,7 +7,15 @@ import type { Design } from "../state/design.ts";
 import { isUnit, type Unit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
 import { PoolReader, PoolWriter } from "./number-pool.ts";
-import { isName, isNumber, isRecord, type Json, readCamera, writeCamera } from "./reading.ts";
+import {
+  isName,
+  isNumber,
+  isRecord,
+  type Json,
+  LONGEST_NAME,
+  readCamera,
+  writeCamera,
+} from "./reading.ts";
 import { type Files, readDesign, writeDesign } from "./saved-design.ts";
 
 export interface Snapshot {
@@ -32,23 +40,31 @@ export interface SavedRecord {
 const MAGIC = 0x534e4c50;
 const VERSION = 1;
 const HEADER = 16;
-const MOST_SNAPSHOTS = 1_000;
 /** Characters. */
 const LONGEST_PICTURE = 200_000;
 const PICTURE = /^data:image\/(?:png|webp);base64,[A-Za-z0-9+/=]*$/;
+
+/** What the reader would not take is left out: no picture and no camera may cost the design. */
+const readablePicture = (picture: string): string =>
+  picture.length <= LONGEST_PICTURE && PICTURE.test(picture) ? picture : "";
+
+const readableCamera = (camera: Camera | null): number[] | null => {
+  const numbers = camera ? writeCamera(camera) : [];
+  return camera && numbers.every(Number.isFinite) ? numbers : null;
+};
 
 export function encodeRecord(record: SavedRecord): Uint8Array {
   const pool = new PoolWriter();
   const json = {
     time: record.time,
     unit: record.unit,
-    camera: record.camera && writeCamera(record.camera),
+    camera: readableCamera(record.camera),
     present: writeDesign(record.present, pool),
     snapshots: record.snapshots.map(({ id, name, time, picture, design }) => ({
       id,
-      name,
+      name: name.slice(0, LONGEST_NAME),
       time,
-      picture,
+      picture: readablePicture(picture),
       design: writeDesign(design, pool),
     })),
   };
@@ -81,7 +97,7 @@ function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | nul
   const present = readDesign(json.present, pool, files);
   if (!isNumber(time) || typeof unit !== "string" || !isUnit(unit)) return null;
   if (camera === undefined || !present) return null;
-  if (!Array.isArray(snapshots) || snapshots.length > MOST_SNAPSHOTS) return null;
+  if (!Array.isArray(snapshots)) return null;
   const read: Snapshot[] = [];
   for (const value of snapshots) {
     const snapshot = readSnapshot(value, pool, files);

@@ -14,7 +14,7 @@ import type {
   Source,
   StoredDesign,
 } from "./protocol.ts";
-import { keepCopy, readFile, readKept } from "./reading.ts";
+import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -30,6 +30,10 @@ const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
 
 function insist(refusal: string): void {
   if (refusal) throw new Refused(refusal);
+}
+
+function insistReadable(name: string, refusal: string): void {
+  insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
 }
 
 /** After these the module's memory is full or in no known state. */
@@ -120,8 +124,10 @@ export class Dispatcher {
     if (source.kind === "sample") insist(session.openSample(source.name, source.size));
     else {
       const bytes = await readKept(source, this.#onPiece);
-      const { mesh, format } = source.format === "glb" ? await openGlb(bytes) : asIs(bytes, source);
-      insist(session.openFile(mesh, format));
+      const { name } = source;
+      const { mesh, format } =
+        source.format === "glb" ? await openGlb(name, bytes) : asIs(bytes, source);
+      insistReadable(name, session.openFile(mesh, format));
     }
     if (planarise) insist(session.planarise());
     this.#postOpened(job, null, null);
@@ -130,11 +136,11 @@ export class Dispatcher {
   async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
     const read = await readFile(file, name, format, this.#onPiece);
     if (format !== "glb") {
-      insist(this.#session.openFile(read.bytes, format));
+      insistReadable(name, this.#session.openFile(read.bytes, format));
       this.#postOpened(job, read.source, null);
       return;
     }
-    const { mesh, stored } = await openGlb(read.bytes);
+    const { mesh, stored } = await openGlb(name, read.bytes);
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
   }

@@ -5,6 +5,7 @@ import type { Session } from "@wasm/planish.mjs";
 import type { GlbModule } from "@wasm/planish_glb.mjs";
 import glbUrl from "@wasm/planish_glb.wasm?url";
 import type { StoredDesign } from "./protocol.ts";
+import { aboutFile } from "./reading.ts";
 
 let loading: Promise<GlbModule> | null = null;
 
@@ -32,10 +33,10 @@ interface OpenedGlb {
 }
 
 /** The base of the design in a GLB, or its mesh; throws a sentence if it is refused. */
-export async function openGlb(bytes: Uint8Array): Promise<OpenedGlb> {
+export async function openGlb(name: string, bytes: Uint8Array): Promise<OpenedGlb> {
   const glb = await loadGlb();
   const { problem, mesh, design, moved, positions, warnings } = glb.openGlb(bytes);
-  if (problem) throw new Error(problem);
+  if (problem) throw new Error(aboutFile(name, problem));
   return { mesh, format: "obj", stored: { design, shape: { moved, positions }, warnings } };
 }
 

@@ -28,6 +28,10 @@ async function readAll(file: Blob, onPiece: OnPiece): Promise<Uint8Array> {
   return bytes;
 }
 
+/** A reader says what is wrong and on which line; this makes it a sentence about the file. */
+export const aboutFile = (name: string, what: string): string =>
+  `${name}: ${what.endsWith(".") ? what : `${what}.`}`;
+
 /** The copy of a file that the page keeps. */
 export function keepCopy(name: string, format: FileFormat, bytes: Uint8Array): FileSource {
   const kept = new Blob([bytes as BlobPart]);

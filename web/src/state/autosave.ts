@@ -6,13 +6,21 @@ import { type Files, fileKey } from "../share/saved-design.ts";
 import { decodeRecord, encodeRecord, type SavedRecord } from "../share/saved-record.ts";
 import { readCamera } from "./camera.ts";
 import type { Design } from "./design.ts";
-import { claimSlot, dropFiles, readFiles, readRecord, writeRecord } from "./slot.ts";
+import {
+  claimNewSlot,
+  claimSlot,
+  dropFiles,
+  readFiles,
+  readRecord,
+  rememberSlot,
+  writeRecord,
+} from "./slot.ts";
 import { history, keeping, snapshots, unit } from "./store.ts";
 
 /** Milliseconds between a change and its write: changes close together are one write. */
 const DELAY = 250;
 /** Milliseconds after which the page goes on without its storage. */
-const PATIENCE = 4000;
+const PATIENCE = 8000;
 
 let slot: string | null = null;
 /** Keys of the files that lie beside the record. */
@@ -49,6 +57,7 @@ async function write(): Promise<void> {
   const unused = [...stored].filter((key) => !files.has(key));
   try {
     await writeRecord(slot, encodeRecord(record), missing);
+    rememberSlot(slot);
     stored = new Set([...stored, ...files.keys()]);
     keeping.value = null;
     if (unused.length > 0) await dropFiles(slot, unused);
@@ -85,26 +94,46 @@ export type Restored =
   | { readonly kind: "none" }
   | { readonly kind: "damaged" };
 
-async function load(): Promise<Restored> {
-  const claimed = await claimSlot();
-  const bytes = await readRecord(claimed);
-  const files: Files = bytes ? await readFiles(claimed) : new Map();
-  const read = bytes ? decodeRecord(bytes, files) : ({ kind: "none" } as const);
-  // A newer version's record is left alone: nothing is written over it.
-  if (read.kind === "newer") return { kind: "none" };
-  stored = new Set(files.keys());
-  slot = claimed;
-  return read;
+interface Loaded {
+  readonly slot: string;
+  readonly files: Files;
+  readonly restored: Restored;
 }
 
-/** Finds this tab's slot and reads it. Never throws, never waits long. */
+/** A newer version's record is left alone: its slot is passed, nothing is written over it. */
+async function load(): Promise<Loaded> {
+  for (const passed: string[] = []; ; ) {
+    const claimed = await claimSlot(passed);
+    const bytes = await readRecord(claimed);
+    const files: Files = bytes ? await readFiles(claimed) : new Map();
+    const read = bytes ? decodeRecord(bytes, files) : ({ kind: "none" } as const);
+    if (read.kind !== "newer") return { slot: claimed, files, restored: read };
+    passed.push(claimed);
+  }
+}
+
+/**
+ * Finds this tab's slot and reads it. Never throws, never waits long; what comes too late is left
+ * as it is, and nothing is written over it.
+ */
 export async function restoreSaved(): Promise<Restored> {
   try {
-    return await within(load(), PATIENCE);
+    const loaded = await within(load(), PATIENCE);
+    slot = loaded.slot;
+    stored = new Set(loaded.files.keys());
+    if (loaded.restored.kind === "record") rememberSlot(slot);
+    return loaded.restored;
   } catch {
     keeping.value = NO_STORAGE;
     return { kind: "none" };
   }
+}
+
+/** Keeps from now on in another slot: what is in this one could not be opened and stays there. */
+export async function keepElsewhere(): Promise<void> {
+  slot = null;
+  stored = new Set();
+  slot = await claimNewSlot().catch(() => null);
 }
 
 /** Writes from now on whenever something changes; an untouched first sample is not kept. */

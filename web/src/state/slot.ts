@@ -6,8 +6,11 @@ import { createStore, delMany, get, keys, setMany, type UseStore } from "idb-key
 const TAB_KEY = "planish.slot";
 const PREFIX = "slot:";
 
-/** Milliseconds a reloaded tab waits for the page before it to let go of its slot. */
-const HAND_OVER = 500;
+/**
+ * Milliseconds a reloaded tab waits for the page before it to let go of its slot. A busy machine may
+ * take its time; only the copy of a tab that is still open waits in vain.
+ */
+const HAND_OVER = 2500;
 
 let database: UseStore | null = null;
 const store = (): UseStore => {
@@ -18,7 +21,7 @@ const store = (): UseStore => {
 const fileEntry = (slot: string, key: string): string => `file:${slot}:${key}`;
 
 /** sessionStorage may be denied; then every load is a new tab. */
-function rememberSlot(slot: string): void {
+export function rememberSlot(slot: string): void {
   try {
     sessionStorage.setItem(TAB_KEY, slot);
   } catch {
@@ -60,11 +63,20 @@ async function slotsInStore(): Promise<string[]> {
   );
 }
 
-/** Claims the tab's own slot, else the first of `known` that no other tab has, else a new one. */
-async function claimByLock(known: readonly string[]): Promise<string> {
+const ofNoOtherTab = (): string => `tab-${Date.now()}-${Math.random()}`;
+
+/** The tab's own slot, else the first of `known` that no other tab has; null if there is none. */
+async function claimKnown(known: readonly string[], passed: readonly string[]) {
   const own = rememberedSlot();
-  if (own && (await hold(own, HAND_OVER))) return own;
-  for (const slot of known) if (await hold(slot, 0)) return slot;
+  if (own && !passed.includes(own) && (await hold(own, HAND_OVER))) return own;
+  for (const slot of known) if (!passed.includes(slot) && (await hold(slot, 0))) return slot;
+  return null;
+}
+
+/** A slot that nothing is kept in. It is the tab's own from the first rememberSlot() on. */
+export async function claimNewSlot(): Promise<string> {
+  if (!navigator.locks) return ofNoOtherTab();
+  const known = await slotsInStore();
   for (let k = 0; ; ++k) {
     const slot = String(k);
     if (!known.includes(slot) && (await hold(slot, 0))) return slot;
@@ -72,15 +84,14 @@ async function claimByLock(known: readonly string[]): Promise<string> {
 }
 
 /**
- * The slot of this tab. Without locks (a page that is not served securely) a tab has its own
- * slot until it is closed, and nothing is taken over from another.
+ * The slot of this tab, none of `passed`. Without locks (a page that is not served securely) a tab
+ * has its own slot until it is closed, and nothing is taken over from another.
  */
-export async function claimSlot(): Promise<string> {
-  const slot = navigator.locks
-    ? await claimByLock((await slotsInStore()).sort())
-    : (rememberedSlot() ?? `tab-${Date.now()}-${Math.random()}`);
-  rememberSlot(slot);
-  return slot;
+export async function claimSlot(passed: readonly string[]): Promise<string> {
+  const own = rememberedSlot();
+  if (!navigator.locks) return own && !passed.includes(own) ? own : ofNoOtherTab();
+  const known = await claimKnown((await slotsInStore()).sort(), passed);
+  return known ?? (await claimNewSlot());
 }
 
 export async function readRecord(slot: string): Promise<Uint8Array | null> {
