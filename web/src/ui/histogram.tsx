@@ -8,19 +8,31 @@ const HEIGHT = 28;
 
 interface Shown {
   readonly counts: Counts;
-  /** What is counted, in the plural, and the word for those at rest. */
-  readonly what: string;
+  /** What is counted, for one and for several, and the word for those at rest. */
+  readonly what: readonly [string, string];
   readonly rest: string;
 }
 
 function shown(): Shown | null {
   const [design, base, kind] = [draft.value, mesh.value, colourBy.value];
   if (kind === "displacement" && design && base)
-    return { counts: ofDisplacement(base, design.shape), what: "points move", rest: "untouched" };
+    return {
+      counts: ofDisplacement(base, design.shape),
+      what: ["point moves", "points move"],
+      rest: "untouched",
+    };
   if (kind === "planarity" && panelFigures.value)
-    return { counts: ofPlanarity(panelFigures.value), what: "panels out of flat", rest: "flat" };
+    return {
+      counts: ofPlanarity(panelFigures.value),
+      what: ["panel out of flat", "panels out of flat"],
+      rest: "flat",
+    };
   if (kind === "fairness" && bending.value)
-    return { counts: ofBending(bending.value), what: "points bend", rest: "smooth" };
+    return {
+      counts: ofBending(bending.value),
+      what: ["point bends", "points bend"],
+      rest: "smooth",
+    };
   return null;
 }
 
@@ -32,11 +44,16 @@ export function Histogram() {
   const most = Math.max(1, ...bins);
   const width = WIDTH / bins.length;
   const counted = bins.reduce((sum, n) => sum + n, 0);
-  const words = `${counted} ${given.what}, ${rest} ${given.rest}`;
+  const words = `${counted} ${given.what[counted === 1 ? 0 : 1]}, ${rest} ${given.rest}`;
   return (
     <figure class="histogram">
       {counted > 0 && (
-        <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`Histogram: ${words}`}>
+        <svg
+          viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+          preserveAspectRatio="none"
+          role="img"
+          aria-label={`Histogram: ${words}`}
+        >
           {bins.map((n, k) => {
             const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
             const x = k * width;
