@@ -42,6 +42,17 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
   const largest = await degrees(page);
   expect(largest).toEqual(largest.toSorted((a, b) => b - a));
   expect(Math.min(...largest)).toBeGreaterThan(Math.max(...smallest));
+  // Choosing a panel brings it into view and says what it is.
+  const view = page.getByLabel("3D view");
+  const before = await view.screenshot();
+  await page
+    .getByRole("button", { name: /^Show panel \d+$/ })
+    .first()
+    .focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => page.getByText(/^Panel \d+ 4 corners, /).count()).toBe(1);
+  await page.waitForTimeout(800);
+  expect((await view.screenshot()).equals(before)).toBe(false);
   await page.context().close();
 });
 
