@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { Histogram as Counts } from "../state/histogram.ts";
 import { ofBending, ofDisplacement, ofPlanarity } from "../state/histogram.ts";
-import { bending, colourBy, draft, mesh, panelFigures } from "../state/store.ts";
+import { bending, colourBy, draft, figures, mesh, panelFigures } from "../state/store.ts";
 
 const WIDTH = 160;
 const HEIGHT = 28;
@@ -15,12 +15,22 @@ interface Shown {
 
 function shown(): Shown | null {
   const [design, base, kind] = [draft.value, mesh.value, colourBy.value];
-  if (kind === "displacement" && design && base)
+  if (kind === "displacement" && design && base) {
+    const { movedVertices } = figures.value;
+    const steady = movedVertices === design.report.movedVertices;
     return {
-      counts: ofDisplacement(base, design.shape),
+      // While a point is dragged only the number of those that follow is known here.
+      counts: steady
+        ? ofDisplacement(base, design.shape)
+        : {
+            bins: [movedVertices],
+            rest: base.report.vertices - movedVertices,
+            end: figures.value.maxDisplacement,
+          },
       what: ["point moves", "points move"],
       rest: "untouched",
     };
+  }
   if (kind === "planarity" && panelFigures.value)
     return {
       counts: ofPlanarity(panelFigures.value),
@@ -54,13 +64,14 @@ export function Histogram() {
           role="img"
           aria-label={`Histogram: ${words}`}
         >
-          {bins.map((n, k) => {
-            const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
-            const x = k * width;
-            return (
-              <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
-            );
-          })}
+          {bins.length > 1 &&
+            bins.map((n, k) => {
+              const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
+              const x = k * width;
+              return (
+                <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
+              );
+            })}
         </svg>
       )}
       <figcaption>{words}</figcaption>
