@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The built site in a real browser, for the scripts that take pictures of it.
-import { chromium } from "playwright-core";
+import { launch } from "./browser.mjs";
 import { serve } from "./serve.mjs";
-
-const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--no-first-run",
-];
 
 export async function openBrowser() {
   const { server, url } = await serve(new URL("../dist/", import.meta.url).pathname, { port: 0 });
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
+  const browser = await launch();
   return {
     browser,
     url,

@@ -34,7 +34,7 @@ async function drag(page) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.keyboard.press("z");
-  for (let k = 1; k <= 12; ++k) await page.mouse.move(x, y - 5 * k);
+  for (let k = 1; k <= 12; ++k) await page.mouse.move(x, y - 3 * k);
   await settled(page);
   return page.screenshot();
 }

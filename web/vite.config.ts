@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
 import { offline } from "./offline.ts";
+import { smallShaders } from "./small-shaders.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const wasm = process.env.PLANISH_WASM_DIR ?? here("../build/wasm/wasm");
@@ -14,7 +15,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [firstMesh(wasm), smallFont(), offline()],
+  plugins: [firstMesh(wasm), smallFont(), smallShaders(), offline()],
   worker: { format: "es" },
   build: {
     outDir: here("../dist"),

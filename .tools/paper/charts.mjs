@@ -11,8 +11,7 @@ export function barChart(values) {
     const y = x >= 0 ? middle - length : middle;
     return `<rect x="${10 + 34 * k}" y="${y}" width="24" height="${length}" fill="#2453d6"/>`;
   });
-  return `<svg class="bars" width="${width}" height="${height}"><rect width="100%" height="100%" rx="6" fill="#fffd"/>
-    <line x1="4" x2="${width - 4}" y1="${middle}" y2="${middle}" stroke="#555"/>${bars.join("")}</svg>`;
+  return `<svg class="bars" width="${width}" height="${height}"><line x1="4" x2="${width - 4}" y1="${middle}" y2="${middle}" stroke="#555"/>${bars.join("")}</svg>`;
 }
 
 const SIZE = { width: 760, height: 520, left: 90, right: 20, top: 50, bottom: 60 };

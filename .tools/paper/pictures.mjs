@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // docs/pictures/figure-N.png: every scene opened from its own link in a real browser, its view put
 // side by side with the others of its figure. A scene that does not say "Verified" is an error.
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { openBrowser, settled } from "../page.mjs";
@@ -11,7 +12,7 @@ import { editWords } from "./recipes.mjs";
 
 const VIEW = { width: 760, height: 520 };
 /** Only the model: the page around it is in the README. */
-const BARE = `.inspector, .legend, .views, .top-bar, .status-line, .hint, .marker.pin { display: none !important }
+const BARE = `.inspector, .legend, .views, .top-bar, .status-line, .drag-tools, .hint, .marker.pin { display: none !important }
   .app, .work { grid-template: minmax(0, 1fr) / minmax(0, 1fr) !important }`;
 
 async function pageAt(site, hash) {
@@ -69,10 +70,17 @@ async function shootBent(site, { scene }) {
 const panel = (image, caption, extra = "") =>
   `<figure>${image ? `<img src="${image}">` : ""}${extra}<figcaption>${caption}</figcaption></figure>`;
 
-const STYLE = `body { margin: 0; padding: 12px; background: #fff; font: 22px Inter, sans-serif; color: #222 }
+const FONT = readFileSync(
+  createRequire(import.meta.url).resolve(
+    "@fontsource-variable/inter/files/inter-latin-wght-normal.woff2",
+  ),
+  "base64",
+);
+const STYLE = `@font-face { font-family: Inter; src: url("data:font/woff2;base64,${FONT}") format("woff2") }
+  body { margin: 0; padding: 12px; background: #fff; font: 22px Inter, sans-serif; color: #222 }
   main { display: grid; gap: 12px; grid-template-columns: repeat(var(--columns), 1fr) }
   figure { margin: 0; position: relative } img { width: 100%; display: block; border-radius: 6px }
-  figcaption { padding: 6px 2px; text-align: center } .bars { position: absolute; right: 10px; top: 10px }`;
+  figcaption { padding: 6px 2px; text-align: center } .bars { position: absolute; left: 10px; top: 10px }`;
 
 async function compose(site, name, columns, panels) {
   const page = await (await site.browser.newContext()).newPage();

@@ -42,6 +42,17 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
   const largest = await degrees(page);
   expect(largest).toEqual(largest.toSorted((a, b) => b - a));
   expect(Math.min(...largest)).toBeGreaterThan(Math.max(...smallest));
+  // Choosing a panel brings it into view and says what it is.
+  const view = page.getByLabel("3D view");
+  const before = await view.screenshot();
+  await page
+    .getByRole("button", { name: /^Show panel \d+$/ })
+    .first()
+    .focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => page.getByText(/^Panel \d+ 4 corners, /).count()).toBe(1);
+  await page.waitForTimeout(800);
+  expect((await view.screenshot()).equals(before)).toBe(false);
   await page.context().close();
 });
 
@@ -78,8 +89,9 @@ it("says why a target is refused: how far short, which panels hold it; each can 
   const page = await site.open({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+10cm");
   // Everything around the point is held: nothing can follow it.
-  await page.getByText("Advanced", { exact: true }).click();
-  await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  await page.waitForTimeout(500);
+  expect(await why.count()).toBe(0);
   await page.getByLabel("3D view").focus();
   for (const way of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowLeft", "ArrowDown", "ArrowDown"])
     await page.keyboard.press(`Control+${way}`);
@@ -90,8 +102,11 @@ it("says why a target is refused: how far short, which panels hold it; each can 
   const first = page.getByRole("checkbox", { name: "Pinned" }).first();
   if (await first.isChecked()) await first.uncheck();
   await idle(page);
-  const why = page.getByRole("region", { name: "Why the target is not reached" });
-  await expect.poll(() => why.textContent()).toMatch(/stops \d+ mm short/);
+  await expect.poll(() => why.textContent()).toMatch(/stops \d+ mm short of its target/);
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+  await idle(page);
+  await expect.poll(() => why.textContent()).toMatch(/cannot be reached while every panel/);
   const shows = why.getByRole("button", { name: /^Show panel \d+$/ });
   await expect.poll(() => shows.count()).toBeGreaterThan(0);
   const panel = await shows.first().textContent();

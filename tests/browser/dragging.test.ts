@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
 import { exportAs, idle, movedCount, openSite, type Site } from "./support/page.ts";
-import { type HandleRow, handleRows, hintedPoint, press } from "./support/view.ts";
+import { type HandleRow, handleRows, hintedPoint, type Place, press } from "./support/view.ts";
 
 let site: Site;
 let base: ObjMesh | null = null;
@@ -178,6 +178,21 @@ describe("several points", () => {
   });
 });
 
+it("an arrow at the chosen point moves it along its axis alone", async () => {
+  const page = await openPage();
+  const { x, y } = await hintedPoint(page);
+  await page.mouse.click(x, y);
+  // The arrows are fetched with the first chosen point.
+  await page.waitForTimeout(800);
+  await press(page, { x, y: y - 40 }, { x: x + 25, y: y - 80 });
+  await release(page);
+  const [row] = await handleRows(page);
+  if (!row) throw new Error("no handle");
+  expect(offset(row).slice(0, 2)).toEqual([0, 0]);
+  expect(offset(row)[2]).toBeGreaterThan(0.1);
+  await page.context().close();
+});
+
 it("points move by typed amounts along the surface and out of it", async () => {
   const page = await openPage();
   await page.getByLabel("3D view").focus();
@@ -195,15 +210,27 @@ it("points move by typed amounts along the surface and out of it", async () => {
   await page.context().close();
 });
 
+/** The hinted point once the camera stands still and has been drawn. */
+async function restingPoint(page: Page): Promise<Place> {
+  for (let before = await hintedPoint(page); ; ) {
+    await page.waitForTimeout(700);
+    const now = await hintedPoint(page);
+    if (now.x === before.x && now.y === before.y) return now;
+    before = now;
+  }
+}
+
 it("a clicked panel says its figure, and the camera stays", async () => {
   const page = await openPage();
   await page.getByLabel("3D view").focus();
-  for (let k = 0; k < 10; ++k) await page.keyboard.press("+");
-  const point = await hintedPoint(page);
-  // Near enough, the middle of a panel lies some way to the right of a point.
+  await page.keyboard.press("2");
+  await page.waitForTimeout(700);
+  for (let k = 0; k < 8; ++k) await page.keyboard.press("+");
+  const point = await restingPoint(page);
+  // From above and near enough, the middle of a panel lies right of a point and below it.
   for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
-    await page.mouse.click(point.x + k, point.y - k / 6);
-    await page.waitForTimeout(100);
+    await page.mouse.click(point.x + k, point.y + k);
+    await page.waitForTimeout(300);
   }
   expect(await page.getByText(/ corners, /).textContent()).toMatch(
     /4 corners, 0\.0000 mm out of flat/,

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What a drag on five thousand points costs: processor time of the page's own thread, not the
-// clock, which on a busy machine says more about the machine. Rates and long tasks are printed.
+// clock, which on a busy machine says more about the machine. What the clock says is printed.
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { movedCount, openFile, openSite, type Prepare, type Site } from "./support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openFile,
+  openSite,
+  type Prepare,
+  type Site,
+  status,
+  typeTarget,
+} from "./support/page.ts";
 
 let site: Site;
 beforeAll(async () => {
@@ -104,5 +114,38 @@ it("a drag on 5041 points: every frame's script stays far below a long task", as
   );
   expect(updates).toBeGreaterThan(20);
   expect(perUpdate).toBeLessThan(50);
+  await page.context().close();
+});
+
+/** Presses Cancel once it can be, and gives the milliseconds until the status reads `numbers`. */
+const cancelAndWait = (page: Page, numbers: string): Promise<number> =>
+  page.evaluate(async (expected) => {
+    const button = [...document.querySelectorAll("button")].find((b) => b.textContent === "Cancel");
+    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    while (button?.disabled) await frame();
+    await new Promise((done) => setTimeout(done, 100));
+    if (button?.disabled) throw new Error("The solve was over before it could be cancelled.");
+    const begun = performance.now();
+    button?.click();
+    while (document.querySelector("[role=status]")?.textContent !== expected) await frame();
+    return performance.now() - begun;
+  }, numbers);
+
+it("Cancel during a long solve gives back the last design at once, to the last bit", async () => {
+  const page = await site.open({ viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
+  await openFile(page, "roof.obj", curvedRoof());
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await typeTarget(page, "+2");
+  const numbers = await status(page);
+  const before = await exportAs(page, "OBJ");
+  await page.getByText("Advanced", { exact: true }).click();
+  const cancelled = cancelAndWait(page, numbers);
+  await page.getByRole("combobox", { name: "Engine" }).selectOption("alm");
+  console.info(`cancelled after ${(await cancelled).toFixed(0)} ms by the clock`);
+  await idle(page);
+  expect(await page.getByRole("alert").count()).toBe(0);
+  expect(await status(page)).toBe(numbers);
+  expect(await exportAs(page, "OBJ")).toEqual(before);
+  expect(await page.getByRole("combobox", { name: "Engine" }).inputValue()).toBe("newton");
   await page.context().close();
 });

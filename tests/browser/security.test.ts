@@ -68,7 +68,7 @@ describe("markup in data stays text", () => {
     await page.waitForTimeout(700);
     await page.reload();
     await usable(page);
-    expect(await page.getByRole("button", { name: /^Adopt <img/ }).count()).toBe(1);
+    await expect.poll(() => page.getByRole("button", { name: /^Adopt <img/ }).count()).toBe(1);
     await expectUnharmed(page);
     await page.context().close();
   });

@@ -98,6 +98,7 @@ it("warns of long links and offers a file instead of longer ones", async () => {
   await page.getByRole("button", { name: "Start editing" }).click();
   expect((await linkOf(page)).length).toBeGreaterThan(8_000);
   await page.getByRole("button", { name: "Share" }).click();
+  await page.getByRole("textbox", { name: "Link" }).waitFor();
   expect(await page.getByText(/Some programs cut links this long/).count()).toBe(1);
   expect(await page.getByRole("button", { name: "Save as GLB" }).count()).toBe(0);
   await page.keyboard.press("Escape");
@@ -134,11 +135,4 @@ it("a link opened over a kept design keeps that one; after an edit a reload keep
   await idle(tab);
   expect(await exportAs(tab, "OBJ")).toEqual(kept);
   await tab.context().close();
-});
-
-it("a damaged link gets a sentence and the page still works", async () => {
-  const page = await site.open({}, "#v1=AAAA");
-  expect(await page.getByRole("alert").textContent()).toMatch(/damaged/);
-  expect(await status(page)).toMatch(/0 of 441 points move/);
-  await page.context().close();
 });

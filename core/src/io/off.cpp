@@ -11,6 +11,7 @@
 #include "io/number.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "io/text_rows.hpp"
 #include "planish/mesh_check.hpp"
 
 namespace planish {
@@ -145,20 +146,7 @@ ReadResult read_off(std::string_view bytes) {
 std::string write_off(const Mesh& mesh) {
   std::string text = "OFF\n" + std::to_string(mesh.vertex_count()) + ' ' +
                      std::to_string(mesh.face_count()) + " 0\n";
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    for (int c = 0; c < 3; ++c) {
-      append_exact(text, mesh.positions(c, v));
-      text += c < 2 ? ' ' : '\n';
-    }
-  }
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    append_integer(text, static_cast<long long>(mesh.face(f).size()));
-    for (const int v : mesh.face(f)) {
-      text += ' ';
-      append_integer(text, v);
-    }
-    text += '\n';
-  }
+  append_text_rows(mesh, text);
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "io/ply_header.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "io/text_rows.hpp"
 #include "planish/mesh_check.hpp"
 
 namespace planish {
@@ -234,23 +235,6 @@ std::string_view encoding_name(PlyEncoding encoding) {
   return "";
 }
 
-void append_ascii_body(const Mesh& mesh, std::string& text) {
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    for (int c = 0; c < 3; ++c) {
-      append_exact(text, mesh.positions(c, v));
-      text += c < 2 ? ' ' : '\n';
-    }
-  }
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    append_integer(text, static_cast<long long>(mesh.face(f).size()));
-    for (const int v : mesh.face(f)) {
-      text += ' ';
-      append_integer(text, v);
-    }
-    text += '\n';
-  }
-}
-
 void append_binary_body(const Mesh& mesh, PlyEncoding encoding, bool small_faces,
                         std::string& bytes) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -301,7 +285,7 @@ std::string write_ply(const Mesh& mesh, PlyEncoding encoding) {
   bytes += small_faces ? "\nproperty list uchar int" : "\nproperty list uint int";
   bytes += " vertex_indices\nend_header\n";
   if (encoding == PlyEncoding::kAscii) {
-    append_ascii_body(mesh, bytes);
+    append_text_rows(mesh, bytes);
   } else {
     append_binary_body(mesh, encoding, small_faces, bytes);
   }

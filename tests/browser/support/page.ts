@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A real browser on the built site, served as plain files under a sub-path.
 import { readFile } from "node:fs/promises";
-import {
-  type Browser,
-  type BrowserContext,
-  type BrowserContextOptions,
-  chromium,
-  type Page,
-} from "playwright-core";
+import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playwright-core";
 import { expect } from "vitest";
+import { launch } from "../../../.tools/browser.mjs";
 import { serve } from "../../../.tools/serve.mjs";
-
-const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--no-first-run",
-];
 
 export type Prepare = (context: BrowserContext) => Promise<void>;
 
@@ -52,10 +37,7 @@ export const usable = (page: Page): Promise<void> =>
 /** PLANISH_SITE names another build to test, so that a long run survives the next one. */
 export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): Promise<Site> {
   const { server, url } = await serve(directory, { prefix: "/under/a/path/" });
-  const browser: Browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
-    args: FLAGS,
-  });
+  const browser: Browser = await launch();
   const complaints: string[] = [];
   const tabIn = async (context: BrowserContext, hash: string): Promise<Page> => {
     const page = await context.newPage();

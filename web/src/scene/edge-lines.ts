@@ -17,6 +17,9 @@ import { displaySphere } from "./framing.ts";
 /** Above this a line is a pixel of its own accord, and wide lines would cost 12 times the memory. */
 const WIDE_LIMIT = 60_000;
 
+/** Edges darken what lies under them, so that they show on light and on deep colours alike. */
+export const INK = 0.62;
+
 export interface EdgeLines {
   readonly object: LineSegments2 | LineSegments;
   move(vertex: number, x: number, y: number, z: number): void;
@@ -40,7 +43,10 @@ class WideLines implements EdgeLines {
       this.#ends.set(points.subarray(3 * v, 3 * v + 3), 3 * end);
     });
     const geometry = new LineSegmentsGeometry().setPositions(this.#ends);
-    this.object = new LineSegments2(geometry, new LineMaterial({ linewidth: width }));
+    this.object = new LineSegments2(
+      geometry,
+      new LineMaterial({ linewidth: width, transparent: true, opacity: INK }),
+    );
     this.object.frustumCulled = false;
   }
 
@@ -83,7 +89,7 @@ class Hairlines implements EdgeLines {
     geometry.setAttribute("position", this.#points);
     geometry.setIndex(new BufferAttribute(new Uint32Array(topology.edges), 1));
     geometry.boundingSphere = displaySphere();
-    const material = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
+    const material = new LineBasicMaterial({ transparent: true, opacity: INK });
     this.object = new LineSegments(geometry, material);
     this.object.frustumCulled = false;
   }

@@ -28,19 +28,22 @@ export interface Standpoint {
 }
 
 /**
- * The nearest standpoint from which a camera that looks against `towards` sees every point, with
- * equal margins left and right or above and below. In the camera's own axes each side of the
- * view is a half-space for its position, so the answer is closed.
+ * The nearest standpoint from which a camera that looks against `towards` sees every point in
+ * the `free` share of the view's height about its axis, with equal margins left and right or above
+ * and below. In the camera's own axes each side of the view is a half-space for its position, so
+ * the answer is closed.
  */
 export function standpoint(
   points: Float32Array,
   towards: Vector3,
   { fov, aspect, up }: PerspectiveCamera,
+  free: number,
 ): Standpoint {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const above = new Vector3().crossVectors(towards, right);
-  const high = Math.tan((fov * Math.PI) / 360) * FILL;
-  const wide = high * aspect;
+  const whole = Math.tan((fov * Math.PI) / 360) * FILL;
+  const high = whole * free;
+  const wide = whole * aspect;
   const sides = { right: -Infinity, left: -Infinity, top: -Infinity, bottom: -Infinity };
   const point = new Vector3();
   for (let v = 0; v < points.length / 3; ++v) {

@@ -19,6 +19,9 @@ const PARTS: Readonly<Record<string, readonly [number, boolean]>> = {
   XY: [2, true],
 };
 
+/** The size that TransformControls calls 1 grows with the view; this gives arrows of 64 pixels. */
+const ARROWS = 450;
+
 const AXIS_OF: Readonly<Record<string, number>> = { X: 0, Y: 1, Z: 2 };
 
 /** An arrow each way at every axis is more than a point needs. */
@@ -39,6 +42,7 @@ export class Gizmo {
   #asked = false;
   #wanted = false;
   #lock: Lock | null = null;
+  #height = 720;
   readonly #proxy = new Object3D();
   readonly #stage: Stage;
 
@@ -53,7 +57,7 @@ export class Gizmo {
     const { TransformControls } = await import("three/addons/controls/TransformControls.js");
     if (!this.#asked) return;
     const controls = new TransformControls(this.#stage.camera, null);
-    controls.setSize(0.62);
+    controls.setSize(this.#size());
     controls.setSpace("local");
     controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
     dropBackArrows(controls);
@@ -62,6 +66,16 @@ export class Gizmo {
     this.show(this.#lock);
     if (this.#wanted) controls.attach(this.#proxy);
     this.#stage.invalidate();
+  }
+
+  /** Arrows keep their length in pixels in a view of any height. */
+  resize(height: number): void {
+    this.#height = height;
+    this.#controls?.setSize(this.#size());
+  }
+
+  #size(): number {
+    return ARROWS / Math.max(1, this.#height);
   }
 
   /** The part under a pixel, which is highlighted; null beside all of them. */

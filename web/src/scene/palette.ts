@@ -17,23 +17,23 @@ export interface Palette {
 export const LIGHT: Palette = {
   paper: "#F7F6F2",
   panel: "#F3F0E9",
-  edge: "#6E6A61",
+  edge: "#14120E",
   ghost: "#2456D6",
   sky: "#FFFFFF",
   ground: "#D9D2C3",
   shadow: 0.16,
-  displacement: ["#F3F0E9", "#BFC9E4", "#8AA3E0", "#5A74D2", "#3B47AE", "#2B1F78"],
-  planarity: ["#F3F0E9", "#F3CF86", "#E59A45", "#CC5B2C", "#9C1F1F"],
+  displacement: ["#F3F0E9", "#BFC9E4", "#8AA3E0", "#5A74D2", "#4C58CA", "#6142C4"],
+  planarity: ["#F3F0E9", "#F3CF86", "#E59A45", "#CC5B2C", "#B3261E"],
 };
 
 export const DARK: Palette = {
   paper: "#15181B",
-  panel: "#A29F97",
-  edge: "#2A2C2E",
+  panel: "#B4B3AF",
+  edge: "#08090A",
   ghost: "#7EA2FF",
   sky: "#DCE3EA",
-  ground: "#3A3733",
+  ground: "#33363B",
   shadow: 0.45,
-  displacement: ["#A29F97", "#8594B4", "#7396D6", "#6A8CF0", "#7B78F5", "#A06BFF"],
-  planarity: ["#A29F97", "#B39A5C", "#D98E3F", "#E0662F", "#F0413A"],
+  displacement: ["#B4B3AF", "#94A3C6", "#7396D6", "#6A8CF0", "#7B78F5", "#8F57F2"],
+  planarity: ["#B4B3AF", "#C7AA66", "#D98E3F", "#E0662F", "#F0413A"],
 };

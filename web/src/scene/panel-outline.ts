@@ -7,7 +7,7 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 export class PanelOutline {
   readonly object = new LineSegments2(
     new LineSegmentsGeometry(),
-    new LineMaterial({ linewidth: 3 }),
+    new LineMaterial({ linewidth: 3, transparent: true }),
   );
 
   constructor() {

@@ -24,7 +24,7 @@ import { PanelColours } from "./panel-colours.ts";
 import { PanelOutline } from "./panel-outline.ts";
 
 /** Below this share of the largest displacement the ghost would only double the edges. */
-const GHOST_SHARE = 0.04;
+const GHOST_SHARE = 0.08;
 
 export class Shell {
   readonly group = new Group();

@@ -20,7 +20,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Camera } from "../state/camera.ts";
-import { DIRECTIONS, standpoint, type ViewName } from "./framing.ts";
+import { DIRECTIONS, type Standpoint, standpoint, type ViewName } from "./framing.ts";
 import { closer, Glide } from "./glide.ts";
 import type { Palette } from "./palette.ts";
 
@@ -28,6 +28,8 @@ import type { Palette } from "./palette.ts";
 const QUICK = 8;
 /** Milliseconds without a change after which they are cast again. */
 const REST = 160;
+/** Pixels at the top of the view that the drag tools cover. */
+const TOOLS = 52;
 
 export class Stage {
   readonly scene = new Scene();
@@ -35,8 +37,8 @@ export class Stage {
   readonly orbit: OrbitControls;
   readonly renderer: WebGLRenderer;
   readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
-  readonly #key = new DirectionalLight("#FFF9F0", 1.75);
-  readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.75);
+  readonly #key = new DirectionalLight("#FFF9F0", 2.15);
+  readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
   readonly #glide: Glide;
   readonly #caster = new Raycaster();
   readonly #onDraw: () => void;
@@ -106,7 +108,7 @@ export class Stage {
 
   /** A named view that just holds `points`; `at once` on opening, else with a short glide. */
   view(name: ViewName, points: Float32Array, atOnce: boolean): void {
-    const place = standpoint(points, new Vector3(...DIRECTIONS[name]).normalize(), this.camera);
+    const place = this.#standpoint(points, new Vector3(...DIRECTIONS[name]).normalize());
     if (atOnce) this.#glide.jump(place);
     else this.#glide.to(place);
     this.invalidate();
@@ -115,8 +117,13 @@ export class Stage {
   /** Moves the camera, without turning it, to where it just holds `points`. */
   fit(points: Float32Array): void {
     const towards = this.camera.getWorldDirection(new Vector3()).negate();
-    this.#glide.to(standpoint(points, towards, this.camera));
+    this.#glide.to(this.#standpoint(points, towards));
     this.invalidate();
+  }
+
+  #standpoint(points: Float32Array, towards: Vector3): Standpoint {
+    const { height = 1, offsetY = 0 } = this.camera.view ?? {};
+    return standpoint(points, towards, this.camera, 1 + (2 * offsetY) / height);
   }
 
   /** The ray through a place on screen, −1 … 1 to the right and upwards. */
@@ -170,7 +177,9 @@ export class Stage {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    // The axis goes through the middle of what the tools leave free.
+    const down = Math.min(TOOLS, height / 5) / 2;
+    this.camera.setViewOffset(width, height, 0, -down, width, height);
     // A canvas of a new size is blank: not even one frame may show it.
     cancelAnimationFrame(this.#pending);
     this.draw();

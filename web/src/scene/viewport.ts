@@ -316,6 +316,7 @@ export class Viewport {
     const { width, height } = this.#canvas.getBoundingClientRect();
     this.stage.resize(width, height);
     this.#shell?.setSize(width, height);
+    this.#gizmo.resize(height);
   }
 
   #updateGizmo(): void {

@@ -3,12 +3,14 @@
 import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
 import { toTargets } from "./design.ts";
+import { stopsShort } from "./stopping-short.ts";
 import {
   bending,
   colourBy,
   freedom,
   history,
   measurable,
+  mesh,
   panelFigures,
   panelHealth,
   ready,
@@ -61,14 +63,15 @@ export function keepPanelFigures(): () => void {
   });
 }
 
-/** Counts what a finished edit leaves free, where it was refused or someone looks. */
+/** Counts what a finished edit leaves free, where a point stops short or someone looks. */
 export function keepFreedom(): () => void {
   return effect(() => {
     const design = history.value?.present;
     measurable.value;
     if (!design || !ready.value) return;
-    const refused = design.report.status === "infeasible_handles";
-    if (!refused && !watchFreedom.value) {
+    const base = mesh.peek()?.positions;
+    const short = base !== undefined && stopsShort(design, base);
+    if (!short && !watchFreedom.value) {
       freedom.value = null;
       return;
     }

@@ -13,7 +13,7 @@ import { inTurn } from "./turns.ts";
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
   const { worstGap, worstMmPerM } = opened.report;
-  // The page has no control for these, so they must not outlive the link that set them.
+  // These are set for one design, some by its link alone: they must not outlive it.
   const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
   const weights = settings.value ?? DEFAULT_SETTINGS;
   return {

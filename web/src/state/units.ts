@@ -38,10 +38,10 @@ export function niceStep(rough: number): number {
   return (lead < 2 ? 1 : lead < 5 ? 2 : 5) * power;
 }
 
-/** A coordinate for a field: as many digits as matter, none that do not. */
+/** A coordinate for a field: as many digits as a field shows, none that do not matter. */
 export function formatCoordinate(value: number): string {
   const size = Math.abs(value);
-  const decimals = size >= 1e4 ? 2 : size >= 1e3 ? 3 : 4;
+  const decimals = size >= 1e4 ? 1 : size >= 1e3 ? 2 : size >= 100 ? 3 : 4;
   const text = value.toFixed(decimals).replace(/\.?0+$/, "");
   return text === "-0" ? "0" : text;
 }

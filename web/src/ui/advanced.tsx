@@ -47,16 +47,18 @@ const ENGINES = [
   ["alm", "Augmented Lagrangian, the paper's"],
 ] as const;
 
-const TOLERANCES = [
+const TOLERANCES: readonly (readonly [string, string])[] = [
   ["0.000001", "0.000001 mm/m"],
   ["0.001", "0.001 mm/m"],
   ["1", "1 mm/m"],
-] as const;
+];
 
 /** The settings that few need; the defaults are the command line's. */
 export function Advanced() {
   const { fairness, engine, hardHandles, tolerance } = settings.value ?? DEFAULT_SETTINGS;
-  const shown = TOLERANCES.find(([value]) => Number(value) === tolerance)?.[0] ?? "0.000001";
+  const known = TOLERANCES.find(([value]) => Number(value) === tolerance);
+  // A link or a file may have set another.
+  const given = [String(tolerance), `${tolerance} mm/m`] as const;
   return (
     <details class="disclosure">
       <summary>Advanced</summary>
@@ -74,8 +76,8 @@ export function Advanced() {
       />
       <Choice
         label="Tolerance"
-        value={shown}
-        words={TOLERANCES}
+        value={known?.[0] ?? given[0]}
+        words={known ? TOLERANCES : [...TOLERANCES, given]}
         onChoose={(value) => choose({ tolerance: Number(value) })}
       />
       <label class="check">

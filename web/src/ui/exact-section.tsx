@@ -22,7 +22,7 @@ export function ExactSection() {
       <p class={exact ? "verdict good" : "verdict"}>
         {exact
           ? "Every panel is flat."
-          : `Worst panel ${formatGap(worstGap, unit.value)} out of flat (${worstMmPerM.toPrecision(3)} mm/m).`}
+          : `Worst panel ${formatGap(worstGap, unit.value)} out of flat (${worstMmPerM.toPrecision(3)} mm/m).`}
       </p>
       <div class="row">
         <button

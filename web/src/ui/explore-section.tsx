@@ -39,7 +39,7 @@ function Sliders() {
             shown={words(value)}
             disabled={false}
             onInput={(x) => previewVariation(k, x)}
-            onCommit={(x) => void commitVariation(k, x)}
+            onCommit={(x) => commitVariation(k, x)}
           />
         );
       })}

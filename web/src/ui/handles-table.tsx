@@ -80,7 +80,7 @@ export function HandlesTable() {
   const rows = handles.value;
   return (
     <>
-      <table class="handles" aria-label="Handles">
+      <table class={rows.length === 0 ? "handles vacant" : "handles"} aria-label="Handles">
         <thead>
           <tr>
             <th scope="col">Point</th>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { useRef } from "preact/hooks";
+import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
 
@@ -18,20 +19,9 @@ export function HelpDialog() {
         <Icon name="help" />
         <span class="bar-label">Help</span>
       </button>
-      <dialog ref={dialog} class="dialog" aria-labelledby="help-title">
-        <div class="dialog-head">
-          <h2 id="help-title">How it works</h2>
-          <button
-            type="button"
-            class="icon-button"
-            aria-label="Close"
-            onClick={() => dialog.current?.close()}
-          >
-            <Icon name="close" />
-          </button>
-        </div>
+      <Dialog dialog={dialog} id="help" title="How it works">
         <HelpText />
-      </dialog>
+      </Dialog>
     </>
   );
 }

@@ -1,21 +1,53 @@
 // SPDX-License-Identifier: MIT
-const KEYS: readonly (readonly [string, string])[] = [
-  ["Drag a point", "moves it; its neighbours follow"],
-  ["Drag beside the model", "turns the view; right button or two fingers pan, wheel zooms"],
-  ["X, Y, Z, N", "hold a drag to an axis or to the normal; with Shift, to the plane across"],
-  ["Ctrl while dragging", "goes in steps, and back to where the point was"],
-  ["Ctrl + click, Shift + drag", "select several points, or a box of them; they move together"],
-  ["P", "pins the selected points, or lets them go"],
-  ["Click a panel", "shows its figure"],
-  ["Arrow keys in the view", "step from point to point; with Ctrl, add the next point"],
-  ["Shift + arrow keys", "turn the view; + and − zoom"],
-  ["1, 2, 3, 4, F", "perspective, top, front, side; fit the model into the view"],
-  ["B, held", "shows the design before the edit"],
-  ["Esc", "gives up a drag; otherwise selects nothing"],
-  ["Ctrl Z, Ctrl Shift Z", "undo, redo"],
-  ["Ctrl O", "opens a file"],
-  ["Coordinates", "take units and arithmetic: 1.2m, 3*400mm, +50mm adds"],
+interface Hint {
+  /** What is pressed or done; a name of a key is in brackets: "[Ctrl] while dragging". */
+  readonly how: string;
+  readonly what: string;
+}
+
+const HINTS: readonly Hint[] = [
+  { how: "Drag a point", what: "moves it; its neighbours follow" },
+  {
+    how: "Drag beside the model",
+    what: "turns the view; right button or two fingers pan, wheel zooms",
+  },
+  {
+    how: "[X] [Y] [Z] [N]",
+    what: "hold a drag to an axis or to the normal; with Shift, to the plane across",
+  },
+  { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
+  {
+    how: "[Ctrl] click, [Shift] drag",
+    what: "select several points, or a box of them; they move together",
+  },
+  { how: "[P]", what: "pins the selected points, or lets them go" },
+  { how: "Click a panel", what: "shows its figure" },
+  {
+    how: "[←] [↑] [↓] [→] in the view",
+    what: "step from point to point; with Ctrl, add the next point",
+  },
+  { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
+  {
+    how: "[1] [2] [3] [4], [F]",
+    what: "perspective, top, front, side; fit the model into the view",
+  },
+  { how: "[B], held", what: "shows the design before the edit" },
+  { how: "[Esc]", what: "gives up a drag; otherwise selects nothing" },
+  { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
+  { how: "[Ctrl] [O]", what: "opens a file" },
+  { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
 ];
+
+/** Words, with names of keys as keys. */
+function Keys({ text }: { text: string }) {
+  return (
+    <>
+      {text
+        .split(/\[(.+?)\]/)
+        .map((part, k) => (k % 2 === 1 ? <kbd key={part}>{part}</kbd> : part))}
+    </>
+  );
+}
 
 export function HelpText() {
   return (
@@ -26,9 +58,11 @@ export function HelpText() {
         millionth of a millimetre per metre.
       </p>
       <dl class="keys">
-        {KEYS.map(([key, what]) => (
-          <div key={key}>
-            <dt>{key}</dt>
+        {HINTS.map(({ how, what }) => (
+          <div key={how}>
+            <dt>
+              <Keys text={how} />
+            </dt>
             <dd>{what}</dd>
           </div>
         ))}

@@ -1,26 +1,48 @@
 // SPDX-License-Identifier: MIT
 import type { Histogram as Counts } from "../state/histogram.ts";
 import { ofBending, ofDisplacement, ofPlanarity } from "../state/histogram.ts";
-import { bending, colourBy, draft, mesh, panelFigures } from "../state/store.ts";
+import { bending, colourBy, draft, figures, mesh, panelFigures } from "../state/store.ts";
 
 const WIDTH = 160;
 const HEIGHT = 28;
 
 interface Shown {
   readonly counts: Counts;
-  /** What is counted, in the plural, and the word for those at rest. */
-  readonly what: string;
+  /** What is counted, for one and for several, and the word for those at rest. */
+  readonly what: readonly [string, string];
   readonly rest: string;
 }
 
 function shown(): Shown | null {
   const [design, base, kind] = [draft.value, mesh.value, colourBy.value];
-  if (kind === "displacement" && design && base)
-    return { counts: ofDisplacement(base, design.shape), what: "points move", rest: "untouched" };
+  if (kind === "displacement" && design && base) {
+    const { movedVertices } = figures.value;
+    const steady = movedVertices === design.report.movedVertices;
+    return {
+      // While a point is dragged only the number of those that follow is known here.
+      counts: steady
+        ? ofDisplacement(base, design.shape)
+        : {
+            bins: [movedVertices],
+            rest: base.report.vertices - movedVertices,
+            end: figures.value.maxDisplacement,
+          },
+      what: ["point moves", "points move"],
+      rest: "untouched",
+    };
+  }
   if (kind === "planarity" && panelFigures.value)
-    return { counts: ofPlanarity(panelFigures.value), what: "panels out of flat", rest: "flat" };
+    return {
+      counts: ofPlanarity(panelFigures.value),
+      what: ["panel out of flat", "panels out of flat"],
+      rest: "flat",
+    };
   if (kind === "fairness" && bending.value)
-    return { counts: ofBending(bending.value), what: "points bend", rest: "smooth" };
+    return {
+      counts: ofBending(bending.value),
+      what: ["point bends", "points bend"],
+      rest: "smooth",
+    };
   return null;
 }
 
@@ -32,18 +54,24 @@ export function Histogram() {
   const most = Math.max(1, ...bins);
   const width = WIDTH / bins.length;
   const counted = bins.reduce((sum, n) => sum + n, 0);
-  const words = `${counted} ${given.what}, ${rest} ${given.rest}`;
+  const words = `${counted} ${given.what[counted === 1 ? 0 : 1]}, ${rest} ${given.rest}`;
   return (
     <figure class="histogram">
       {counted > 0 && (
-        <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`Histogram: ${words}`}>
-          {bins.map((n, k) => {
-            const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
-            const x = k * width;
-            return (
-              <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
-            );
-          })}
+        <svg
+          viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+          preserveAspectRatio="none"
+          role="img"
+          aria-label={`Histogram: ${words}`}
+        >
+          {bins.length > 1 &&
+            bins.map((n, k) => {
+              const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
+              const x = k * width;
+              return (
+                <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
+              );
+            })}
         </svg>
       )}
       <figcaption>{words}</figcaption>

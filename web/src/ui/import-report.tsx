@@ -25,7 +25,7 @@ function Facts({ report }: { report: MeshReport }) {
     ["Non-manifold edges", String(report.nonmanifoldEdges)],
     [
       "Worst panel",
-      `${formatGap(report.worstGap, unit.value)} out of flat (${report.worstMmPerM.toPrecision(3)} mm/m)`,
+      `${formatGap(report.worstGap, unit.value)} out of flat (${report.worstMmPerM.toPrecision(3)} mm/m)`,
     ],
   ];
   return (

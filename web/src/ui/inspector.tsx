@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { planarise } from "../state/opening.ts";
-import { mesh, ready, settings } from "../state/store.ts";
+import { importReport, mesh, ready, settings } from "../state/store.ts";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
@@ -10,7 +10,7 @@ import { Slider } from "./slider.tsx";
 
 function NotFlatNote() {
   const report = mesh.value?.report;
-  if (!report || report.flat) return null;
+  if (!report || report.flat || importReport.value) return null;
   return (
     <div class="note warn">
       <p>This mesh has panels that are not flat. Points can be moved once they are.</p>
@@ -35,7 +35,7 @@ function Weights() {
         disabled={!ready.value}
         ends={["more points follow", "fewer follow"]}
         onInput={(value) => previewSettings({ locality: value })}
-        onCommit={(value) => void commitSettings({ locality: value })}
+        onCommit={(value) => commitSettings({ locality: value })}
       />
       <Slider
         label="Smoothness"
@@ -47,7 +47,7 @@ function Weights() {
         disabled={!ready.value}
         ends={["sharp, close by", "gentle, wider"]}
         onInput={(value) => previewSettings({ smoothness: value })}
-        onCommit={(value) => void commitSettings({ smoothness: value })}
+        onCommit={(value) => commitSettings({ smoothness: value })}
       />
     </>
   );

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
-import { HoldingPanels } from "./holding-panels.tsx";
 
 const WIDTH = 280;
 const HEIGHT = 72;
@@ -56,8 +55,7 @@ function facts(): readonly (readonly [string, string])[] {
 
 /** How the last solve went, and what it leaves free. */
 export function LastSolve() {
-  const { residuals, handleError, status } = figures.value;
-  const refused = status === "infeasible_handles";
+  const { residuals } = figures.value;
   return (
     <details
       class="disclosure"
@@ -74,7 +72,6 @@ export function LastSolve() {
           </div>
         ))}
       </dl>
-      {handleError > 0 && !refused && <HoldingPanels />}
       {residuals.length > 1 && <Curve residuals={residuals} />}
     </details>
   );

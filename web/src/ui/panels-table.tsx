@@ -15,13 +15,14 @@ const ROWS = 8;
 interface Column {
   readonly key: PanelColumn;
   readonly name: string;
+  readonly unit?: string;
   /** Whether the first click brings the largest to the top. */
   readonly largest: boolean;
 }
 
 const COLUMNS: readonly Column[] = [
   { key: "panel", name: "Panel", largest: false },
-  { key: "gap", name: "Out of flat", largest: true },
+  { key: "gap", name: "Out of flat", unit: "mm", largest: true },
   { key: "mmPerM", name: "mm/m", largest: true },
   { key: "angle", name: "Angle", largest: false },
   { key: "edge", name: "Edge", largest: false },
@@ -29,7 +30,7 @@ const COLUMNS: readonly Column[] = [
 ];
 
 const perMetre = (value: number): string =>
-  value < 1e-3 ? value.toExponential(1) : value.toPrecision(3);
+  value < 1e-3 ? value.toExponential(0) : value.toPrecision(3);
 
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
@@ -58,7 +59,7 @@ function Row({ row }: { row: PanelRow }) {
           {panel}
         </button>
       </th>
-      <td>{formatGap(gap, unit.value)}</td>
+      <td>{formatGap(gap, unit.value).replace(" mm", "")}</td>
       <td>{perMetre(mmPerM)}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
       <td>{formatLength(edge, unit.value)}</td>
@@ -98,6 +99,7 @@ export function PanelsTable() {
                     <span aria-hidden="true">
                       {column.key === key ? (descending ? " ↓" : " ↑") : ""}
                     </span>
+                    {column.unit && <span class="column-unit">{column.unit}</span>}
                   </button>
                 </th>
               ))}

@@ -6,6 +6,7 @@ import { readCamera } from "../state/camera.ts";
 import { fetchPart } from "../state/later.ts";
 import { recipeOf } from "../state/recipe.ts";
 import { draft, ready, unit } from "../state/store.ts";
+import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
 
 /** Mail programs and chats start to cut links about here. */
@@ -59,18 +60,7 @@ export function ShareDialog() {
         <Icon name="share" />
         <span class="bar-label">Share</span>
       </button>
-      <dialog ref={dialog} class="dialog" aria-labelledby="share-title">
-        <div class="dialog-head">
-          <h2 id="share-title">Share this design</h2>
-          <button
-            type="button"
-            class="icon-button"
-            aria-label="Close"
-            onClick={() => dialog.current?.close()}
-          >
-            <Icon name="close" />
-          </button>
-        </div>
+      <Dialog dialog={dialog} id="share" title="Share this design">
         {shared.value && (
           <>
             <input
@@ -98,7 +88,7 @@ export function ShareDialog() {
             )}
           </>
         )}
-      </dialog>
+      </Dialog>
     </>
   );
 }

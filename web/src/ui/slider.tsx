@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
+
 interface SliderProps {
   readonly label: string;
   readonly value: number;
@@ -10,11 +12,19 @@ interface SliderProps {
   readonly ends?: readonly [string, string];
   readonly shown?: string;
   readonly onInput: (value: number) => void;
-  readonly onCommit: (value: number) => void;
+  /** Resolves once `value` is what the design has. */
+  readonly onCommit: (value: number) => void | Promise<void>;
 }
 
 export function Slider(props: SliderProps) {
-  const { label, value, min, max, step, disabled, ends, onInput, onCommit } = props;
+  const { label, min, max, step, disabled, ends, onInput, onCommit } = props;
+  /** Set by the user and not in the design yet: an answer to an earlier key must not undo it. */
+  const ahead = useSignal<number | null>(null);
+  const value = ahead.value ?? props.value;
+  const commit = async (wanted: number): Promise<void> => {
+    await onCommit(wanted);
+    if (ahead.value === wanted) ahead.value = null;
+  };
   const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
   /** Where the filled part begins: zero if it lies inside, else the low end. */
   const rest = Math.max(min, Math.min(0, max));
@@ -36,8 +46,11 @@ export function Slider(props: SliderProps) {
         aria-valuetext={ends ? `${shown}: from ${ends[0]} to ${ends[1]}` : shown}
         disabled={disabled}
         style={{ "--from": share(Math.min(value, rest)), "--to": share(Math.max(value, rest)) }}
-        onInput={({ currentTarget }) => onInput(currentTarget.valueAsNumber)}
-        onChange={({ currentTarget }) => onCommit(currentTarget.valueAsNumber)}
+        onInput={({ currentTarget }) => {
+          ahead.value = currentTarget.valueAsNumber;
+          onInput(currentTarget.valueAsNumber);
+        }}
+        onChange={({ currentTarget }) => void commit(currentTarget.valueAsNumber)}
       />
       {ends && (
         <div class="slider-ends" aria-hidden="true">

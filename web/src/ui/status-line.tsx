@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { Fragment } from "preact";
 import { cancel } from "../state/showing.ts";
 import {
   type Activity,
@@ -16,8 +17,8 @@ import {
 } from "../state/store.ts";
 import { formatGap, formatLength } from "../state/units.ts";
 
-function numbers(): string {
-  if (!ready.value) return stranded.value ? "not ready" : "loading the solver…";
+function numbers(): readonly string[] {
+  if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
   const { movedVertices, maxDisplacement, worstGap, seconds, status } = figures.value;
   const parts = [
     `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,
@@ -26,7 +27,22 @@ function numbers(): string {
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
-  return parts.join(" · ");
+  return parts;
+}
+
+/** Breaks between figures, never within one or before a dot. */
+function Numbers() {
+  const parts = numbers();
+  return (
+    <>
+      {parts.map((part, k) => (
+        <Fragment key={part}>
+          {k > 0 && " "}
+          <span class="figure">{k + 1 < parts.length ? `${part} ·` : part}</span>
+        </Fragment>
+      ))}
+    </>
+  );
 }
 
 const megabytes = (bytes: number): string => (bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0);
@@ -42,7 +58,7 @@ export function StatusLine() {
   return (
     <footer class="status-line">
       <div role="status" class="figures">
-        {numbers()}
+        <Numbers />
       </div>
       {problem.value && (
         <div role="alert" class="alert">

@@ -3,7 +3,7 @@ import { redo, undo } from "../state/editing.ts";
 import { offeredFigures, openFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
-import { canRedo, canUndo, history, ready } from "../state/store.ts";
+import { canRedo, canUndo, designName, history, ready } from "../state/store.ts";
 import { ExportMenu } from "./export-menu.tsx";
 import { HelpDialog } from "./help-dialog.tsx";
 import { Icon, type IconName } from "./icon.tsx";
@@ -48,7 +48,7 @@ function SampleChooser() {
     >
       {value === "" && (
         <option value="" disabled>
-          Your mesh
+          {designName.value}
         </option>
       )}
       {SAMPLES.map((sample) => (

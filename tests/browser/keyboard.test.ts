@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The first minute without a pointer: Tab, Enter, arrows and typing, nothing else.
+import { readFile } from "node:fs/promises";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { idle, movedCount, openSite, type Site, status } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** The accessible name of what has the focus. */
+const focused = (page: Page): Promise<string> =>
+  page.evaluate(() => {
+    const element = document.activeElement;
+    const labels = element instanceof HTMLInputElement ? [...(element.labels ?? [])] : [];
+    const name =
+      element?.getAttribute("aria-label") ||
+      labels.map((label) => label.textContent).join(" ") ||
+      element?.textContent;
+    return (name ?? "").replace(/\s+/g, " ").trim();
+  });
+
+/** What the eye sees of the focus: an outline of the element or of its row. */
+const marked = (page: Page): Promise<boolean> =>
+  page.evaluate(() => {
+    const element = document.activeElement;
+    if (!element) return false;
+    return [getComputedStyle(element), getComputedStyle(element, "::after")].some(
+      ({ outlineStyle, outlineWidth }) => outlineStyle !== "none" && outlineWidth !== "0px",
+    );
+  });
+
+/** Tabs on until something of that name has the focus, which must be visible on the way. */
+async function tabTo(page: Page, name: string): Promise<void> {
+  for (let k = 0; k < 90; ++k) {
+    await page.keyboard.press("Tab");
+    const at = await focused(page);
+    if (at === "" || at.startsWith("Planish")) continue;
+    expect(await marked(page), `focus on ${at}`).toBe(true);
+    if (at === name) return;
+  }
+  throw new Error(`Tab never came to ${name}`);
+}
+
+it("edits, explores, makes exact, shares and exports", async () => {
+  const page = await site.open({ reducedMotion: "reduce" });
+  await tabTo(page, "3D view");
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowRight");
+  await tabTo(page, "Add handle");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  await page.keyboard.press("Shift+Tab");
+  while ((await focused(page)) !== "Z") await page.keyboard.press("Shift+Tab");
+  await page.keyboard.type("+(2+3)*20cm");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+
+  await tabTo(page, "Find variations");
+  await page.keyboard.press("Enter");
+  await page.getByRole("slider", { name: "Variation 1" }).waitFor();
+  await idle(page);
+  await tabTo(page, "Variation 1");
+  for (let k = 0; k < 5; ++k) await page.keyboard.press("ArrowRight");
+  await idle(page);
+  expect(await page.getByRole("slider", { name: "Variation 1" }).inputValue()).toBe("0.05");
+  await tabTo(page, "Make exact");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  expect(await status(page)).toContain("worst panel 0.0000 mm");
+
+  await tabTo(page, "Export");
+  await page.keyboard.press("Enter");
+  await tabTo(page, "OBJ");
+  const download = page.waitForEvent("download");
+  await page.keyboard.press("Enter");
+  expect((await readFile(await (await download).path())).length).toBeGreaterThan(1000);
+  await tabTo(page, "Share");
+  await page.keyboard.press("Enter");
+  await page.getByRole("dialog").waitFor();
+  expect(await page.getByRole("textbox", { name: "Link" }).inputValue()).toContain("#v1=");
+  await page.keyboard.press("Escape");
+  expect(await focused(page)).toBe("Share");
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  await page.context().close();
+});
+
+it("reduced motion: nothing pulses, and the camera is there at once", async () => {
+  const page = await site.open({ reducedMotion: "reduce" });
+  await page.getByText("Drag this point").waitFor();
+  const moving = (): Promise<number> => page.evaluate("document.getAnimations().length");
+  expect(await moving()).toBe(0);
+  await page.getByRole("button", { name: "Help" }).click();
+  expect(await moving()).toBe(0);
+  await page.keyboard.press("Escape");
+  const places = await page.evaluate(async () => {
+    const frame = (): Promise<unknown> => new Promise((done) => requestAnimationFrame(done));
+    const sentence = (): string => {
+      const span = [...document.querySelectorAll("span")].find(
+        (element) => element.textContent === "Drag this point. Every panel stays flat.",
+      );
+      return JSON.stringify(span?.getBoundingClientRect());
+    };
+    const seen = [sentence()];
+    [...document.querySelectorAll("button")].find((b) => b.textContent === "Top")?.click();
+    for (let k = 0; k < 20; ++k) {
+      await frame();
+      seen.push(sentence());
+    }
+    return [...new Set(seen)];
+  });
+  expect(places.length).toBe(2);
+  await page.context().close();
+});
+
+it("with motion, the camera glides to a named view", async () => {
+  const page = await site.open({ reducedMotion: "no-preference" });
+  await page.getByText("Drag this point").waitFor();
+  expect(await page.evaluate("document.getAnimations().length")).toBeGreaterThan(0);
+  await page.context().close();
+});

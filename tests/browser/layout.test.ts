@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
+import type { Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { openSite, type Site, typeTarget } from "./support/page.ts";
+import { viewBox } from "./support/view.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** Width, height. 320 pixels are what is left of 1280 at 400 % zoom. */
+const SIZES = [
+  [320, 568],
+  [360, 740],
+  [667, 375],
+  [740, 360],
+  [768, 1024],
+  [1280, 800],
+  [2560, 1440],
+  [3840, 2160],
+] as const;
+
+interface Rectangle {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+async function boxOf(locator: Locator): Promise<Rectangle> {
+  const box = await locator.boundingBox();
+  if (!box) throw new Error(`not shown: ${locator}`);
+  return box;
+}
+
+const apart = (a: Rectangle, b: Rectangle): boolean =>
+  a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+
+const inside = (a: Rectangle, b: Rectangle): boolean =>
+  a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
+
+/** Names of buttons, fields and headings whose words do not fit. */
+const cutShort = (page: Page): Promise<string[]> =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("button, th, h2, label, .number, .slider-ends span")]
+      .filter((element) => element.checkVisibility() && element.clientWidth > 1)
+      .filter((element) => element.scrollWidth > element.clientWidth + 1)
+      .map((element) => element.getAttribute("aria-label") ?? element.textContent ?? ""),
+  );
+
+describe.each(SIZES)("at %d × %d", (width, height) => {
+  it("everything has its place", async () => {
+    const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
+    await typeTarget(page, "-1.2345m");
+    const view = await viewBox(page);
+    const window = { x: 0, y: 0, width, height };
+    expect(view.width * view.height).toBeGreaterThan(0.3 * width * height);
+    if (width < 900 && height > 559) expect(view.height).toBeGreaterThanOrEqual(0.49 * height);
+
+    const over = await Promise.all(
+      [
+        page.getByRole("toolbar", { name: "Drag tools" }),
+        page.getByRole("group", { name: "Views" }),
+        page.getByRole("combobox", { name: "Colour by" }),
+      ].map(boxOf),
+    );
+    for (const [k, box] of over.entries()) {
+      expect(inside(box, view), `part ${k} over the view`).toBe(true);
+      for (const other of over.slice(k + 1)) expect(apart(box, other)).toBe(true);
+    }
+    for (const name of ["Open file", "Undo", "Redo", "Export", "Share", "Help", "Cancel"]) {
+      const box = await boxOf(page.getByRole("button", { name, exact: true }));
+      expect(inside(box, window), name).toBe(true);
+    }
+    const scroll = await page.evaluate<number[]>(
+      "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]",
+    );
+    expect(scroll).toEqual([width, height]);
+    expect(await cutShort(page)).toEqual([]);
+    await page.context().close();
+  });
+});
+
+it("dialogs and menus fit a small screen", async () => {
+  const page = await site.open({ viewport: { width: 320, height: 568 }, reducedMotion: "reduce" });
+  const window = { x: 0, y: 0, width: 320, height: 568 };
+  for (const name of ["Help", "Share"]) {
+    await page.getByRole("button", { name, exact: true }).click();
+    expect(inside(await boxOf(page.getByRole("dialog")), window), name).toBe(true);
+    await page.keyboard.press("Escape");
+  }
+  await page.getByRole("button", { name: "Export" }).click();
+  for (const name of ["OBJ", "GLB", "PLY", "PNG"]) {
+    const box = await boxOf(page.getByRole("button", { name, exact: true }));
+    expect(inside(box, window), name).toBe(true);
+  }
+  await page.context().close();
+});

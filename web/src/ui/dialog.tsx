@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+import type { ComponentChildren, RefObject } from "preact";
+import { Icon } from "./icon.tsx";
+
+interface DialogProps {
+  /** Opens by showModal, closes by close, Escape or its own button. */
+  readonly dialog: RefObject<HTMLDialogElement | null>;
+  readonly id: string;
+  readonly title: string;
+  readonly children: ComponentChildren;
+}
+
+/** A modal dialog with its title and a button to close it. */
+export function Dialog({ dialog, id, title, children }: DialogProps) {
+  return (
+    <dialog ref={dialog} class="dialog" aria-labelledby={`${id}-title`}>
+      <div class="dialog-head">
+        <h2 id={`${id}-title`}>{title}</h2>
+        <button
+          type="button"
+          class="icon-button"
+          aria-label="Close"
+          title="Close (Esc)"
+          onClick={() => dialog.current?.close()}
+        >
+          <Icon name="close" />
+        </button>
+      </div>
+      {children}
+    </dialog>
+  );
+}
