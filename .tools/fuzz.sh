@@ -9,7 +9,8 @@ cd "$(dirname "$0")/.."
 
 known=(obj off ply glb design)
 corpora=${PLANISH_FUZZ_CORPUS:-${XDG_CACHE_HOME:-$HOME/.cache}/planish/fuzz}
-limit=-max_total_time=${PLANISH_FUZZ_SECONDS:-20}
+# The short run always starts alike, so that a finding comes back; the long one starts anew each time.
+limit=(-max_total_time="${PLANISH_FUZZ_SECONDS:-20}" -seed=1)
 readers=() long='' web=''
 for word in "$@"; do
   case " ${known[*]} " in
@@ -17,7 +18,7 @@ for word in "$@"; do
   esac
   [ "$word" = web ] && web=yes && continue
   [ "$word" = --long ] || { echo "fuzz: unknown word '$word' (--long, ${known[*]}, web)" >&2 && exit 2; }
-  long=yes limit=-runs=${PLANISH_FUZZ_INPUTS:-1000000}
+  long=yes limit=(-runs="${PLANISH_FUZZ_INPUTS:-1000000}")
 done
 [ ${#readers[@]} -gt 0 ] || [ -n "$web" ] || { readers=("${known[@]}") && web=$long; }
 
@@ -32,10 +33,11 @@ fi
 for reader in "${readers[@]}"; do
   corpus=$corpora/$reader findings=build/fuzz/findings/$reader- log=build/fuzz/$reader.log
   mkdir -p "$corpus" build/fuzz/findings
-  # -timeout: a refusal takes 2 s at most; the limits are for the whole process, in MB.
+  # -timeout: wall-clock seconds for one input, on a busy machine too; the other limits are for the
+  # whole process, in MB.
   if nice -n 19 "build/fuzz/fuzz_$reader" "$corpus" "build/fuzz/seeds/$reader" \
-    -dict="tests/fuzz/dictionaries/$reader.dict" -artifact_prefix="$findings" "$limit" \
-    -max_len=16384 -timeout=2 -rss_limit_mb=1024 -malloc_limit_mb=256 \
+    -dict="tests/fuzz/dictionaries/$reader.dict" -artifact_prefix="$findings" "${limit[@]}" \
+    -max_len=16384 -timeout=5 -rss_limit_mb=1024 -malloc_limit_mb=256 \
     -print_final_stats=1 >"$log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     echo "fuzz: $reader: $runs inputs, no finding"
