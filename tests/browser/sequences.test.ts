@@ -125,6 +125,8 @@ class Visitor {
     const act = async () => {
       await openFile(this.#page, `${kind}.obj`, content);
       const close = kind === "roof" ? "Start editing" : "Leave as it is";
+      // The report comes in a part of the page that loads when first asked for.
+      await this.#page.getByRole("button", { name: close }).waitFor();
       await this.#hands.press(close);
     };
     return { name: `open ${kind}`, records: "opened", flat: kind === "roof", act };

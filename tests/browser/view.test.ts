@@ -19,6 +19,22 @@ type Touch = (
   places: readonly Place[],
 ) => Promise<void>;
 
+/** The lowest place at the left edge of the view where nothing lies over it. */
+async function placeBesideTheTools(page: Page): Promise<Place> {
+  const { x, y, height } = await viewBox(page);
+  const free = await page.evaluate(
+    ([left, top, bottom]) => {
+      for (let place = bottom - 20; place > top; place -= 10) {
+        if (document.elementFromPoint(left, place)?.tagName === "CANVAS") return place;
+      }
+      return null;
+    },
+    [x + 24, y, y + height] as const,
+  );
+  if (free === null) throw new Error("The tools cover the left edge of the view.");
+  return { x: x + 24, y: free };
+}
+
 async function openPhone(): Promise<{ page: Page; touch: Touch }> {
   const page = await site.open({
     viewport: { width: 360, height: 740 },
@@ -61,8 +77,7 @@ describe("fingers", () => {
   it("one beside the model turns the view and moves nothing", async () => {
     const { page, touch } = await openPhone();
     const at = await hintedPoint(page);
-    const { x, y, height } = await viewBox(page);
-    const beside = { x: x + 40, y: y + height - 100 };
+    const beside = await placeBesideTheTools(page);
     await slide(touch, [beside], [{ x: beside.x + 90, y: beside.y }]);
     await expect.poll(async () => gap(await hintedPoint(page), at)).toBeGreaterThan(5);
     expect(await movedCount(page)).toBe(0);
