@@ -51,7 +51,7 @@ if m := re.search(r"(\d+) tests? failed out of (\d+)", text):  # ctest
 elif m := re.search(r"\[  PASSED  \] (\d+) test", text):  # GoogleTest
     good = int(m[1])
     if f := re.search(r"\[  FAILED  \] (\d+) test", text): bad = int(f[1])
-elif m := re.search(r"Tests\s+(?:(\d+) failed)?[ |]*(?:(\d+) passed)?", text):  # vitest
+elif m := re.search(r"Tests +(?:(\d+) failed)?[ |]*(?:(\d+) passed)? .*\(\d+\)\s", text):  # vitest
     bad = int(m[1] or 0); good = int(m[2] or 0)
 if status == 0: good, bad = max(good, 1), 0
 else: bad = max(bad, 1)
