@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, movedCount, openSite, type Site, typeTarget } from "./support/page.ts";
+import { idle, movedCount, openSite, pickFile, type Site, typeTarget } from "./support/page.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -117,14 +117,8 @@ it("says why a target is refused: how far short, which panels hold it; each can 
 
 it("marks panels that cross themselves, in words too", async () => {
   const page = await site.open({ viewport: { width: 1280, height: 900 } });
-  const chooser = page.waitForEvent("filechooser");
-  await page.getByRole("button", { name: "Open file" }).click();
   const bowTie = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
-  await (await chooser).setFiles({
-    name: "bow.obj",
-    mimeType: "text/plain",
-    buffer: Buffer.from(bowTie),
-  });
+  await pickFile(page, "bow.obj", bowTie);
   await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
   await expect.poll(() => page.getByText(/1 self-crossing/).count()).toBe(1);
   await page.getByRole("columnheader", { name: "Shape" }).getByRole("button").click();

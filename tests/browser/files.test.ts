@@ -8,6 +8,7 @@ import {
   idle,
   openFile,
   openSite,
+  pickFile,
   type Site,
   status,
   typeTarget,
@@ -50,16 +51,8 @@ describe("a mesh opens", () => {
 
   it("by keyboard alone, also in OFF", async () => {
     const page = await site.open();
-    const chooser = page.waitForEvent("filechooser");
-    // The test's own way of catching the chooser takes a moment.
-    await page.waitForTimeout(300);
-    await page.keyboard.press("Control+o");
     const off = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
-    await (await chooser).setFiles({
-      name: "one.off",
-      mimeType: "text/plain",
-      buffer: Buffer.from(off),
-    });
+    await pickFile(page, "one.off", off, () => page.keyboard.press("Control+o"));
     await expect.poll(() => status(page)).toMatch(/0 of 4 points/);
     await page.getByRole("button", { name: "Start editing" }).focus();
     await page.keyboard.press("Enter");
@@ -103,10 +96,7 @@ describe("a mesh opens", () => {
 
   it("of sixty thousand points, while the page goes on answering", async () => {
     const page = await site.open();
-    const chooser = page.waitForEvent("filechooser");
-    await page.getByRole("button", { name: "Open file" }).click();
-    const buffer = Buffer.from(flatRoof(249));
-    await (await chooser).setFiles({ name: "large.obj", mimeType: "text/plain", buffer });
+    await pickFile(page, "large.obj", flatRoof(249));
     await page.getByRole("button", { name: "Help" }).click();
     expect(await page.getByRole("dialog", { name: "How it works" }).isVisible()).toBe(true);
     await page.keyboard.press("Escape");

@@ -4,7 +4,15 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openSite, type Site, status } from "./support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openSite,
+  pickFile,
+  type Site,
+  status,
+} from "./support/page.ts";
 
 /** mm/m: what a finished edit promises. */
 const TOLERANCE = 1e-6;
@@ -74,13 +82,7 @@ describe("the first minute", () => {
 
   it("explains what it cannot read, and keeps the design", async () => {
     const page = await site.open();
-    const chooser = page.waitForEvent("filechooser");
-    await page.getByRole("button", { name: "Open file" }).click();
-    await (await chooser).setFiles({
-      name: "broken.obj",
-      mimeType: "text/plain",
-      buffer: Buffer.from("v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
-    });
+    await pickFile(page, "broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
     await expect.poll(() => page.getByRole("alert").textContent()).toMatch(/line 3/);
     expect(await status(page)).toMatch(/0 of 441 points move/);
     await page.context().close();

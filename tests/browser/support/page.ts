@@ -88,11 +88,28 @@ export async function typeTarget(page: Page, z: string): Promise<void> {
   await idle(page);
 }
 
-export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+type Press = (page: Page) => Promise<void>;
+const openButton: Press = (page) => page.getByRole("button", { name: "Open file" }).click();
+
+/** Picks a file, without waiting for what the page makes of it. */
+export async function pickFile(
+  page: Page,
+  name: string,
+  content: string | Buffer,
+  press = openButton,
+): Promise<void> {
   const chooser = page.waitForEvent("filechooser");
-  await page.getByRole("button", { name: "Open file" }).click();
+  // The page catches the chooser from its own thread, which lets a key or a click overtake: two answers of
+  // that thread say that the order to catch it has been carried out.
+  await page.evaluate(() => 0);
+  await page.evaluate(() => 0);
+  await press(page);
   const buffer = Buffer.from(content);
   await (await chooser).setFiles({ name, mimeType: "application/octet-stream", buffer });
+}
+
+export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+  await pickFile(page, name, content);
   await idle(page);
 }
 
