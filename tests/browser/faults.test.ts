@@ -58,7 +58,7 @@ describe("the solver", () => {
     await idle(page);
     expect(await status(page)).toBe(numbers);
     expect(await obj(page)).toBe(before);
-    await killDuring(page, "edit", 1);
+    await killDuring(page, "edit", 0);
     const z = page.getByRole("spinbutton", { name: "Z" });
     await z.fill("+20cm");
     await z.press("Enter");

@@ -5,7 +5,7 @@ import type { Prepare } from "./page.ts";
 
 interface FaultyWindow extends Window {
   solvers: Worker[];
-  /** Kills the solver this many milliseconds after it is given a job of this kind. */
+  /** Kills the solver this many milliseconds after it is given a job of this kind; 0: before it can begin. */
   kill: { kind: string; after: number } | null;
 }
 
@@ -23,8 +23,11 @@ export const holdSolvers: Prepare = async (context) => {
       override postMessage(message: { kind: string }): void {
         super.postMessage(message);
         if (page.kill?.kind !== message.kind) return;
-        setTimeout(() => this.terminate(), page.kill.after);
+        const { after } = page.kill;
         page.kill = null;
+        // An edit can be over before the page's next turn.
+        if (after === 0) this.terminate();
+        else setTimeout(() => this.terminate(), after);
       }
     };
   });
