@@ -27,7 +27,7 @@ ARROWS = {
     "adjacency": {"mesh"},
     "constraints": {"mesh"},
     "energies": {"mesh", "adjacency"},
-    "metrics": {"mesh", "constraints"},
+    "metrics": {"mesh", "constraints", "trigonometry"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
     "mesh_check": {"mesh", "topology", "read_result"},
     "io": {"mesh", "mesh_check", "topology", "read_result"},
@@ -46,6 +46,7 @@ ARROWS = {
 
 # Files whose group is not their directory or stem.
 FILE_GROUPS = {
+    "index": "mesh",
     "solve_report": "report",
     "engine": "report",
     "panel_kernels": "engines",

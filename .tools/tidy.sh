@@ -3,7 +3,9 @@
 # inputs have not changed since it last passed is skipped.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-[ -e build/native/compile_commands.json ] || cmake --preset native --log-level=WARNING
+# File by file, so that each is also seen to include what it needs.
+database=build/tidy/database
+cmake --preset native -B "$database" -DPLANISH_UNITY=OFF --log-level=WARNING >/dev/null
 
 stamps=build/tidy
 mkdir -p "$stamps"
@@ -15,7 +17,7 @@ tidy_one() {
   local now
   now=$( (echo "$headers"; cat "$1") | sha256sum)
   [ -e "$stamp" ] && [ "$(cat "$stamp")" = "$now" ] && return 0
-  if clang-tidy -p build/native --quiet --warnings-as-errors='*' "$1" 2>"$stamp.err"; then
+  if clang-tidy -p "$database" --quiet --warnings-as-errors='*' "$1" 2>"$stamp.err"; then
     echo "$now" >"$stamp"
   else
     cat "$stamp.err" >&2
@@ -23,7 +25,7 @@ tidy_one() {
   fi
 }
 export -f tidy_one
-export stamps headers
+export stamps headers database
 
 git ls-files 'core/src/**/*.cpp' 'core/src/*.cpp' wasm/session.cpp |
   sort -u | xargs -P "${PLANISH_JOBS:-$(nproc)}" -I{} bash -c 'tidy_one {}'

@@ -126,7 +126,7 @@ void add_exploration(const EditTask& task, const Positions& positions, int dimen
   json["projection"] = projection_json(task, edited, subspace);
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_compare(const Arguments& arguments) {
   const auto& words = arguments.positional();
   if (words.size() != 2) throw CommandError(kWrongUsage, "METHOD and MESH are expected");
   const auto output = arguments.value("-o");
@@ -171,7 +171,7 @@ Command compare_command() {
   return {"compare", "METHOD MESH <edit options> [-o OUT] [--report R.json]",
           "the edit by another method (newton reference alm admm hof10 hk12 shapeup yypm11), "
           "measured alike",
-          rows, run};
+          rows, run_compare};
 }
 
 }  // namespace planish::cli

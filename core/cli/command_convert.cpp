@@ -5,7 +5,7 @@
 namespace planish::cli {
 namespace {
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_convert(const Arguments& arguments) {
   const std::string input = arguments.only_positional("IN");
   const auto output = arguments.value("-o");
   if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
@@ -17,7 +17,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command convert_command() {
-  return {"convert", "IN -o OUT", "another format, the same bits", {kOutputRow}, run};
+  return {"convert", "IN -o OUT", "another format, the same bits", {kOutputRow}, run_convert};
 }
 
 }  // namespace planish::cli

@@ -7,7 +7,7 @@
 namespace planish::cli {
 namespace {
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_edit(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const HandleEditOptions options = edit_options(arguments);
@@ -32,7 +32,7 @@ Command edit_command() {
   std::vector<OptionRow> rows = edit_option_rows();
   rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
   return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json] [--design D.json]",
-          "move a few vertices; panels stay flat, the rest stays put", rows, run};
+          "move a few vertices; panels stay flat, the rest stays put", rows, run_edit};
 }
 
 }  // namespace planish::cli

@@ -69,7 +69,7 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
   return vertices;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_explore(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const HandleEditOptions options = edit_options(arguments);
@@ -126,7 +126,7 @@ Command explore_command() {
   return {"explore",
           "MESH <edit options> --dimension S [options] [-o OUT] [--report R.json]\n"
           "      [--design D.json]",
-          "an edit with a family of local variations around it", rows, run};
+          "an edit with a family of local variations around it", rows, run_explore};
 }
 
 }  // namespace planish::cli

@@ -7,7 +7,7 @@
 namespace planish::cli {
 namespace {
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_info(const Arguments& arguments) {
   const MeshFile file = load_mesh(arguments.only_positional("MESH"));
   const PlanaritySummary planarity = planarity_summary(file.mesh);
   Json json = {{"status", "done"}, {"mesh", mesh_json(file.mesh)}};
@@ -23,7 +23,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command info_command() {
-  return {"info", "MESH [--report R.json]", "figures of a mesh, as JSON", {kReportRow}, run};
+  return {"info", "MESH [--report R.json]", "figures of a mesh, as JSON", {kReportRow}, run_info};
 }
 
 }  // namespace planish::cli

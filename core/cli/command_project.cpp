@@ -32,7 +32,7 @@ ProjectionResult solve(const Mesh& mesh, const Arguments& arguments,
   return project_to_planar(mesh, base.positions, options, pins, progress_line());
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_project(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const ProjectionOptions options = projection_options(arguments);
@@ -72,7 +72,7 @@ Command project_command() {
            {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"},
            kOutputRow,
            kReportRow},
-          run};
+          run_project};
 }
 
 }  // namespace planish::cli

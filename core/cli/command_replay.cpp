@@ -72,7 +72,7 @@ void save_shape(const std::string& path, Design design, const Replay& replayed) 
   save_mesh(path, mesh, content);
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_replay(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const Opened opened = open_design(arguments);
@@ -101,7 +101,7 @@ Command replay_command() {
            kOutputRow,
            kReportRow,
            kDesignRow},
-          run};
+          run_replay};
 }
 
 }  // namespace planish::cli

@@ -6,7 +6,7 @@
 namespace planish::cli {
 namespace {
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_sample(const Arguments& arguments) {
   const std::string name = arguments.only_positional("NAME");
   const auto output = arguments.value("-o");
   if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
@@ -31,7 +31,7 @@ Command sample_command() {
           "NAME [--size N] -o OUT",
           "a mesh to try: vault dome freeform hex trihex",
           {{"--size", "N", "about N × N vertices, 3 … 2000, default 32"}, kOutputRow},
-          run};
+          run_sample};
 }
 
 }  // namespace planish::cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "edit_options.hpp"
 
+#include <array>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include "files.hpp"
@@ -137,6 +140,18 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
   return base;
 }
 
+namespace {
+
+/// Who edits a mesh that is not flat should know that more of it moved than the edit.
+void print_planarised(const std::string& name, const ProjectionResult& result) {
+  std::array<char, 32> most{};
+  std::snprintf(most.data(), most.size(), "%.3g", result.max_move);
+  print_message(name + ": not flat; planarised first, which moved " +
+                std::to_string(result.moved.size()) + " vertices by up to " + most.data());
+}
+
+}  // namespace
+
 EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
   EditRun run;
   LoadedSource loaded = load_source(arguments.only_positional("MESH"));
@@ -145,6 +160,8 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   // Wrong targets must not cost a projection first; the vertices are the same after it.
   static_cast<void>(edit_targets(arguments, run.given));
   run.base = flat_base(run.given, options);
+  if (run.base.planarised)
+    print_planarised(arguments.only_positional("MESH"), *run.base.planarised);
   run.targets = edit_targets(arguments, run.base.mesh);
   run.edited = run.base.mesh.positions;
   if (run.base.planarised && !run.base.planarised->report.usable()) {

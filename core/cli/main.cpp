@@ -27,7 +27,8 @@ void print_overview() {
   std::cout << "\nMeshes: .obj .off .ply .glb by extension; - is standard input or output (OBJ);\n"
                "sample:NAME:SIZE is a sample.\n"
                "Vertices count from 0. Exit: 0 done, 2 wrong usage, 3 unreadable or invalid mesh,\n"
-               "4 finished without meeting the tolerance. Options: planish COMMAND --help\n";
+               "4 finished without meeting the tolerance. Options: planish COMMAND --help. "
+               "Version: planish --version\n";
 }
 
 void print_help(const Command& command) {
@@ -56,6 +57,10 @@ ExitCode run(std::span<const std::string_view> words) {
   if (words.empty()) throw CommandError(kWrongUsage, "a command is missing; see planish --help");
   if (words[0] == "--help" || words[0] == "help" || words[0] == "-h") {
     print_overview();
+    return kDone;
+  }
+  if (words[0] == "--version") {
+    std::cout << "planish " PLANISH_VERSION "\n";
     return kDone;
   }
   for (const Command& command : all_commands()) {

@@ -60,7 +60,9 @@ void add_solve(Json& json, const SolveReport& report, Engine engine) {
 }
 
 void save_report(const Arguments& arguments, const Json& json) {
-  if (const auto path = arguments.value("--report")) save_bytes(*path, json.dump(2) + "\n");
+  const auto path = arguments.value("--report");
+  const bool wanted = path || !(arguments.value("-o") || arguments.value("--design"));
+  if (wanted) save_bytes(path.value_or("-"), json.dump(2) + "\n");
 }
 
 ExitCode exit_code(const SolveReport& report) { return report.usable() ? kDone : kToleranceNotMet; }

@@ -24,7 +24,8 @@ using Json = nlohmann::ordered_json;
 /// Status, objective, counts and times of a solve.
 void add_solve(Json& json, const SolveReport& report, Engine engine);
 
-/// Writes `json` to the place that --report names; nothing without that option.
+/// Writes `json` to the place that --report names. Without that option, to standard output if
+/// nothing else was asked for (-o, --design): no solve is done for nothing.
 void save_report(const Arguments& arguments, const Json& json);
 
 /// kDone if the result is exact to the tolerance, kToleranceNotMet otherwise.

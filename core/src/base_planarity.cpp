@@ -5,15 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "planish/index.hpp"
 #include "planish/metrics.hpp"
 
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 FaceRanking::FaceRanking(std::vector<double> values)
     : values_(std::move(values)), order_(values_.size()) {
   std::iota(order_.begin(), order_.end(), 0);

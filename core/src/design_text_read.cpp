@@ -15,7 +15,7 @@
 namespace planish {
 namespace {
 
-using nlohmann::json;
+using JsonValue = nlohmann::json;
 
 constexpr std::size_t kLongestText = std::size_t{256} << 20;
 constexpr int kDeepest = 8;
@@ -30,7 +30,7 @@ struct Refused {
 /// A JSON value and the way to it, for messages: "handles[2]".
 class Field {
  public:
-  Field(const json& value, std::string path) : value_(&value), path_(std::move(path)) {}
+  Field(const JsonValue& value, std::string path) : value_(&value), path_(std::move(path)) {}
 
   [[noreturn]] void refuse(const std::string& rule) const {
     throw Refused{(path_.empty() ? "the design" : path_) + " must be " + rule};
@@ -120,7 +120,7 @@ class Field {
     return path_.empty() ? name : path_ + "." + name;
   }
 
-  const json* value_;
+  const JsonValue* value_;
   std::string path_;
 };
 
@@ -248,7 +248,7 @@ Design read_root(const Field& root) {
 std::variant<Design, std::string> read_design(std::string_view text) {
   if (text.size() > kLongestText) return "the design is larger than 256 MiB";
   if (is_json_deeper_than(text, kDeepest)) return "the design is nested too deeply";
-  const json document = json::parse(text, nullptr, false);
+  const JsonValue document = JsonValue::parse(text, nullptr, false);
   if (document.is_discarded()) return "the design is not JSON";
   try {
     return read_root(Field(document, ""));

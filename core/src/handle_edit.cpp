@@ -13,13 +13,12 @@
 #include "planish/engines/cold_search.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/working_set_newton.hpp"
+#include "planish/index.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class Stopwatch {
  public:

@@ -7,10 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "trigonometry.hpp"
+
 namespace planish {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMostTested = 256;
 
 using Outline = std::vector<Eigen::Vector2d>;

@@ -3,13 +3,9 @@
 
 #include <cassert>
 
+#include "planish/index.hpp"
+
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 MeshModel::MeshModel(const Mesh& given, FairnessKind kind)
     : mesh(given), adjacency(build_adjacency(given)) {
   const double edge = mean_edge_length(mesh);

@@ -10,6 +10,7 @@
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/nearest_flat.hpp"
 #include "planish/engines/working_set_newton.hpp"
+#include "planish/index.hpp"
 #include "planish/metrics.hpp"
 
 namespace planish {
@@ -17,8 +18,6 @@ namespace {
 
 constexpr int kNewtonLimit = 100;
 constexpr int kRounds = 3;  ///< how often planes may be carried by other vertices
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// How flat a mesh is, measured once per attempt.
 struct Flatness {

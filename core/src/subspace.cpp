@@ -11,14 +11,13 @@
 #include "planish/engines/subspace_splitting.hpp"
 #include "planish/engines/subspace_vector.hpp"
 #include "planish/engines/working_set.hpp"
+#include "planish/index.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {
 namespace {
 
 constexpr double kSparsifyShare = 1e-4;  ///< rows below this share of the largest become zero
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& t) { return {t.data(), t.size()}; }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "support/mesh_builders.hpp"
+#include "support/scenes.hpp"
 
 namespace planish::testing {
 namespace {
@@ -120,7 +121,6 @@ double worst_svd_mm_per_m(const Mesh& mesh, const Positions& positions) {
 }
 
 double flatness_promise(const Positions& positions, std::span<const int> face) {
-  constexpr double kPromise = 1e-6;   // mm/m
   constexpr double kCoarsest = 1e-3;  // mm/m
   double largest = 0.0;
   for (const int v : face) largest = std::max(largest, positions.col(v).cwiseAbs().maxCoeff());

@@ -13,6 +13,8 @@
 
 namespace planish::testing {
 
+inline constexpr double kPromise = 1e-6;  ///< mm/m out of flat, what every exact result keeps
+
 /// The fixed seeds of every randomised test, and PLANISH_SEED from the environment if set.
 [[nodiscard]] std::vector<unsigned> seeds();
 

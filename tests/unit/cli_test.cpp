@@ -186,12 +186,25 @@ TEST_F(Cli, EditMovesTheHandleAndReports) {
   EXPECT_FALSE(json.contains("planarised_first"));
 }
 
+TEST_F(Cli, WhatIsAskedForNowhereElseGoesToStandardOutput) {
+  ASSERT_EQ(run("edit sample:dome:10 --handle 44+=0,0,0.4"), 0) << err();
+  EXPECT_GT(nlohmann::json::parse(out())["moved_vertices"].get<int>(), 0);
+  ASSERT_EQ(run("edit sample:dome:10 --handle 44+=0,0,0.4 --design d.json"), 0) << err();
+  EXPECT_EQ(out(), "");
+}
+
+TEST_F(Cli, SaysItsVersion) {
+  ASSERT_EQ(run("--version"), 0) << err();
+  EXPECT_EQ(out().rfind("planish 0.", 0), 0u);
+}
+
 TEST_F(Cli, AnEditOfAMeshThatIsNotFlatSaysSo) {
   ASSERT_EQ(run("sample dome --size 10 -o a.obj"), 0);
   Mesh bent = load("a.obj");
   bent.positions(2, 44) += 0.02;
   save("bent.obj", write_mesh(bent, MeshFormat::kObj));
   ASSERT_EQ(run("edit bent.obj --handle 55+=0,0,0.4 -o b.obj --report -"), 0) << err();
+  EXPECT_NE(err().find("bent.obj: not flat; planarised first, which moved "), std::string::npos);
   const auto json = nlohmann::json::parse(out());
   EXPECT_GT(json["planarised_first"]["max_move"].get<double>(), 0.0);
   EXPECT_GT(json["planarity_mm_per_m"]["before_max"].get<double>(), 1.0);

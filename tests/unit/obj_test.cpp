@@ -18,7 +18,7 @@ using testing::warning_text;
 
 constexpr const char* kQuad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Mesh read_mesh_or_fail(const std::string& text) {
+Mesh obj_mesh(const std::string& text) {
   ReadResult result = read_obj(text);
   EXPECT_EQ(error_text(result), "");
   if (auto* file = std::get_if<MeshFile>(&result)) return file->mesh;
@@ -28,7 +28,7 @@ Mesh read_mesh_or_fail(const std::string& text) {
 TEST(Obj, WritesWhatReadsBackToTheSameBits) {
   Mesh mesh = testing::awkward_mesh();
   mesh.groups = {{"north roof", 1}, {"", 2}};
-  EXPECT_TRUE(same_bits(mesh, read_mesh_or_fail(write_obj(mesh))));
+  EXPECT_TRUE(same_bits(mesh, obj_mesh(write_obj(mesh))));
 }
 
 TEST(Obj, WritesTheShortestFormThatKeepsTheBits) {
@@ -41,13 +41,13 @@ TEST(Obj, ReadsEveryWayToWriteACorner) {
   for (const char* face : {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4", "f 1//1 2//1 3//1 4//1",
                            "f 1/1/1 2/2/1 3/3/1 4/4/1", "f 1// 2// 3// 4//", "f -4 -3 -2 -1",
                            "f 1 2 \\\n3 4", "f +1 2 3 4 # a comment", "\tf  1\t2 3 4  \r"}) {
-    const Mesh mesh = read_mesh_or_fail(kQuad + std::string(face));
+    const Mesh mesh = obj_mesh(kQuad + std::string(face));
     EXPECT_EQ(mesh.face_vertices, (std::vector<int>{0, 1, 2, 3})) << face;
   }
 }
 
 TEST(Obj, ReadsNumbersExactly) {
-  const Mesh mesh = read_mesh_or_fail(
+  const Mesh mesh = obj_mesh(
       "v +1.0000E+03 .5 -7.\nv 0.1000000000000000055511151231257827 9007199254740993 1e-400 0.3 .2 "
       "1\nv 8.98846567431158e29 4.9406564584124654e-324 0 1.0\nf 1 2 3");
   EXPECT_EQ(mesh.positions.col(0), Eigen::Vector3d(1000, 0.5, -7));
@@ -56,16 +56,16 @@ TEST(Obj, ReadsNumbersExactly) {
 }
 
 TEST(Obj, KeepsGroupsThatHaveFaces) {
-  const Mesh mesh = read_mesh_or_fail(std::string("o house\n") + kQuad +
-                                      "g gone\ng roof west#2\nf 1 2 3\ng wall\nf 1 3 4\ng end\n");
+  const Mesh mesh = obj_mesh(std::string("o house\n") + kQuad +
+                             "g gone\ng roof west#2\nf 1 2 3\ng wall\nf 1 3 4\ng end\n");
   ASSERT_EQ(mesh.groups.size(), 2u);
   EXPECT_EQ(mesh.groups[0].name, "roof west#2");
   EXPECT_EQ(mesh.groups[1].first_face, 1);
-  EXPECT_TRUE(same_bits(mesh, read_mesh_or_fail(write_obj(mesh))));
+  EXPECT_TRUE(same_bits(mesh, obj_mesh(write_obj(mesh))));
 }
 
 TEST(Obj, FacesMayStandBeforeTheirVertices) {
-  EXPECT_EQ(read_mesh_or_fail(std::string("f 1 2 3 4\n") + kQuad).face_count(), 1);
+  EXPECT_EQ(obj_mesh(std::string("f 1 2 3 4\n") + kQuad).face_count(), 1);
 }
 
 TEST(Obj, EveryRefusalNamesTheLine) {
@@ -125,7 +125,7 @@ TEST_P(NastyObj, LoadsOrIsRefusedInOneSentence) {
   } else {
     EXPECT_NE(warning_text(result).find(expected.words), std::string::npos) << warning_text(result);
   }
-  EXPECT_TRUE(same_bits(mesh, read_mesh_or_fail(write_obj(mesh))));
+  EXPECT_TRUE(same_bits(mesh, obj_mesh(write_obj(mesh))));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -161,9 +161,9 @@ TEST(Obj, EverySharedMeshSurvivesTheRoundTrip) {
                            "nasty/utm_offset_conical", "nasty/real_selfcrossing_quads"}) {
     const auto bytes = shared_mesh_bytes(std::string(name) + ".obj");
     if (!bytes) GTEST_SKIP() << "skipped: no shared meshes";
-    const Mesh mesh = read_mesh_or_fail(*bytes);
+    const Mesh mesh = obj_mesh(*bytes);
     EXPECT_GT(mesh.face_count(), 0) << name;
-    EXPECT_TRUE(same_bits(mesh, read_mesh_or_fail(write_obj(mesh)))) << name;
+    EXPECT_TRUE(same_bits(mesh, obj_mesh(write_obj(mesh)))) << name;
   }
 }
 

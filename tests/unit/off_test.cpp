@@ -16,7 +16,7 @@ using testing::warning_text;
 
 constexpr const char* kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-Mesh read_mesh_or_fail(const std::string& text) {
+Mesh off_mesh(const std::string& text) {
   ReadResult result = read_off(text);
   EXPECT_EQ(error_text(result), "");
   if (auto* file = std::get_if<MeshFile>(&result)) return file->mesh;
@@ -25,13 +25,13 @@ Mesh read_mesh_or_fail(const std::string& text) {
 
 TEST(Off, WritesWhatReadsBackToTheSameBits) {
   const Mesh mesh = testing::awkward_mesh();
-  EXPECT_TRUE(testing::same_bits(mesh, read_mesh_or_fail(write_off(mesh))));
+  EXPECT_TRUE(testing::same_bits(mesh, off_mesh(write_off(mesh))));
 }
 
 TEST(Off, ReadsEveryHeader) {
   for (const char* header : {"OFF\n4 1 0\n", "OFF 4 1 0\n", "# hi\n\nOFF # x\n# y\n4 1\n",
                              "COFF\r\n4 1 4\r\n", "STNOFF 4 1 0\n", "4 1 0\n"}) {
-    const Mesh mesh = read_mesh_or_fail(header + std::string(kPoints) + "\n4 0 1 2 3 255 0 0");
+    const Mesh mesh = off_mesh(header + std::string(kPoints) + "\n4 0 1 2 3 255 0 0");
     EXPECT_EQ(mesh.face_vertices, (std::vector<int>{0, 1, 2, 3})) << header;
   }
 }
@@ -75,7 +75,7 @@ TEST(Off, SharedFilesLoad) {
         Expected{"real_stray_vertex", 13, 14}, Expected{"off_comments_one_line_header", 4, 1}}) {
     const auto bytes = shared_mesh_bytes(std::string("nasty/") + expected.name + ".off");
     if (!bytes) GTEST_SKIP() << "skipped: no shared meshes";
-    const Mesh mesh = read_mesh_or_fail(*bytes);
+    const Mesh mesh = off_mesh(*bytes);
     EXPECT_EQ(mesh.vertex_count(), expected.vertices) << expected.name;
     EXPECT_EQ(mesh.face_count(), expected.faces) << expected.name;
   }

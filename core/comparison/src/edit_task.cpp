@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "planish/index.hpp"
+
 namespace planish::comparison {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 double largest_pull(const EditTask& task) {
   double largest = 0.0;
   for (const Handle& handle : task.targets.handles) {

@@ -4,11 +4,10 @@
 
 #include "planish/comparison/methods.hpp"
 #include "planish/engines/constraint_correction.hpp"
+#include "planish/index.hpp"
 
 namespace planish::comparison {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// J of the whole mesh, vertex by vertex: the equations that a vertex is in, and its columns.
 struct VertexColumns {

@@ -3,6 +3,7 @@
 
 #include "held_boundary.hpp"
 #include "planish/comparison/methods.hpp"
+#include "planish/index.hpp"
 
 namespace planish::comparison {
 namespace {
@@ -21,8 +22,6 @@ class GlobalStep {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   Positions fixed_;  ///< right-hand side of handles and of the halo's fairness, 3 × free
 };
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 GlobalStep::GlobalStep(const Patch& patch, double planarity)
     : patch_(patch), planarity_(planarity), fixed_(Positions::Zero(3, patch.free_count)) {

@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "planish/index.hpp"
+
 namespace planish::comparison {
 namespace {
 
 constexpr double kShift = 1e-9;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 

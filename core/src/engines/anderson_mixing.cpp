@@ -4,10 +4,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "planish/index.hpp"
+
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 

@@ -4,11 +4,10 @@
 #include <numeric>
 
 #include "planish/engines/edit_splitting.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Runs the loop on one patch and leaves d in the field.
 AlmRun run_on_patch(Patch& patch, const AlmOptions& options, const Progress& progress,

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "planish/engines/patch_system.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Equations of each free vertex.
 RaggedRows equations_of_vertices(const Patch& patch) {

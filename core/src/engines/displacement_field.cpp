@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "planish/engines/displacement_field.hpp"
 
+#include "planish/index.hpp"
+
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 DisplacementField::DisplacementField(int vertex_count, int equation_count)
     : displacement_(Eigen::Matrix3Xd::Zero(3, vertex_count)),
       norm_dual_(Eigen::Matrix3Xd::Zero(3, vertex_count)),

@@ -5,14 +5,9 @@
 #include <cmath>
 
 #include "coupling_graph.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
   const auto corners = static_cast<Eigen::Index>(patch.faces.values.size());
   const int n = patch.free_count;

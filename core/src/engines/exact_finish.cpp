@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "planish/engines/constraint_correction.hpp"
+#include "planish/index.hpp"
 #include "planish/metrics.hpp"
 
 namespace planish {
 namespace {
 
 constexpr int kMostPasses = 8;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

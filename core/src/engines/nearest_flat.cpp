@@ -49,9 +49,9 @@ class NearestFlat {
 
   /// Onto the constraints, along the last linearisation while that helps.
   void finish() {
-    constexpr int kMostPasses = 8;
+    constexpr int kMostCorrections = 8;
     constexpr double kRounding = 1e-13;
-    for (int pass = 0; pass < kMostPasses && violation() > kRounding; ++pass) {
+    for (int pass = 0; pass < kMostCorrections && violation() > kRounding; ++pass) {
       linear_.step(residuals_, delta_);
       trial_ = t_ + delta_;
       residuals_at(patch_, trial_, trial_residuals_);

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "coupling_graph.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 /// Adds a 3 × 3 block to the panels.

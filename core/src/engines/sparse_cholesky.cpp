@@ -9,11 +9,10 @@
 #include <numeric>
 
 #include "panel_kernels.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 

@@ -3,13 +3,9 @@
 
 #include <cmath>
 
+#include "planish/index.hpp"
+
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 SubspaceSplitting::SubspaceSplitting(const Patch& patch, const Eigen::MatrixXd& basis,
                                      const Eigen::Matrix3Xd& start)
     : patch_(patch), basis_(basis), quadratic_(patch), t_(start), y_(start), q_(start), m_(start) {

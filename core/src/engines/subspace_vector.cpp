@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planish/index.hpp"
+
 namespace planish {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& t) { return {t.data(), t.size()}; }
 

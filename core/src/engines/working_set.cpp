@@ -3,13 +3,9 @@
 
 #include <algorithm>
 
+#include "planish/index.hpp"
+
 namespace planish {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 WorkingSetGrower::WorkingSetGrower(const MeshModel& model)
     : model_(model), mark_(at(model.vertex_count()), 0) {}
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "planish/index.hpp"
+
 namespace planish {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kFirstShift = 1e-2;    ///< first ν tried when the system is n
 constexpr double kLargestShift = 1e6;   ///< beyond it the step is shorter than any progress
 constexpr double kSlowProgress = 1e-4;  ///< relative change per step at which a smoothing is spent
 constexpr double kDualActive = 0.9;     ///< ‖w‖ above which a vertex counts as moving
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
