@@ -6,7 +6,7 @@ import { findVariations, lift, openBrowser, openPage, openSample, settled } from
 
 const SIZES = {
   phone: { width: 360, height: 740 },
-  laptop: { width: 1280, height: 800 },
+  laptop: { width: 1440, height: 900 },
   desk: { width: 2560, height: 1440 },
   wall: { width: 3840, height: 2160 },
 };

@@ -7,7 +7,7 @@ import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
-import { deselect, selectAlso, selectOnly, toggleSelected } from "../state/selection.ts";
+import { deselect, selectAlso, selectOnly, toggleSelected, visit } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
   bending,
@@ -16,6 +16,7 @@ import {
   colourBy,
   displayMesh,
   draft,
+  handles,
   localArrows,
   lock,
   mesh,
@@ -28,6 +29,7 @@ import {
   showBefore,
   snapDistance,
   snapping,
+  visited,
 } from "../state/store.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
@@ -37,6 +39,7 @@ import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
 import { type Box, pickCorner, pickVertex, project, type View, verticesIn } from "./picking.ts";
 import { type Hold, PointerTool } from "./pointer.ts";
+import type { Pull } from "./pull-lines.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";
 
@@ -82,7 +85,6 @@ export class Viewport {
   readonly #overlay: Overlay;
   readonly #stop: (() => void)[] = [];
   #shell: Shell | null = null;
-  #hovered: number | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
 
@@ -182,9 +184,8 @@ export class Viewport {
   #hover(hold: Hold | null): void {
     this.#canvas.style.cursor = hold ? "grab" : boxTool.value ? "crosshair" : "";
     const vertex = hold && !hold.arrow ? hold.vertex : null;
-    if (vertex === this.#hovered) return;
-    this.#hovered = vertex;
-    this.#overlay.update(vertex);
+    if (vertex === visited.value) return;
+    visit(vertex);
     this.#placeOverlay();
   }
 
@@ -246,6 +247,11 @@ export class Viewport {
     return [at(0), at(1), at(2)];
   }
 
+  #pulls(): Pull[] {
+    const pulled = handles.value.filter(({ pinned }) => !pinned);
+    return pulled.map(({ vertex, target }) => ({ vertex, to: this.#toDisplay(target) }));
+  }
+
   #follow(): void {
     const recolour = (): void => {
       this.stage.setPalette(palette());
@@ -268,11 +274,13 @@ export class Viewport {
       effect(() => this.#outline(selectedPanel.value)),
       effect(() => {
         this.#shell?.showBase(showBefore.value);
+        this.#overlay.showPulls(!showBefore.value);
         this.stage.moved();
       }),
       effect(() => {
-        this.#overlay.update(this.#hovered);
+        this.#overlay.update();
         this.#updateGizmo();
+        this.#overlay.setPulls(this.#pulls());
         this.stage.invalidate();
       }),
       effect(() => {
@@ -330,6 +338,6 @@ export class Viewport {
   }
 
   #placeOverlay(): void {
-    if (this.#shell) this.#overlay.place(this.#shell.current, this.#view());
+    if (this.#shell) this.#overlay.place(this.#shell.current, this.#shell.base, this.#view());
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which points are chosen: the latest is the one that the arrows stand at.
-import { draft, selectedPanel, selection } from "./store.ts";
+import { draft, selectedPanel, selection, visited } from "./store.ts";
 
 export function selectOnly(vertex: number): void {
   selection.value = [vertex];
@@ -20,6 +20,10 @@ export function selectAlso(vertices: readonly number[]): void {
 
 export function selectHandles(): void {
   selection.value = (draft.value?.handles ?? []).map((row) => row.vertex);
+}
+
+export function visit(vertex: number | null): void {
+  visited.value = vertex;
 }
 
 export function deselect(): void {

@@ -18,6 +18,7 @@ import {
   problem,
   selectedPanel,
   selection,
+  visited,
 } from "./store.ts";
 import { dropTurns, inTurn } from "./turns.ts";
 
@@ -45,6 +46,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     figures.value = design.report;
     selection.value = [];
     selectedPanel.value = null;
+    visited.value = null;
     panelFigures.value = null;
     bending.value = null;
     freedom.value = null;

@@ -46,6 +46,8 @@ export const notice = signal<string | null>(null);
 export const update = signal<(() => void) | null>(null);
 /** Points chosen, the latest last. */
 export const selection = signal<readonly number[]>([]);
+/** The point that the pointer rests on. */
+export const visited = signal<number | null>(null);
 /** Holds a drag to a line or a plane; null while it is free. */
 export const lock = signal<Lock | null>(null);
 /** Whether drags go in steps. */
