@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { makeExact } from "../state/exploring.ts";
+import { FLAT, flatnessWords } from "../state/flatness.ts";
 import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
-import { formatGap } from "../state/units.ts";
 import { later } from "./later.tsx";
 
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
@@ -13,16 +13,15 @@ function hold(on: boolean): void {
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
   const { worstGap, worstMmPerM } = figures.value;
-  const exact = worstMmPerM <= 1e-6;
+  const exact = worstMmPerM <= FLAT;
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">
         <span class="step-number">3</span> Make exact
       </h2>
       <p class={exact ? "verdict good" : "verdict"}>
-        {exact
-          ? "Every panel is flat."
-          : `Worst panel ${formatGap(worstGap, unit.value)} out of flat (${worstMmPerM.toPrecision(3)} mm/m).`}
+        {exact ? "Every panel is " : "Worst panel "}
+        {flatnessWords(worstGap, worstMmPerM, unit.value).sentence}.
       </p>
       <div class="row">
         <button

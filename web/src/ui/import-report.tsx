@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 import type { MeshReport } from "../solver/protocol.ts";
+import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { designName, importReport, mesh, unit } from "../state/store.ts";
-import { formatGap, isUnit, UNITS, unitWord } from "../state/units.ts";
+import { isUnit, UNITS, unitWord } from "../state/units.ts";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
   3: "triangles",
@@ -23,10 +24,7 @@ function Facts({ report }: { report: MeshReport }) {
     ["Boundary loops", String(report.boundaryLoops)],
     ["Separate parts", String(report.components)],
     ["Non-manifold edges", String(report.nonmanifoldEdges)],
-    [
-      "Worst panel",
-      `${formatGap(report.worstGap, unit.value)} out of flat (${report.worstMmPerM.toPrecision(3)} mm/m)`,
-    ],
+    ["Worst panel", flatnessWords(report.worstGap, report.worstMmPerM, unit.value).sentence],
   ];
   return (
     <dl class="facts">

@@ -2,8 +2,9 @@
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient, FABRICATION_LIMIT } from "../scene/ramp.ts";
 import { countHealth } from "../state/analysis.ts";
+import { flatnessWords } from "../state/flatness.ts";
 import { bending, type ColourBy, colourBy, figures, panelHealth, unit } from "../state/store.ts";
-import { formatGap, formatLength } from "../state/units.ts";
+import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
 
 const Histogram = later(() => import("./histogram.tsx").then((part) => part.Histogram));
@@ -63,8 +64,7 @@ function Note() {
   const { worstGap, worstMmPerM } = figures.value;
   if (colourBy.value === "fairness") return <p>Difference of moves from point to point</p>;
   if (colourBy.value !== "planarity") return null;
-  const perMetre = worstMmPerM < 1e-3 ? worstMmPerM.toExponential(1) : worstMmPerM.toPrecision(3);
-  return <p>{`Worst ${formatGap(worstGap, unit.value)} (${perMetre} mm/m)`}</p>;
+  return <p>{`Worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).sentence}`}</p>;
 }
 
 function Scale() {

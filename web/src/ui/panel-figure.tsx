@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+import { flatnessWords } from "../state/flatness.ts";
 import { mesh, panelFigures, selectedPanel, unit } from "../state/store.ts";
-import { formatGap } from "../state/units.ts";
 
 /** What is worth knowing about the selected panel, beside it. */
 export function PanelFigure() {
@@ -8,11 +8,13 @@ export function PanelFigure() {
   const offsets = mesh.value?.offsets;
   if (panel === null || !offsets) return null;
   const corners = (offsets[panel + 1] ?? 0) - (offsets[panel] ?? 0);
-  const gap = panelFigures.value?.[2 * panel];
+  const [gap, mmPerM] = panelFigures.value?.subarray(2 * panel, 2 * panel + 2) ?? [];
   return (
     <span>
       <strong>Panel {panel}</strong> {corners} corners
-      {gap !== undefined && `, ${formatGap(gap, unit.value)} out of flat`}
+      {gap !== undefined &&
+        mmPerM !== undefined &&
+        `, ${flatnessWords(gap, mmPerM, unit.value).sentence}`}
     </span>
   );
 }

@@ -7,8 +7,9 @@ import {
   type PanelColumn,
   type PanelRow,
 } from "../state/analysis.ts";
+import { flatnessWords } from "../state/flatness.ts";
 import { panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
-import { formatGap, formatLength } from "../state/units.ts";
+import { formatLength } from "../state/units.ts";
 
 const ROWS = 8;
 
@@ -29,9 +30,6 @@ const COLUMNS: readonly Column[] = [
   { key: "outline", name: "Shape", largest: true },
 ];
 
-const perMetre = (value: number): string =>
-  value < 1e-3 ? value.toExponential(0) : value.toPrecision(3);
-
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
 function Summary({ health }: { health: Float32Array }) {
@@ -44,7 +42,8 @@ function Summary({ health }: { health: Float32Array }) {
 }
 
 function Row({ row }: { row: PanelRow }) {
-  const { panel, gap, mmPerM, angle, edge, outline } = row;
+  const { panel, angle, edge, outline } = row;
+  const { gap, perMetre } = flatnessWords(row.gap, row.mmPerM, unit.value);
   return (
     <tr class={panel === selectedPanel.value ? "selected" : ""}>
       <th scope="row">
@@ -59,8 +58,8 @@ function Row({ row }: { row: PanelRow }) {
           {panel}
         </button>
       </th>
-      <td>{formatGap(gap, unit.value).replace(" mm", "")}</td>
-      <td>{perMetre(mmPerM)}</td>
+      <td>{gap.replace(" mm", "")}</td>
+      <td>{perMetre}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
       <td>{formatLength(edge, unit.value)}</td>
       <td class={outline === 0 ? "" : "unhealthy"}>{OUTLINES[outline]}</td>

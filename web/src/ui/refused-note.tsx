@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { stopsShort } from "../state/stopping-short.ts";
 import { history, mesh, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { formatGap, formatLength } from "../state/units.ts";
 import { HoldingPanels } from "./holding-panels.tsx";
 
 /** Why a point does not go where it was asked to: how far it stops short, and what holds it. */
@@ -11,6 +11,7 @@ export function RefusedNote() {
   const { status, handleError, residuals } = design.report;
   const short = formatLength(handleError, unit.value);
   const left = residuals.at(-1);
+  const meanEdge = mesh.value?.report.meanEdge ?? 0;
   const impossible = status === "infeasible_handles";
   return (
     <section class="note warn" aria-label="Why the target is not reached">
@@ -22,7 +23,7 @@ export function RefusedNote() {
       </p>
       <HoldingPanels />
       {impossible && left !== undefined && (
-        <p class="quiet">{`The last attempt left the panels ${left.toExponential(1)} mean edges out of flat.`}</p>
+        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
       )}
     </section>
   );

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Fragment } from "preact";
+import { flatnessWords } from "../state/flatness.ts";
 import { cancel } from "../state/showing.ts";
 import {
   type Activity,
@@ -15,15 +16,15 @@ import {
   unit,
   update,
 } from "../state/store.ts";
-import { formatGap, formatLength } from "../state/units.ts";
+import { formatLength } from "../state/units.ts";
 
 function numbers(): readonly string[] {
   if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
-  const { movedVertices, maxDisplacement, worstGap, seconds, status } = figures.value;
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, seconds, status } = figures.value;
   const parts = [
     `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,
     `largest ${formatLength(maxDisplacement, unit.value)}`,
-    `worst panel ${formatGap(worstGap, unit.value)}`,
+    `worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).short}`,
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
