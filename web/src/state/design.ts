@@ -55,6 +55,17 @@ export const DEFAULT_SETTINGS: EditSettings = {
   maxIterations: 0,
 };
 
+/**
+ * What another mesh starts with: everything that the page has a control for stays as the controls
+ * show it, so that nothing changes behind the user's back. What has none goes back to its default:
+ * a link or a file may have set it, and nobody could see that it is still there.
+ */
+export function settingsForNew(shown: EditSettings): EditSettings {
+  const { locality, smoothness, fairness, engine, hardHandles, tolerance } = shown;
+  const controlled = { locality, smoothness, fairness, engine, hardHandles, tolerance };
+  return { ...DEFAULT_SETTINGS, ...controlled };
+}
+
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };
 
 export const NO_REPORT: ShapeReport = {
