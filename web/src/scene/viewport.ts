@@ -2,11 +2,11 @@
 // The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
 import { effect, untracked } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
-import { panelAt } from "../mesh/triangulation.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
+import { fetchPart } from "../state/later.ts";
 import { deselect, selectAlso, selectOnly, toggleSelected, visit } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
@@ -37,8 +37,8 @@ import { Gizmo } from "./gizmo.ts";
 import { neighbourTowards } from "./neighbour.ts";
 import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
-import { type Box, pickCorner, pickVertex, project, type View, verticesIn } from "./picking.ts";
-import { type Hold, PointerTool } from "./pointer.ts";
+import { type Box, pickVertex, project, type View, verticesIn } from "./picking.ts";
+import { type Click, type Hold, PointerTool } from "./pointer.ts";
 import type { Pull } from "./pull-lines.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";
@@ -156,7 +156,7 @@ export class Viewport {
       find: (x, y, coarse) => this.#find(x, y, coarse),
       boxing: () => boxTool.value,
       hover: (hold) => this.#hover(hold),
-      click: (x, y, hold, also) => this.#click(x, y, hold, also),
+      click: (x, y, hold, press) => this.#click(x, y, hold, press),
       grab: (hold, press) => this.#grab(hold, press),
       drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
       box: (box) => this.#overlay.drawBox(box),
@@ -189,23 +189,25 @@ export class Viewport {
     this.#placeOverlay();
   }
 
-  #click(x: number, y: number, hold: Hold | null, also: boolean): void {
+  #click(x: number, y: number, hold: Hold | null, { also, coarse }: Click): void {
     if (hold?.arrow) return;
     if (hold && also) toggleSelected(hold.vertex);
     else if (hold) selectOnly(hold.vertex);
-    else if (!also) this.#choosePanel(x, y);
+    else if (!also) void this.#choosePanel(x, y, coarse);
   }
 
-  /** The panel under a pixel becomes the selected one; beside the model nothing is selected. */
-  #choosePanel(x: number, y: number): void {
-    const shell = this.#shell;
-    if (!shell) return;
-    const { width, height } = this.#view();
-    const ray = this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
-    const corner = pickCorner(shell.corners, shell.triangles, ray);
-    this.#choosing = true;
+  /** The panel that a click means becomes the selected one; beside the model nothing is selected. */
+  async #choosePanel(x: number, y: number, coarse: boolean): Promise<void> {
     deselect();
-    if (corner !== null) selectedPanel.value = panelAt(shell.offsets, corner);
+    const shell = this.#shell;
+    const part = await fetchPart(() => import("./panel-picking.ts"));
+    if (!shell || !part || shell !== this.#shell) return;
+    const view = this.#view();
+    const { width, height } = view;
+    const rayThrough = (at: { x: number; y: number }): Ray =>
+      this.stage.rayThrough((2 * at.x) / width - 1, 1 - (2 * at.y) / height);
+    this.#choosing = true;
+    selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, view, rayThrough);
     this.#choosing = false;
   }
 
