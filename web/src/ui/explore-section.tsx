@@ -66,7 +66,7 @@ async function exploreAndShow(): Promise<void> {
 export function ExploreSection() {
   const possible = ready.value && figures.value.movedVertices > 0;
   return (
-    <section class="step" aria-labelledby="step-explore">
+    <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>

@@ -5,8 +5,10 @@ import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { handles, mesh, ready, selection, unit } from "../state/store.ts";
 import { niceStep } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
+import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
-import { SurfaceMove } from "./surface-move.tsx";
+
+const SurfaceMove = later(() => import("./surface-move.tsx").then((part) => part.SurfaceMove));
 
 const AXES = ["X", "Y", "Z"] as const;
 

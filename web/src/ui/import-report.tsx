@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+import "./import-report.css";
+import { useEffect, useRef } from "preact/hooks";
 import type { MeshReport } from "../solver/protocol.ts";
 import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
@@ -65,9 +67,11 @@ export function ImportReport() {
   const close = () => {
     importReport.value = false;
   };
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => section.current?.scrollIntoView({ block: "start" }), [importReport.value]);
   if (!importReport.value) return null;
   return (
-    <section class="card import-card" aria-labelledby="import-title">
+    <section ref={section} class="step import-report" aria-labelledby="import-title">
       <h2 id="import-title">{designName.value}</h2>
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (

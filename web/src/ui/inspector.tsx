@@ -53,6 +53,7 @@ function Weights() {
   );
 }
 
+const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
 const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
 const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
@@ -63,7 +64,8 @@ const SnapshotsSection = later(() =>
 export function Inspector() {
   return (
     <aside class="inspector" aria-label="Inspector">
-      <section class="step" aria-labelledby="step-edit">
+      <ImportReport />
+      <section class="step edit-step" aria-labelledby="step-edit">
         <h2 id="step-edit">
           <span class="step-number">1</span> Edit
         </h2>

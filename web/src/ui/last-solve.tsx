@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import "./last-solve.css";
 import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import "./panels.css";
 import { useSignal } from "@preact/signals";
 import {
   countHealth,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import "./designs.css";
 import { useEffect } from "preact/hooks";
 import type { Snapshot } from "../share/saved-record.ts";
 import { sourceName } from "../state/design.ts";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import "./designs.css";
 import { useComputed } from "@preact/signals";
 import { flatnessWords } from "../state/flatness.ts";
 import { adopt, type Gallery, type GalleryItem, gallery } from "../state/gallery.ts";

@@ -9,9 +9,9 @@ import { figures, mesh, problem } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
-import { PanelFigure } from "./panel-figure.tsx";
 import { ViewKeys } from "./view-keys.ts";
 
+const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
