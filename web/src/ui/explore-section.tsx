@@ -11,6 +11,10 @@ const VariationGallery = later(() =>
   import("./variation-gallery.tsx").then((part) => part.VariationGallery),
 );
 
+const ContinueButton = later(() =>
+  import("./continue-button.tsx").then((part) => part.ContinueButton),
+);
+
 function Sliders() {
   const variation = draft.value?.variation;
   const base = mesh.value?.positions;
@@ -70,7 +74,10 @@ export function ExploreSection() {
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>
-      <p class="quiet">Variations of the edit that keep every panel flat and stay in its place.</p>
+      <p class="quiet">
+        Variations of the edit that keep every panel flat. Most stay about it; some also move points
+        elsewhere, as the colours show.
+      </p>
       <Slider
         label="Dimension"
         value={dimension.value}
@@ -107,6 +114,7 @@ export function ExploreSection() {
       <Sliders />
       <GalleryButton />
       <VariationGallery />
+      <ContinueButton />
     </section>
   );
 }
