@@ -318,13 +318,17 @@ Mesh Session::shown_mesh() const {
 std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
                                   const SolveReport& solve, double seconds) const {
   const Worst worst = worst_panel(positions, moved);
+  double handle_error = 0.0;
+  for (const auto& [vertex, target] : targets_.handles) {
+    handle_error = std::max(handle_error, (positions.col(vertex) - target).norm());
+  }
   return JsonText()
       .add("status", status_name(solve.status))
       .add("movedVertices", moved.size())
       .add("maxDisplacement", largest_move(positions, moved))
       .add("worstGap", worst.gap)
       .add("worstMmPerM", worst.mm_per_m)
-      .add("handleError", solve.handle_error)
+      .add("handleError", handle_error)
       .add("objective", solve.objective.total())
       .add("iterations", solve.iterations)
       .add("seconds", seconds)

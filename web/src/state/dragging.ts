@@ -2,7 +2,7 @@
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import { client, frame } from "./connection.ts";
-import { type HandleRow, type Point, withHandle } from "./design.ts";
+import { type HandleRow, leftBehind, type Point, withHandle } from "./design.ts";
 import { commitEdit, edit, editQuestion, handleOf, setPinned, shownPoint } from "./editing.ts";
 import { showPresent } from "./showing.ts";
 import {
@@ -18,8 +18,13 @@ import {
 } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
-/** Where a point is asked to be: its target if it has one, else where it is. */
-export const askedPoint = (vertex: number): Point => handleOf(vertex)?.target ?? shownPoint(vertex);
+/** Where a drag of a point starts: at its target, unless a variation has taken the point away from
+ * it; without a target where it is. */
+export function askedPoint(vertex: number): Point {
+  const design = draft.value;
+  const target = design && !leftBehind(design) ? handleOf(vertex)?.target : null;
+  return target ?? shownPoint(vertex);
+}
 
 /** The directions of the surface at a point, as the design stands now. */
 export function frameAt(vertex: number): Frame | null {

@@ -43,7 +43,7 @@ function Sliders() {
             shown={words(value)}
             disabled={false}
             onInput={(x) => previewVariation(k, x)}
-            onCommit={(x) => commitVariation(k, x)}
+            onCommit={(x, burst) => commitVariation(k, x, burst)}
           />
         );
       })}
