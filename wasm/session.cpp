@@ -287,8 +287,10 @@ Session::Worst Session::worst_panel(const Positions& positions,
   for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(positions, base_.face(f));
-      worst.gap = std::max(worst.gap, face.gap);
-      worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      if (face.mm_per_m > worst.mm_per_m) {
+        worst.gap = face.gap;
+        worst.mm_per_m = face.mm_per_m;
+      }
       worst.excess = std::max(worst.excess, face.excess);
     }
   }
@@ -296,7 +298,7 @@ Session::Worst Session::worst_panel(const Positions& positions,
 }
 
 Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
-  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
+  return {.gap = planarity.worst_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {

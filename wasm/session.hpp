@@ -91,8 +91,10 @@ class Session {
   [[nodiscard]] GlbVariations variations() const;
 
  private:
+  /// See FacePlanarity.
   struct Worst {
-    double gap = 0.0, mm_per_m = 0.0, excess = 0.0;  ///< see FacePlanarity
+    double gap = 0.0, mm_per_m = 0.0;  ///< of the one panel that is worst in mm/m
+    double excess = 0.0;               ///< of whichever panel it is largest
   };
 
   void adopt(Mesh mesh, std::vector<std::string> warnings);
