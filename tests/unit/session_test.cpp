@@ -69,6 +69,28 @@ TEST(Session, BothFiguresOfTheWorstPanelAreOfOnePanel) {
   EXPECT_GT(wider.mm_per_m, wide.mm_per_m);
 }
 
+TEST(Session, SaysByHowMuchPlanarisingMovedThePoints) {
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  const Positions opened = session.base().positions;
+  const auto before = nlohmann::json::parse(session.mesh_report())["planarising"];
+  EXPECT_EQ(before["moved"].get<int>(), 0);
+  EXPECT_EQ(before["largest"].get<double>(), 0.0);
+  EXPECT_EQ(session.before_planarising().cols(), 0);
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  const auto after = nlohmann::json::parse(session.mesh_report())["planarising"];
+  EXPECT_EQ(after["moved"].get<int>(), moved_vertex_count(opened, session.base().positions));
+  EXPECT_EQ(after["largest"].get<double>(),
+            (opened - session.base().positions).colwise().norm().maxCoeff());
+  EXPECT_GT(after["largest"].get<double>(), 0.1);
+  EXPECT_EQ(session.before_planarising(), opened);
+  // Again, now that there is nothing to do: it still tells of the file.
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  EXPECT_EQ(nlohmann::json::parse(session.mesh_report())["planarising"], after);
+  ASSERT_EQ(session.open_sample("vault", 9), std::nullopt);
+  EXPECT_EQ(session.before_planarising().cols(), 0);
+}
+
 TEST(Session, AFlatBaseGivesBothFiguresOfThePanelThatIsWorstInMmPerM) {
   Session session;
   ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
