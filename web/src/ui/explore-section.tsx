@@ -63,6 +63,9 @@ function GalleryButton() {
 
 async function exploreAndShow(): Promise<void> {
   await explore();
+  // The sliders and the gallery are what was asked for.
+  if (draft.value?.variation)
+    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
   await fillGallery();
 }
 
@@ -112,9 +115,9 @@ export function ExploreSection() {
         Find variations
       </button>
       <Sliders />
+      <ContinueButton />
       <GalleryButton />
       <VariationGallery />
-      <ContinueButton />
     </section>
   );
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { HandleRow, Point } from "../state/design.ts";
+import { FLAT_FIRST } from "../state/dragging.ts";
 import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
@@ -95,6 +96,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
 export function HandlesTable() {
   const step = stepFor(mesh.value?.report.meanEdge ?? 1);
   const rows = handles.value;
+  const bent = mesh.value?.report.flat === false;
   return (
     <>
       <table class={rows.length === 0 ? "handles vacant" : "handles"} aria-label="Handles">
@@ -133,11 +135,13 @@ export function HandlesTable() {
         type="button"
         class={`button wide${rows.length === 0 ? " primary" : ""}`}
         disabled={!ready.value || !mesh.value?.report.flat}
+        aria-description={bent ? FLAT_FIRST : undefined}
         onClick={() => void addHandle()}
       >
         <Icon name="plus" />
         Add handle
       </button>
+      {bent && <p class="quiet small">{FLAT_FIRST}</p>}
       <SurfaceMove />
     </>
   );
