@@ -53,6 +53,10 @@ std::vector<double> residuals(const SolveReport& report) {
   return list;
 }
 
+double largest_distance(const Positions& a, const Positions& b) {
+  return a.cols() > 0 ? (a - b).colwise().norm().maxCoeff() : 0.0;
+}
+
 }  // namespace
 
 Refusal Session::open_sample(const std::string& name, int size) {
@@ -81,7 +85,9 @@ Refusal Session::planarise() {
     flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
   }
   const double max_move = result.max_move;
+  Positions before = before_planarising_.cols() > 0 ? before_planarising_ : base_.positions;
   adopt(std::move(flat), warnings_);
+  before_planarising_ = std::move(before);
   report_ =
       JsonText().add("status", status_name(result.report.status)).add("maxMove", max_move).text();
   return std::nullopt;
@@ -91,6 +97,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   solver_.reset();  // it may refer to the old base
   subspace_.reset();
   base_ = std::move(mesh);
+  before_planarising_.resize(3, 0);
   warnings_ = std::move(warnings);
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
@@ -287,8 +294,10 @@ Session::Worst Session::worst_panel(const Positions& positions,
   for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(positions, base_.face(f));
-      worst.gap = std::max(worst.gap, face.gap);
-      worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      if (face.mm_per_m > worst.mm_per_m) {
+        worst.gap = face.gap;
+        worst.mm_per_m = face.mm_per_m;
+      }
       worst.excess = std::max(worst.excess, face.excess);
     }
   }
@@ -296,7 +305,7 @@ Session::Worst Session::worst_panel(const Positions& positions,
 }
 
 Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
-  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
+  return {.gap = planarity.worst_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
@@ -340,6 +349,11 @@ std::string Session::mesh_report() const {
   const MeshSummary summary = summarize(base_);
   JsonText sizes;
   for (const auto& [size, count] : summary.face_sizes) sizes.add(std::to_string(size), count);
+  const bool planarised = before_planarising_.cols() > 0;
+  const Positions& opened = planarised ? before_planarising_ : base_.positions;
+  JsonText planarising;
+  planarising.add("moved", moved_vertex_count(opened, base_.positions))
+      .add("largest", largest_distance(opened, base_.positions));
   return JsonText()
       .add("vertices", summary.vertices)
       .add("faces", summary.faces)
@@ -353,6 +367,7 @@ std::string Session::mesh_report() const {
       .add("worstGap", base_worst_.gap)
       .add("worstMmPerM", base_worst_.mm_per_m)
       .add("flat", is_base_flat())
+      .add("planarising", planarising)
       .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
       .add("scale", scale_)
       .add("warnings", warnings_)

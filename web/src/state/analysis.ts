@@ -11,6 +11,7 @@ import {
   history,
   measurable,
   mesh,
+  panelDamage,
   panelFigures,
   panelHealth,
   ready,
@@ -44,6 +45,7 @@ export function keepPanelFigures(): () => void {
     const design = history.value?.present;
     measurable.value;
     if (!design || !ready.value) return;
+    panelDamage.value = null;
     const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
     client.ask({ kind: "panels", fairness }).then(
       (answer) => {
@@ -52,6 +54,7 @@ export function keepPanelFigures(): () => void {
         batch(() => {
           panelFigures.value = measures.figures;
           panelHealth.value = measures.health;
+          if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
         });
         if ((selectedPanel.peek() ?? 0) * 2 >= measures.figures.length) selectedPanel.value = null;

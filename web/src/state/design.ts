@@ -81,6 +81,11 @@ export const NO_REPORT: ShapeReport = {
   residuals: [],
 };
 
+/** Whether an edit of the handles, which starts from the base, would leave a variation behind. */
+export const leftBehind = ({ variation }: Design): boolean =>
+  variation !== null &&
+  (variation.earlier.length > 0 || variation.coefficients.some((x) => x !== 0));
+
 export const sourceName = (source: Source): string =>
   source.kind === "file"
     ? source.name

@@ -7,6 +7,7 @@ import { client, frame, run } from "./connection.ts";
 import {
   type Design,
   type HandleRow,
+  leftBehind,
   NO_SHAPE,
   type Point,
   toTargets,
@@ -53,8 +54,13 @@ export async function commit(next: Design, ask: Question, label: string): Promis
   const done: Design = { ...next, shape: answer.shape, report: answer.report };
   history.value = steps.record(steady, done);
   if (draft.value === next) draft.value = done;
+  if (leftBehind(steady.present) && !done.variation) notice.value = LEFT_BEHIND;
 }
 
+const LEFT_BEHIND =
+  "The variation was left behind: Undo brings it back. To keep it, use Continue from this shape first.";
+
+/** An edit starts from the base: a variation of the edit before it does not belong to it. */
 export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
   commit({ ...next, variation: null }, editQuestion(next, mode), "computing");
 

@@ -4,7 +4,6 @@ import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import * as steps from "./history.ts";
-import { fetchPart } from "./later.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
@@ -49,11 +48,7 @@ export async function planariseNow(): Promise<void> {
   const design = draft.value;
   if (!design) return;
   const answer = await run("making every panel flat", { kind: "planarise" }, "opened");
-  const before = mesh.value?.positions;
-  if (!answer) return;
-  adopt(design.source, true, answer.mesh);
-  const words = await fetchPart(() => import("./planarised.ts"));
-  if (words && before) notice.value = words.farthest(before, answer.mesh.positions);
+  if (answer) adopt(design.source, true, answer.mesh);
 }
 
 export const planarise = (): Promise<void> => inTurn(planariseNow);

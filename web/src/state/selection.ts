@@ -26,6 +26,13 @@ export function visit(vertex: number | null): void {
   visited.value = vertex;
 }
 
+/** The panel after the selected one among `panels`, from the first again; comes into view. */
+export function showNextPanel(panels: readonly number[]): void {
+  const next = panels[(panels.indexOf(selectedPanel.value ?? -1) + 1) % panels.length] ?? null;
+  selectedPanel.value = null;
+  selectedPanel.value = next;
+}
+
 export function deselect(): void {
   selection.value = [];
   selectedPanel.value = null;

@@ -14,7 +14,9 @@ import {
   history,
   importReport,
   mesh,
+  panelDamage,
   panelFigures,
+  panelHealth,
   problem,
   selectedPanel,
   selection,
@@ -48,6 +50,8 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     selectedPanel.value = null;
     visited.value = null;
     panelFigures.value = null;
+    panelHealth.value = null;
+    panelDamage.value = null;
     bending.value = null;
     freedom.value = null;
     hintVertex.value = null;

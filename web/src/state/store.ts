@@ -68,6 +68,8 @@ export const measurable = signal(0);
 export const panelFigures = signal<Float32Array | null>(null);
 /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
 export const panelHealth = signal<Float32Array | null>(null);
+/** What became of every panel since the mesh was opened: places in DAMAGES. */
+export const panelDamage = signal<Uint8Array | null>(null);
 /** How sharply the edit bends at every point, model units; null while nobody looks. */
 export const bending = signal<Float32Array | null>(null);
 /** Whether someone looks at what the edit leaves free. */

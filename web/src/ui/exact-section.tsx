@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+import { countHealth } from "../state/analysis.ts";
+import { damage, damageWords } from "../state/damage.ts";
 import { makeExact } from "../state/exploring.ts";
 import { FLAT, flatnessWords } from "../state/flatness.ts";
-import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
+import { figures, mesh, panelHealth, ready, showBefore, unit } from "../state/store.ts";
 import { later } from "./later.tsx";
 
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
@@ -10,19 +12,35 @@ function hold(on: boolean): void {
   showBefore.value = on;
 }
 
-/** Step 3: project what is shown onto exactly flat panels, and judge the result. */
-export function ExactSection() {
+/** Whether every panel can be made: being flat is not all. */
+function Verdict() {
   const { worstGap, worstMmPerM } = figures.value;
   const exact = worstMmPerM <= FLAT;
+  const crossing = panelHealth.value ? countHealth(panelHealth.value).crossing : 0;
+  const spoilt = damage.value ? damageWords(damage.value) : "";
+  const sound = crossing === 0 && spoilt === "";
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, unit.value);
+  return (
+    <p class={exact && sound ? "verdict good" : "verdict"}>
+      {`${exact ? "Every panel is" : "Worst panel"} ${sentence}.`}
+      {spoilt && ` But ${spoilt} since the mesh was opened.`}
+      {!spoilt && crossing > 0 && ` But ${panelsCross(crossing)}, as in the file.`}
+    </p>
+  );
+}
+
+const panelsCross = (count: number): string =>
+  count === 1 ? "1 panel crosses itself" : `${count} panels cross themselves`;
+
+/** Step 3: project what is shown onto exactly flat panels, and judge the result. */
+export function ExactSection() {
+  const exact = figures.value.worstMmPerM <= FLAT;
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">
         <span class="step-number">3</span> Make exact
       </h2>
-      <p class={exact ? "verdict good" : "verdict"}>
-        {exact ? "Every panel is " : "Worst panel "}
-        {flatnessWords(worstGap, worstMmPerM, unit.value).sentence}.
-      </p>
+      <Verdict />
       <div class="row">
         <button
           type="button"

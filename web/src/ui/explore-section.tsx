@@ -12,6 +12,10 @@ const VariationGallery = later(() =>
   import("./variation-gallery.tsx").then((part) => part.VariationGallery),
 );
 
+const ContinueButton = later(() =>
+  import("./continue-button.tsx").then((part) => part.ContinueButton),
+);
+
 const directions = (count: number): string =>
   `${count} ${count === 1 ? "direction" : "directions"}`;
 
@@ -38,7 +42,10 @@ export function ExploreSection() {
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>
-      <p class="quiet">Variations of the edit that keep every panel flat and stay in its place.</p>
+      <p class="quiet">
+        Variations of the edit that keep every panel flat. Most stay about it; some also move points
+        elsewhere, as the colours show.
+      </p>
       <Slider
         label="Dimension"
         value={dimension.value}
@@ -76,6 +83,7 @@ export function ExploreSection() {
       <VariationSliders />
       <GalleryButton />
       <VariationGallery />
+      <ContinueButton />
     </section>
   );
 }

@@ -2,9 +2,12 @@
 import "./import-report.css";
 import { useEffect, useRef } from "preact/hooks";
 import type { MeshReport } from "../solver/protocol.ts";
+import { countHealth } from "../state/analysis.ts";
+import { damage, damageWords } from "../state/damage.ts";
 import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
-import { designName, importReport, mesh, unit } from "../state/store.ts";
+import { planarisingWords } from "../state/planarising.ts";
+import { designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
@@ -19,11 +22,30 @@ const faceWords = (sizes: MeshReport["faceSizes"]): string =>
     .map(([size, count]) => `${count} ${SIZE_NAMES[size] ?? `${size}-gons`}`)
     .join(", ");
 
+type Fact = readonly [string, string];
+
+/** What can be seen of the panels' outlines once they have been measured. */
+function outlineFacts(): readonly Fact[] {
+  if (!panelHealth.value) return [];
+  const { concave, crossing } = countHealth(panelHealth.value);
+  const spoilt = damage.value ? damageWords(damage.value) : "";
+  const facts: Fact[] = [["Outlines", `${concave} concave, ${crossing} self-crossing`]];
+  if (spoilt) facts.push(["Made flat, but", spoilt]);
+  return facts;
+}
+
+function planarisingFacts(report: MeshReport): readonly Fact[] {
+  const words = planarisingWords(report, unit.value);
+  return words ? [["Planarised first", words]] : [];
+}
+
 function Facts({ report }: { report: MeshReport }) {
-  const facts: readonly (readonly [string, string])[] = [
+  const facts: readonly Fact[] = [
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
     ["Worst panel", flatnessWords(report.worstGap, report.worstMmPerM, unit.value).sentence],
+    ...planarisingFacts(report),
+    ...outlineFacts(),
     ["Boundary loops", String(report.boundaryLoops)],
     ["Separate parts", String(report.components)],
     ["Non-manifold edges", String(report.nonmanifoldEdges)],
@@ -98,7 +120,9 @@ export function ImportReport() {
               class="button primary"
               onClick={() => {
                 close();
-                void planarise();
+                void planarise().then(() => {
+                  importReport.value = mesh.value?.report.flat ?? false;
+                });
               }}
             >
               Planarise

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import "./last-solve.css";
+import { planarisingWords } from "../state/planarising.ts";
 import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 
@@ -43,11 +44,18 @@ function freedomFacts(): readonly (readonly [string, string])[] {
   ];
 }
 
+function planarisingFact(): readonly (readonly [string, string])[] {
+  const report = mesh.value?.report;
+  const words = report ? planarisingWords(report, unit.value) : "";
+  return words ? [["Planarised first", words]] : [];
+}
+
 function facts(): readonly (readonly [string, string])[] {
   const { iterations, objective, handleError } = figures.value;
   return [
     ["Degrees of freedom of the mesh", String(mesh.value?.report.degreesOfFreedom ?? "–")],
     ...freedomFacts(),
+    ...planarisingFact(),
     ["Steps", String(iterations)],
     ["Objective", objective.toPrecision(5)],
     ["Furthest from a target", formatLength(handleError, unit.value)],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Fragment } from "preact";
 import { flatnessWords } from "../state/flatness.ts";
+import { planarisingWords } from "../state/planarising.ts";
 import { cancel } from "../state/showing.ts";
 import {
   type Activity,
@@ -17,6 +18,9 @@ import {
   update,
 } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+import { later } from "./later.tsx";
+
+const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
 
 function numbers(): readonly string[] {
   if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
@@ -28,6 +32,9 @@ function numbers(): readonly string[] {
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
+  const report = mesh.value?.report;
+  const planarised = report && movedVertices === 0 ? planarisingWords(report, unit.value) : "";
+  if (planarised) parts.push(`planarised first: ${planarised}`);
   return parts;
 }
 
@@ -59,7 +66,7 @@ export function StatusLine() {
   return (
     <footer class="status-line">
       <div role="status" class="figures">
-        <Numbers />
+        <Numbers /> <DamageNote />
       </div>
       {problem.value && (
         <div role="alert" class="alert">
