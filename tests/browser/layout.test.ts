@@ -113,7 +113,7 @@ it.each([
   await openFile(page, "saddle.obj", SADDLE);
   const report = await boxOf(page.getByRole("region", { name: "saddle.obj" }));
   expect(apart(report, await viewBox(page))).toBe(true);
-  for (const name of ["Planarise", "Leave as it is"]) {
+  for (const name of ["Planarise", "Leave as it is", "Open file", "Cancel"]) {
     const button = await boxOf(page.getByRole("button", { name, exact: true }));
     expect(inside(button, { x: 0, y: 0, width, height }), name).toBe(true);
   }

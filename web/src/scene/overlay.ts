@@ -22,6 +22,12 @@ export interface OverlayParts {
 /** Pixels that the figure of a point needs beside it. */
 const ROOM = 200;
 
+/** Left of a point is free of the arrows and of most of the patch. */
+function sideAt(x: number, width: number): string {
+  if (x > ROOM) return "left";
+  return width - x > ROOM ? "right" : "below";
+}
+
 function markersFor(): Marker[] {
   const hovered = visited.value;
   const chosen = new Set(selection.value);
@@ -85,7 +91,7 @@ export class Overlay {
     const seen = visited.value ?? selected.value;
     const place = seen === null ? null : project(points, seen, view);
     putAt(point, place);
-    point.classList.toggle("right", place !== null && place.x < ROOM);
+    if (place) point.dataset.side = sideAt(place.x, view.width);
     putAt(figure, this.#panel && topOf(this.#panel, view));
   }
 

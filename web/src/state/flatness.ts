@@ -7,11 +7,14 @@ export const FLAT = 1e-6;
 
 const PROMISE = "< 0.000001";
 
+/** What "flat" in a column means. */
+export const FLAT_MEANS = `flat: ${PROMISE} mm/m`;
+
 export interface FlatnessWords {
   /** "0.0123 mm" */
   readonly gap: string;
-  /** "1.23", "< 0.000001" within the promise; mm/m */
-  readonly perMetre: string;
+  /** "1.23" mm/m, or "flat": in a column of such figures */
+  readonly cell: string;
   /** "0.0123 mm (1.23 mm/m)", "0.0000 mm, flat": where there is little room */
   readonly short: string;
   /** "0.0123 mm out of flat (1.23 mm/m)", "flat (< 0.000001 mm/m)" */
@@ -33,9 +36,14 @@ export function flatnessWords(gap: number, mmPerM: number, unit: Unit): Flatness
   const length = formatGap(gap, unit);
   if (mmPerM <= FLAT) {
     const sentence = `flat (${PROMISE} mm/m)`;
-    return { gap: length, perMetre: PROMISE, short: `${length}, flat`, sentence };
+    return { gap: length, cell: "flat", short: `${length}, flat`, sentence };
   }
   const perMetre = decimal(mmPerM);
   const short = `${length} (${perMetre} mm/m)`;
-  return { gap: length, perMetre, short, sentence: `${length} out of flat (${perMetre} mm/m)` };
+  return {
+    gap: length,
+    cell: perMetre,
+    short,
+    sentence: `${length} out of flat (${perMetre} mm/m)`,
+  };
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-import { commitVariation, explore, previewVariation } from "../state/exploring.ts";
+import { explore } from "../state/exploring.ts";
 import { fillGallery, gallery } from "../state/gallery.ts";
-import { reachOf } from "../state/reach.ts";
-import { dimension, draft, eigenbasis, figures, mesh, ready, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { dimension, draft, eigenbasis, figures, ready } from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 
+const VariationSliders = later(() =>
+  import("./variation-sliders.tsx").then((part) => part.VariationSliders),
+);
 const VariationGallery = later(() =>
   import("./variation-gallery.tsx").then((part) => part.VariationGallery),
 );
@@ -15,41 +16,8 @@ const ContinueButton = later(() =>
   import("./continue-button.tsx").then((part) => part.ContinueButton),
 );
 
-function Sliders() {
-  const variation = draft.value?.variation;
-  const base = mesh.value?.positions;
-  if (!variation || !base) return null;
-  const reach = reachOf(variation.centre, base);
-  const found = variation.coefficients.length;
-  const words = (x: number): string =>
-    `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, unit.value)}`;
-  return (
-    <>
-      <p class="quiet small">
-        {found < variation.asked && `${found} of ${variation.asked} directions exist here. `}
-        At either end of a slider the point that moves most moves by{" "}
-        {formatLength(reach, unit.value)}.
-      </p>
-      {variation.coefficients.map((value, k) => {
-        const label = `Variation ${k + 1}`;
-        return (
-          <Slider
-            key={label}
-            label={label}
-            value={value}
-            min={-1}
-            max={1}
-            step={0.01}
-            shown={words(value)}
-            disabled={false}
-            onInput={(x) => previewVariation(k, x)}
-            onCommit={(x, burst) => commitVariation(k, x, burst)}
-          />
-        );
-      })}
-    </>
-  );
-}
+const directions = (count: number): string =>
+  `${count} ${count === 1 ? "direction" : "directions"}`;
 
 function GalleryButton() {
   const centre = draft.value?.variation?.centre;
@@ -87,6 +55,7 @@ export function ExploreSection() {
         min={1}
         max={12}
         step={1}
+        spoken={directions(dimension.value)}
         disabled={!ready.value}
         onInput={(value) => {
           dimension.value = value;
@@ -114,7 +83,7 @@ export function ExploreSection() {
       >
         Find variations
       </button>
-      <Sliders />
+      <VariationSliders />
       <ContinueButton />
       <GalleryButton />
       <VariationGallery />

@@ -128,7 +128,7 @@ export function HandlesTable() {
           The first {ROWS} of {rows.length}; the view shows all of them.
         </p>
       )}
-      {rows.length === 0 && (
+      {rows.length === 0 && mesh.value?.report.flat && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
       <button

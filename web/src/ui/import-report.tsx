@@ -43,12 +43,12 @@ function Facts({ report }: { report: MeshReport }) {
   const facts: readonly Fact[] = [
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
-    ["Boundary loops", String(report.boundaryLoops)],
-    ["Separate parts", String(report.components)],
-    ["Non-manifold edges", String(report.nonmanifoldEdges)],
     ["Worst panel", flatnessWords(report.worstGap, report.worstMmPerM, unit.value).sentence],
     ...planarisingFacts(report),
     ...outlineFacts(),
+    ["Boundary loops", String(report.boundaryLoops)],
+    ["Separate parts", String(report.components)],
+    ["Non-manifold edges", String(report.nonmanifoldEdges)],
   ];
   return (
     <dl class="facts">
@@ -90,11 +90,18 @@ export function ImportReport() {
     importReport.value = false;
   };
   const section = useRef<HTMLElement>(null);
-  useEffect(() => section.current?.scrollIntoView({ block: "start" }), [importReport.value]);
+  // scrollIntoView would also move the page under a telephone's address bar.
+  useEffect(() => section.current?.parentElement?.scrollTo(0, 0), [importReport.value]);
   if (!importReport.value) return null;
   return (
     <section ref={section} class="step import-report" aria-labelledby="import-title">
       <h2 id="import-title">{designName.value}</h2>
+      {report && !report.flat && (
+        <p>
+          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
+          then moves as little as possible.
+        </p>
+      )}
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (
         <p key={warning} class="quiet">
@@ -102,12 +109,6 @@ export function ImportReport() {
         </p>
       ))}
       <UnitChooser />
-      {report && !report.flat && (
-        <p>
-          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
-          then moves as little as possible.
-        </p>
-      )}
       <div class="dialog-actions">
         {report && !report.flat ? (
           <>

@@ -31,7 +31,8 @@ function Weights() {
         min={0}
         max={10}
         step={0.1}
-        shown={locality.toFixed(1)}
+        shown={`${locality.toFixed(1)} ×`}
+        spoken={`${locality.toFixed(1)} times the default weight`}
         disabled={!ready.value}
         ends={["more points follow", "fewer follow"]}
         onInput={(value) => previewSettings({ locality: value })}
@@ -43,7 +44,8 @@ function Weights() {
         min={0}
         max={10}
         step={0.1}
-        shown={smoothness.toFixed(1)}
+        shown={`${smoothness.toFixed(1)} ×`}
+        spoken={`${smoothness.toFixed(1)} times the default weight`}
         disabled={!ready.value}
         ends={["sharp, close by", "gentle, wider"]}
         onInput={(value) => previewSettings({ smoothness: value })}

@@ -62,9 +62,12 @@ function ends(kind: "displacement" | "planarity" | "fairness"): readonly [string
 /** The figure itself where the ramp says mm/m, and what is measured where it is not plain. */
 function Note() {
   const { worstGap, worstMmPerM } = figures.value;
-  if (colourBy.value === "fairness") return <p>Difference of moves from point to point</p>;
+  if (colourBy.value === "fairness")
+    return <p class="legend-note">Difference between neighbours' moves</p>;
   if (colourBy.value !== "planarity") return null;
-  return <p>{`Worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).sentence}`}</p>;
+  return (
+    <p class="legend-note">{`Worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).sentence}`}</p>
+  );
 }
 
 function Scale() {

@@ -8,9 +8,9 @@ import {
   type PanelColumn,
   type PanelRow,
 } from "../state/analysis.ts";
-import { flatnessWords } from "../state/flatness.ts";
+import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
 import { panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { convert } from "../state/units.ts";
 
 const ROWS = 8;
 
@@ -27,7 +27,7 @@ const COLUMNS: readonly Column[] = [
   { key: "gap", name: "Out of flat", unit: "mm", largest: true },
   { key: "mmPerM", name: "mm/m", largest: true },
   { key: "angle", name: "Angle", largest: false },
-  { key: "edge", name: "Edge", largest: false },
+  { key: "edge", name: "Edge", unit: "mm", largest: false },
   { key: "outline", name: "Shape", largest: true },
 ];
 
@@ -44,7 +44,7 @@ function Summary({ health }: { health: Float32Array }) {
 
 function Row({ row }: { row: PanelRow }) {
   const { panel, angle, edge, outline } = row;
-  const { gap, perMetre } = flatnessWords(row.gap, row.mmPerM, unit.value);
+  const { gap, cell } = flatnessWords(row.gap, row.mmPerM, unit.value);
   return (
     <tr class={panel === selectedPanel.value ? "selected" : ""}>
       <th scope="row">
@@ -60,9 +60,9 @@ function Row({ row }: { row: PanelRow }) {
         </button>
       </th>
       <td>{gap.replace(" mm", "")}</td>
-      <td>{perMetre}</td>
+      <td>{cell}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
-      <td>{formatLength(edge, unit.value)}</td>
+      <td>{convert(edge, unit.value, "mm").toFixed(0)}</td>
       <td class={outline === 0 ? "" : "unhealthy"}>{OUTLINES[outline]}</td>
     </tr>
   );
@@ -112,6 +112,7 @@ export function PanelsTable() {
           </tbody>
         </table>
       </div>
+      <p class="quiet small">{FLAT_MEANS}</p>
     </>
   );
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { FLAT } from "../state/flatness.ts";
 import { stopsShort } from "../state/stopping-short.ts";
 import { history, mesh, unit } from "../state/store.ts";
 import { formatGap, formatLength } from "../state/units.ts";
@@ -22,7 +23,7 @@ export function RefusedNote() {
         Move it less, let more points follow, or remove a pin.
       </p>
       <HoldingPanels />
-      {impossible && left !== undefined && (
+      {impossible && left !== undefined && 1000 * left > FLAT && (
         <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
       )}
     </section>

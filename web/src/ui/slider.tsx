@@ -11,6 +11,8 @@ interface SliderProps {
   /** What the two ends mean, in words. */
   readonly ends?: readonly [string, string];
   readonly shown?: string;
+  /** The value with its unit, where `shown` alone does not say it. */
+  readonly spoken?: string;
   readonly onInput: (value: number) => void;
   /** Resolves once `value` is what the design has. Keys pressed while the slider keeps the focus
    * are one burst; null for a pointer. */
@@ -38,6 +40,7 @@ export function Slider(props: SliderProps) {
   const rest = Math.max(min, Math.min(0, max));
   const share = (x: number): string => `${(100 * (x - min)) / (max - min)}%`;
   const shown = props.shown ?? String(value);
+  const spoken = props.spoken ?? shown;
   return (
     <div class="slider">
       <label for={id}>{label}</label>
@@ -51,7 +54,7 @@ export function Slider(props: SliderProps) {
         max={max}
         step={step}
         value={value}
-        aria-valuetext={ends ? `${shown}: from ${ends[0]} to ${ends[1]}` : shown}
+        aria-valuetext={ends ? `${spoken}: from ${ends[0]} to ${ends[1]}` : spoken}
         disabled={disabled}
         style={{ "--from": share(Math.min(value, rest)), "--to": share(Math.max(value, rest)) }}
         onKeyDown={({ key }) => {
