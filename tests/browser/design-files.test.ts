@@ -32,7 +32,7 @@ const WHOLE = { file: "roof.obj", format: "obj", bytes: btoa(ROOF) };
 it("opens recipes of the paper as the same designs, as one step", async () => {
   const page = await site.open();
   const before = await obj(page);
-  for (const name of ["figure-1", "figure-2-region", "figure-4-mix-a", "figure-9-b"]) {
+  for (const name of ["figure-1", "figure-2-region", "figure-5-a1", "figure-9-b"]) {
     const text = scene(name);
     await openFile(page, `${name}.json`, text);
     await page.getByText(/^(Verified:|Replayed: recomputed here)/).waitFor({ timeout: 60_000 });
@@ -75,9 +75,8 @@ describe("says in one sentence what is wrong, and nothing has changed", () => {
     const before = await obj(page);
     await openFile(page, name, text);
     const alert = page.getByRole("alert");
-    await expect.poll(() => alert.textContent()).toMatch(sentence);
-    expect(await alert.textContent()).toMatch(/^[^\n]{10,300}\.$/);
-    expect((await alert.textContent())?.startsWith(`${name}: `)).toBe(true);
+    await expect.poll(() => alert.textContent()).toMatch(/^[a-z]+\.json: [^\n]{10,300}\.$/);
+    expect(await alert.textContent()).toMatch(sentence);
     expect(await obj(page)).toBe(before);
     await page.context().close();
   });
