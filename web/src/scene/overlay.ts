@@ -90,8 +90,10 @@ export class Overlay {
     putAt(hint, at);
     const seen = visited.value ?? selected.value;
     const place = seen === null ? null : project(points, seen, view);
-    putAt(point, place);
-    if (place) point.dataset.side = sideAt(place.x, view.width);
+    const side = place && sideAt(place.x, view.width);
+    // Below a chosen point it would hide what follows it.
+    putAt(point, side === "below" && visited.value === null ? null : place);
+    point.dataset.side = side ?? "";
     putAt(figure, this.#panel && topOf(this.#panel, view));
   }
 

@@ -21,7 +21,8 @@ const HINTS: readonly Hint[] = [
     what: "select several points, or all in a box, those behind the surface too; they move together",
   },
   { how: "[P]", what: "pins the selected points, or lets them go" },
-  { how: "Click a panel", what: "shows its figure" },
+  { how: "Rest on a point", what: "says how far it moved, or what its colour stands for" },
+  { how: "Click a panel", what: "shows its figure; close by is enough where it is narrow" },
   {
     how: "[←] [↑] [↓] [→] in the view",
     what: "step from point to point; with Ctrl, add the next point",
