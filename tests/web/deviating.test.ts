@@ -5,15 +5,15 @@ import { deviationWords, distance, formatSmall } from "../../web/src/state/devia
 it("writes small lengths with the digit that counts", () => {
   expect(formatSmall(2.3e-8, "m")).toBe("0.00002 mm");
   expect(formatSmall(9.6e-7, "m")).toBe("0.0010 mm");
-  expect(formatSmall(1e-14, "m")).toBe("less than 0.000000001 mm");
+  expect(formatSmall(1e-14, "m")).toBe("0.000000001 mm");
   expect(formatSmall(0.005, "m")).toBe("5.0 mm");
 });
 
 it("is calm about rounding and plain about more", () => {
   expect(deviationWords(0, 30, "m")).toMatch(/^Verified: /);
-  expect(deviationWords(2e-8, 30, "m")).toMatch(/up to 0\.00002 mm, which is rounding\.$/);
+  expect(deviationWords(2e-8, 30, "m")).toMatch(/differ by up to 0\.00002 mm: rounding\.$/);
   expect(deviationWords(0.005, 30, "m")).toBe(
-    "Replayed: differs from the shared result by up to 5.0 mm.",
+    "Replayed: differs from the shared result by up to 5.0 mm at the recorded points.",
   );
 });
 

@@ -8,6 +8,8 @@ import { convert, formatLength, type Unit } from "./units.ts";
 const ROUNDING = 1e-9;
 /** Millimetres that the page would write as 0.00. */
 const INVISIBLE = 0.005;
+/** Millimetres: for less this is written, as a bound. */
+const SMALLEST = 1e-9;
 
 /** Largest distance between two shapes of one base; all in model units. */
 export function distance(a: Shape, b: Shape, base: Float64Array): number {
@@ -32,12 +34,12 @@ export const isRounding = (off: number, size: number, unit: Unit): boolean =>
 export function formatSmall(off: number, unit: Unit): string {
   const mm = convert(off, unit, "mm");
   if (mm >= INVISIBLE) return formatLength(off, unit);
-  if (mm < 1e-9) return "less than 0.000000001 mm";
-  const decimals = Math.ceil(-Math.log10(mm));
-  return `${mm.toFixed(decimals)} mm`;
+  const written = Math.max(mm, SMALLEST);
+  return `${written.toFixed(Math.ceil(-Math.log10(written)))} mm`;
 }
 
 /**
+ * A mark records a few points only.
  * @param off model units; 0 for the same bits
  * @param size of the model, model units
  */
@@ -45,6 +47,6 @@ export function deviationWords(off: number, size: number, unit: Unit): string {
   if (off === 0) return "Verified: the same result as when it was shared, to the last bit.";
   const amount = formatSmall(off, unit);
   return isRounding(off, size, unit)
-    ? `Replayed: recomputed here it differs by up to ${amount}, which is rounding.`
-    : `Replayed: differs from the shared result by up to ${amount}.`;
+    ? `Replayed: recomputed here, the recorded points differ by up to ${amount}: rounding.`
+    : `Replayed: differs from the shared result by up to ${amount} at the recorded points.`;
 }
