@@ -16,9 +16,11 @@ export async function openBrowser() {
   };
 }
 
-/** A page that is ready to be used. */
-export async function openPage({ browser, url }, options) {
-  const page = await (await browser.newContext(options)).newPage();
+/** A page that is ready to be used; `prepare` runs in it before anything else. */
+export async function openPage({ browser, url }, options, prepare = null) {
+  const context = await browser.newContext(options);
+  if (prepare) await context.addInitScript(prepare);
+  const page = await context.newPage();
   await page.goto(url);
   await page.getByRole("status").filter({ hasText: "points move" }).waitFor({ timeout: 60_000 });
   await settled(page);

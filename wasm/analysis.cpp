@@ -12,8 +12,11 @@
 
 namespace planish {
 
-Analysis::Analysis(Mesh base)
-    : base_(std::move(base)), adjacency_(build_adjacency(base_)), current_(base_.positions) {}
+Analysis::Analysis(Mesh base, Positions opened)
+    : base_(std::move(base)),
+      opened_(opened.cols() > 0 ? std::move(opened) : base_.positions),
+      adjacency_(build_adjacency(base_)),
+      current_(base_.positions) {}
 
 void Analysis::show(std::vector<int> moved, const Positions& positions) {
   current_ = base_.positions;
@@ -47,6 +50,20 @@ std::vector<float> Analysis::panel_health() const {
                    static_cast<float>(panel.smallest_angle), changed ? 1.0F : 0.0F});
   }
   return health;
+}
+
+std::vector<unsigned char> Analysis::panel_damage() const {
+  std::vector<unsigned char> damage;
+  damage.reserve(static_cast<std::size_t>(base_.face_count()));
+  for (int f = 0; f < base_.face_count(); ++f) {
+    const auto face = base_.face(f);
+    const bool changed = std::any_of(face.begin(), face.end(),
+                                     [&](int v) { return current_.col(v) != opened_.col(v); });
+    const PanelDamage here =
+        changed ? planish::panel_damage(opened_, current_, face) : PanelDamage::kNone;
+    damage.push_back(static_cast<unsigned char>(here));
+  }
+  return damage;
 }
 
 std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {

@@ -18,7 +18,8 @@ namespace planish {
 class Analysis {
  public:
   /// @param base as a session gave it out, so checked
-  explicit Analysis(Mesh base);
+  /// @param opened 3 × n, the base before it was planarised; 3 × 0 if it was not
+  explicit Analysis(Mesh base, Positions opened = Positions(3, 0));
 
   /// The design to be measured: `moved` ascending, everything else at the base.
   void show(std::vector<int> moved, const Positions& positions);
@@ -28,6 +29,8 @@ class Analysis {
   /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
   /// units), smallest angle (degrees), and 1 if one of its points moved.
   [[nodiscard]] std::vector<float> panel_health() const;
+  /// What became of every face since the mesh was opened: a PanelDamage for each.
+  [[nodiscard]] std::vector<unsigned char> panel_damage() const;
   /// How sharply the edit bends at each vertex, model units, see bending().
   [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
   /// JSON: points, equations, rank, freedom, borne, and the panels that hold the handles back, most
@@ -36,6 +39,7 @@ class Analysis {
 
  private:
   Mesh base_;
+  Positions opened_;  ///< 3 × n
   Adjacency adjacency_;
   Positions current_;  ///< 3 × n
   std::vector<int> moved_;

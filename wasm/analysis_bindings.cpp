@@ -19,7 +19,8 @@ using planish::FairnessKind;
 using planish::Mesh;
 using planish::Positions;
 
-val copy(const std::vector<float>& data) {
+template <class T>
+val copy(const std::vector<T>& data) {
   return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
 }
 
@@ -32,18 +33,21 @@ std::vector<int> to_indices(const val& numbers) {
   return emscripten::convertJSArrayToNumberVector<int>(numbers);
 }
 
-Analysis* create(const val& positions, const val& offsets, const val& vertices) {
+/// `opened`: as it was before it was planarised, empty if it was not.
+Analysis* create(const val& positions, const val& offsets, const val& vertices, const val& opened) {
   Mesh mesh;
   mesh.positions = to_positions(positions);
   mesh.face_offsets = to_indices(offsets);
   mesh.face_vertices = to_indices(vertices);
-  return new Analysis(std::move(mesh));  // NOLINT(cppcoreguidelines-owning-memory): embind owns it
+  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): embind owns it
+  return new Analysis(std::move(mesh), to_positions(opened));
 }
 void show(Analysis& a, const val& moved, const val& positions) {
   a.show(to_indices(moved), to_positions(positions));
 }
 val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
 val panel_health(const Analysis& a) { return copy(a.panel_health()); }
+val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
 /// `handles` holds vertex, x, y, z for each.
 std::string freedom(const Analysis& a, const val& handles, const val& pins) {
@@ -67,6 +71,7 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
       .function("show", &show)
       .function("panelFigures", &panel_figures)
       .function("panelHealth", &panel_health)
+      .function("panelDamage", &panel_damage)
       .function("vertexBending", &vertex_bending)
       .function("freedom", &freedom);
 }

@@ -133,6 +133,7 @@ val variation_displacements(const Session& s) {
   return copy(all);
 }
 val base_positions(const Session& s) { return copy(s.base().positions); }
+val before_planarising(const Session& s) { return copy(s.before_planarising()); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
 val display_base(const Session& s) { return copy(s.display_base()); }
@@ -180,6 +181,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("variationSupport", &variation_support)
       .function("variationDisplacements", &variation_displacements)
       .function("basePositions", &base_positions)
+      .function("beforePlanarising", &before_planarising)
       .function("faceOffsets", &face_offsets)
       .function("faceVertices", &face_vertices)
       .function("displayBase", &display_base)

@@ -57,6 +57,8 @@ export interface Session {
   variationSupport(): Int32Array;
   variationDisplacements(): Float64Array;
   basePositions(): Float64Array;
+  /** The base as it was opened; empty unless it was planarised since. */
+  beforePlanarising(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;
   displayBase(): Float32Array;

@@ -9,6 +9,8 @@ export interface Analysis {
   panelFigures(): Float32Array;
   /** Of every panel: outline, shortest edge, smallest angle (degrees), 1 if it changed. */
   panelHealth(): Float32Array;
+  /** A PanelDamage for every panel: what became of it since the mesh was opened. */
+  panelDamage(): Uint8Array;
   /** How sharply the edit bends at every vertex, model units. */
   vertexBending(kind: EnumValue): Float32Array;
   /** JSON; "{}" where too many points move. `handles`: vertex, x, y, z for each. */
@@ -17,7 +19,13 @@ export interface Analysis {
 }
 
 export interface AnalysisModule {
-  Analysis: new (positions: Float64Array, offsets: Int32Array, vertices: Int32Array) => Analysis;
+  /** `opened`: the positions before planarising, empty if there was none. */
+  Analysis: new (
+    positions: Float64Array,
+    offsets: Int32Array,
+    vertices: Int32Array,
+    opened: Float64Array,
+  ) => Analysis;
   FairnessKind: { laplacian: EnumValue; second: EnumValue; third: EnumValue };
 }
 

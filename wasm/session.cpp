@@ -47,12 +47,6 @@ ReadResult read_text_or_ply(std::string_view bytes, const std::string& format) {
   return ReadError{"Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB."};
 }
 
-std::vector<double> residuals(const SolveReport& report) {
-  std::vector<double> list;
-  for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
-  return list;
-}
-
 }  // namespace
 
 Refusal Session::open_sample(const std::string& name, int size) {
@@ -81,7 +75,9 @@ Refusal Session::planarise() {
     flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
   }
   const double max_move = result.max_move;
+  Positions before = before_planarising_.cols() > 0 ? before_planarising_ : base_.positions;
   adopt(std::move(flat), warnings_);
+  before_planarising_ = std::move(before);
   report_ =
       JsonText().add("status", status_name(result.report.status)).add("maxMove", max_move).text();
   return std::nullopt;
@@ -91,6 +87,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   solver_.reset();  // it may refer to the old base
   subspace_.reset();
   base_ = std::move(mesh);
+  before_planarising_.resize(3, 0);
   warnings_ = std::move(warnings);
   adjacency_ = build_adjacency(base_);
   const PlanaritySummary planarity = planarity_summary(base_);
@@ -287,8 +284,10 @@ Session::Worst Session::worst_panel(const Positions& positions,
   for (const int v : moved) {
     for (const int f : adjacency_.faces[v]) {
       const FacePlanarity face = face_planarity(positions, base_.face(f));
-      worst.gap = std::max(worst.gap, face.gap);
-      worst.mm_per_m = std::max(worst.mm_per_m, face.mm_per_m);
+      if (face.mm_per_m > worst.mm_per_m) {
+        worst.gap = face.gap;
+        worst.mm_per_m = face.mm_per_m;
+      }
       worst.excess = std::max(worst.excess, face.excess);
     }
   }
@@ -296,7 +295,7 @@ Session::Worst Session::worst_panel(const Positions& positions,
 }
 
 Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
-  return {.gap = planarity.max_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
+  return {.gap = planarity.worst_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 
 double Session::largest_move(const Positions& positions, const std::vector<int>& moved) const {
@@ -313,50 +312,6 @@ Mesh Session::shown_mesh() const {
   Mesh mesh = base_;
   mesh.positions = current_;
   return mesh;
-}
-
-std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
-                                  const SolveReport& solve, double seconds) const {
-  const Worst worst = worst_panel(positions, moved);
-  return JsonText()
-      .add("status", status_name(solve.status))
-      .add("movedVertices", moved.size())
-      .add("maxDisplacement", largest_move(positions, moved))
-      .add("worstGap", worst.gap)
-      .add("worstMmPerM", worst.mm_per_m)
-      .add("handleError", solve.handle_error)
-      .add("objective", solve.objective.total())
-      .add("iterations", solve.iterations)
-      .add("seconds", seconds)
-      .add("residuals", residuals(solve))
-      .text();
-}
-
-void Session::write_report(const SolveReport& solve, double seconds) {
-  report_ = shape_report(current_, moved_, solve, seconds);
-}
-
-std::string Session::mesh_report() const {
-  const MeshSummary summary = summarize(base_);
-  JsonText sizes;
-  for (const auto& [size, count] : summary.face_sizes) sizes.add(std::to_string(size), count);
-  return JsonText()
-      .add("vertices", summary.vertices)
-      .add("faces", summary.faces)
-      .add("faceSizes", sizes)
-      .add("boundaryLoops", summary.boundary_loops)
-      .add("components", summary.components)
-      .add("nonmanifoldEdges", summary.nonmanifold_edges)
-      .add("isolatedVertices", summary.isolated_vertices)
-      .add("meanEdge", summary.mean_edge)
-      .add("degreesOfFreedom", degrees_of_freedom(base_))
-      .add("worstGap", base_worst_.gap)
-      .add("worstMmPerM", base_worst_.mm_per_m)
-      .add("flat", is_base_flat())
-      .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
-      .add("scale", scale_)
-      .add("warnings", warnings_)
-      .text();
 }
 
 std::vector<float> Session::take_changes() {

@@ -67,6 +67,8 @@ class Session {
 
   // What is there.
   [[nodiscard]] const Mesh& base() const { return base_; }
+  /// 3 × n, the base as it was opened; 3 × 0 unless it was planarised since.
+  [[nodiscard]] const Positions& before_planarising() const { return before_planarising_; }
   [[nodiscard]] const Positions& current() const { return current_; }
   [[nodiscard]] const std::vector<int>& moved() const { return moved_; }
   /// 3 × |moved|, model units.
@@ -75,9 +77,10 @@ class Session {
   [[nodiscard]] const Shape& projected() const { return projected_; }
   /// JSON as report() would be after showing it.
   [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
-  /// JSON about the base mesh: counts, planarity, warnings.
+  /// JSON about the base mesh: counts, planarity, what planarising moved, warnings.
   [[nodiscard]] std::string mesh_report() const;
-  /// JSON about the last operation that changed the design.
+  /// JSON about the last operation that changed the design. `handleError` is that of the design
+  /// shown: a variation moves the handles too.
   [[nodiscard]] const std::string& report() const { return report_; }
   /// Vertex, x, y, z of every vertex that changed since the last call, in display coordinates:
   /// (p − centre) · scale, so that float32 keeps its digits wherever the model lies.
@@ -91,8 +94,10 @@ class Session {
   [[nodiscard]] GlbVariations variations() const;
 
  private:
+  /// See FacePlanarity.
   struct Worst {
-    double gap = 0.0, mm_per_m = 0.0, excess = 0.0;  ///< see FacePlanarity
+    double gap = 0.0, mm_per_m = 0.0;  ///< of the one panel that is worst in mm/m
+    double excess = 0.0;               ///< of whichever panel it is largest
   };
 
   void adopt(Mesh mesh, std::vector<std::string> warnings);
@@ -115,6 +120,7 @@ class Session {
   void write_report(const SolveReport& solve, double seconds);
 
   Mesh base_;
+  Positions before_planarising_;
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
   Worst base_worst_;

@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
 import { offline } from "./offline.ts";
+import { oneBeginning } from "./one-beginning.ts";
 import { smallShaders } from "./small-shaders.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -23,5 +24,8 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1200,
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: oneBeginning, debugName: "page" }] } },
+    },
   },
 });

@@ -14,7 +14,8 @@ ExitCode run_info(const Arguments& arguments) {
   json["planarity_mm_per_m"] = {{"max", planarity.max},
                                 {"mean", planarity.mean},
                                 {"max_gap", planarity.max_gap},
-                                {"worst_face", planarity.worst_face}};
+                                {"worst_face", planarity.worst_face},
+                                {"worst_gap", planarity.worst_gap}};
   json["warnings"] = file.warnings;
   save_bytes(arguments.value("--report").value_or("-"), json.dump(2) + "\n");
   return kDone;

@@ -74,6 +74,7 @@ PlanaritySummary planarity_summary(const Mesh& mesh, const Positions& positions)
     if (!(here.mm_per_m <= summary.max) || summary.worst_face < 0) {
       summary.max = here.mm_per_m;
       summary.worst_face = f;
+      summary.worst_gap = here.gap;
     }
     summary.max_gap = std::max(summary.max_gap, here.gap);
     if (!(here.excess <= summary.max_excess)) summary.max_excess = here.excess;

@@ -20,15 +20,22 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The corners in the plane across the area vector (Newell).
-Outline flatten(const Positions& positions, std::span<const int> face) {
+/// Twice the area, along the normal (Newell).
+Eigen::Vector3d area_vector(const Positions& positions, std::span<const int> face) {
   const Eigen::Vector3d origin = positions.col(face[0]);
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < face.size(); ++k) {
     const Eigen::Vector3d a = positions.col(face[k]) - origin;
     const Eigen::Vector3d b = positions.col(face[(k + 1) % face.size()]) - origin;
-    normal += a.cross(b);
+    area += a.cross(b);
   }
+  return area;
+}
+
+/// The corners in the plane across the area vector.
+Outline flatten(const Positions& positions, std::span<const int> face) {
+  const Eigen::Vector3d origin = positions.col(face[0]);
+  Eigen::Vector3d normal = area_vector(positions, face);
   if (normal.isZero(0.0)) {  // a symmetric bow-tie has no area: any two edges span its plane
     for (std::size_t k = 1; k + 1 < face.size() && normal.isZero(0.0); ++k) {
       const Eigen::Vector3d a = positions.col(face[k]) - origin;
@@ -64,6 +71,18 @@ bool crosses_itself(const Outline& outline) {
   return false;
 }
 
+/// Nothing to make a panel of.
+bool is_collapsed(const Positions& positions, std::span<const int> face, double shortest_edge) {
+  constexpr double kThin = 1e-3;
+  double longest = 0.0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const int next = face[(k + 1) % face.size()];
+    longest = std::max(longest, (positions.col(next) - positions.col(face[k])).norm());
+  }
+  const double width = 0.5 * area_vector(positions, face).norm() / longest;
+  return !(shortest_edge > kThin * longest && width > kThin * longest);
+}
+
 }  // namespace
 
 PanelHealth panel_health(const Positions& positions, std::span<const int> face) {
@@ -93,6 +112,25 @@ PanelHealth panel_health(const Positions& positions, std::span<const int> face) 
     health.outline = crosses_itself(outline) ? PanelOutline::kSelfCrossing : PanelOutline::kConcave;
   }
   return health;
+}
+
+PanelDamage panel_damage(const Positions& before, const Positions& after,
+                         std::span<const int> face) {
+  const PanelHealth was = panel_health(before, face);
+  const PanelHealth is = panel_health(after, face);
+  if (is.outline == PanelOutline::kSelfCrossing) {
+    return was.outline == is.outline ? PanelDamage::kNone : PanelDamage::kSelfCrossing;
+  }
+  const bool had_a_side = was.outline != PanelOutline::kSelfCrossing;
+  if (had_a_side && area_vector(before, face).dot(area_vector(after, face)) < 0.0) {
+    return PanelDamage::kTurnedOver;
+  }
+  if (is_collapsed(after, face, is.shortest_edge) &&
+      !is_collapsed(before, face, was.shortest_edge)) {
+    return PanelDamage::kCollapsed;
+  }
+  const bool dented = was.outline == PanelOutline::kConvex && is.outline == PanelOutline::kConcave;
+  return dented ? PanelDamage::kConcave : PanelDamage::kNone;
 }
 
 }  // namespace planish

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLB out of the page and back into it: judged by the Khronos validator and by another reader.
 import { type Document, NodeIO } from "@gltf-transform/core";
+import { KHRMaterialsVariants, type MappingList } from "@gltf-transform/extensions";
 import { validateBytes } from "gltf-validator";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
@@ -28,7 +29,8 @@ async function expectValid(glb: Buffer): Promise<void> {
   expect([numErrors, numWarnings, numInfos, numHints]).toEqual([0, 0, 0, 0]);
 }
 
-const readGlb = (glb: Buffer): Promise<Document> => new NodeIO().readBinary(new Uint8Array(glb));
+const readGlb = (glb: Buffer): Promise<Document> =>
+  new NodeIO().registerExtensions([KHRMaterialsVariants]).readBinary(new Uint8Array(glb));
 
 interface Panels {
   readonly polygonSizes: number[];
@@ -175,6 +177,36 @@ describe("a GLB from the page", () => {
     expect(await exportObj(page)).toEqual(obj);
     await page.context().close();
   });
+});
+
+it("a GLB from the page can be shown as glass or as a heat map: each variant has its material", async () => {
+  const page = await site.open();
+  await chooseSample(page, "Dome");
+  await typeTarget(page, "+20cm");
+  const document = await readGlb(await exportAs(page, "GLB"));
+  const primitive = document
+    .getRoot()
+    .listMeshes()
+    .find((mesh) => mesh.getName() === "design")
+    ?.listPrimitives()[0];
+  const list = primitive?.getExtension<MappingList>("KHR_materials_variants");
+  const mapped = (list?.listMappings() ?? []).flatMap((mapping) =>
+    mapping.listVariants().map((variant) => [variant.getName(), mapping.getMaterial()] as const),
+  );
+  expect(mapped.map(([name]) => name).toSorted()).toEqual(["glass", "heat map"]);
+  const [glass, heat] = ["glass", "heat map"].map(
+    (name) => mapped.find(([variant]) => variant === name)?.[1],
+  );
+  expect([glass?.getName(), heat?.getName()]).toEqual(["glass", "heat map"]);
+  // What makes them look so: glass lets light through, the heat map shows the points' colours.
+  expect(glass?.getAlphaMode()).toBe("BLEND");
+  expect(glass?.getBaseColorFactor()[3]).toBeLessThan(1);
+  expect(heat?.getAlphaMode()).toBe("OPAQUE");
+  expect(heat?.getBaseColorFactor()).toEqual([1, 1, 1, 1]);
+  expect(primitive?.getAttribute("COLOR_0")?.getCount()).toBeGreaterThan(0);
+  // A reader that knows no variants shows the heat map.
+  expect(primitive?.getMaterial()).toBe(heat);
+  await page.context().close();
 });
 
 it("OBJ and PLY out of the page hold the same bits", async () => {

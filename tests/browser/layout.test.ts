@@ -2,7 +2,7 @@
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { openSite, type Site, typeTarget } from "./support/page.ts";
+import { openFile, openSite, type Site, typeTarget } from "./support/page.ts";
 import { viewBox } from "./support/view.ts";
 
 let site: Site;
@@ -97,5 +97,26 @@ it("dialogs and menus fit a small screen", async () => {
     const box = await boxOf(page.getByRole("button", { name, exact: true }));
     expect(inside(box, window), name).toBe(true);
   }
+  await page.context().close();
+});
+
+const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
+
+it.each([
+  [360, 740],
+  [740, 360],
+  [768, 1024],
+  [900, 640],
+  [1440, 900],
+])("the import report leaves the model in view at %d × %d", async (width, height) => {
+  const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
+  await openFile(page, "saddle.obj", SADDLE);
+  const report = await boxOf(page.getByRole("region", { name: "saddle.obj" }));
+  expect(apart(report, await viewBox(page))).toBe(true);
+  for (const name of ["Planarise", "Leave as it is", "Open file", "Cancel"]) {
+    const button = await boxOf(page.getByRole("button", { name, exact: true }));
+    expect(inside(button, { x: 0, y: 0, width, height }), name).toBe(true);
+  }
+  expect(await cutShort(page)).toEqual([]);
   await page.context().close();
 });

@@ -190,6 +190,8 @@ class Visitor {
     }
     actions.push(this.#weight("Locality"), this.#weight("Smoothness"));
     if (buttons.includes("Find variations")) actions.push(...this.#exploring(buttons));
+    if (buttons.includes("Continue from this shape"))
+      actions.push(...this.#pressing("Continue from this shape", "opened"));
     return [...actions, ...(await this.#varying(buttons))];
   }
 

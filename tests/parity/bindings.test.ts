@@ -43,6 +43,7 @@ it("declares every bound member of Analysis; it measures what a session shows", 
     session.basePositions(),
     session.faceOffsets(),
     session.faceVertices(),
+    session.beforePlanarising(),
   );
   expect(boundTo(analysis)).toEqual(declared("Analysis", read("planish_analysis")));
   const middle = 40;
@@ -52,6 +53,10 @@ it("declares every bound member of Analysis; it measures what a session shows", 
   expect(figures.length).toBe(2 * 64);
   expect(figures.filter((mmPerM, k) => k % 2 === 1 && mmPerM > 1).length).toBe(4);
   expect(analysis.panelHealth().filter((flag, k) => k % 4 === 3 && flag === 1).length).toBe(4);
+  expect(analysis.panelDamage()).toEqual(new Uint8Array(64));
+  analysis.show(Int32Array.of(middle), Float64Array.of(x + 9, y, z));
+  expect(analysis.panelDamage().filter((damage) => damage > 0).length).toBeGreaterThan(0);
+  analysis.show(Int32Array.of(middle), Float64Array.of(x, y, z + 0.5));
   expect(analysis.vertexBending(FairnessKind.second)[middle]).toBeCloseTo(1, 6);
   analysis.delete();
   session.delete();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "planish/panel_health.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -36,6 +37,31 @@ TEST(Analysis, SaysWhichPanelsMustBeMadeAgain) {
         std::any_of(face.begin(), face.end(), [&](int v) { return vault.moved(v); });
     EXPECT_EQ(health[4 * static_cast<std::size_t>(f) + 3], changed ? 1.0F : 0.0F) << f;
   }
+}
+
+TEST(Analysis, TellsDamageByTheEditFromDamageByPlanarising) {
+  const Mesh base = testing::sample("vault", 9);
+  constexpr int kCentre = 40, kFace = 0;
+  Positions opened = base.positions;
+  Analysis planarised(base, opened);
+  EXPECT_EQ(planarised.panel_damage(), std::vector<unsigned char>(64, 0));
+  // A point pushed across the opposite corners of its panels damages panels around it only.
+  const Eigen::Vector3d push = 2.0 * (opened.col(kCentre + 1) - opened.col(kCentre));
+  planarised.show({kCentre}, opened.col(kCentre) + push);
+  const std::vector<unsigned char> damage = planarised.panel_damage();
+  for (int f = 0; f < base.face_count(); ++f) {
+    const auto face = base.face(f);
+    const bool at_the_point = std::find(face.begin(), face.end(), kCentre) != face.end();
+    if (!at_the_point) {
+      EXPECT_EQ(damage[static_cast<std::size_t>(f)], 0) << f;
+    }
+  }
+  EXPECT_GT(std::count_if(damage.begin(), damage.end(), [](int d) { return d > 0; }), 1);
+  // The file had the first panel the other way round: planarising turned it over.
+  const auto first = base.face(kFace);
+  opened.col(first[0]).swap(opened.col(first[2]));
+  const Analysis turned(base, opened);
+  EXPECT_EQ(turned.panel_damage()[0], static_cast<unsigned char>(PanelDamage::kTurnedOver));
 }
 
 TEST(Analysis, FarFromTheEditNothingBends) {

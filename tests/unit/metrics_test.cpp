@@ -98,6 +98,26 @@ TEST(PlanaritySummary, NamesTheWorstFaceAndAveragesOverPanels) {
   EXPECT_EQ(planarity_summary(testing::triangle_grid(3, 3)).worst_face, -1);
 }
 
+TEST(PlanaritySummary, GivesTheGapOfTheFaceThatItNames) {
+  const Mesh mesh = testing::make_mesh({{0, 0, 0},
+                                        {20, 0, 0},
+                                        {20, 20, 0},
+                                        {0, 20, 1},  // wide: the larger gap
+                                        {30, 0, 0},
+                                        {31, 0, 0},
+                                        {31, 1, 0},
+                                        {30, 1, 0.2}},  // small: more mm/m
+                                       {{0, 1, 2, 3}, {4, 5, 6, 7}});
+  const PlanaritySummary summary = planarity_summary(mesh);
+  const FacePlanarity wide = face_planarity(mesh.positions, mesh.face(0));
+  const FacePlanarity small = face_planarity(mesh.positions, mesh.face(1));
+  EXPECT_EQ(summary.worst_face, 1);
+  EXPECT_EQ(summary.max, small.mm_per_m);
+  EXPECT_EQ(summary.worst_gap, small.gap);
+  EXPECT_EQ(summary.max_gap, wide.gap);
+  EXPECT_GT(wide.gap, small.gap);
+}
+
 /// Sec. 2.1: about 2 N_V for planar quads and for tri-hex meshes, 1.5 N_V for hexagons. The
 /// boundary adds a term of the order of its length.
 TEST(DegreesOfFreedom, ArePerVertexAsThePaperCounts) {

@@ -46,6 +46,45 @@ TEST(PanelHealth, MeasuresEdgeAndAngle) {
   EXPECT_NEAR(health_of({{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}).smallest_angle, 18.43494882, 1e-6);
 }
 
+using Corners = std::vector<Eigen::Vector2d>;
+
+PanelDamage damage_of(const Corners& before, const Corners& after) {
+  const auto in_space = [](const Corners& corners) {
+    Positions positions = Positions::Zero(3, static_cast<Eigen::Index>(corners.size()));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      positions.col(static_cast<Eigen::Index>(k)).head<2>() = corners[k];
+    }
+    return positions;
+  };
+  std::vector<int> face(before.size());
+  std::iota(face.begin(), face.end(), 0);
+  return panel_damage(in_space(before), in_space(after), face);
+}
+
+TEST(PanelDamage, TellsWhatBecameOfAPanel) {
+  const Corners square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const Corners bow_tie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+  const Corners dented{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};
+  EXPECT_EQ(damage_of(square, square), PanelDamage::kNone);
+  EXPECT_EQ(damage_of(square, {{0, 0}, {3, 0}, {3, 1}, {0, 2}}), PanelDamage::kNone);
+  EXPECT_EQ(damage_of(square, bow_tie), PanelDamage::kSelfCrossing);
+  EXPECT_EQ(damage_of(square, {{2, 0}, {0, 0}, {0, 2}, {2, 2}}), PanelDamage::kTurnedOver);
+  EXPECT_EQ(damage_of(square, dented), PanelDamage::kConcave);
+  EXPECT_EQ(damage_of(square, {{0, 0}, {2, 0}, {2, 0.001}, {0, 0.001}}), PanelDamage::kCollapsed);
+  EXPECT_EQ(damage_of(square, {{0, 0}, {2, 0}, {2, 0.001}, {0, 2}}), PanelDamage::kCollapsed);
+}
+
+TEST(PanelDamage, IsOnlyWhatWasNotThereBefore) {
+  const Corners bow_tie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+  const Corners dented{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};
+  const Corners sliver{{0, 0}, {2, 0}, {2, 0.001}, {0, 0.001}};
+  for (const Corners& corners : {bow_tie, dented, sliver}) {
+    EXPECT_EQ(damage_of(corners, corners), PanelDamage::kNone);
+  }
+  EXPECT_EQ(damage_of(bow_tie, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}), PanelDamage::kNone) << "healed";
+  EXPECT_EQ(damage_of(dented, bow_tie), PanelDamage::kSelfCrossing) << "worse than before";
+}
+
 TEST(PanelHealth, EveryQuadOfAVaultIsConvex) {
   const Mesh quads = *make_sample("vault", 9);
   for (int f = 0; f < quads.face_count(); ++f) {

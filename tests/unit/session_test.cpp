@@ -45,6 +45,65 @@ TEST(Session, ARefusedFileLeavesTheSessionAsItWas) {
   EXPECT_EQ(session.mesh_report(), before);
 }
 
+/// A wide panel that is far out of flat in millimetres, a small one that is so in mm/m.
+constexpr std::string_view kWideAndSmall =
+    "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 1\nf 1 2 3 4\n"
+    "v 30 0 0\nv 31 0 0\nv 31 1 0\nv 30 1 0.2\nf 5 6 7 8\n";
+
+TEST(Session, BothFiguresOfTheWorstPanelAreOfOnePanel) {
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  const Positions& base = session.base().positions;
+  const FacePlanarity wide = face_planarity(base, session.base().face(0));
+  const FacePlanarity small = face_planarity(base, session.base().face(1));
+  const auto opened = nlohmann::json::parse(session.mesh_report());
+  EXPECT_EQ(opened["worstGap"].get<double>(), small.gap);
+  EXPECT_EQ(opened["worstMmPerM"].get<double>(), small.mm_per_m);
+  // The same of a design: now the wide panel is worse in both.
+  const Positions lifted = base.col(3) + Eigen::Vector3d(0, 0, 9);
+  ASSERT_EQ(session.restore({}, {3}, lifted), std::nullopt);
+  const FacePlanarity wider = face_planarity(session.current(), session.base().face(0));
+  const auto shown = nlohmann::json::parse(session.report());
+  EXPECT_EQ(shown["worstGap"].get<double>(), wider.gap);
+  EXPECT_EQ(shown["worstMmPerM"].get<double>(), wider.mm_per_m);
+  EXPECT_GT(wider.mm_per_m, wide.mm_per_m);
+}
+
+TEST(Session, SaysByHowMuchPlanarisingMovedThePoints) {
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  const Positions opened = session.base().positions;
+  const auto before = nlohmann::json::parse(session.mesh_report())["planarising"];
+  EXPECT_EQ(before["moved"].get<int>(), 0);
+  EXPECT_EQ(before["largest"].get<double>(), 0.0);
+  EXPECT_EQ(session.before_planarising().cols(), 0);
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  const auto after = nlohmann::json::parse(session.mesh_report())["planarising"];
+  EXPECT_EQ(after["moved"].get<int>(), moved_vertex_count(opened, session.base().positions));
+  EXPECT_EQ(after["largest"].get<double>(),
+            (opened - session.base().positions).colwise().norm().maxCoeff());
+  EXPECT_GT(after["largest"].get<double>(), 0.1);
+  EXPECT_EQ(session.before_planarising(), opened);
+  // Again, now that there is nothing to do: it still tells of the file.
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  EXPECT_EQ(nlohmann::json::parse(session.mesh_report())["planarising"], after);
+  ASSERT_EQ(session.open_sample("vault", 9), std::nullopt);
+  EXPECT_EQ(session.before_planarising().cols(), 0);
+}
+
+TEST(Session, AFlatBaseGivesBothFiguresOfThePanelThatIsWorstInMmPerM) {
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  Positions bent = session.base().positions(Eigen::all, std::vector<int>{3, 7});
+  bent.row(2) += Eigen::RowVector2d(1.0, 0.2);
+  ASSERT_EQ(session.restore({}, {3, 7}, bent), std::nullopt);
+  const FacePlanarity small = face_planarity(session.current(), session.base().face(1));
+  const auto shown = nlohmann::json::parse(session.report());
+  EXPECT_EQ(shown["worstGap"].get<double>(), small.gap);
+  EXPECT_EQ(shown["worstMmPerM"].get<double>(), small.mm_per_m);
+}
+
 TEST(Session, AnEditIsLocalAndFlat) {
   Session session = open_vault();
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
@@ -150,6 +209,36 @@ TEST(Session, AProjectedVariationIsTheExactOneAndChangesNothing) {
   EXPECT_EQ(session.moved(), moved);
   EXPECT_EQ(session.moved_positions(), positions);
   EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(3)), std::nullopt);
+}
+
+/// How far the design shown is from the target that it misses most.
+double furthest(const Session& session, const EditTargets& targets) {
+  double largest = 0.0;
+  for (const auto& [vertex, target] : targets.handles) {
+    largest = std::max(largest, (session.current().col(vertex) - target).norm());
+  }
+  return largest;
+}
+
+TEST(Session, TheReportSpeaksOfTheDesignShown) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 0.5);
+  const auto expect_told = [&] {
+    const double told = nlohmann::json::parse(session.report())["handleError"].get<double>();
+    EXPECT_EQ(told, furthest(session, targets));
+    return told;
+  };
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
+  const double edited = expect_told();
+  const std::vector<int> moved = session.moved();
+  const Positions shape = session.moved_positions();
+  ASSERT_EQ(session.explore({.dimension = 1}), std::nullopt);
+  ASSERT_EQ(session.vary(Eigen::VectorXd::Constant(1, 0.8)), std::nullopt);
+  EXPECT_GT(expect_told(), edited);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_GT(expect_told(), edited);
+  ASSERT_EQ(session.restore(targets, moved, shape), std::nullopt);
+  EXPECT_EQ(expect_told(), edited);
 }
 
 TEST(Session, AVariationKeepsThePartsOfTheEditThatNoVectorMoves) {

@@ -49,6 +49,8 @@ describe("lengths in words", () => {
     [0.0042, "4.2 mm"],
     [0.00001, "0.01 mm"],
     [12.34, "12.3 m"],
+    [0.0000049, "< 0.01 mm"],
+    [1e-15, "< 0.01 mm"],
   ])("%d m", (value, text) => {
     expect(formatLength(value, "m")).toBe(text);
   });

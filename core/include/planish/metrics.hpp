@@ -23,9 +23,10 @@ struct FacePlanarity {
 
 struct PlanaritySummary {
   double max = 0.0, mean = 0.0;  ///< mm/m over faces with more than three vertices
-  double max_gap = 0.0;          ///< model units
+  double max_gap = 0.0;          ///< model units, of any face: not always of worst_face
   double max_excess = 0.0;       ///< mm/m: the mesh is flat where this is within the tolerance
-  int worst_face = -1;
+  int worst_face = -1;           ///< the face that max is of; -1 if there are only triangles
+  double worst_gap = 0.0;        ///< gap of worst_face, model units
 };
 
 [[nodiscard]] PlanaritySummary planarity_summary(const Mesh& mesh);

@@ -20,8 +20,21 @@ struct PanelHealth {
   double smallest_angle = 0.0;  ///< inside the panel, degrees, 0 … 360
 };
 
+/// What became of a panel since `before`; the worst of it, most serious first.
+enum class PanelDamage {
+  kNone,          ///< including what was there before
+  kSelfCrossing,  ///< two edges cross that did not
+  kTurnedOver,    ///< its normal points the other way
+  kCollapsed,     ///< an edge or the whole panel is thinner than a thousandth of its longest edge
+  kConcave,       ///< it was convex
+};
+
 /// Seen along the panel's own normal; `positions` is 3 × n of the whole mesh. O(k²) for a concave
 /// panel with k corners, and one with more than 256 is not tested for crossings.
 [[nodiscard]] PanelHealth panel_health(const Positions& positions, std::span<const int> face);
+
+/// `before` and `after` are 3 × n of the whole mesh.
+[[nodiscard]] PanelDamage panel_damage(const Positions& before, const Positions& after,
+                                       std::span<const int> face);
 
 }  // namespace planish

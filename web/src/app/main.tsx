@@ -12,7 +12,6 @@ import "../ui/status-line.css";
 import "../ui/dialog.css";
 import "../ui/inspector.css";
 import "../ui/analysis.css";
-import "../ui/designs.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
 import { prepareDisplay } from "../mesh/display-mesh.ts";

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: MIT
 // What is drawn over the canvas at constant size: points, the first visit's sentence, the selected
 // panel's figure, and the selection box.
-import { handles, hintVertex, selected, selection } from "../state/store.ts";
+import { handles, hintVertex, selected, selection, visited } from "../state/store.ts";
 import { type Marker, Markers } from "./markers.ts";
 import { type Box, project, type View } from "./picking.ts";
+import { type Pull, PullLines } from "./pull-lines.ts";
 
 export interface OverlayParts {
   readonly markers: HTMLElement;
+  /** From where handles were to where they are pulled. */
+  readonly pulls: HTMLElement;
   /** The first visit's sentence; placed beside its point. */
   readonly hint: HTMLElement;
   /** The selected panel's figure; placed beside it. */
   readonly figure: HTMLElement;
+  /** The figure of the point looked at; placed below it. */
+  readonly point: HTMLElement;
   readonly box: HTMLElement;
 }
 
-function markersFor(hovered: number | null): Marker[] {
+/** Pixels that the figure of a point needs beside it. */
+const ROOM = 200;
+
+/** Left of a point is free of the arrows and of most of the patch. */
+function sideAt(x: number, width: number): string {
+  if (x > ROOM) return "left";
+  return width - x > ROOM ? "right" : "below";
+}
+
+function markersFor(): Marker[] {
+  const hovered = visited.value;
   const chosen = new Set(selection.value);
   const markers: Marker[] = handles.value.map(({ vertex, pinned }) => ({
     vertex,
@@ -37,28 +52,48 @@ function markersFor(hovered: number | null): Marker[] {
 export class Overlay {
   readonly #parts: OverlayParts;
   readonly #markers: Markers;
+  readonly #pulls: PullLines;
   /** Corners of the selected panel. */
   #panel: Float32Array | null = null;
 
   constructor(parts: OverlayParts) {
     this.#parts = parts;
     this.#markers = new Markers(parts.markers);
+    this.#pulls = new PullLines(parts.pulls);
   }
 
-  update(hovered: number | null): void {
-    this.#markers.set(markersFor(hovered));
+  update(): void {
+    this.#markers.set(markersFor());
+  }
+
+  setPulls(pulls: readonly Pull[]): void {
+    this.#pulls.set(pulls);
+  }
+
+  showPulls(on: boolean): void {
+    this.#parts.pulls.hidden = !on;
   }
 
   setPanel(corners: Float32Array | null): void {
     this.#panel = corners;
   }
 
-  /** Puts everything where the camera sees it. */
-  place(points: Float32Array, view: View): void {
+  /** Puts everything where the camera sees it; display coordinates of the design and its base. */
+  place(points: Float32Array, base: Float32Array, view: View): void {
     this.#markers.place(points, view);
-    const { hint, figure } = this.#parts;
-    const at = hintVertex.value === null ? null : project(points, hintVertex.value, view);
+    this.#pulls.place(base, view);
+    const { hint, figure, point } = this.#parts;
+    const at =
+      hintVertex.value === null || selected.value !== null
+        ? null
+        : project(points, hintVertex.value, view);
     putAt(hint, at);
+    const seen = visited.value ?? selected.value;
+    const place = seen === null ? null : project(points, seen, view);
+    const side = place && sideAt(place.x, view.width);
+    // Below a chosen point it would hide what follows it.
+    putAt(point, side === "below" && visited.value === null ? null : place);
+    point.dataset.side = side ?? "";
     putAt(figure, this.#panel && topOf(this.#panel, view));
   }
 

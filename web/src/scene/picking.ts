@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies under a pixel or in a box: points in screen space, panels by their triangles.
-import { type Camera, Matrix4, type Ray, Vector3 } from "three";
+// Which points lie under a pixel or in a box, in screen space.
+import { type Camera, Matrix4, Vector3 } from "three";
 import { row, type Topology } from "../mesh/topology.ts";
 
 /** Pixels: further away than this is a miss, for a mouse and for a finger. */
@@ -103,22 +103,4 @@ export function verticesIn(box: Box, points: Float32Array, view: View): number[]
     if (x >= box.left && x <= box.right && y >= box.top && y <= box.bottom) inside.push(v);
   });
   return inside;
-}
-
-/** The first of the triangle's corners where the ray enters the surface; null beside it. */
-export function pickCorner(corners: Float32Array, triangles: Uint32Array, ray: Ray): number | null {
-  const [a, b, c, hit] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
-  let nearest = Number.POSITIVE_INFINITY;
-  let found: number | null = null;
-  for (let t = 0; t < triangles.length; t += 3) {
-    a.fromArray(corners, 3 * (triangles[t] ?? 0));
-    b.fromArray(corners, 3 * (triangles[t + 1] ?? 0));
-    c.fromArray(corners, 3 * (triangles[t + 2] ?? 0));
-    if (!ray.intersectTriangle(a, b, c, false, hit)) continue;
-    const distance = hit.distanceToSquared(ray.origin);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = triangles[t] ?? 0;
-  }
-  return found;
 }

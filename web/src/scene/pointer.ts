@@ -16,13 +16,19 @@ export interface Hold {
   readonly arrow: Held | null;
 }
 
+export interface Click {
+  /** Adds to the selection. */
+  readonly also: boolean;
+  /** By a finger. */
+  readonly coarse: boolean;
+}
+
 export interface PointerEvents {
   readonly find: (x: number, y: number, coarse: boolean) => Hold | null;
   /** Whether every drag is to draw a box. */
   readonly boxing: () => boolean;
   readonly hover: (hold: Hold | null) => void;
-  /** `also`: adds to the selection. */
-  readonly click: (x: number, y: number, hold: Hold | null, also: boolean) => void;
+  readonly click: (x: number, y: number, hold: Hold | null, how: Click) => void;
   readonly grab: (hold: Hold, press: Ray) => DragSession | null;
   readonly drag: (session: DragSession, snap: boolean, ray?: Ray) => void;
   readonly box: (box: Box | null) => void;
@@ -147,7 +153,8 @@ export class PointerTool {
     this.#finish();
     const { x, y } = this.#place(event);
     const also = event.ctrlKey || event.metaKey || event.shiftKey || press.kind === "box";
-    if (!press.moved) this.#events.click(press.x, press.y, press.hold, also);
+    if (!press.moved)
+      this.#events.click(press.x, press.y, press.hold, { also, coarse: coarse(event) });
     else if (press.kind === "box") this.#events.choose(boxOf(press, x, y));
     else press.session?.end();
   }

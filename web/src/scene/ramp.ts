@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Color } from "three";
+import { FLAT } from "../state/flatness.ts";
 
 /** Linear-light colour stops, blended in between. */
 export type Ramp = readonly Color[];
@@ -19,8 +20,7 @@ export function writeRamp(ramp: Ramp, t: number, out: Float32Array, offset: numb
   out[offset + 2] = a.b + (b.b - a.b) * mix;
 }
 
-/** mm/m: what a finished design promises, and the limit of the paper's fabricators. */
-export const FLAT = 1e-6;
+/** mm/m: the limit of the paper's fabricators. */
 export const FABRICATION_LIMIT = 10;
 
 /** Place on the planarity ramp: 0 when flat, 1 at the fabrication limit, logarithmic between. */

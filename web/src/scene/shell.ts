@@ -7,8 +7,6 @@ import {
   DoubleSide,
   DynamicDrawUsage,
   Group,
-  LineBasicMaterial,
-  LineSegments,
   Mesh,
   MeshStandardMaterial,
 } from "three";
@@ -19,6 +17,7 @@ import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import { type EdgeLines, makeEdgeLines } from "./edge-lines.ts";
 import { displaySphere } from "./framing.ts";
+import { Ghost } from "./ghost.ts";
 import type { Palette } from "./palette.ts";
 import { PanelColours } from "./panel-colours.ts";
 import { PanelOutline } from "./panel-outline.ts";
@@ -40,7 +39,7 @@ export class Shell {
   readonly #colours: PanelColours;
   readonly #edges: EdgeLines;
   readonly #outline = new PanelOutline();
-  readonly #ghost: LineSegments<BufferGeometry, LineBasicMaterial>;
+  readonly #ghost: Ghost;
   readonly #dirtyCorners = new DirtyRange();
   readonly #dirtyTriangles = new DirtyRange();
   /** Largest displacement shown, display coordinates. */
@@ -57,8 +56,8 @@ export class Shell {
     this.#colours = new PanelColours(mesh);
     this.#panels = this.#makePanels();
     this.#edges = makeEdgeLines(mesh.topology, mesh.display, 1.1);
-    this.#ghost = this.#makeGhost();
-    this.group.add(this.#panels, this.#edges.object, this.#ghost, this.#outline.object);
+    this.#ghost = new Ghost(this.base);
+    this.group.add(this.#panels, this.#edges.object, this.#ghost.object, this.#outline.object);
     this.setPalette(palette);
   }
 
@@ -86,17 +85,6 @@ export class Shell {
     return panels;
   }
 
-  #makeGhost(): LineSegments<BufferGeometry, LineBasicMaterial> {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(this.base, 3));
-    geometry.setIndex(new BufferAttribute(new Uint32Array(0), 1));
-    geometry.boundingSphere = displaySphere();
-    const material = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
-    const ghost = new LineSegments(geometry, material);
-    ghost.frustumCulled = false;
-    return ghost;
-  }
-
   /** The space that the design shown takes up. */
   bounds(): Box3 {
     return new Box3().setFromArray(this.current);
@@ -105,7 +93,7 @@ export class Shell {
   setPalette(palette: Palette): void {
     this.#colours.setPalette(palette);
     this.#edges.setColour(palette.edge);
-    this.#ghost.material.color.set(palette.ghost);
+    this.#ghost.setColour(palette.ghost);
     this.#outline.setColour(palette.ghost);
     this.#colourAll();
   }
@@ -148,7 +136,7 @@ export class Shell {
 
   showBase(on: boolean): void {
     for (const v of this.#moved) this.#place(v, on ? this.base : this.current);
-    this.#ghost.visible = !on;
+    this.#ghost.object.visible = !on;
     this.#uploadPositions();
   }
 
@@ -162,8 +150,7 @@ export class Shell {
     this.#panels.material.dispose();
     this.#edges.dispose();
     this.#outline.dispose();
-    this.#ghost.geometry.dispose();
-    this.#ghost.material.dispose();
+    this.#ghost.dispose();
   }
 
   #place(v: number, from: Float32Array): void {
@@ -230,23 +217,6 @@ export class Shell {
       if (this.#displacement(v) < GHOST_SHARE * this.#largest) continue;
       for (const end of row(edgeEnds, v)) seen.add(end >> 1);
     }
-    const index = this.#ghostIndex(2 * seen.size);
-    let k = 0;
-    for (const edge of seen) {
-      index.array[k++] = edges[2 * edge] ?? 0;
-      index.array[k++] = edges[2 * edge + 1] ?? 0;
-    }
-    index.needsUpdate = true;
-    this.#ghost.geometry.setDrawRange(0, k);
-  }
-
-  /** Room for `count` indices. A replaced index stays in graphics memory until its geometry goes. */
-  #ghostIndex(count: number): BufferAttribute {
-    const { geometry } = this.#ghost;
-    if (geometry.index && geometry.index.count >= count) return geometry.index;
-    geometry.dispose();
-    const index = new BufferAttribute(new Uint32Array(2 * count), 1).setUsage(DynamicDrawUsage);
-    geometry.setIndex(index);
-    return index;
+    this.#ghost.draw(seen, edges);
   }
 }

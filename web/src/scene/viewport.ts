@@ -2,12 +2,12 @@
 // The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
 import { effect, untracked } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
-import { panelAt } from "../mesh/triangulation.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
-import { deselect, selectAlso, selectOnly, toggleSelected } from "../state/selection.ts";
+import { fetchPart } from "../state/later.ts";
+import { deselect, selectAlso, selectOnly, toggleSelected, visit } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
   bending,
@@ -16,6 +16,7 @@ import {
   colourBy,
   displayMesh,
   draft,
+  handles,
   localArrows,
   lock,
   mesh,
@@ -28,6 +29,7 @@ import {
   showBefore,
   snapDistance,
   snapping,
+  visited,
 } from "../state/store.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
@@ -35,8 +37,9 @@ import { Gizmo } from "./gizmo.ts";
 import { neighbourTowards } from "./neighbour.ts";
 import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
-import { type Box, pickCorner, pickVertex, project, type View, verticesIn } from "./picking.ts";
-import { type Hold, PointerTool } from "./pointer.ts";
+import { type Box, pickVertex, project, type View, verticesIn } from "./picking.ts";
+import { type Click, type Hold, PointerTool } from "./pointer.ts";
+import type { Pull } from "./pull-lines.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";
 
@@ -82,7 +85,6 @@ export class Viewport {
   readonly #overlay: Overlay;
   readonly #stop: (() => void)[] = [];
   #shell: Shell | null = null;
-  #hovered: number | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
 
@@ -154,7 +156,7 @@ export class Viewport {
       find: (x, y, coarse) => this.#find(x, y, coarse),
       boxing: () => boxTool.value,
       hover: (hold) => this.#hover(hold),
-      click: (x, y, hold, also) => this.#click(x, y, hold, also),
+      click: (x, y, hold, press) => this.#click(x, y, hold, press),
       grab: (hold, press) => this.#grab(hold, press),
       drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
       box: (box) => this.#overlay.drawBox(box),
@@ -182,29 +184,30 @@ export class Viewport {
   #hover(hold: Hold | null): void {
     this.#canvas.style.cursor = hold ? "grab" : boxTool.value ? "crosshair" : "";
     const vertex = hold && !hold.arrow ? hold.vertex : null;
-    if (vertex === this.#hovered) return;
-    this.#hovered = vertex;
-    this.#overlay.update(vertex);
+    if (vertex === visited.value) return;
+    visit(vertex);
     this.#placeOverlay();
   }
 
-  #click(x: number, y: number, hold: Hold | null, also: boolean): void {
+  #click(x: number, y: number, hold: Hold | null, { also, coarse }: Click): void {
     if (hold?.arrow) return;
     if (hold && also) toggleSelected(hold.vertex);
     else if (hold) selectOnly(hold.vertex);
-    else if (!also) this.#choosePanel(x, y);
+    else if (!also) void this.#choosePanel(x, y, coarse);
   }
 
-  /** The panel under a pixel becomes the selected one; beside the model nothing is selected. */
-  #choosePanel(x: number, y: number): void {
-    const shell = this.#shell;
-    if (!shell) return;
-    const { width, height } = this.#view();
-    const ray = this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
-    const corner = pickCorner(shell.corners, shell.triangles, ray);
-    this.#choosing = true;
+  /** The panel that a click means becomes the selected one; beside the model nothing is selected. */
+  async #choosePanel(x: number, y: number, coarse: boolean): Promise<void> {
     deselect();
-    if (corner !== null) selectedPanel.value = panelAt(shell.offsets, corner);
+    const shell = this.#shell;
+    const part = await fetchPart(() => import("./panel-picking.ts"));
+    if (!shell || !part || shell !== this.#shell) return;
+    const view = this.#view();
+    const { width, height } = view;
+    const rayThrough = (at: { x: number; y: number }): Ray =>
+      this.stage.rayThrough((2 * at.x) / width - 1, 1 - (2 * at.y) / height);
+    this.#choosing = true;
+    selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, view, rayThrough);
     this.#choosing = false;
   }
 
@@ -246,6 +249,11 @@ export class Viewport {
     return [at(0), at(1), at(2)];
   }
 
+  #pulls(): Pull[] {
+    const pulled = handles.value.filter(({ pinned }) => !pinned);
+    return pulled.map(({ vertex, target }) => ({ vertex, to: this.#toDisplay(target) }));
+  }
+
   #follow(): void {
     const recolour = (): void => {
       this.stage.setPalette(palette());
@@ -268,11 +276,13 @@ export class Viewport {
       effect(() => this.#outline(selectedPanel.value)),
       effect(() => {
         this.#shell?.showBase(showBefore.value);
+        this.#overlay.showPulls(!showBefore.value);
         this.stage.moved();
       }),
       effect(() => {
-        this.#overlay.update(this.#hovered);
+        this.#overlay.update();
         this.#updateGizmo();
+        this.#overlay.setPulls(this.#pulls());
         this.stage.invalidate();
       }),
       effect(() => {
@@ -320,16 +330,17 @@ export class Viewport {
   }
 
   #updateGizmo(): void {
-    const vertex = selected.value;
-    if (vertex === null || !ready.value || !draft.value || handleOf(vertex)?.pinned) {
+    const [vertex, shell] = [selected.value, this.#shell];
+    if (vertex === null || !shell || !ready.value || !draft.value || handleOf(vertex)?.pinned) {
       this.#gizmo.detach();
       return;
     }
     const turned = localArrows.value || lock.value?.axis === "normal";
-    this.#gizmo.attach(...this.#toDisplay(askedPoint(vertex)), turned ? frameAt(vertex) : null);
+    const [x = 0, y = 0, z = 0] = shell.current.subarray(3 * vertex, 3 * vertex + 3);
+    this.#gizmo.attach(x, y, z, turned ? frameAt(vertex) : null);
   }
 
   #placeOverlay(): void {
-    if (this.#shell) this.#overlay.place(this.#shell.current, this.#view());
+    if (this.#shell) this.#overlay.place(this.#shell.current, this.#shell.base, this.#view());
   }
 }

@@ -36,6 +36,7 @@ export class DesignAnalysis {
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
+      damage: analysis.panelDamage(),
       bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
     };
   }
@@ -58,6 +59,7 @@ export class DesignAnalysis {
       session.basePositions(),
       session.faceOffsets(),
       session.faceVertices(),
+      session.beforePlanarising(),
     );
     this.#analysis.show(session.moved(), session.movedPositions());
     return [this.#module, this.#analysis];

@@ -194,7 +194,9 @@ export class Dispatcher {
 
   #postMeasures(job: number, fairness: Fairness | null): void {
     const measures = this.#analysis.panels(fairness);
-    const arrays = measures ? [measures.figures, measures.health, measures.bending] : [];
+    const arrays = measures
+      ? [measures.figures, measures.health, measures.damage, measures.bending]
+      : [];
     const buffers = arrays.flatMap((array) => (array ? [array.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);
   }

@@ -98,6 +98,8 @@ export interface MeshReport {
   readonly worstGap: number;
   readonly worstMmPerM: number;
   readonly flat: boolean;
+  /** Points that planarising moved, and the longest way, model units; zeros if there was none. */
+  readonly planarising: { readonly moved: number; readonly largest: number };
   readonly centre: readonly [number, number, number];
   readonly scale: number;
   readonly warnings: readonly string[];
@@ -130,6 +132,8 @@ export interface PanelMeasures {
   readonly figures: Float32Array;
   /** Outline, shortest edge, smallest angle and 1 if it changed, for every panel. */
   readonly health: Float32Array;
+  /** What became of every panel since the mesh was opened: a place in DAMAGES. */
+  readonly damage: Uint8Array;
   /** How sharply the edit bends at every vertex, model units; null if not asked for. */
   readonly bending: Float32Array | null;
 }

@@ -55,6 +55,17 @@ export const DEFAULT_SETTINGS: EditSettings = {
   maxIterations: 0,
 };
 
+/**
+ * What another mesh starts with: everything that the page has a control for stays as the controls
+ * show it, so that nothing changes behind the user's back. What has none goes back to its default:
+ * a link or a file may have set it, and nobody could see that it is still there.
+ */
+export function settingsForNew(shown: EditSettings): EditSettings {
+  const { locality, smoothness, fairness, engine, hardHandles, tolerance } = shown;
+  const controlled = { locality, smoothness, fairness, engine, hardHandles, tolerance };
+  return { ...DEFAULT_SETTINGS, ...controlled };
+}
+
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };
 
 export const NO_REPORT: ShapeReport = {
@@ -69,6 +80,11 @@ export const NO_REPORT: ShapeReport = {
   seconds: 0,
   residuals: [],
 };
+
+/** Whether an edit of the handles, which starts from the base, would leave a variation behind. */
+export const leftBehind = ({ variation }: Design): boolean =>
+  variation !== null &&
+  (variation.earlier.length > 0 || variation.coefficients.some((x) => x !== 0));
 
 export const sourceName = (source: Source): string =>
   source.kind === "file"

@@ -48,6 +48,12 @@ export function ofDisplacement({ positions: base }: OpenedMesh, shape: Shape): H
   return linear(lengths);
 }
 
+/** The same while points move, from how far each is by now; `total` points in all. */
+export function ofMoves(lengths: Iterable<number>, total: number): Histogram {
+  const moved = linear([...lengths]);
+  return { ...moved, rest: total - moved.bins.reduce((sum, n) => sum + n, 0) };
+}
+
 /** How sharply the edit bends at points, model units. */
 export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 

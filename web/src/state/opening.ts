@@ -2,7 +2,7 @@
 // Opening samples, planarising what is not flat. Each is one step of the history.
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
-import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE } from "./design.ts";
+import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import * as steps from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
@@ -13,14 +13,11 @@ import { inTurn } from "./turns.ts";
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
   const { worstGap, worstMmPerM } = opened.report;
-  // These are set for one design, some by its link alone: they must not outlive it.
-  const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
-  const weights = settings.value ?? DEFAULT_SETTINGS;
   return {
     source,
     planarised,
     handles: [],
-    settings: { ...weights, sparsity, hardHandles, tolerance, maxIterations },
+    settings: settingsForNew(settings.value ?? DEFAULT_SETTINGS),
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM },
     variation: null,

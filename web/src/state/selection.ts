@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which points are chosen: the latest is the one that the arrows stand at.
-import { draft, selectedPanel, selection } from "./store.ts";
+import { draft, selectedPanel, selection, visited } from "./store.ts";
 
 export function selectOnly(vertex: number): void {
   selection.value = [vertex];
@@ -20,6 +20,17 @@ export function selectAlso(vertices: readonly number[]): void {
 
 export function selectHandles(): void {
   selection.value = (draft.value?.handles ?? []).map((row) => row.vertex);
+}
+
+export function visit(vertex: number | null): void {
+  visited.value = vertex;
+}
+
+/** The panel after the selected one among `panels`, from the first again; comes into view. */
+export function showNextPanel(panels: readonly number[]): void {
+  const next = panels[(panels.indexOf(selectedPanel.value ?? -1) + 1) % panels.length] ?? null;
+  selectedPanel.value = null;
+  selectedPanel.value = next;
 }
 
 export function deselect(): void {

@@ -13,11 +13,15 @@ import {
   hintVertex,
   history,
   importReport,
+  lock,
   mesh,
+  panelDamage,
   panelFigures,
+  panelHealth,
   problem,
   selectedPanel,
   selection,
+  visited,
 } from "./store.ts";
 import { dropTurns, inTurn } from "./turns.ts";
 
@@ -45,7 +49,11 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     figures.value = design.report;
     selection.value = [];
     selectedPanel.value = null;
+    visited.value = null;
+    lock.value = null;
     panelFigures.value = null;
+    panelHealth.value = null;
+    panelDamage.value = null;
     bending.value = null;
     freedom.value = null;
     hintVertex.value = null;

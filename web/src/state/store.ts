@@ -46,6 +46,8 @@ export const notice = signal<string | null>(null);
 export const update = signal<(() => void) | null>(null);
 /** Points chosen, the latest last. */
 export const selection = signal<readonly number[]>([]);
+/** The point that the pointer rests on. */
+export const visited = signal<number | null>(null);
 /** Holds a drag to a line or a plane; null while it is free. */
 export const lock = signal<Lock | null>(null);
 /** Whether drags go in steps. */
@@ -66,6 +68,8 @@ export const measurable = signal(0);
 export const panelFigures = signal<Float32Array | null>(null);
 /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
 export const panelHealth = signal<Float32Array | null>(null);
+/** What became of every panel since the mesh was opened: places in DAMAGES. */
+export const panelDamage = signal<Uint8Array | null>(null);
 /** How sharply the edit bends at every point, model units; null while nobody looks. */
 export const bending = signal<Float32Array | null>(null);
 /** Whether someone looks at what the edit leaves free. */

@@ -51,6 +51,7 @@ export function formatLength(value: number, unit: Unit): string {
   const mm = convert(value, unit, "mm");
   const size = Math.abs(mm);
   if (size >= 10000) return `${(mm / 1000).toFixed(1)} m`;
+  if (size > 0 && size < 0.005) return "< 0.01 mm";
   if (size >= 10 || size === 0) return `${mm.toFixed(0)} mm`;
   return size >= 1 ? `${mm.toFixed(1)} mm` : `${mm.toFixed(2)} mm`;
 }

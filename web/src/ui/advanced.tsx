@@ -34,8 +34,6 @@ function Choice<T extends string>({ label, value, words, onChoose }: ChoiceProps
   );
 }
 
-const choose = (change: Partial<EditSettings>): void => void commitSettings(change);
-
 const FAIRNESS = [
   ["laplacian", "Laplacian"],
   ["second", "Second differences"],
@@ -53,42 +51,82 @@ const TOLERANCES: readonly (readonly [string, string])[] = [
   ["1", "1 mm/m"],
 ];
 
+function wordOf<T extends string>(words: readonly (readonly [T, string])[], value: T): string {
+  return words.find(([word]) => word === value)?.[1] ?? value;
+}
+
+const choose = (change: Partial<EditSettings>): void => void commitSettings(change);
+
+/** What differs from the defaults, so that it is seen while folded: it stays for the next mesh. */
+function differences({ fairness, engine, hardHandles, tolerance }: EditSettings): string[] {
+  const different: string[] = [];
+  if (fairness !== DEFAULT_SETTINGS.fairness) different.push(wordOf(FAIRNESS, fairness));
+  if (engine !== DEFAULT_SETTINGS.engine) different.push(wordOf(ENGINES, engine));
+  if (tolerance !== DEFAULT_SETTINGS.tolerance) different.push(`${tolerance} mm/m`);
+  if (hardHandles !== DEFAULT_SETTINGS.hardHandles) different.push("exact targets");
+  return different;
+}
+
+function Differences({ of }: { of: EditSettings }) {
+  const words = differences(of).join(", ");
+  if (words === "") return null;
+  const { fairness, engine, hardHandles, tolerance } = DEFAULT_SETTINGS;
+  return (
+    <div class="differences">
+      <p class="quiet small">{`Not the default: ${words}. It stays when you open another mesh.`}</p>
+      <button
+        type="button"
+        class="button small"
+        disabled={!ready.value}
+        onClick={() => choose({ fairness, engine, hardHandles, tolerance })}
+      >
+        Defaults
+      </button>
+    </div>
+  );
+}
+
 /** The settings that few need; the defaults are the command line's. */
 export function Advanced() {
-  const { fairness, engine, hardHandles, tolerance } = settings.value ?? DEFAULT_SETTINGS;
+  const shown = settings.value ?? DEFAULT_SETTINGS;
+  const { fairness, engine, hardHandles, tolerance } = shown;
   const known = TOLERANCES.find(([value]) => Number(value) === tolerance);
   // A link or a file may have set another.
   const given = [String(tolerance), `${tolerance} mm/m`] as const;
   return (
-    <details class="disclosure">
-      <summary>Advanced</summary>
-      <Choice
-        label="Fairness"
-        value={fairness}
-        words={FAIRNESS}
-        onChoose={(value) => choose({ fairness: value })}
-      />
-      <Choice
-        label="Engine"
-        value={engine}
-        words={ENGINES}
-        onChoose={(value) => choose({ engine: value })}
-      />
-      <Choice
-        label="Tolerance"
-        value={known?.[0] ?? given[0]}
-        words={known ? TOLERANCES : [...TOLERANCES, given]}
-        onChoose={(value) => choose({ tolerance: Number(value) })}
-      />
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={hardHandles}
-          disabled={!ready.value}
-          onChange={({ currentTarget }) => choose({ hardHandles: currentTarget.checked })}
+    <div class="disclosure">
+      <details>
+        <summary>Advanced</summary>
+        <Choice
+          label="Fairness"
+          value={fairness}
+          words={FAIRNESS}
+          onChoose={(value) => choose({ fairness: value })}
         />
-        <span>Meet the targets exactly</span>
-      </label>
-    </details>
+        <Choice
+          label="Engine"
+          value={engine}
+          words={ENGINES}
+          onChoose={(value) => choose({ engine: value })}
+        />
+        <Choice
+          label="Tolerance"
+          value={known?.[0] ?? given[0]}
+          words={known ? TOLERANCES : [...TOLERANCES, given]}
+          onChoose={(value) => choose({ tolerance: Number(value) })}
+        />
+        <p class="quiet small">Panels count as flat up to the tolerance.</p>
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={hardHandles}
+            disabled={!ready.value}
+            onChange={({ currentTarget }) => choose({ hardHandles: currentTarget.checked })}
+          />
+          <span>Meet the targets exactly</span>
+        </label>
+      </details>
+      <Differences of={shown} />
+    </div>
   );
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 import { makeExact } from "../state/exploring.ts";
-import { figures, mesh, ready, showBefore, unit } from "../state/store.ts";
-import { formatGap } from "../state/units.ts";
+import { FLAT } from "../state/flatness.ts";
+import { figures, mesh, ready, showBefore } from "../state/store.ts";
 import { later } from "./later.tsx";
 
+const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
 
 function hold(on: boolean): void {
@@ -12,18 +13,13 @@ function hold(on: boolean): void {
 
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
-  const { worstGap, worstMmPerM } = figures.value;
-  const exact = worstMmPerM <= 1e-6;
+  const exact = figures.value.worstMmPerM <= FLAT;
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">
         <span class="step-number">3</span> Make exact
       </h2>
-      <p class={exact ? "verdict good" : "verdict"}>
-        {exact
-          ? "Every panel is flat."
-          : `Worst panel ${formatGap(worstGap, unit.value)} out of flat (${worstMmPerM.toPrecision(3)} mm/m).`}
-      </p>
+      <Verdict />
       <div class="row">
         <button
           type="button"

@@ -1,51 +1,23 @@
 // SPDX-License-Identifier: MIT
-import { commitVariation, explore, previewVariation } from "../state/exploring.ts";
+import { explore } from "../state/exploring.ts";
 import { fillGallery, gallery } from "../state/gallery.ts";
-import { reachOf } from "../state/reach.ts";
-import { dimension, draft, eigenbasis, figures, mesh, ready, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { dimension, draft, eigenbasis, figures, ready } from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 
+const VariationSliders = later(() =>
+  import("./variation-sliders.tsx").then((part) => part.VariationSliders),
+);
 const VariationGallery = later(() =>
   import("./variation-gallery.tsx").then((part) => part.VariationGallery),
 );
 
-function Sliders() {
-  const variation = draft.value?.variation;
-  const base = mesh.value?.positions;
-  if (!variation || !base) return null;
-  const reach = reachOf(variation.centre, base);
-  const found = variation.coefficients.length;
-  const words = (x: number): string =>
-    `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, unit.value)}`;
-  return (
-    <>
-      <p class="quiet small">
-        {found < variation.asked && `${found} of ${variation.asked} directions exist here. `}
-        At either end of a slider the point that moves most moves by{" "}
-        {formatLength(reach, unit.value)}.
-      </p>
-      {variation.coefficients.map((value, k) => {
-        const label = `Variation ${k + 1}`;
-        return (
-          <Slider
-            key={label}
-            label={label}
-            value={value}
-            min={-1}
-            max={1}
-            step={0.01}
-            shown={words(value)}
-            disabled={false}
-            onInput={(x) => previewVariation(k, x)}
-            onCommit={(x) => commitVariation(k, x)}
-          />
-        );
-      })}
-    </>
-  );
-}
+const ContinueButton = later(() =>
+  import("./continue-button.tsx").then((part) => part.ContinueButton),
+);
+
+const directions = (count: number): string =>
+  `${count} ${count === 1 ? "direction" : "directions"}`;
 
 function GalleryButton() {
   const centre = draft.value?.variation?.centre;
@@ -59,6 +31,9 @@ function GalleryButton() {
 
 async function exploreAndShow(): Promise<void> {
   await explore();
+  // The sliders and the gallery are what was asked for.
+  if (draft.value?.variation)
+    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
   await fillGallery();
 }
 
@@ -66,17 +41,22 @@ async function exploreAndShow(): Promise<void> {
 export function ExploreSection() {
   const possible = ready.value && figures.value.movedVertices > 0;
   return (
-    <section class="step" aria-labelledby="step-explore">
+    <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>
-      <p class="quiet">Variations of the edit that keep every panel flat and stay in its place.</p>
+      <p class="quiet">
+        Variations of the edit that keep every panel flat. Most stay about it; some also move points
+        elsewhere, as the colours show.
+      </p>
       <Slider
         label="Dimension"
         value={dimension.value}
         min={1}
         max={12}
         step={1}
+        spoken={directions(dimension.value)}
+        ends={["one slider", "twelve sliders"]}
         disabled={!ready.value}
         onInput={(value) => {
           dimension.value = value;
@@ -89,6 +69,7 @@ export function ExploreSection() {
         <input
           type="checkbox"
           checked={eigenbasis.value}
+          aria-describedby="first-directions"
           disabled={!ready.value}
           onChange={({ currentTarget }) => {
             eigenbasis.value = currentTarget.checked;
@@ -96,6 +77,10 @@ export function ExploreSection() {
         />
         <span>Smoothest first</span>
       </label>
+      <p id="first-directions" class="quiet small">
+        Each slider is one way to change the edit. The first one moves the fewest points, or with
+        Smoothest first bends the surface least.
+      </p>
       <button
         type="button"
         class={`button wide${possible && !draft.value?.variation ? " primary" : ""}`}
@@ -104,7 +89,8 @@ export function ExploreSection() {
       >
         Find variations
       </button>
-      <Sliders />
+      <VariationSliders />
+      <ContinueButton />
       <GalleryButton />
       <VariationGallery />
     </section>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { Histogram as Counts } from "../state/histogram.ts";
-import { ofBending, ofDisplacement, ofPlanarity } from "../state/histogram.ts";
+import { ofBending, ofDisplacement, ofMoves, ofPlanarity } from "../state/histogram.ts";
+import { movesOn } from "../state/moves.ts";
 import { bending, colourBy, draft, figures, mesh, panelFigures } from "../state/store.ts";
 
 const WIDTH = 160;
@@ -16,17 +17,13 @@ interface Shown {
 function shown(): Shown | null {
   const [design, base, kind] = [draft.value, mesh.value, colourBy.value];
   if (kind === "displacement" && design && base) {
-    const { movedVertices } = figures.value;
-    const steady = movedVertices === design.report.movedVertices;
+    // Of a finished design the file's own digits are known, while it moves what the view shows.
+    const steady = figures.value === design.report;
+    const { lengths } = movesOn(base, design.shape);
     return {
-      // While a point is dragged only the number of those that follow is known here.
       counts: steady
         ? ofDisplacement(base, design.shape)
-        : {
-            bins: [movedVertices],
-            rest: base.report.vertices - movedVertices,
-            end: figures.value.maxDisplacement,
-          },
+        : ofMoves(lengths.values(), base.report.vertices),
       what: ["point moves", "points move"],
       rest: "untouched",
     };
@@ -64,14 +61,13 @@ export function Histogram() {
           role="img"
           aria-label={`Histogram: ${words}`}
         >
-          {bins.length > 1 &&
-            bins.map((n, k) => {
-              const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
-              const x = k * width;
-              return (
-                <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
-              );
-            })}
+          {bins.map((n, k) => {
+            const height = n === 0 ? 0 : Math.max(1.5, (HEIGHT * n) / most);
+            const x = k * width;
+            return (
+              <rect key={x} x={x + 0.5} y={HEIGHT - height} width={width - 1} height={height} />
+            );
+          })}
         </svg>
       )}
       <figcaption>{words}</figcaption>

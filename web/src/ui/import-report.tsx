@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
+import "./import-report.css";
+import { useEffect, useRef } from "preact/hooks";
 import type { MeshReport } from "../solver/protocol.ts";
+import { damage, damageWords } from "../state/damage.ts";
+import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
-import { designName, importReport, mesh, unit } from "../state/store.ts";
-import { formatGap, isUnit, UNITS, unitWord } from "../state/units.ts";
+import { countHealth } from "../state/panel-rows.ts";
+import { planarisingWords } from "../state/planarising.ts";
+import { designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
+import { isUnit, UNITS, unitWord } from "../state/units.ts";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
   3: "triangles",
@@ -16,17 +22,33 @@ const faceWords = (sizes: MeshReport["faceSizes"]): string =>
     .map(([size, count]) => `${count} ${SIZE_NAMES[size] ?? `${size}-gons`}`)
     .join(", ");
 
+type Fact = readonly [string, string];
+
+/** What can be seen of the panels' outlines once they have been measured. */
+function outlineFacts(): readonly Fact[] {
+  if (!panelHealth.value) return [];
+  const { concave, crossing } = countHealth(panelHealth.value);
+  const spoilt = damage.value ? damageWords(damage.value) : "";
+  const facts: Fact[] = [["Outlines", `${concave} concave, ${crossing} self-crossing`]];
+  if (spoilt) facts.push(["Made flat, but", spoilt]);
+  return facts;
+}
+
+function planarisingFacts(report: MeshReport): readonly Fact[] {
+  const words = planarisingWords(report, unit.value);
+  return words ? [["Planarised first", words]] : [];
+}
+
 function Facts({ report }: { report: MeshReport }) {
-  const facts: readonly (readonly [string, string])[] = [
+  const facts: readonly Fact[] = [
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
+    ["Worst panel", flatnessWords(report.worstGap, report.worstMmPerM, unit.value).sentence],
+    ...planarisingFacts(report),
+    ...outlineFacts(),
     ["Boundary loops", String(report.boundaryLoops)],
     ["Separate parts", String(report.components)],
     ["Non-manifold edges", String(report.nonmanifoldEdges)],
-    [
-      "Worst panel",
-      `${formatGap(report.worstGap, unit.value)} out of flat (${report.worstMmPerM.toPrecision(3)} mm/m)`,
-    ],
   ];
   return (
     <dl class="facts">
@@ -67,10 +89,19 @@ export function ImportReport() {
   const close = () => {
     importReport.value = false;
   };
+  const section = useRef<HTMLElement>(null);
+  // scrollIntoView would also move the page under a telephone's address bar.
+  useEffect(() => section.current?.parentElement?.scrollTo(0, 0), [importReport.value]);
   if (!importReport.value) return null;
   return (
-    <section class="card import-card" aria-labelledby="import-title">
+    <section ref={section} class="step import-report" aria-labelledby="import-title">
       <h2 id="import-title">{designName.value}</h2>
+      {report && !report.flat && (
+        <p>
+          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
+          then moves as little as possible.
+        </p>
+      )}
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (
         <p key={warning} class="quiet">
@@ -78,12 +109,6 @@ export function ImportReport() {
         </p>
       ))}
       <UnitChooser />
-      {report && !report.flat && (
-        <p>
-          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
-          then moves as little as possible.
-        </p>
-      )}
       <div class="dialog-actions">
         {report && !report.flat ? (
           <>
@@ -95,7 +120,9 @@ export function ImportReport() {
               class="button primary"
               onClick={() => {
                 close();
-                void planarise();
+                void planarise().then(() => {
+                  importReport.value = mesh.value?.report.flat ?? false;
+                });
               }}
             >
               Planarise

@@ -31,11 +31,12 @@ function Weights() {
         min={0}
         max={10}
         step={0.1}
-        shown={locality.toFixed(1)}
+        shown={`${locality.toFixed(1)} ×`}
+        spoken={`${locality.toFixed(1)} times the default weight`}
         disabled={!ready.value}
         ends={["more points follow", "fewer follow"]}
         onInput={(value) => previewSettings({ locality: value })}
-        onCommit={(value) => commitSettings({ locality: value })}
+        onCommit={(value, burst) => commitSettings({ locality: value }, burst)}
       />
       <Slider
         label="Smoothness"
@@ -43,16 +44,18 @@ function Weights() {
         min={0}
         max={10}
         step={0.1}
-        shown={smoothness.toFixed(1)}
+        shown={`${smoothness.toFixed(1)} ×`}
+        spoken={`${smoothness.toFixed(1)} times the default weight`}
         disabled={!ready.value}
         ends={["sharp, close by", "gentle, wider"]}
         onInput={(value) => previewSettings({ smoothness: value })}
-        onCommit={(value) => commitSettings({ smoothness: value })}
+        onCommit={(value, burst) => commitSettings({ smoothness: value }, burst)}
       />
     </>
   );
 }
 
+const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
 const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
 const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
@@ -63,7 +66,8 @@ const SnapshotsSection = later(() =>
 export function Inspector() {
   return (
     <aside class="inspector" aria-label="Inspector">
-      <section class="step" aria-labelledby="step-edit">
+      <ImportReport />
+      <section class="step edit-step" aria-labelledby="step-edit">
         <h2 id="step-edit">
           <span class="step-number">1</span> Edit
         </h2>

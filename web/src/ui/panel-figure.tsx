@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
-import { mesh, panelFigures, selectedPanel, unit } from "../state/store.ts";
-import { formatGap } from "../state/units.ts";
+import { flatnessWords } from "../state/flatness.ts";
+import { OUTLINES } from "../state/panel-rows.ts";
+import { mesh, panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
+
+/** ", convex, smallest angle 87°, shortest edge 604 mm"; "" while nothing is measured. */
+function shapeWords(panel: number): string {
+  const [outline, edge, angle] = panelHealth.value?.subarray(4 * panel, 4 * panel + 3) ?? [];
+  if (outline === undefined || edge === undefined || angle === undefined) return "";
+  return `, ${OUTLINES[outline]}, smallest angle ${angle.toFixed(0)}°, shortest edge ${formatLength(edge, unit.value)}`;
+}
 
 /** What is worth knowing about the selected panel, beside it. */
 export function PanelFigure() {
@@ -8,11 +17,14 @@ export function PanelFigure() {
   const offsets = mesh.value?.offsets;
   if (panel === null || !offsets) return null;
   const corners = (offsets[panel + 1] ?? 0) - (offsets[panel] ?? 0);
-  const gap = panelFigures.value?.[2 * panel];
+  const [gap, mmPerM] = panelFigures.value?.subarray(2 * panel, 2 * panel + 2) ?? [];
   return (
     <span>
       <strong>Panel {panel}</strong> {corners} corners
-      {gap !== undefined && `, ${formatGap(gap, unit.value)} out of flat`}
+      {gap !== undefined &&
+        mmPerM !== undefined &&
+        `, ${flatnessWords(gap, mmPerM, unit.value).sentence}`}
+      {shapeWords(panel)}
     </span>
   );
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+import { FLAT } from "../state/flatness.ts";
 import { stopsShort } from "../state/stopping-short.ts";
 import { history, mesh, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { formatGap, formatLength } from "../state/units.ts";
 import { HoldingPanels } from "./holding-panels.tsx";
 
 /** Why a point does not go where it was asked to: how far it stops short, and what holds it. */
@@ -11,6 +12,7 @@ export function RefusedNote() {
   const { status, handleError, residuals } = design.report;
   const short = formatLength(handleError, unit.value);
   const left = residuals.at(-1);
+  const meanEdge = mesh.value?.report.meanEdge ?? 0;
   const impossible = status === "infeasible_handles";
   return (
     <section class="note warn" aria-label="Why the target is not reached">
@@ -21,8 +23,8 @@ export function RefusedNote() {
         Move it less, let more points follow, or remove a pin.
       </p>
       <HoldingPanels />
-      {impossible && left !== undefined && (
-        <p class="quiet">{`The last attempt left the panels ${left.toExponential(1)} mean edges out of flat.`}</p>
+      {impossible && left !== undefined && 1000 * left > FLAT && (
+        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
       )}
     </section>
   );

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Fragment } from "preact";
+import { flatnessWords } from "../state/flatness.ts";
+import { planarisingWords } from "../state/planarising.ts";
 import { cancel } from "../state/showing.ts";
 import {
   type Activity,
@@ -15,18 +17,24 @@ import {
   unit,
   update,
 } from "../state/store.ts";
-import { formatGap, formatLength } from "../state/units.ts";
+import { formatLength } from "../state/units.ts";
+import { later } from "./later.tsx";
+
+const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
 
 function numbers(): readonly string[] {
   if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
-  const { movedVertices, maxDisplacement, worstGap, seconds, status } = figures.value;
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, seconds, status } = figures.value;
   const parts = [
     `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,
     `largest ${formatLength(maxDisplacement, unit.value)}`,
-    `worst panel ${formatGap(worstGap, unit.value)}`,
+    `worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).short}`,
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
+  const report = mesh.value?.report;
+  const planarised = report && movedVertices === 0 ? planarisingWords(report, unit.value) : "";
+  if (planarised) parts.push(`planarised first: ${planarised}`);
   return parts;
 }
 
@@ -58,7 +66,7 @@ export function StatusLine() {
   return (
     <footer class="status-line">
       <div role="status" class="figures">
-        <Numbers />
+        <Numbers /> <DamageNote />
       </div>
       {problem.value && (
         <div role="alert" class="alert">

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+import "./designs.css";
 import { useComputed } from "@preact/signals";
+import { flatnessWords } from "../state/flatness.ts";
 import { adopt, type Gallery, type GalleryItem, gallery } from "../state/gallery.ts";
 import { draft, mesh, unit } from "../state/store.ts";
-import { formatGap, formatLength } from "../state/units.ts";
+import { formatLength } from "../state/units.ts";
 import { type Patch, patchOf } from "./patch-drawing.ts";
 import { PatchPicture } from "./patch-picture.tsx";
 
@@ -13,11 +15,11 @@ interface TileProps {
 }
 
 function Tile({ item, number, patch }: TileProps) {
-  const { movedVertices, maxDisplacement, worstGap } = item.report;
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM } = item.report;
   const length = formatLength(maxDisplacement, unit.value);
-  const gap = formatGap(worstGap, unit.value);
+  const worst = flatnessWords(worstGap, worstMmPerM, unit.value).sentence;
   const chosen = draft.value?.shape === item.shape;
-  const words = `${movedVertices} points move, largest ${length}, worst panel ${gap}`;
+  const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}`;
   return (
     <li>
       <button
@@ -34,7 +36,7 @@ function Tile({ item, number, patch }: TileProps) {
           <br />
           {movedVertices} points
         </span>
-        <span class="visually-hidden">, worst panel {gap}</span>
+        <span class="visually-hidden">, worst panel {worst}</span>
       </button>
     </li>
   );

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
+import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/framing.ts";
-import { Viewport } from "../scene/viewport.ts";
+import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
-import { figures, mesh, problem } from "../state/store.ts";
+import { FLAT } from "../state/flatness.ts";
+import { figures, mesh, problem, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
+import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
-import { PanelFigure } from "./panel-figure.tsx";
 import { ViewKeys } from "./view-keys.ts";
+
+const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
+const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
+const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
   ["Perspective", "1"],
@@ -22,10 +28,15 @@ function Summary() {
   return (
     <p id="view-summary" class="visually-hidden">
       {report
-        ? `A structure of ${report.faces} flat panels and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
+        ? `A structure of ${report.faces} ${figures.value.worstMmPerM <= FLAT ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
         : "The model is being prepared."}
     </p>
   );
+}
+
+/** What is seen while B or Before is held. */
+function BeforeNote() {
+  return showBefore.value ? <div class="before-note">Before the edit</div> : null;
 }
 
 /** A word that gives way to a shorter one where there is little room. */
@@ -40,8 +51,17 @@ function Shortened({ long, short }: { long: string; short: string }) {
   );
 }
 
+type PartRefs = { readonly [K in keyof ViewportParts]: RefObject<ViewportParts[K] | null> };
+
+/** null unless all of them are there. */
+function partsOf(refs: PartRefs): ViewportParts | null {
+  const found = Object.entries(refs).map(([name, { current }]) => [name, current] as const);
+  if (found.some(([, element]) => !element)) return null;
+  return Object.fromEntries(found) as unknown as ViewportParts;
+}
+
 /** Nothing of the page works without WebGL; say so instead of leaving a hole. */
-function mount(parts: ConstructorParameters<typeof Viewport>[0]): Viewport | null {
+function mount(parts: ViewportParts): Viewport | null {
   try {
     return new Viewport(parts);
   } catch {
@@ -53,23 +73,18 @@ function mount(parts: ConstructorParameters<typeof Viewport>[0]): Viewport | nul
 export function ViewportPane() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const markers = useRef<HTMLDivElement>(null);
+  const pulls = useRef<HTMLDivElement>(null);
   const hint = useRef<HTMLDivElement>(null);
   const figure = useRef<HTMLDivElement>(null);
+  const point = useRef<HTMLDivElement>(null);
   const box = useRef<HTMLDivElement>(null);
   const viewport = useRef<Viewport | null>(null);
   useEffect(() => {
-    if (!canvas.current || !markers.current || !hint.current || !figure.current || !box.current)
-      return;
-    const view = mount({
-      canvas: canvas.current,
-      markers: markers.current,
-      hint: hint.current,
-      figure: figure.current,
-      box: box.current,
-    });
+    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box });
+    const view = parts && mount(parts);
     viewport.current = view;
-    if (!view) return;
-    const keys = new ViewKeys(canvas.current, view);
+    if (!parts || !view) return;
+    const keys = new ViewKeys(parts.canvas, view);
     providePicture(() => view.picture());
     provideCamera(view.stage);
     return () => {
@@ -91,6 +106,8 @@ export function ViewportPane() {
         aria-describedby="view-summary"
       />
       <Summary />
+      <Announcement />
+      <div ref={pulls} class="markers" aria-hidden="true" />
       <div ref={markers} class="markers" aria-hidden="true" />
       <div ref={hint} class="hint" hidden>
         <span>Drag this point. Every panel stays flat.</span>
@@ -98,7 +115,11 @@ export function ViewportPane() {
       <div ref={figure} class="panel-figure" hidden>
         <PanelFigure />
       </div>
+      <div ref={point} class="point-figure" hidden>
+        <PointFigure />
+      </div>
       <div ref={box} class="selection-box" hidden />
+      <BeforeNote />
       <DragTools />
       <Legend />
       <fieldset class="views">

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// What the view says about points: under the pointer, chosen, and where a handle came from.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { idle, movedCount, openSite, type Site, status, typeTarget } from "./support/page.ts";
+import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+/** The figure beside the point looked at; "" if there is none. */
+const pointFigure = async (page: Page): Promise<string> => {
+  const found = page.getByText(/^Point \d+ (moved|untouched|bends|smooth)/);
+  return (await found.count()) > 0 ? ((await found.first().textContent()) ?? "") : "";
+};
+
+/** A small part of the 3D view as bytes. */
+async function pixels(page: Page, { x, y }: Place, size = 24): Promise<string> {
+  const clip = { x: x - size / 2, y: y - size / 2, width: size, height: size };
+  return (await page.screenshot({ clip })).toString("base64");
+}
+
+describe("the pointer on a point", () => {
+  it("marks it and says its figure; beside the model neither", async () => {
+    const page = await site.open({ reducedMotion: "reduce" });
+    const at = await hintedPoint(page);
+    const { x, y, height } = await viewBox(page);
+    const beside = { x: x + 20, y: y + height / 2 };
+    await page.mouse.move(beside.x, beside.y);
+    const cursor = () => page.getByLabel("3D view").evaluate((view) => view.style.cursor);
+    expect(await cursor()).toBe("");
+    expect(await pointFigure(page)).toBe("");
+    await page.mouse.move(at.x, at.y);
+    await expect.poll(() => pointFigure(page)).toMatch(/^Point \d+ untouched$/);
+    expect(await cursor()).toBe("grab");
+    await page.mouse.move(beside.x, beside.y);
+    await expect.poll(() => pointFigure(page)).toBe("");
+    expect(await cursor()).toBe("");
+    await page.context().close();
+  });
+
+  it("draws a ring about it", async () => {
+    const page = await site.open({ reducedMotion: "reduce" });
+    await typeTarget(page, "+60cm");
+    await page.getByRole("button", { name: "Top", exact: true }).click();
+    const { x, y, width, height } = await viewBox(page);
+    // Points are everywhere in the middle of the top view: one step of a search finds one.
+    let at: Place | null = null;
+    for (let k = 0; k < 40 && !at; ++k) {
+      const place = { x: x + width / 2 + 60 + 2 * k, y: y + height / 2 + 40 };
+      await page.mouse.move(place.x, place.y);
+      if (/untouched/.test(await pointFigure(page))) at = place;
+    }
+    if (!at) throw new Error("no point found");
+    const ringed = await pixels(page, at, 40);
+    await page.mouse.move(x + 4, y + height - 4);
+    await expect.poll(() => pixels(page, at, 40)).not.toBe(ringed);
+    await page.context().close();
+  });
+
+  it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
+    const page = await site.open({ reducedMotion: "reduce" });
+    const at = await hintedPoint(page);
+    await press(page, at, { x: at.x, y: at.y - 50 });
+    const largest = async (): Promise<string> =>
+      /largest ([\d.]+ m?m)/.exec(await status(page))?.[1] ?? "";
+    await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+    await expect
+      .poll(async () => (await pointFigure(page)) === `Point 220 moved ${await largest()}`)
+      .toBe(true);
+    await page.mouse.up();
+    await idle(page);
+    expect(await pointFigure(page)).toBe(`Point 220 moved ${await largest()}`);
+    await page.getByRole("combobox", { name: "Colour by" }).selectOption("Fairness");
+    await expect.poll(() => pointFigure(page)).toMatch(/^Point 220 bends [\d.]+ m?m$/);
+    await page.context().close();
+  });
+});
+
+it("a line goes from where a handle was to where it is pulled, and hides with Before", async () => {
+  const page = await site.open({ reducedMotion: "reduce", viewport: { width: 1280, height: 800 } });
+  const start = await hintedPoint(page);
+  const end = { x: start.x, y: start.y - 90 };
+  // Off the ring of the first visit, on the way of the pull and on its start.
+  const way = { x: start.x, y: start.y - 45 };
+  const before = { start: await pixels(page, start, 8), way: await pixels(page, way, 8) };
+  await press(page, start, end);
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await expect.poll(() => pixels(page, way, 8)).not.toBe(before.way);
+  await page.mouse.up();
+  await idle(page);
+  // The line is over the surface: the pull's own ink, unlike the panels beside it.
+  const beside = { x: way.x + 10, y: way.y };
+  await expect
+    .poll(async () => (await pixels(page, way, 4)) === (await pixels(page, beside, 4)))
+    .toBe(false);
+  const pulled = await pixels(page, start, 8);
+  expect(pulled).not.toBe(before.start);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.down("b");
+  await expect.poll(() => pixels(page, start, 8)).not.toBe(pulled);
+  await page.keyboard.up("b");
+  await expect.poll(() => pixels(page, start, 8)).toBe(pulled);
+  await page.getByRole("button", { name: "Remove" }).click();
+  await idle(page);
+  await expect.poll(() => pixels(page, start, 8)).not.toBe(pulled);
+  await page.context().close();
+});
+
+it("every slider says its value with its unit", async () => {
+  const page = await site.open();
+  const spoken = (name: string) =>
+    page.getByRole("slider", { name, exact: true }).getAttribute("aria-valuetext");
+  expect(await spoken("Locality")).toBe(
+    "1.0 times the default weight: from more points follow to fewer follow",
+  );
+  expect(await spoken("Smoothness")).toBe(
+    "1.0 times the default weight: from sharp, close by to gentle, wider",
+  );
+  expect(await spoken("Dimension")).toBe("4 directions");
+  await page.getByRole("slider", { name: "Dimension" }).fill("1");
+  await expect.poll(() => spoken("Dimension")).toBe("1 direction");
+  await page.getByRole("slider", { name: "Dimension" }).fill("3");
+  await typeTarget(page, "+40cm");
+  await page.getByRole("button", { name: "Find variations" }).click();
+  await idle(page);
+  const sliders = page.getByRole("slider", { name: /^Variation \d+$/ });
+  await expect.poll(() => sliders.count()).toBeGreaterThan(0);
+  for (const slider of await sliders.all())
+    expect(await slider.getAttribute("aria-valuetext")).toBe("0 mm");
+  const first = sliders.first();
+  await first.fill("0.5");
+  await first.dispatchEvent("change");
+  await idle(page);
+  expect(await first.getAttribute("aria-valuetext")).toMatch(/^\+[\d.]+ mm$/);
+  const all = await page.getByRole("slider").all();
+  for (const slider of all)
+    expect(await slider.getAttribute("aria-valuetext")).toMatch(
+      /^[+−]?[\d.]+ (mm|m|times|direction)/,
+    );
+  await page.context().close();
+});
+
+it("Share puts the link itself on the clipboard", async () => {
+  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await typeTarget(page, "+40cm");
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(link);
+  expect(await page.getByText(`Copied: ${link.length} characters.`).count()).toBe(1);
+  expect(link.startsWith(`${site.url}#v1=`)).toBe(true);
+  await page.context().close();
+});

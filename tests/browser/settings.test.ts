@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Advanced settings: they do what they say, and they stay when another mesh is opened.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { readObj, worstFlatness } from "./support/obj.ts";
+import { exportAs, idle, openFile, openSite, type Site, typeTarget } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+const field = (page: Page, name: string) => page.getByRole("combobox", { name });
+const exactTargets = (page: Page) =>
+  page.getByRole("checkbox", { name: "Meet the targets exactly" });
+
+async function choose(page: Page, name: string, label: string): Promise<void> {
+  await field(page, name).selectOption({ label });
+  await idle(page);
+}
+
+async function openAdvanced(page: Page): Promise<void> {
+  await page.getByText("Advanced", { exact: true }).click();
+  await exactTargets(page).waitFor();
+}
+
+/** A row of two quads, 1 m each; one corner of the second lies `lift` metres out of the plane. */
+const almostFlat = (lift: number): string =>
+  `v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 ${lift}\nf 1 2 5 4\nf 2 3 6 5\n`;
+
+it("panels count as flat up to the tolerance, and stay within it", async () => {
+  const page = await site.open();
+  const alert = page.getByRole("alert");
+  await openFile(page, "row.obj", almostFlat(0.0005));
+  await page.getByRole("button", { name: "Leave as it is" }).click();
+  expect(await page.getByRole("button", { name: "Add handle" }).isDisabled()).toBe(true);
+
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  await openAdvanced(page);
+  await choose(page, "Tolerance", "1 mm/m");
+  await openFile(page, "row.obj", almostFlat(0.0005));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await typeTarget(page, "+10cm");
+  const edited = worstFlatness(readObj((await exportAs(page, "OBJ")).toString()));
+  expect(edited).toBeLessThan(1);
+  expect(await alert.count()).toBe(0);
+
+  // The design does not meet a tighter one: it is refused, and stays as it was.
+  await choose(page, "Tolerance", "0.001 mm/m");
+  await expect.poll(() => alert.textContent()).toContain("not flat");
+  expect(await field(page, "Tolerance").inputValue()).toBe("1");
+  expect(worstFlatness(readObj((await exportAs(page, "OBJ")).toString()))).toBe(edited);
+  await page.context().close();
+});
+
+it("settings stay for another sample and a file; Defaults takes them back", async () => {
+  const page = await site.open();
+  await openAdvanced(page);
+  await choose(page, "Tolerance", "0.001 mm/m");
+  await exactTargets(page).check();
+  await idle(page);
+  await choose(page, "Fairness", "Laplacian");
+  const expectKept = async (): Promise<void> => {
+    await expect.poll(() => field(page, "Tolerance").inputValue()).toBe("0.001");
+    expect(await exactTargets(page).isChecked()).toBe(true);
+    expect(await field(page, "Fairness").inputValue()).toBe("laplacian");
+    // Also to be seen while Advanced is folded.
+    expect(
+      await page.getByText(/^Not the default: Laplacian, 0\.001 mm\/m, exact targets\./).count(),
+    ).toBe(1);
+  };
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
+  await idle(page);
+  await expectKept();
+  await openFile(page, "dome.obj", await exportAs(page, "OBJ"));
+  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await expectKept();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await expectKept();
+  await page.getByRole("button", { name: "Defaults" }).click();
+  await idle(page);
+  await expect.poll(() => field(page, "Tolerance").inputValue()).toBe("0.000001");
+  expect(await exactTargets(page).isChecked()).toBe(false);
+  expect(await page.getByText(/^Not the default/).count()).toBe(0);
+  await page.context().close();
+});

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+import { expect, it } from "vitest";
+import { DEFAULT_SETTINGS, settingsForNew } from "../../web/src/state/design.ts";
+
+it("another mesh starts with what the page has controls for, and with nothing unseen", () => {
+  const shown = {
+    attraction: 7,
+    locality: 3,
+    smoothness: 4,
+    fairness: "third",
+    engine: "alm",
+    sparsity: "l2",
+    hardHandles: true,
+    tolerance: 0.001,
+    maxIterations: 5,
+  } as const;
+  const { attraction, sparsity, maxIterations } = DEFAULT_SETTINGS;
+  expect(settingsForNew(shown)).toEqual({ ...shown, attraction, sparsity, maxIterations });
+  expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
+});

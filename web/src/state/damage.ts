@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Panels that an edit, a variation or planarising has spoilt, although each of them is flat.
+import { computed } from "@preact/signals";
+import { draft, history, panelDamage } from "./store.ts";
+
+/** One panel, several panels: by the core's PanelDamage, the most serious first. */
+export const DAMAGES: readonly (readonly [string, string])[] = [
+  ["", ""],
+  ["crosses itself", "cross themselves"],
+  ["is turned over", "are turned over"],
+  ["has collapsed", "have collapsed"],
+  ["became concave", "became concave"],
+];
+
+/** Spoilt panels, the most serious damage first, then by number. */
+export function spoiltPanels(damage: Uint8Array): readonly number[] {
+  const classes = DAMAGES.map((): number[] => []);
+  damage.forEach((kind, panel) => {
+    if (kind > 0) classes[kind]?.push(panel);
+  });
+  return classes.flat();
+}
+
+/** "1 panel crosses itself, 3 became concave"; "" where nothing is spoilt. */
+export function damageWords(damage: Uint8Array): string {
+  const counts = DAMAGES.map(() => 0);
+  for (const kind of damage) counts[kind] = (counts[kind] ?? 0) + 1;
+  const parts = DAMAGES.flatMap(([one, several], kind) => {
+    const count = kind > 0 ? (counts[kind] ?? 0) : 0;
+    return count > 0 ? [{ count, words: count === 1 ? one : several }] : [];
+  });
+  return parts
+    .map(({ count, words }, k) => {
+      const noun = k > 0 ? "" : count === 1 ? " panel" : " panels";
+      return `${count}${noun} ${words}`;
+    })
+    .join(", ");
+}
+
+/** Of the design shown; null while it changes or is not measured yet. */
+export const damage = computed(() =>
+  draft.value === history.value?.present ? panelDamage.value : null,
+);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+import { damage, damageWords, spoiltPanels } from "../state/damage.ts";
+import { FLAT } from "../state/flatness.ts";
+import { showNextPanel } from "../state/selection.ts";
+import { figures } from "../state/store.ts";
+
+/** That flat panels are spoilt all the same, and the way to each of them. */
+export function DamageNote() {
+  const found = damage.value;
+  const words = found && damageWords(found);
+  if (!words) return null;
+  const flat = figures.value.worstMmPerM <= FLAT;
+  return (
+    <>
+      {"· "}
+      <button
+        type="button"
+        class="text-button"
+        title="Go to the next of these panels"
+        onClick={() => showNextPanel(spoiltPanels(found))}
+      >
+        {`${flat ? "flat, but " : ""}${words}: show`}
+      </button>
+    </>
+  );
+}

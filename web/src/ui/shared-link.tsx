@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+import { exportMesh } from "../export/exporting.ts";
+import { encodeLink } from "../share/link.ts";
+import { readCamera } from "../state/camera.ts";
+import { recipeOf } from "../state/recipe.ts";
+import { history, unit } from "../state/store.ts";
+import { inTurn } from "../state/turns.ts";
+
+/** Mail programs and chats start to cut links about here. */
+const LONG = 8_000;
+/** Longer links are better sent as a file. */
+const TOO_LONG = 32_000;
+
+export interface Shared {
+  readonly link: string;
+  readonly copied: boolean;
+}
+
+function advice({ link, copied }: Shared): string {
+  const what = `${copied ? "Copied" : "Copy this link"}: ${link.length} characters.`;
+  if (link.length > TOO_LONG)
+    return `${what} That is too long for most programs: send the design as a file instead.`;
+  if (link.length > LONG) return `${what} Some programs cut links this long.`;
+  return `${what} It holds the whole design; nothing is stored anywhere else.`;
+}
+
+async function linkNow(): Promise<string | null> {
+  const design = history.value?.present;
+  if (!design) return null;
+  const url = new URL(location.href);
+  url.hash = "";
+  return url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
+}
+
+/** Makes the link of the design, once all that was asked for is done, and copies it, where the
+ * browser lets it. */
+export async function share(): Promise<Shared | null> {
+  let link: string | null = null;
+  await inTurn(async () => {
+    link = await linkNow();
+  });
+  return link === null ? null : copy(link);
+}
+
+async function copy(link: string): Promise<Shared> {
+  const copied = await navigator.clipboard.writeText(link).then(
+    () => true,
+    () => false,
+  );
+  return { link, copied };
+}
+
+interface SharedLinkProps {
+  readonly shared: Shared;
+  readonly onClose: () => void;
+}
+
+export function SharedLink({ shared, onClose }: SharedLinkProps) {
+  return (
+    <>
+      <input
+        type="text"
+        class="link-box"
+        readOnly
+        aria-label="Link"
+        value={shared.link}
+        onFocus={({ currentTarget }) => currentTarget.select()}
+      />
+      <p>{advice(shared)}</p>
+      {shared.link.length > TOO_LONG && (
+        <div class="dialog-actions">
+          <button
+            type="button"
+            class="button primary"
+            onClick={() => {
+              onClose();
+              void exportMesh("glb");
+            }}
+          >
+            Save as GLB
+          </button>
+        </div>
+      )}
+    </>
+  );
+}
