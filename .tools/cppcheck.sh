@@ -15,4 +15,4 @@ cppcheck --std=c++20 --language=c++ --enable=warning,performance,portability --q
   --suppress=missingIncludeSystem \
   --suppress=useInitializationList:core/src/handle_edit.cpp \
   --suppress=returnStdMoveLocal:core/cli/files.cpp \
-  core/src core/cli wasm/session.cpp
+  core/src core/cli wasm/session.cpp wasm/session_reports.cpp

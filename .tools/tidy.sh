@@ -25,5 +25,5 @@ tidy_one() {
 export -f tidy_one
 export stamps headers
 
-git ls-files 'core/src/**/*.cpp' 'core/src/*.cpp' wasm/session.cpp |
+git ls-files 'core/src/**/*.cpp' 'core/src/*.cpp' 'wasm/session*.cpp' |
   sort -u | xargs -P "${PLANISH_JOBS:-$(nproc)}" -I{} bash -c 'tidy_one {}'

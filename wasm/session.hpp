@@ -79,7 +79,8 @@ class Session {
   [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
   /// JSON about the base mesh: counts, planarity, what planarising moved, warnings.
   [[nodiscard]] std::string mesh_report() const;
-  /// JSON about the last operation that changed the design.
+  /// JSON about the last operation that changed the design. `handleError` is that of the design
+  /// shown: a variation moves the handles too.
   [[nodiscard]] const std::string& report() const { return report_; }
   /// Vertex, x, y, z of every vertex that changed since the last call, in display coordinates:
   /// (p − centre) · scale, so that float32 keeps its digits wherever the model lies.

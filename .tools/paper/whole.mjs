@@ -224,7 +224,8 @@ ${agreementText(measured)}
 
 The command line and the browser differ in rounding: the ${scenes.length} scenes above agree to
 ${apart.toExponential(0)} m. A recipe's mark is the command line's (\`planish replay\` verifies it to the
-last bit), a link's mark is the browser's.
+last bit), a link's mark is the browser's. The page opens recipes too (Open file) and
+says by how much its result differs.
 `;
 }
 

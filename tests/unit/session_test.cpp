@@ -211,6 +211,36 @@ TEST(Session, AProjectedVariationIsTheExactOneAndChangesNothing) {
   EXPECT_NE(session.project_variation(Eigen::VectorXd::Zero(3)), std::nullopt);
 }
 
+/// How far the design shown is from the target that it misses most.
+double furthest(const Session& session, const EditTargets& targets) {
+  double largest = 0.0;
+  for (const auto& [vertex, target] : targets.handles) {
+    largest = std::max(largest, (session.current().col(vertex) - target).norm());
+  }
+  return largest;
+}
+
+TEST(Session, TheReportSpeaksOfTheDesignShown) {
+  Session session = open_vault();
+  const EditTargets targets = lift(session, 0.5);
+  const auto expect_told = [&] {
+    const double told = nlohmann::json::parse(session.report())["handleError"].get<double>();
+    EXPECT_EQ(told, furthest(session, targets));
+    return told;
+  };
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
+  const double edited = expect_told();
+  const std::vector<int> moved = session.moved();
+  const Positions shape = session.moved_positions();
+  ASSERT_EQ(session.explore({.dimension = 1}), std::nullopt);
+  ASSERT_EQ(session.vary(Eigen::VectorXd::Constant(1, 0.8)), std::nullopt);
+  EXPECT_GT(expect_told(), edited);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_GT(expect_told(), edited);
+  ASSERT_EQ(session.restore(targets, moved, shape), std::nullopt);
+  EXPECT_EQ(expect_told(), edited);
+}
+
 TEST(Session, AVariationKeepsThePartsOfTheEditThatNoVectorMoves) {
   Session session = open_vault();
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);

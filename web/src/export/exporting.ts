@@ -3,7 +3,8 @@ import type { FileFormat } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
 import { fetchPart } from "../state/later.ts";
 import { recipeOf } from "../state/recipe.ts";
-import { designName, draft, mesh, problem, unit } from "../state/store.ts";
+import { designName, history, mesh, problem, unit } from "../state/store.ts";
+import { inTurn } from "../state/turns.ts";
 
 const MEDIA: Readonly<Record<FileFormat, string>> = {
   obj: "model/obj",
@@ -24,12 +25,11 @@ function save(blob: Blob, extension: string): void {
 /** What makes the design again, as text. */
 async function recipe(): Promise<string> {
   const text = await fetchPart(() => import("../share/design-text.ts"));
-  const [design, base] = [draft.value, mesh.value];
+  const [design, base] = [history.value?.present, mesh.value];
   return text && design && base ? text.writeDesign(recipeOf(design, unit.value, null), base) : "";
 }
 
-/** The design shown, written by the core in float64. */
-export async function exportMesh(format: FileFormat): Promise<void> {
+async function exportNow(format: FileFormat): Promise<void> {
   const question = {
     kind: "export",
     format,
@@ -39,6 +39,9 @@ export async function exportMesh(format: FileFormat): Promise<void> {
   if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);
 }
 
+/** The design, once all that was asked for is done, written by the core in float64. */
+export const exportMesh = (format: FileFormat): Promise<void> => inTurn(() => exportNow(format));
+
 type TakePicture = () => Promise<Blob | null>;
 let takePicture: TakePicture | null = null;
 
@@ -47,8 +50,9 @@ export function providePicture(take: TakePicture | null): void {
   takePicture = take;
 }
 
-export async function exportPicture(): Promise<void> {
-  const blob = (await takePicture?.()) ?? null;
-  if (blob) save(blob, "png");
-  else problem.value = "The picture could not be taken.";
-}
+export const exportPicture = (): Promise<void> =>
+  inTurn(async () => {
+    const blob = (await takePicture?.()) ?? null;
+    if (blob) save(blob, "png");
+    else problem.value = "The picture could not be taken.";
+  });

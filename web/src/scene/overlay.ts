@@ -83,7 +83,10 @@ export class Overlay {
     this.#markers.place(points, view);
     this.#pulls.place(base, view);
     const { hint, figure, point } = this.#parts;
-    const at = hintVertex.value === null ? null : project(points, hintVertex.value, view);
+    const at =
+      hintVertex.value === null || selected.value !== null
+        ? null
+        : project(points, hintVertex.value, view);
     putAt(hint, at);
     const seen = visited.value ?? selected.value;
     const place = seen === null ? null : project(points, seen, view);

@@ -330,13 +330,14 @@ export class Viewport {
   }
 
   #updateGizmo(): void {
-    const vertex = selected.value;
-    if (vertex === null || !ready.value || !draft.value || handleOf(vertex)?.pinned) {
+    const [vertex, shell] = [selected.value, this.#shell];
+    if (vertex === null || !shell || !ready.value || !draft.value || handleOf(vertex)?.pinned) {
       this.#gizmo.detach();
       return;
     }
     const turned = localArrows.value || lock.value?.axis === "normal";
-    this.#gizmo.attach(...this.#toDisplay(askedPoint(vertex)), turned ? frameAt(vertex) : null);
+    const [x = 0, y = 0, z = 0] = shell.current.subarray(3 * vertex, 3 * vertex + 3);
+    this.#gizmo.attach(x, y, z, turned ? frameAt(vertex) : null);
   }
 
   #placeOverlay(): void {

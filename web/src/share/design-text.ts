@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A design as the JSON of docs/formats.md, which the command line and GLB files hold too. What can
 // be wrong with it is said in one sentence that names the field.
-import type { EditSettings, Shape, Source } from "../solver/protocol.ts";
+import type { EditSettings, Source } from "../solver/protocol.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
-import type { Recipe, ResultMark } from "../state/recipe.ts";
+import type { Recipe, ResultMark, Steps } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
+import { type BaseMesh, meshHash } from "./mesh-hash.ts";
 import {
   ENGINES,
   FAIRNESS,
@@ -17,30 +18,21 @@ import {
   isRecord,
   type Json,
   MOST_DIRECTIONS,
+  readFormat,
   SPARSITY,
 } from "./reading.ts";
 
-/** The base that was edited, for its hash. */
-export interface BaseMesh {
-  readonly positions: Float64Array;
-  readonly offsets: Int32Array;
-  readonly vertices: Int32Array;
-}
-
-/** What is read: a recipe, whose mesh lies beside it unless it is a sample. */
-export interface DesignText extends Omit<Recipe, "source" | "camera"> {
-  readonly source: Extract<Source, { kind: "sample" }> | null;
+/** What is read: a recipe, and what its source says. */
+export interface DesignText extends Omit<Steps, "source" | "camera"> {
+  /** null if the mesh lies beside the design. */
+  readonly source: Source | null;
+  /** The name of the mesh's file; "" for a sample. */
+  readonly meshName: string;
 }
 
 class Refused extends Error {}
 
-const bytesOf = (array: Int32Array | Float64Array): Uint8Array =>
-  new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-
 const hex = (hash: number): string => hash.toString(16).padStart(8, "0");
-
-export const meshHash = ({ positions, offsets, vertices }: BaseMesh): number =>
-  crc32(bytesOf(vertices), crc32(bytesOf(offsets), crc32(bytesOf(positions))));
 
 function sourceJson(source: Source, base: BaseMesh): Json {
   return source.kind === "sample"
@@ -97,19 +89,51 @@ function check(holds: boolean, sentence: string): asserts holds {
   if (!holds) throw new Refused(sentence);
 }
 
+const brief = (value: unknown): string => (JSON.stringify(value) ?? "none").slice(0, 20);
+
 function readObject(value: unknown, path: string, known: readonly string[]): Json {
   check(isRecord(value), `${path} must be an object.`);
   const stranger = Object.keys(value).find((key) => !known.includes(key));
-  check(stranger === undefined, `${path}.${stranger} is not a field of a design.`);
+  check(stranger === undefined, `${path}.${stranger?.slice(0, 40)} is not a field of a design.`);
   return value;
 }
 
-function readSource(value: unknown): DesignText["source"] {
-  const source = readObject(value, "source", ["sample", "size", "file", "hash", "format", "bytes"]);
-  if (source.sample === undefined) return null;
-  const { sample, size } = source;
-  check(isName(sample) && isIndex(size), "source must name a sample and its size.");
-  return { kind: "sample", name: sample, size };
+type ReadSource = Pick<DesignText, "source" | "meshName"> & { readonly baseHash: number | null };
+
+function readHash(value: unknown, path: string): number {
+  const right = typeof value === "string" && /^[0-9a-f]{8}$/.test(value);
+  check(right, `${path} must be 8 hexadecimal digits.`);
+  return Number.parseInt(value, 16);
+}
+
+/** A sample, or a file whose bytes are there or lie beside the design. */
+function readSource(value: unknown): ReadSource {
+  check(isRecord(value), "source must be an object.");
+  if (value.sample !== undefined) {
+    const { sample, size } = readObject(value, "source", ["sample", "size"]);
+    check(isName(sample) && isIndex(size), "source must name a sample and its size.");
+    return { source: { kind: "sample", name: sample, size }, meshName: "", baseHash: null };
+  }
+  const file = readObject(value, "source", ["file", "hash", "format", "bytes"]);
+  check(isName(file.file), "source must name a sample or a file.");
+  const name = file.file;
+  const baseHash = file.hash === undefined ? null : readHash(file.hash, "source.hash");
+  if (file.bytes === undefined) return { source: null, meshName: name, baseHash };
+  const format = readFormat(file.format);
+  check(format !== null, "source.format must be obj, off, ply or glb.");
+  const bytes = typeof file.bytes === "string" ? fromBase64(file.bytes) : null;
+  check(bytes !== null && bytes.length > 0, "source.bytes must be base64.");
+  const kept = new Blob([bytes as BlobPart]);
+  const source = { kind: "file", name, format, bytes: kept, crc: crc32(bytes) } as const;
+  return { source, meshName: name, baseHash };
+}
+
+function fromBase64(text: string): Uint8Array | null {
+  try {
+    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  } catch {
+    return null;
+  }
 }
 
 function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T {
@@ -142,9 +166,14 @@ function readOptions(value: unknown): EditSettings {
   };
 }
 
+/** The command line's limits. */
+const MOST = { handles: 100_000, pins: 10_000_000, variations: 32, probes: 64 } as const;
+
 function readHandles(handles: unknown, pins: unknown): HandleRow[] {
   check(Array.isArray(handles), "handles must be a list.");
+  check(handles.length <= MOST.handles, `handles must be at most ${MOST.handles}.`);
   check(Array.isArray(pins) && pins.every(isIndex), "pins must be a list of points.");
+  check(pins.length <= MOST.pins, `pins must be at most ${MOST.pins}.`);
   const rows = handles.map((row: unknown, k): HandleRow => {
     check(isNumbers(row, 4) && isIndex(row[0]), `handles[${k}] must be [point, x, y, z].`);
     const [vertex = 0, x = 0, y = 0, z = 0] = row;
@@ -172,34 +201,41 @@ function readVariation(value: unknown, k: number): Family {
   return { coefficients, asked: dimension, eigenbasis };
 }
 
-function readMark(value: unknown): ResultMark {
+function readMark(value: unknown): ResultMark | null {
+  if (value === undefined) return null;
   const { hash, moved, probes } = readObject(value, "result", ["hash", "moved", "probes"]);
-  const right = typeof hash === "string" && /^[0-9a-f]{8}$/.test(hash);
-  check(right, "result.hash must be 8 hexadecimal digits.");
+  const digits = readHash(hash, "result.hash");
   check(isIndex(moved), "result.moved must be a whole number.");
   const rows = Array.isArray(probes) && probes.every((row) => isNumbers(row, 4));
   check(rows, "result.probes must be a list of [point, x, y, z].");
-  return { hash: Number.parseInt(hash, 16), moved, probes: (probes as number[][]).flat() };
+  check(probes.length <= MOST.probes, `result.probes must be at most ${MOST.probes}.`);
+  return { hash: digits, moved, probes: (probes as number[][]).flat() };
 }
 
 const FIELDS = "format version title source planarised unit handles pins options variations result";
 
 function readRoot(value: unknown): DesignText {
+  const marked = isRecord(value) && value.format === "planish-design";
+  check(marked, "This is not a design: format must be planish-design.");
   const root = readObject(value, "The design", FIELDS.split(" "));
-  check(root.format === "planish-design", "format must be planish-design.");
-  check(root.version === 1, `The design is of version ${root.version}; this reads version 1.`);
+  check(
+    root.version === 1,
+    `The design is of version ${brief(root.version)}; this reads version 1.`,
+  );
   const unit = root.unit ?? "m";
   check(typeof unit === "string" && isUnit(unit), "unit must be mm, cm, m, km, in or ft.");
   const variations = root.variations ?? [];
   check(Array.isArray(variations), "variations must be a list.");
+  check(variations.length <= MOST.variations, `variations must be at most ${MOST.variations}.`);
   return {
-    source: readSource(root.source),
+    ...readSource(root.source),
     planarised: root.planarised === true,
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
     settings: readOptions(root.options),
     families: variations.map(readVariation),
     mark: readMark(root.result),
+    someSliders: true,
   };
 }
 
@@ -212,9 +248,3 @@ export function readDesign(text: string): Parsed<DesignText> {
     return { ok: false, reason };
   }
 }
-
-/** A stored shape keeps its place even where the recipe gives another one today. */
-export const sameShape = (a: Shape, b: Shape): boolean =>
-  a.moved.length === b.moved.length &&
-  crc32(bytesOf(a.positions), crc32(bytesOf(a.moved))) ===
-    crc32(bytesOf(b.positions), crc32(bytesOf(b.moved)));

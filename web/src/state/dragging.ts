@@ -2,7 +2,7 @@
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import { client, frame } from "./connection.ts";
-import { type HandleRow, type Point, withHandle } from "./design.ts";
+import { type HandleRow, leftBehind, type Point, withHandle } from "./design.ts";
 import { commitEdit, edit, editQuestion, handleOf, setPinned, shownPoint } from "./editing.ts";
 import { showPresent } from "./showing.ts";
 import {
@@ -18,8 +18,13 @@ import {
 } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
-/** Where a point is asked to be: its target if it has one, else where it is. */
-export const askedPoint = (vertex: number): Point => handleOf(vertex)?.target ?? shownPoint(vertex);
+/** Where a drag of a point starts: at its target, unless a variation has taken the point away from
+ * it; without a target where it is. */
+export function askedPoint(vertex: number): Point {
+  const design = draft.value;
+  const target = design && !leftBehind(design) ? handleOf(vertex)?.target : null;
+  return target ?? shownPoint(vertex);
+}
 
 /** The directions of the surface at a point, as the design stands now. */
 export function frameAt(vertex: number): Frame | null {
@@ -42,6 +47,8 @@ interface Grip {
 /** One drag; model units. An offset of exactly 0 along an axis keeps that coordinate's bits. */
 export class Drag {
   readonly #grips: readonly Grip[];
+  /** What the drag began with; a lock chosen while it lasts ends with it. */
+  readonly #lock = lock.value;
 
   constructor(vertices: readonly number[]) {
     this.#grips = vertices.map((vertex) => ({ vertex, from: askedPoint(vertex) }));
@@ -57,6 +64,7 @@ export class Drag {
   }
 
   async end(): Promise<void> {
+    lock.value = this.#lock;
     client.dropStreams();
     await inTurn(async () => {
       const design = draft.value;
@@ -66,6 +74,7 @@ export class Drag {
 
   /** Escape: the design goes back to where it was. */
   async abandon(): Promise<void> {
+    lock.value = this.#lock;
     client.dropStreams();
     await inTurn(showPresent);
   }
@@ -73,9 +82,16 @@ export class Drag {
 
 const isPinned = (vertex: number): boolean => handleOf(vertex)?.pinned === true;
 
+/** Why points of a mesh that is not flat cannot be moved. */
+export const FLAT_FIRST = "Make it flat first: Planarise.";
+
 /** Takes hold of points; null if they cannot be moved, and the notice says why. */
 export function beginDrag(vertices: readonly number[]): Drag | null {
-  if (!ready.value || !mesh.value?.report.flat) return null;
+  if (!ready.value || !mesh.value) return null;
+  if (!mesh.value.report.flat) {
+    notice.value = FLAT_FIRST;
+    return null;
+  }
   const loose = vertices.filter((vertex) => !isPinned(vertex));
   if (loose.length === 0) {
     notice.value = vertices.length === 1 ? `Point ${vertices[0]} is pinned.` : "These are pinned.";
@@ -113,5 +129,7 @@ export const allPinned = (): boolean =>
 
 /** Pins what is selected, or lets it go if all of it is pinned. */
 export function togglePins(): void {
-  if (ready.value && mesh.value?.report.flat) void setPinned(selection.value, !allPinned());
+  if (!ready.value) return;
+  if (mesh.value?.report.flat) void setPinned(selection.value, !allPinned());
+  else notice.value = FLAT_FIRST;
 }

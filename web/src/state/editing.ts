@@ -40,10 +40,31 @@ export function editQuestion(design: Design, mode: EditMode): Question {
   return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS };
 }
 
-/** Computes `next` and records it; a failure keeps the last design, on screen and in the solver. */
-export async function commit(next: Design, ask: Question, label: string): Promise<void> {
+/** The last burst of keys on a slider and what it gave. */
+let latest: { readonly burst: string; readonly design: Design } | null = null;
+
+/** Keys on a slider, one after the other, are one step of the history. */
+function recordStep(steady: steps.History<Design>, done: Design, burst: string | null): void {
+  const goesOn = goesOnFrom(steady.present, burst);
+  history.value = goesOn ? steps.amend(steady, done) : steps.record(steady, done);
+  latest = burst === null ? null : { burst, design: done };
+}
+
+const goesOnFrom = (design: Design | undefined, burst: string | null): boolean =>
+  burst !== null && latest?.burst === burst && latest.design === design;
+
+/**
+ * Computes `next` and records it; a failure keeps the last design, on screen and in the solver.
+ * @param burst names the keys on a slider that it is one of
+ */
+export async function commit(
+  next: Design,
+  ask: Question,
+  label: string,
+  burst: string | null = null,
+): Promise<void> {
   draft.value = next;
-  notice.value = null;
+  if (!goesOnFrom(history.value?.present, burst)) notice.value = null;
   const answer = await run(label, ask, "shown");
   const steady = history.value;
   if (!steady) return;
@@ -52,7 +73,7 @@ export async function commit(next: Design, ask: Question, label: string): Promis
     return;
   }
   const done: Design = { ...next, shape: answer.shape, report: answer.report };
-  history.value = steps.record(steady, done);
+  recordStep(steady, done, burst);
   if (draft.value === next) draft.value = done;
   if (leftBehind(steady.present) && !done.variation) notice.value = LEFT_BEHIND;
 }
@@ -61,8 +82,12 @@ const LEFT_BEHIND =
   "The variation was left behind: Undo brings it back. To keep it, use Continue from this shape first.";
 
 /** An edit starts from the base: a variation of the edit before it does not belong to it. */
-export const commitEdit = (next: Design, mode: EditMode): Promise<void> =>
-  commit({ ...next, variation: null }, editQuestion(next, mode), "computing");
+export const commitEdit = (
+  next: Design,
+  mode: EditMode,
+  burst: string | null = null,
+): Promise<void> =>
+  commit({ ...next, variation: null }, editQuestion(next, mode), "computing", burst);
 
 function changed(rows: readonly HandleRow[]): Design | null {
   return draft.value ? { ...draft.value, handles: rows } : null;
@@ -105,9 +130,8 @@ export async function addHandle(): Promise<void> {
   await setTarget(chosen, shownPoint(chosen));
 }
 
-/** Where the design has a vertex now, model units. */
-export function shownPoint(vertex: number): Point {
-  const shape = draft.value?.shape ?? NO_SHAPE;
+/** Where the design, or another shape of its mesh, has a vertex; model units. */
+export function shownPoint(vertex: number, shape = draft.value?.shape ?? NO_SHAPE): Point {
   const k = shape.moved.indexOf(vertex);
   if (k < 0) return basePoint(vertex);
   const p = shape.positions;
@@ -125,13 +149,16 @@ export function previewSettings(change: Partial<EditSettings>): void {
   if (next.handles.length > 0) void frame(editQuestion(next, "drag"));
 }
 
-export async function commitSettings(change: Partial<EditSettings>): Promise<void> {
+export async function commitSettings(
+  change: Partial<EditSettings>,
+  burst: string | null = null,
+): Promise<void> {
   client.dropStreams();
   await inTurn(async () => {
     const design = draft.value;
     if (!design) return;
-    await commitEdit({ ...design, settings: { ...design.settings, ...change } }, "solve");
-  });
+    await commitEdit({ ...design, settings: { ...design.settings, ...change } }, "solve", burst);
+  }, burst);
 }
 
 async function step(move: typeof steps.undo<Design>): Promise<void> {

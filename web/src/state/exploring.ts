@@ -97,17 +97,21 @@ export function previewVariation(index: number, value: number): void {
 }
 
 /** On release the design becomes exact again. */
-export async function commitVariation(index: number, value: number): Promise<void> {
+export async function commitVariation(
+  index: number,
+  value: number,
+  burst: string | null = null,
+): Promise<void> {
   client.dropStreams();
   await inTurn(async () => {
     const next = varied(index, value);
     const steady = history.value?.present;
-    if (next && steady) await commitVaried(next, steady);
-  });
+    if (next && steady) await commitVaried(next, steady, burst);
+  }, burst);
 }
 
 /** Evaluates the sliders of `next`, makes the result exact and records it. */
-async function commitVaried(next: Varied, steady: Design): Promise<void> {
+async function commitVaried(next: Varied, steady: Design, burst: string | null): Promise<void> {
   const ready = held.centre === next.variation.centre || (await ensureDirections(steady));
   const { coefficients } = next.variation;
   const shown = ready && (await run("varying", { kind: "vary", coefficients }, "shown"));
@@ -116,7 +120,7 @@ async function commitVaried(next: Varied, steady: Design): Promise<void> {
     return;
   }
   const exact: Design = { ...next, variation: { ...next.variation, exact: true } };
-  await commit(exact, { kind: "exact" }, "making exact");
+  await commit(exact, { kind: "exact" }, "making exact", burst);
 }
 
 /** Within a turn: the nearest flat design to what is shown. */

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Opening the user's files. A GLB that holds a design opens as that design.
-import { readDesign, sameShape } from "../share/design-text.ts";
+// Opening the user's files. A design, as text or in a GLB, opens as that design.
+import { readDesign } from "../share/design-text.ts";
 import type { FileFormat, OpenedMesh, Source, StoredDesign } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { type Design, toTargets } from "./design.ts";
+import { distance, formatSmall, isRounding } from "./deviating.ts";
 import * as steps from "./history.ts";
 import { adopt, freshDesign } from "./opening.ts";
-import type { Recipe } from "./recipe.ts";
-import { compute } from "./replaying.ts";
+import type { Steps } from "./recipe.ts";
+import { compute, replayNow, sizeOf } from "./replaying.ts";
 import { takeMesh } from "./showing.ts";
 import { draft, history, importReport, notice, problem, unit } from "./store.ts";
 import { inTurn } from "./turns.ts";
+import type { Unit } from "./units.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
@@ -23,13 +25,17 @@ function finish(design: Design, said: string): void {
 
 /** The stored shape itself, with as much of its recipe as is known. */
 async function asStored(design: Design, { shape }: StoredDesign, why: string): Promise<void> {
-  const { handles, settings } = design;
+  const { handles, settings, variation } = design;
   const targets = toTargets(handles);
-  const question = { kind: "restore", targets, settings, shape, keep: false } as const;
-  const answer = await run("opening the design", question, "shown");
+  const keep = variation !== null;
+  const answer = await run(
+    "opening the design",
+    { kind: "restore", targets, settings, shape, keep },
+    "shown",
+  );
   if (!answer) return;
   const report = { ...design.report, ...answer.report };
-  finish({ ...design, shape, report, variation: null }, `Opened as it was stored. ${why}`);
+  finish({ ...design, shape, report }, `Opened as it was stored. ${why}`);
 }
 
 /** Does the stored recipe again; where that gives another shape today, the stored one counts. */
@@ -40,34 +46,65 @@ async function reopen(source: Source, opened: OpenedMesh, stored: StoredDesign):
     takeMesh(plain, opened);
     return asStored(plain, stored, text.reason);
   }
-  const recipe: Recipe = { ...text.value, source: text.value.source ?? source, camera: null };
+  // The base in the file is that of the design, whatever became of where it came from.
+  const sample = text.value.source?.kind === "sample" ? text.value.source : null;
+  const recipe: Steps = { ...text.value, source: sample ?? source, baseHash: null, camera: null };
   const end = await compute(recipe, opened);
   unit.value = recipe.unit;
-  if ("design" in end && sameShape(end.design.shape, stored.shape)) {
+  const off = "design" in end ? distance(end.design.shape, stored.shape, opened.positions) : null;
+  if ("design" in end && off === 0) {
     finish(end.design, "Verified: the same result as when it was stored, to the last bit.");
     return;
   }
+  const size = sizeOf(opened.report);
+  const rounding = off !== null && isRounding(off, size, recipe.unit);
+  const differs = off === null ? "It cannot be computed again here." : differing(off, recipe.unit);
+  if ("design" in end && rounding) return asStored(end.design, stored, `${differs}: rounding.`);
   const { planarised, handles, settings } = recipe;
   const fresh = { ...freshDesign(recipe.source, planarised, opened), handles, settings };
-  await asStored(fresh, stored, "Computing it again gives a slightly different shape today.");
+  await asStored(fresh, stored, off === null ? differs : `${differs}.`);
 }
 
-export const openFile = (file: File): Promise<void> =>
-  inTurn(async () => {
-    const { name } = file;
-    const extension = name.split(".").at(-1)?.toLowerCase() ?? "";
-    const format = FORMATS.find((f) => f === extension);
-    if (!format) {
-      problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`;
-      return;
-    }
-    const question = { kind: "read", file, name, format } as const;
-    const answer = await run(`reading ${name}`, question, "opened");
-    if (!answer?.source) return;
-    if (answer.stored?.design) {
-      await reopen(answer.source, answer.mesh, answer.stored);
-      return;
-    }
-    adopt(answer.source, false, answer.mesh);
-    importReport.value = true;
-  });
+const differing = (off: number, of: Unit): string =>
+  `Recomputed here it differs by up to ${formatSmall(off, of)}`;
+
+/** Characters. */
+const LONGEST_DESIGN = 64 * 2 ** 20;
+
+/** A design as text: what is wrong with it is said, or it is done again. */
+async function openDesign(file: File): Promise<void> {
+  const refuse = (reason: string): void => {
+    problem.value = `${file.name}: ${reason}`;
+  };
+  if (file.size > LONGEST_DESIGN) return refuse("A design has at most 64 MB.");
+  const text = await file.text().catch(() => null);
+  if (text === null) return refuse("It could not be read. Open it again.");
+  const read = readDesign(text);
+  if (!read.ok) return refuse(read.reason);
+  const { source, meshName } = read.value;
+  if (!source)
+    return refuse(`Its mesh, ${meshName.slice(0, 100)}, lies beside it. Open it as a GLB instead.`);
+  const opened = await replayNow({ ...read.value, source, camera: null });
+  if (!opened && problem.value) refuse(problem.value);
+}
+
+const extensionOf = (name: string): string => name.split(".").at(-1)?.toLowerCase() ?? "";
+
+async function openNow(file: File): Promise<void> {
+  const { name } = file;
+  const extension = extensionOf(name);
+  if (extension === "json") return openDesign(file);
+  const format = FORMATS.find((f) => f === extension);
+  if (!format) {
+    problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY or GLB file, or a design (JSON).`;
+    return;
+  }
+  const question = { kind: "read", file, name, format } as const;
+  const answer = await run(`reading ${name}`, question, "opened");
+  if (!answer?.source) return;
+  if (answer.stored?.design) return reopen(answer.source, answer.mesh, answer.stored);
+  adopt(answer.source, false, answer.mesh);
+  importReport.value = true;
+}
+
+export const openFile = (file: File): Promise<void> => inTurn(() => openNow(file));

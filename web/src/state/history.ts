@@ -17,6 +17,13 @@ export const record = <T>({ past, present }: History<T>, next: T): History<T> =>
   future: [],
 });
 
+/** The step goes on: what it gave so far is no state of its own. */
+export const amend = <T>({ past }: History<T>, next: T): History<T> => ({
+  past,
+  present: next,
+  future: [],
+});
+
 export function undo<T>(history: History<T>): History<T> {
   const previous = history.past.at(-1);
   if (previous === undefined) return history;

@@ -27,6 +27,16 @@ export interface Recipe {
   readonly mark: ResultMark;
 }
 
+/** What is done again, whatever came out of it. */
+export interface Steps extends Omit<Recipe, "mark"> {
+  /** null: nothing was recorded to hold the result against. */
+  readonly mark: ResultMark | null;
+  /** Checksum of the base that was edited; null where it is not known. */
+  readonly baseHash?: number | null;
+  /** Sliders that are not named are at 0. */
+  readonly someSliders?: boolean;
+}
+
 /** Vertices that are recorded to measure a deviation. */
 const PROBES = 5;
 

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 // A recipe is opened by doing it again, and the result is held against its mark. All of it is one
 // step of the history; if a part fails, nothing has happened.
+import { meshHash } from "../share/mesh-hash.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
 import { run } from "./connection.ts";
 import type { Design, Family } from "./design.ts";
+import { deviationWords } from "./deviating.ts";
 import { editQuestion } from "./editing.ts";
 import { findDirections } from "./exploring.ts";
 import * as steps from "./history.ts";
 import { freshDesign } from "./opening.ts";
-import { deviation, type Recipe } from "./recipe.ts";
+import { deviation, type Recipe, type Steps } from "./recipe.ts";
 import { showPresent, takeMesh } from "./showing.ts";
 import { draft, history, notice, problem, unit } from "./store.ts";
 import { inTurn } from "./turns.ts";
-import { formatLength } from "./units.ts";
+
+/** Of the mesh, model units: display coordinates span ten. */
+export const sizeOf = ({ scale }: OpenedMesh["report"]): number => 10 / scale;
 
 type Step = { readonly design: Design } | { readonly reason: string | null };
 
@@ -25,13 +29,20 @@ async function solved(design: Design): Promise<Step> {
 }
 
 /** One family around `design`: found, evaluated and made exact. */
-async function member(design: Design, family: Family, earlier: readonly Family[]): Promise<Step> {
-  const { coefficients, asked, eigenbasis } = family;
+async function member(
+  design: Design,
+  given: Family,
+  earlier: readonly Family[],
+  someSliders: boolean,
+): Promise<Step> {
+  const { asked, eigenbasis } = given;
   const found = await findDirections(design, asked, eigenbasis);
-  if (found !== coefficients.length) {
-    const given = `This link sets ${coefficients.length} variations where its edit has ${found}.`;
-    return { reason: found === null ? problem.value : given };
-  }
+  if (found === null) return { reason: problem.value };
+  const count = given.coefficients.length;
+  if (count > found || (count < found && !someSliders))
+    return { reason: `The design sets ${count} variations where its edit has ${found}.` };
+  const coefficients = Array.from({ length: found }, (_, k) => given.coefficients[k] ?? 0);
+  const family: Family = { ...given, coefficients };
   const centre = design.shape;
   const next: Design = { ...design, variation: { ...family, centre, earlier, exact: true } };
   if (coefficients.every((x) => x === 0)) return { design: next };
@@ -41,27 +52,36 @@ async function member(design: Design, family: Family, earlier: readonly Family[]
   return { design: { ...next, shape: exact.shape, report: exact.report } };
 }
 
-async function varied(design: Design, { families }: Recipe): Promise<Step> {
+async function varied(design: Design, { families, someSliders = false }: Steps): Promise<Step> {
   let step: Step = { design };
-  for (const [k, family] of families.entries()) {
+  const earlier: Family[] = [];
+  for (const family of families) {
     if (!("design" in step)) break;
-    step = await member(step.design, family, families.slice(0, k));
+    step = await member(step.design, family, [...earlier], someSliders);
+    const found = "design" in step ? step.design.variation : null;
+    if (found) earlier.push({ ...family, coefficients: found.coefficients });
   }
   return step;
 }
 
 /** The design of `recipe` on its mesh, which the solver has open; within a turn. */
-export async function compute(recipe: Recipe, opened: OpenedMesh): Promise<Step> {
-  const { source, planarised, handles, settings } = recipe;
+export async function compute(recipe: Steps, opened: OpenedMesh): Promise<Step> {
+  const { source, planarised, handles, settings, baseHash = null } = recipe;
   const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
   takeMesh(fresh, opened);
+  // Making a mesh flat may round differently elsewhere.
+  if (baseHash !== null && !planarised && meshHash(opened) !== baseHash)
+    return {
+      reason: "The mesh in the design is not the one that was edited (source.hash differs).",
+    };
   if (handles.some((row) => row.vertex >= opened.report.vertices))
-    return { reason: "This link moves points that its mesh does not have." };
+    return { reason: "The design moves points that its mesh does not have." };
   const edited = await solved(fresh);
   return "design" in edited ? varied(edited.design, recipe) : edited;
 }
 
-async function replayNow(recipe: Recipe): Promise<boolean> {
+/** Within a turn; true if the design is there, otherwise the problem has been said. */
+export async function replayNow(recipe: Steps): Promise<boolean> {
   const { source, planarised } = recipe;
   const question = { kind: "open", source, planarise: planarised } as const;
   const answer = await run("opening the design", question, "opened");
@@ -75,7 +95,7 @@ async function replayNow(recipe: Recipe): Promise<boolean> {
   placeCamera(recipe.camera);
   draft.value = end.design;
   history.value = history.value ? steps.record(history.value, end.design) : steps.begin(end.design);
-  if (answer) announce(recipe, end.design, answer.mesh.positions);
+  if (answer) notice.value = wordsFor(recipe, end.design, answer.mesh);
   return true;
 }
 
@@ -88,10 +108,7 @@ export async function replay(recipe: Recipe): Promise<boolean> {
   return opened;
 }
 
-function announce({ mark }: Recipe, design: Design, base: Float64Array): void {
-  const off = deviation(mark, design.shape, base);
-  notice.value =
-    off === 0
-      ? "Verified: the same result as when it was shared, to the last bit."
-      : `Replayed: differs from the shared result by up to ${formatLength(off, unit.value)}.`;
+function wordsFor({ mark }: Steps, design: Design, { positions, report }: OpenedMesh): string {
+  if (!mark) return "Opened: the design holds no result to compare with.";
+  return deviationWords(deviation(mark, design.shape, positions), sizeOf(report), unit.value);
 }

@@ -13,6 +13,7 @@ import {
   hintVertex,
   history,
   importReport,
+  lock,
   mesh,
   panelDamage,
   panelFigures,
@@ -49,6 +50,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     selection.value = [];
     selectedPanel.value = null;
     visited.value = null;
+    lock.value = null;
     panelFigures.value = null;
     panelHealth.value = null;
     panelDamage.value = null;

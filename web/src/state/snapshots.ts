@@ -22,13 +22,16 @@ function freeName(): string {
 
 const newId = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
-/** Keeps the last finished design; gives the new snapshot's id, "" if there is no design. */
-export function takeSnapshot(name = freeName()): string {
-  const design = history.value?.present;
-  if (!design) return "";
+/** Keeps the design once everything that was asked for before is done; gives the snapshot's id. */
+export async function takeSnapshot(name?: string): Promise<string> {
   const id = newId();
-  const snapshot = { id, name, time: Date.now(), picture: draw(), design };
-  snapshots.value = [...snapshots.value, snapshot];
+  await inTurn(async () => {
+    const design = history.value?.present;
+    if (!design) return;
+    const called = name ?? freeName();
+    const snapshot = { id, name: called, time: Date.now(), picture: draw(), design };
+    snapshots.value = [...snapshots.value, snapshot];
+  });
   return id;
 }
 

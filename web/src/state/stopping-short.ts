@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Whether a finished edit leaves a point noticeably short of where it was asked to go.
-import type { Design } from "./design.ts";
+// Whether a finished edit, not a variation of it, leaves a point noticeably short of where it was asked to go.
+import { type Design, leftBehind } from "./design.ts";
 
 /** Share of the way. Soft handles stop short by a constant that the weights set, about a hundredth
  * of an edge, which is much of a short way. */
 const NOTICEABLE = 0.5;
 
 /** `base`: coordinates of all points before the edit. */
-export function stopsShort({ handles, report }: Design, base: Float64Array): boolean {
+export function stopsShort(design: Design, base: Float64Array): boolean {
+  if (leftBehind(design)) return false;
+  const { handles, report } = design;
   if (report.status === "infeasible_handles") return true;
   const ways = handles
     .filter(({ pinned }) => !pinned)

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Actions that change the design take turns: each starts from what the one before it left.
 
+interface Turn {
+  readonly burst: string | null;
+  begun: boolean;
+  overtaken: boolean;
+}
+
 let last: Promise<void> = Promise.resolve();
+let newest: Turn | null = null;
 let era = 0;
 
-/** Runs `action` after those that wait already, unless they are dropped first. */
-export function inTurn(action: () => Promise<void>): Promise<void> {
+/**
+ * Runs `action` after those that wait already, unless they are dropped first. Of actions of one
+ * burst that wait one after the other only the last is done: keys come faster than results.
+ */
+export function inTurn(action: () => Promise<void>, burst: string | null = null): Promise<void> {
   const mine = era;
-  const turn = last.then(() => (mine === era ? action() : undefined));
-  last = turn.catch(() => undefined);
-  return turn;
+  const turn: Turn = { burst, begun: false, overtaken: false };
+  if (newest && burst !== null && newest.burst === burst && !newest.begun) newest.overtaken = true;
+  newest = turn;
+  const done = last.then(() => {
+    turn.begun = true;
+    return mine === era && !turn.overtaken ? action() : undefined;
+  });
+  last = done.catch(() => undefined);
+  return done;
 }
 
 /** Forgets the actions that have not started. */

@@ -13,17 +13,19 @@ export function ContinueButton() {
       <button
         type="button"
         class={`button wide${varied ? " primary" : ""}`}
-        aria-describedby="continue-about"
+        title="This shape becomes the mesh that edits start from; handles and variations are cleared"
+        aria-describedby={varied ? "continue-about" : undefined}
         disabled={!ready.value}
         onClick={() => void continueFromShape()}
       >
         Continue from this shape
       </button>
-      <p id="continue-about" class="quiet small">
-        {varied
-          ? "The next edit starts from the mesh that was opened and leaves this variation behind. This makes the shape the new start: handles and variations are cleared, Undo brings them back."
-          : "Makes this shape the new start: handles and variations are cleared, Undo brings them back."}
-      </p>
+      {varied && (
+        <p id="continue-about" class="quiet small">
+          The next edit starts from the mesh that was opened and leaves this variation behind. This
+          keeps it, as the new start.
+        </p>
+      )}
     </>
   );
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a drag in the view goes: held to an axis or a plane, in steps, or around points as a box.
 import type { ComponentChildren } from "preact";
-import { allPinned, toggleLock, togglePins } from "../state/dragging.ts";
+import { allPinned, FLAT_FIRST, toggleLock, togglePins } from "../state/dragging.ts";
 import {
   boxTool,
   type Lock,
@@ -117,7 +117,7 @@ function PinTool() {
   return (
     <Toggle
       name="Pin selected points"
-      about="pinned points do not move (P)"
+      about={mesh.value?.report.flat === false ? FLAT_FIRST : "pinned points do not move (P)"}
       on={allPinned()}
       disabled={selection.value.length === 0 || !ready.value || !mesh.value?.report.flat}
       onClick={togglePins}

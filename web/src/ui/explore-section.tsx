@@ -31,6 +31,9 @@ function GalleryButton() {
 
 async function exploreAndShow(): Promise<void> {
   await explore();
+  // The sliders and the gallery are what was asked for.
+  if (draft.value?.variation)
+    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
   await fillGallery();
 }
 
@@ -81,9 +84,9 @@ export function ExploreSection() {
         Find variations
       </button>
       <VariationSliders />
+      <ContinueButton />
       <GalleryButton />
       <VariationGallery />
-      <ContinueButton />
     </section>
   );
 }

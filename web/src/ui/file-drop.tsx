@@ -27,7 +27,9 @@ export function FileDrop({ children }: { children: ComponentChildren }) {
       onDrop={drop}
     >
       {children}
-      {over.value && <div class="drop-note">Drop an OBJ, OFF, PLY or GLB mesh</div>}
+      {over.value && (
+        <div class="drop-note">Drop an OBJ, OFF, PLY or GLB mesh, or a design (JSON)</div>
+      )}
     </div>
   );
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 import type { HandleRow, Point } from "../state/design.ts";
+import { FLAT_FIRST } from "../state/dragging.ts";
 import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
+import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
 import { handles, mesh, ready, selection, unit } from "../state/store.ts";
-import { niceStep } from "../state/units.ts";
+import { formatLength, niceStep } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
@@ -17,15 +19,28 @@ const ROWS = 40;
 
 const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 
+const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part.MeetTargets));
+
+/** How far the point is from its target; kept in place while something moves. */
+function Short({ short }: { short: Shortfall }) {
+  return (
+    <span class={settled.value ? "short" : "short stale"}>
+      {formatLength(short.length, unit.value)}
+      {varied.value ? " from the target, by the variation" : " short"}
+    </span>
+  );
+}
+
 function Row({ row, step }: { row: HandleRow; step: number }) {
   const shown: Point = row.pinned ? basePoint(row.vertex) : row.target;
   const name = `point ${row.vertex}`;
+  const short = shortfalls.value.find((one) => one.vertex === row.vertex);
   const apply = (axis: number, value: number): void => {
     const [x, y, z] = row.target.map((old, k) => (k === axis ? value : old));
     void setTarget(row.vertex, [x ?? 0, y ?? 0, z ?? 0]);
   };
   return (
-    <tr class={selection.value.includes(row.vertex) ? "selected" : ""}>
+    <tr class={`${selection.value.includes(row.vertex) ? "selected" : ""}${short ? " off" : ""}`}>
       <th scope="row">
         <button
           type="button"
@@ -49,6 +64,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
             context={name}
             onApply={(value) => apply(axis, value)}
           />
+          {axis === 0 && short && <Short short={short} />}
         </td>
       ))}
       <td class="narrow">
@@ -80,6 +96,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
 export function HandlesTable() {
   const step = stepFor(mesh.value?.report.meanEdge ?? 1);
   const rows = handles.value;
+  const bent = mesh.value?.report.flat === false;
   return (
     <>
       <table class={rows.length === 0 ? "handles vacant" : "handles"} aria-label="Handles">
@@ -105,6 +122,7 @@ export function HandlesTable() {
           ))}
         </tbody>
       </table>
+      <MeetTargets />
       {rows.length > ROWS && (
         <p class="quiet">
           The first {ROWS} of {rows.length}; the view shows all of them.
@@ -117,11 +135,13 @@ export function HandlesTable() {
         type="button"
         class={`button wide${rows.length === 0 ? " primary" : ""}`}
         disabled={!ready.value || !mesh.value?.report.flat}
+        aria-description={bent ? FLAT_FIRST : undefined}
         onClick={() => void addHandle()}
       >
         <Icon name="plus" />
         Add handle
       </button>
+      {bent && <p class="quiet small">{FLAT_FIRST}</p>}
       <SurfaceMove />
     </>
   );

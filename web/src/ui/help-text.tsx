@@ -13,12 +13,12 @@ const HINTS: readonly Hint[] = [
   },
   {
     how: "[X] [Y] [Z] [N]",
-    what: "hold a drag to an axis or to the normal; with Shift, to the plane across",
+    what: "hold drags to an axis or to the normal until pressed again; pressed during a drag, that drag alone; with Shift, to the plane across",
   },
   { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
   {
     how: "[Ctrl] click, [Shift] drag",
-    what: "select several points, or a box of them; they move together",
+    what: "select several points, or all in a box, those behind the surface too; they move together",
   },
   { how: "[P]", what: "pins the selected points, or lets them go" },
   { how: "Rest on a point", what: "says how far it moved, or what its colour stands for" },
@@ -27,15 +27,19 @@ const HINTS: readonly Hint[] = [
     how: "[←] [↑] [↓] [→] in the view",
     what: "step from point to point; with Ctrl, add the next point",
   },
+  {
+    how: "To move a point by keys",
+    what: "step to it, press Add handle, and type where it should go",
+  },
   { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
   {
     how: "[1] [2] [3] [4], [F]",
     what: "perspective, top, front, side; fit the model into the view",
   },
   { how: "[B], held", what: "shows the design before the edit" },
-  { how: "[Esc]", what: "gives up a drag; otherwise selects nothing" },
+  { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
   { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
-  { how: "[Ctrl] [O]", what: "opens a file" },
+  { how: "[Ctrl] [O]", what: "opens a mesh (OBJ, OFF, PLY, GLB) or a design (GLB, JSON)" },
   { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
 ];
 
@@ -57,6 +61,12 @@ export function HelpText() {
         Move a point of a structure made of flat panels. The few points that must follow do;
         everything else keeps its coordinates to the last bit, and every panel stays flat to one
         millionth of a millimetre per metre.
+      </p>
+      <p>
+        While a point is dragged, each picture follows from the one before; on release the edit is
+        solved afresh from the mesh that was opened, so that the result depends on the handles
+        alone, and other points may follow than on the way. To go on from a shape instead, a
+        variation for example, use Continue from this shape.
       </p>
       <dl class="keys">
         {HINTS.map(({ how, what }) => (

@@ -36,7 +36,7 @@ function Weights() {
         disabled={!ready.value}
         ends={["more points follow", "fewer follow"]}
         onInput={(value) => previewSettings({ locality: value })}
-        onCommit={(value) => commitSettings({ locality: value })}
+        onCommit={(value, burst) => commitSettings({ locality: value }, burst)}
       />
       <Slider
         label="Smoothness"
@@ -49,7 +49,7 @@ function Weights() {
         disabled={!ready.value}
         ends={["sharp, close by", "gentle, wider"]}
         onInput={(value) => previewSettings({ smoothness: value })}
-        onCommit={(value) => commitSettings({ smoothness: value })}
+        onCommit={(value, burst) => commitSettings({ smoothness: value }, burst)}
       />
     </>
   );

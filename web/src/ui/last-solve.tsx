@@ -58,7 +58,7 @@ function facts(): readonly (readonly [string, string])[] {
     ...planarisingFact(),
     ["Steps", String(iterations)],
     ["Objective", objective.toPrecision(5)],
-    ["Furthest from a target", formatLength(handleError, unit.value)],
+    ["Furthest from a target now", formatLength(handleError, unit.value)],
   ];
 }
 

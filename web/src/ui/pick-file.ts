@@ -13,13 +13,13 @@ function pickFile(accept: string): Promise<File | null> {
   });
 }
 
-/** Opens a mesh that was picked or dropped. */
+/** Opens a mesh or a design that was picked or dropped. */
 export async function openGiven(file: File): Promise<void> {
   const files = await fetchPart(() => import("../state/files.ts"));
   await files?.openFile(file);
 }
 
 export async function pickAndOpen(): Promise<void> {
-  const file = await pickFile(".obj,.off,.ply,.glb");
+  const file = await pickFile(".obj,.off,.ply,.glb,.json");
   if (file) await openGiven(file);
 }

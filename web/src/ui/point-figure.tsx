@@ -13,7 +13,7 @@ import {
 import { formatLength } from "../state/units.ts";
 
 /** What the colour at a point stands for, in words. */
-function meaning(vertex: number): string {
+export function meaning(vertex: number): string {
   const [opened, design] = [mesh.value, draft.value];
   const bend = colourBy.value === "fairness" ? bending.value?.[vertex] : undefined;
   if (bend !== undefined) return bend > 0 ? `bends ${formatLength(bend, unit.value)}` : "smooth";

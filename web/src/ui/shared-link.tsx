@@ -3,7 +3,8 @@ import { exportMesh } from "../export/exporting.ts";
 import { encodeLink } from "../share/link.ts";
 import { readCamera } from "../state/camera.ts";
 import { recipeOf } from "../state/recipe.ts";
-import { draft, unit } from "../state/store.ts";
+import { history, unit } from "../state/store.ts";
+import { inTurn } from "../state/turns.ts";
 
 /** Mail programs and chats start to cut links about here. */
 const LONG = 8_000;
@@ -23,13 +24,25 @@ function advice({ link, copied }: Shared): string {
   return `${what} It holds the whole design; nothing is stored anywhere else.`;
 }
 
-/** Makes the link of the design shown and copies it, where the browser lets it. */
-export async function share(): Promise<Shared | null> {
-  const design = draft.value;
+async function linkNow(): Promise<string | null> {
+  const design = history.value?.present;
   if (!design) return null;
   const url = new URL(location.href);
   url.hash = "";
-  const link = url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
+  return url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
+}
+
+/** Makes the link of the design, once all that was asked for is done, and copies it, where the
+ * browser lets it. */
+export async function share(): Promise<Shared | null> {
+  let link: string | null = null;
+  await inTurn(async () => {
+    link = await linkNow();
+  });
+  return link === null ? null : copy(link);
+}
+
+async function copy(link: string): Promise<Shared> {
   const copied = await navigator.clipboard.writeText(link).then(
     () => true,
     () => false,

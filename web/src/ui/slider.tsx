@@ -14,17 +14,25 @@ interface SliderProps {
   /** The value with its unit, where `shown` alone does not say it. */
   readonly spoken?: string;
   readonly onInput: (value: number) => void;
-  /** Resolves once `value` is what the design has. */
-  readonly onCommit: (value: number) => void | Promise<void>;
+  /** Resolves once `value` is what the design has. Keys pressed while the slider keeps the focus
+   * are one burst; null for a pointer. */
+  readonly onCommit: (value: number, burst: string | null) => void | Promise<void>;
 }
+
+const KEYS = /^(Arrow|Page|Home|End)/;
+let bursts = 0;
 
 export function Slider(props: SliderProps) {
   const { label, min, max, step, disabled, ends, onInput, onCommit } = props;
   /** Set by the user and not in the design yet: an answer to an earlier key must not undo it. */
   const ahead = useSignal<number | null>(null);
   const value = ahead.value ?? props.value;
+  const burst = useSignal<string | null>(null);
+  const noBurst = (): void => {
+    burst.value = null;
+  };
   const commit = async (wanted: number): Promise<void> => {
-    await onCommit(wanted);
+    await onCommit(wanted, burst.value);
     if (ahead.value === wanted) ahead.value = null;
   };
   const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
@@ -49,6 +57,11 @@ export function Slider(props: SliderProps) {
         aria-valuetext={ends ? `${spoken}: from ${ends[0]} to ${ends[1]}` : spoken}
         disabled={disabled}
         style={{ "--from": share(Math.min(value, rest)), "--to": share(Math.max(value, rest)) }}
+        onKeyDown={({ key }) => {
+          if (KEYS.test(key)) burst.value ??= `${id} ${++bursts}`;
+        }}
+        onPointerDown={noBurst}
+        onBlur={noBurst}
         onInput={({ currentTarget }) => {
           ahead.value = currentTarget.valueAsNumber;
           onInput(currentTarget.valueAsNumber);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { Point } from "../state/design.ts";
-import { moveInFrame } from "../state/dragging.ts";
+import { FLAT_FIRST, moveInFrame } from "../state/dragging.ts";
 import { mesh, ready, selection, unit } from "../state/store.ts";
 import { niceStep } from "../state/units.ts";
 import { NumberField } from "./number-field.tsx";
@@ -39,9 +39,11 @@ export function SurfaceMove() {
         ))}
       </div>
       <p class="quiet">
-        {chosen.length === 0
-          ? "Select a point first."
-          : `Moves ${count(chosen.length)} by what you type.`}
+        {mesh.value?.report.flat === false
+          ? FLAT_FIRST
+          : chosen.length === 0
+            ? "Select a point first."
+            : `Moves ${count(chosen.length)} by what you type.`}
       </p>
     </details>
   );

@@ -34,7 +34,7 @@ export function VariationSliders() {
             shown={words(value)}
             disabled={false}
             onInput={(x) => previewVariation(k, x)}
-            onCommit={(x) => commitVariation(k, x)}
+            onCommit={(x, burst) => commitVariation(k, x, burst)}
           />
         );
       })}

@@ -5,13 +5,14 @@ import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
-import { figures, mesh, problem } from "../state/store.ts";
+import { figures, mesh, problem, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
 import { ViewKeys } from "./view-keys.ts";
 
 const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
+const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
@@ -30,6 +31,11 @@ function Summary() {
         : "The model is being prepared."}
     </p>
   );
+}
+
+/** What is seen while B or Before is held. */
+function BeforeNote() {
+  return showBefore.value ? <div class="before-note">Before the edit</div> : null;
 }
 
 /** A word that gives way to a shorter one where there is little room. */
@@ -99,6 +105,7 @@ export function ViewportPane() {
         aria-describedby="view-summary"
       />
       <Summary />
+      <Announcement />
       <div ref={pulls} class="markers" aria-hidden="true" />
       <div ref={markers} class="markers" aria-hidden="true" />
       <div ref={hint} class="hint" hidden>
@@ -111,6 +118,7 @@ export function ViewportPane() {
         <PointFigure />
       </div>
       <div ref={box} class="selection-box" hidden />
+      <BeforeNote />
       <DragTools />
       <Legend />
       <fieldset class="views">

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Keys on a slider come faster than results: what is kept, shared or exported is where the slider
+// is, and all of them are one step.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { decodeLink } from "../../web/src/share/link.ts";
+import { exportAs, idle, openSite, type Site, typeTarget } from "./support/page.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+const press = async (page: Page, name: string): Promise<void> => {
+  await page.getByRole("button", { name, exact: true }).click();
+  await idle(page);
+};
+
+const slider = (page: Page, name: string) => page.getByRole("slider", { name, exact: true });
+
+/** Twenty keys at once, as a held key sends them, and then `after` before anything is done. */
+async function twentyKeys(page: Page, name: string, after: () => Promise<void>): Promise<void> {
+  await slider(page, name).focus();
+  for (let k = 0; k < 20; ++k) await page.keyboard.press("ArrowRight");
+  await after();
+  await idle(page);
+}
+
+it("a snapshot, a link and a file hold where twenty quick keys went", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+80cm");
+  await press(page, "Find variations");
+  await twentyKeys(page, "Variation 1", () =>
+    page.getByRole("button", { name: "Take snapshot" }).click(),
+  );
+  const kept = (await exportAs(page, "OBJ")).toString();
+  expect(await slider(page, "Variation 1").inputValue()).toBe("0.2");
+  await twentyKeys(page, "Variation 1", async () => {
+    await page.getByRole("button", { name: "Share" }).click();
+  });
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  await page.keyboard.press("Escape");
+  const shared = await decodeLink(new URL(link).hash);
+  expect(shared.ok && shared.value.families.at(-1)?.coefficients[0]).toBe(0.4);
+  let file = "";
+  await twentyKeys(page, "Variation 1", async () => {
+    file = (await exportAs(page, "OBJ")).toString();
+  });
+  expect(await slider(page, "Variation 1").inputValue()).toBe("0.6");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(file);
+  await press(page, "Adopt Snapshot 1");
+  expect(await slider(page, "Variation 1").inputValue()).toBe("0.2");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(kept);
+  await page.context().close();
+});
+
+it("all keys until the slider is left are one step", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+60cm");
+  const edited = (await exportAs(page, "OBJ")).toString();
+  await slider(page, "Locality").focus();
+  for (let k = 0; k < 3; ++k) {
+    await page.keyboard.press("ArrowRight");
+    await idle(page);
+  }
+  const [changed, value] = [
+    (await exportAs(page, "OBJ")).toString(),
+    await slider(page, "Locality").inputValue(),
+  ];
+  expect([changed === edited, value]).toEqual([false, "1.3"]);
+  await slider(page, "Locality").focus();
+  await page.keyboard.press("ArrowLeft");
+  await idle(page);
+  // The slider was left in between: two steps.
+  await press(page, "Undo");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(changed);
+  await press(page, "Undo");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
+  expect(await slider(page, "Locality").inputValue()).toBe("1");
+  await page.context().close();
+});

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What the page says of handles that are not where they were asked to be, against its own file.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { readObj } from "./support/obj.ts";
+import { exportAs, idle, openSite, type Site, typeTarget } from "./support/page.ts";
+import { handleRows } from "./support/view.ts";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+const press = async (page: Page, name: string): Promise<void> => {
+  await page.getByRole("button", { name, exact: true }).click();
+  await idle(page);
+};
+
+/** Millimetres from the first handle's target to its point in the exported file. */
+async function away(page: Page): Promise<number> {
+  const { points } = readObj((await exportAs(page, "OBJ")).toString());
+  const [row] = await handleRows(page);
+  const at = points[row?.vertex ?? 0] ?? [];
+  return 1000 * Math.hypot(...(row?.target ?? []).map((x, k) => x - (at[k] ?? Number.NaN)));
+}
+
+/** Millimetres that the row and the report give; the row is silent at 0. */
+async function told(page: Page): Promise<{ row: number; report: number; words: string }> {
+  const table = page.getByRole("table", { name: "Handles" });
+  const said = await table
+    .getByText(/^[\d.]+ mm (short|from the target, by the variation)$/)
+    .allTextContents();
+  const [length = "0", , words = ""] = said[0]?.split(" ") ?? [];
+  const report = await page
+    .getByText("Furthest from a target now", { exact: true })
+    .locator("xpath=following-sibling::dd")
+    .textContent();
+  return { row: Number(length), report: Number(report?.replace(" mm", "")), words };
+}
+
+async function expectTruth(page: Page, words: string): Promise<void> {
+  const [real, said] = [await away(page), await told(page)];
+  expect(said.words).toBe(words);
+  expect(Math.abs(said.report - real)).toBeLessThanOrEqual(0.51);
+  if (words) expect(Math.abs(said.row - real)).toBeLessThanOrEqual(0.51);
+}
+
+it("says how far a point stops short, and can do away with it", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+50mm");
+  await page.getByText("Last solve", { exact: true }).click();
+  expect(await away(page)).toBeGreaterThan(1);
+  await expectTruth(page, "short");
+  await press(page, "Meet the targets exactly");
+  await expectTruth(page, "");
+  expect(await away(page)).toBeLessThan(0.001);
+  expect(await page.getByRole("button", { name: "Meet the targets exactly" }).count()).toBe(0);
+  await press(page, "Undo");
+  await expectTruth(page, "short");
+  await page.context().close();
+});
+
+it("speaks of the variation that is shown, not of the edit before it", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+80cm");
+  await page.getByText("Last solve", { exact: true }).click();
+  await press(page, "Find variations");
+  await expectTruth(page, "short");
+  await page.getByRole("slider", { name: "Variation 1", exact: true }).fill("0.7");
+  await idle(page);
+  expect(await away(page)).toBeGreaterThan(20);
+  await expectTruth(page, "from");
+  expect(await page.getByRole("button", { name: "Meet the targets exactly" }).count()).toBe(0);
+  await press(page, "Undo");
+  await expectTruth(page, "short");
+  await press(page, "Redo");
+  await expectTruth(page, "from");
+  await page.context().close();
+});

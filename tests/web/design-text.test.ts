@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Designs as text: every recipe of the paper's page is read, and whatever else comes gives a design
+// or one sentence that names the field.
+import { readdirSync, readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { readDesign } from "../../web/src/share/design-text.ts";
+import { Damage } from "./support/mutations.ts";
+
+const INPUTS = Number(process.env.PLANISH_FUZZ_INPUTS ?? 5_000);
+const SEED = Number(process.env.PLANISH_SEED ?? 20_260_101);
+
+const FOLDER = new URL("../../docs/scenes/", import.meta.url);
+const TEXTS = readdirSync(FOLDER)
+  .filter((name) => /^figure-.*\.json$/.test(name))
+  .map((name) => readFileSync(new URL(name, FOLDER), "utf8"));
+
+const GIVEN = { sample: "vault", size: 9 };
+const text = (change: object): string =>
+  JSON.stringify({ format: "planish-design", version: 1, source: GIVEN, ...change });
+const reason = (given: string): string => {
+  const read = readDesign(given);
+  return read.ok ? "" : read.reason;
+};
+
+it("reads every recipe of the paper's figures", () => {
+  expect(TEXTS.length).toBeGreaterThan(20);
+  for (const recipe of TEXTS) expect(reason(recipe)).toBe("");
+});
+
+it("takes what may be left out as it is documented", () => {
+  const read = readDesign(text({}));
+  if (!read.ok) throw new Error(read.reason);
+  const { mark, handles, families, unit, planarised, settings } = read.value;
+  expect([mark, handles, families, unit, planarised]).toEqual([null, [], [], "m", false]);
+  expect([settings.attraction, settings.sparsity, settings.tolerance]).toEqual([1000, "l21", 1e-6]);
+});
+
+it("takes the mesh that rides along", async () => {
+  const mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  const source = { file: "a.obj", hash: "0012abcd", format: "obj", bytes: btoa(mesh) };
+  const read = readDesign(text({ source }));
+  if (!read.ok || read.value.source?.kind !== "file") throw new Error("no file");
+  expect(await read.value.source.bytes.text()).toBe(mesh);
+  expect(read.value.baseHash).toBe(0x12abcd);
+  const beside = readDesign(text({ source: { file: "a.obj", hash: "0012abcd" } }));
+  expect(beside.ok && [beside.value.source, beside.value.meshName]).toEqual([null, "a.obj"]);
+});
+
+describe("names the field that is wrong", () => {
+  const cases: readonly (readonly [string, RegExp])[] = [
+    ["{", /not JSON/],
+    ["[]", /format must be planish-design/],
+    ['{"a":1}', /format must be planish-design/],
+    [text({ version: 7 }), /version 7/],
+    [text({ version: { toString: null } }), /version/],
+    [text({ handel: [] }), /handel is not a field/],
+    [text({ handles: [[1, 2, 3]] }), /handles\[0\]/],
+    [text({ handles: {} }), /handles/],
+    [text({ pins: [-1] }), /pins/],
+    [text({ unit: "furlong" }), /unit must be/],
+    [text({ options: { solver: "magic" } }), /options\.solver/],
+    [text({ options: { locality: -1 } }), /options\.locality/],
+    [text({ variations: [{ dimension: 99, coefficients: [] }] }), /variations\[0\]\.dimension/],
+    [text({ variations: [{ dimension: 1, coefficients: [1, 2] }] }), /coefficients/],
+    [text({ variations: Array(33).fill({}) }), /variations must be at most 32/],
+    [text({ result: { hash: "xyz" } }), /result\.hash/],
+    [text({ source: { sample: "vault" } }), /source/],
+    [text({ source: { file: "a", format: "dwg", bytes: "AA==" } }), /source\.format/],
+    [text({ source: { file: "a", format: "obj", bytes: "é" } }), /source\.bytes/],
+    [text({ source: { file: "a", hash: 5 } }), /source\.hash/],
+  ];
+  it.each(cases)("%s", (given, sentence) => {
+    expect(reason(given)).toMatch(sentence);
+  });
+});
+
+it("any damage gives a design or a short sentence", () => {
+  const damage = new Damage(SEED);
+  let refused = 0;
+  for (let k = 0; k < INPUTS; ++k) {
+    const whole = damage.pick(TEXTS);
+    const bytes = new TextEncoder().encode(whole);
+    const given = damage.chance(0.7)
+      ? JSON.stringify(damage.json(JSON.parse(whole)))
+      : new TextDecoder().decode(damage.bytes(bytes, bytes));
+    const said = reason(given);
+    if (said) refused += 1;
+    if (said) expect(said).toMatch(/^[^\n]{10,200}\.$/);
+  }
+  expect(refused).toBeGreaterThan(INPUTS / 4);
+});

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/// What a session says of its mesh and of the design shown, as JSON.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "json_text.hpp"
+#include "planish/mesh_check.hpp"
+#include "planish/metrics.hpp"
+#include "session.hpp"
+
+namespace planish {
+namespace {
+
+std::vector<double> residuals(const SolveReport& report) {
+  std::vector<double> list;
+  for (const IterationRecord& record : report.records) list.push_back(record.primal_residual);
+  return list;
+}
+
+double largest_distance(const Positions& a, const Positions& b) {
+  return a.cols() > 0 ? (a - b).colwise().norm().maxCoeff() : 0.0;
+}
+
+}  // namespace
+
+std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
+                                  const SolveReport& solve, double seconds) const {
+  const Worst worst = worst_panel(positions, moved);
+  double handle_error = 0.0;
+  for (const auto& [vertex, target] : targets_.handles) {
+    handle_error = std::max(handle_error, (positions.col(vertex) - target).norm());
+  }
+  return JsonText()
+      .add("status", status_name(solve.status))
+      .add("movedVertices", moved.size())
+      .add("maxDisplacement", largest_move(positions, moved))
+      .add("worstGap", worst.gap)
+      .add("worstMmPerM", worst.mm_per_m)
+      .add("handleError", handle_error)
+      .add("objective", solve.objective.total())
+      .add("iterations", solve.iterations)
+      .add("seconds", seconds)
+      .add("residuals", residuals(solve))
+      .text();
+}
+
+void Session::write_report(const SolveReport& solve, double seconds) {
+  report_ = shape_report(current_, moved_, solve, seconds);
+}
+
+std::string Session::mesh_report() const {
+  const MeshSummary summary = summarize(base_);
+  JsonText sizes;
+  for (const auto& [size, count] : summary.face_sizes) sizes.add(std::to_string(size), count);
+  const bool planarised = before_planarising_.cols() > 0;
+  const Positions& opened = planarised ? before_planarising_ : base_.positions;
+  JsonText planarising;
+  planarising.add("moved", moved_vertex_count(opened, base_.positions))
+      .add("largest", largest_distance(opened, base_.positions));
+  return JsonText()
+      .add("vertices", summary.vertices)
+      .add("faces", summary.faces)
+      .add("faceSizes", sizes)
+      .add("boundaryLoops", summary.boundary_loops)
+      .add("components", summary.components)
+      .add("nonmanifoldEdges", summary.nonmanifold_edges)
+      .add("isolatedVertices", summary.isolated_vertices)
+      .add("meanEdge", summary.mean_edge)
+      .add("degreesOfFreedom", degrees_of_freedom(base_))
+      .add("worstGap", base_worst_.gap)
+      .add("worstMmPerM", base_worst_.mm_per_m)
+      .add("flat", is_base_flat())
+      .add("planarising", planarising)
+      .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
+      .add("scale", scale_)
+      .add("warnings", warnings_)
+      .text();
+}
+
+}  // namespace planish

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+import { commitSettings } from "../state/editing.ts";
+import { shortfalls, varied } from "../state/shortfall.ts";
+import { history, ready } from "../state/store.ts";
+
+/** Below handles that stop short of their targets: what to do about it. */
+export function MeetTargets() {
+  const exactly = history.value?.present.settings.hardHandles;
+  if (shortfalls.value.length === 0 || varied.value || exactly) return null;
+  return (
+    <button
+      type="button"
+      class="button small meet-targets"
+      title="Points go all the way to what is typed or dragged, where the panels let them"
+      disabled={!ready.value}
+      onClick={() => void commitSettings({ hardHandles: true })}
+    >
+      Meet the targets exactly
+    </button>
+  );
+}
