@@ -32,13 +32,18 @@ std::string name(std::string_view kind, int index) {
   return text += std::to_string(index);
 }
 
+/// " (from 1)" after numbers that do not count from 0, as others do.
+std::string counting(const SourceLines& lines) {
+  return lines.first == 0 ? "" : " (from " + std::to_string(lines.first) + ")";
+}
+
 Refusal refuse_positions(const Mesh& mesh, const SourceLines& lines) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     for (int c = 0; c < 3; ++c) {
       const double value = mesh.positions(c, v);
       if (std::abs(value) <= kLargestCoordinate) continue;  // false for NaN
-      return at_line(lines.vertices, v) + name("vertex", v) + " has the coordinate " +
-             number_text(value) +
+      return at_line(lines.vertices, v) + name("vertex", v + lines.first) + counting(lines) +
+             " has the coordinate " + number_text(value) +
              (std::isfinite(value) ? ", which is larger than 1e100" : ", which is not finite");
     }
   }
@@ -50,7 +55,7 @@ Refusal refuse_face(const Mesh& mesh, int f, const SourceLines& lines,
                     std::vector<int>& last_face_of) {
   const auto face = mesh.face(f);
   const auto refusal = [&](const std::string& what) {
-    return at_line(lines.faces, f) + name("face", f) + " " + what;
+    return at_line(lines.faces, f) + name("face", f + lines.first) + " " + what;
   };
   if (face.size() < 3) {
     return refusal("has " + count_text(face.size(), "vertex", "vertices") + "; it needs 3 or more");
@@ -58,12 +63,13 @@ Refusal refuse_face(const Mesh& mesh, int f, const SourceLines& lines,
   for (const int v : face) {
     if (v < 0 || v >= mesh.vertex_count()) {
       return refusal(
-          "uses " + name("vertex", v) + ", but the mesh has " +
+          "uses " + name("vertex", v + lines.first) + ", but the mesh has " +
           count_text(static_cast<std::size_t>(mesh.vertex_count()), "vertex", "vertices") +
-          " (from 0)");
+          " (from " + std::to_string(lines.first) + ")");
     }
     int& last = last_face_of[static_cast<std::size_t>(v)];
-    if (last == f) return refusal("uses " + name("vertex", v) + " twice");
+    if (last == f)
+      return refusal("uses " + name("vertex", v + lines.first) + " twice" + counting(lines));
     last = f;
   }
   return std::nullopt;
@@ -83,10 +89,11 @@ Refusal refuse_edges(const std::vector<EdgeUse>& uses, const SourceLines& lines)
     const auto edge = same_edge(uses, k);
     k += edge.size();
     if (edge.size() <= 2) continue;
-    return at_line(lines.faces, edge[2].face) + "the edge between vertices " +
-           std::to_string(edge[0].low) + " and " + std::to_string(edge[0].high) + " is shared by " +
-           std::to_string(edge.size()) + " faces, among them " + std::to_string(edge[0].face) +
-           " and " + std::to_string(edge[2].face) + "; an edge can have at most 2";
+    const auto number = [&](int index) { return std::to_string(index + lines.first); };
+    return at_line(lines.faces, edge[2].face) + "the edge between vertices " + number(edge[0].low) +
+           " and " + number(edge[0].high) + " is shared by " + std::to_string(edge.size()) +
+           " faces, among them " + number(edge[0].face) + " and " + number(edge[2].face) +
+           counting(lines) + "; an edge can have at most 2";
   }
   return std::nullopt;
 }

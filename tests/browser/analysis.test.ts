@@ -124,7 +124,7 @@ it("marks panels that cross themselves, in words too", async () => {
   await page.getByRole("columnheader", { name: "Shape" }).getByRole("button").click();
   expect((await column(page, 5))[0]).toBe("crosses itself");
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
-  expect(await page.getByText("crosses itself (bow-tie)").count()).toBe(1);
+  await expect.poll(() => page.getByText("crosses itself (bow-tie)").count()).toBe(1);
   await page.context().close();
 });
 

@@ -71,6 +71,14 @@ TEST(MeshCheck, NamesTwoFacesOfANonManifoldEdge) {
             "can have at most 2");
 }
 
+TEST(MeshCheck, CountsVerticesAndFacesAlikeAndAsTheFileDoes) {
+  const Mesh fan = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                             {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  EXPECT_EQ(error_text(check_mesh(fan, {.vertices = {}, .faces = {6, 7, 8}, .first = 1})),
+            "line 8: the edge between vertices 1 and 2 is shared by 3 faces, among them 1 and 3 "
+            "(from 1); an edge can have at most 2");
+}
+
 TEST(MeshCheck, WarnsOfAFlippedFaceAndAPinch) {
   Mesh mesh = grid(2);
   std::swap(mesh.face_vertices[1], mesh.face_vertices[3]);

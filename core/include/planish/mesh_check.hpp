@@ -10,13 +10,16 @@
 
 namespace planish {
 
-/// The lines, from 1, on which a reader found the elements; empty where a format has no lines.
+/// How the file names its elements: by the lines, from 1, on which a reader found them (empty where
+/// a format has no lines), and by their numbers.
 struct SourceLines {
   std::vector<int> vertices;  ///< one a vertex, or empty
   std::vector<int> faces;     ///< one a face, or empty
+  int first = 0;              ///< the number of the first vertex and of the first face, 0 or 1
 };
 
-/// Accepts or refuses a mesh as read, in O(n log n). Vertices and faces count from 0 in messages.
+/// Accepts or refuses a mesh as read, in O(n log n). A refusal counts vertices and faces as the
+/// file does; warnings are of a mesh that is open and count from 0 as everything else does then.
 ///
 /// Refused, naming face or vertex and its line: non-finite or huge (> 1e100) coordinates, indices
 /// out of range, no faces, faces under 3 vertices, a vertex repeated in a face, edges shared by

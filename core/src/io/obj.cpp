@@ -138,6 +138,7 @@ ReadResult read_obj(std::string_view bytes) {
   if (draft.face_count() == 0) return ReadError{"the file holds no faces (no \"f\" lines)"};
   if (std::string problem = resolve_corners(draft); !problem.empty()) return ReadError{problem};
   Mesh mesh = to_mesh(draft);
+  draft.lines.first = 1;
   return check_mesh(std::move(mesh), draft.lines);
 }
 

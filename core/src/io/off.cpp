@@ -132,6 +132,7 @@ ReadResult read_off(std::string_view bytes) {
     if (std::string problem = step(line, draft); !problem.empty()) return ReadError{problem};
   }
   const bool from_one = counts_from_one(draft.mesh);
+  draft.lines.first = from_one ? 1 : 0;
   if (from_one) {
     for (int& v : draft.mesh.face_vertices) --v;
   }

@@ -3,10 +3,21 @@
 import { effect } from "@preact/signals";
 import { isLink } from "../share/fragment.ts";
 import type { Design } from "../state/design.ts";
+import { rememberLink } from "../state/figures.ts";
 import { fetchPart } from "../state/later.ts";
 import { markOf, type Recipe } from "../state/recipe.ts";
 import { deleteSnapshot, providePictures, takeSnapshot } from "../state/snapshots.ts";
 import { history, problem } from "../state/store.ts";
+
+async function replayLink(
+  replay: (recipe: Recipe) => Promise<boolean>,
+  recipe: Recipe,
+): Promise<boolean> {
+  const link = location.hash;
+  const opened = await replay(recipe);
+  if (opened) rememberLink(link);
+  return opened;
+}
 
 /** What opens links; null, with the problem said, if it cannot be loaded. */
 const linkParts = () =>
@@ -23,7 +34,7 @@ export async function openAddress(): Promise<boolean> {
   const parts = isLink(location.hash) ? await linkParts() : null;
   if (!parts) return false;
   const recipe = await parts.decodeLink(location.hash);
-  if (recipe.ok) return parts.replay(recipe.value);
+  if (recipe.ok) return replayLink(parts.replay, recipe.value);
   problem.value = recipe.reason;
   return false;
 }
@@ -43,7 +54,7 @@ export async function openAddressOverKept(): Promise<boolean> {
   const kept = history.value?.present;
   if (!parts || !recipe?.ok || !kept) return openAddress();
   const snapshot = await keepAside(kept, recipe.value);
-  const opened = await parts.replay(recipe.value);
+  const opened = await replayLink(parts.replay, recipe.value);
   if (!opened && snapshot !== null) deleteSnapshot(snapshot);
   return opened;
 }

@@ -19,23 +19,6 @@ import {
   watchFreedom,
 } from "./store.ts";
 
-export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
-
-export interface PanelRow {
-  readonly panel: number;
-  /** Model units. */
-  readonly gap: number;
-  readonly mmPerM: number;
-  /** Place in OUTLINES. */
-  readonly outline: number;
-  /** Model units. */
-  readonly edge: number;
-  /** Degrees. */
-  readonly angle: number;
-}
-
-export type PanelColumn = keyof PanelRow;
-
 /** Panels: larger meshes have no table. */
 const EAGER = 200_000;
 
@@ -88,55 +71,4 @@ export function keepFreedom(): () => void {
       },
     );
   });
-}
-
-function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
-  return {
-    panel,
-    gap: figures[2 * panel] ?? 0,
-    mmPerM: figures[2 * panel + 1] ?? 0,
-    outline: health[4 * panel] ?? 0,
-    edge: health[4 * panel + 1] ?? 0,
-    angle: health[4 * panel + 2] ?? 0,
-  };
-}
-
-/** The first `count` panels by `column`; panels that are equal stay in their order. */
-export function firstPanels(
-  figures: Float32Array,
-  health: Float32Array,
-  column: PanelColumn,
-  descending: boolean,
-  count: number,
-): PanelRow[] {
-  const first: PanelRow[] = [];
-  const before = (a: PanelRow, b: PanelRow): boolean =>
-    descending ? a[column] > b[column] : a[column] < b[column];
-  for (let panel = 0; 2 * panel + 1 < figures.length; ++panel) {
-    const row = rowOf(panel, figures, health);
-    const last = first.at(-1);
-    if (first.length === count && last && !before(row, last)) continue;
-    const place = first.findIndex((other) => before(row, other));
-    first.splice(place < 0 ? first.length : place, 0, row);
-    first.length = Math.min(first.length, count);
-  }
-  return first;
-}
-
-export interface HealthCounts {
-  readonly convex: number;
-  readonly changed: number;
-  readonly concave: number;
-  readonly crossing: number;
-}
-
-export function countHealth(health: Float32Array): HealthCounts {
-  let [convex, changed, concave, crossing] = [0, 0, 0, 0];
-  for (let k = 0; k + 3 < health.length; k += 4) {
-    if (health[k] === 0) convex += 1;
-    if (health[k] === 1) concave += 1;
-    if (health[k] === 2) crossing += 1;
-    if (health[k + 3] === 1) changed += 1;
-  }
-  return { convex, changed, concave, crossing };
 }

@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: MIT
-import { countHealth } from "../state/analysis.ts";
-import { damage, damageWords } from "../state/damage.ts";
 import { makeExact } from "../state/exploring.ts";
-import { FLAT, flatnessWords } from "../state/flatness.ts";
-import { figures, mesh, panelHealth, ready, showBefore, unit } from "../state/store.ts";
+import { FLAT } from "../state/flatness.ts";
+import { figures, mesh, ready, showBefore } from "../state/store.ts";
 import { later } from "./later.tsx";
 
+const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
 
 function hold(on: boolean): void {
   showBefore.value = on;
 }
-
-/** Whether every panel can be made: being flat is not all. */
-function Verdict() {
-  const { worstGap, worstMmPerM } = figures.value;
-  const exact = worstMmPerM <= FLAT;
-  const crossing = panelHealth.value ? countHealth(panelHealth.value).crossing : 0;
-  const spoilt = damage.value ? damageWords(damage.value) : "";
-  const sound = crossing === 0 && spoilt === "";
-  const { sentence } = flatnessWords(worstGap, worstMmPerM, unit.value);
-  return (
-    <p class={exact && sound ? "verdict good" : "verdict"}>
-      {`${exact ? "Every panel is" : "Worst panel"} ${sentence}.`}
-      {spoilt && ` But ${spoilt} since the mesh was opened.`}
-      {!spoilt && crossing > 0 && ` But ${panelsCross(crossing)}, as in the file.`}
-    </p>
-  );
-}
-
-const panelsCross = (count: number): string =>
-  count === 1 ? "1 panel crosses itself" : `${count} panels cross themselves`;
 
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {

@@ -56,6 +56,7 @@ export function ExploreSection() {
         max={12}
         step={1}
         spoken={directions(dimension.value)}
+        ends={["one slider", "twelve sliders"]}
         disabled={!ready.value}
         onInput={(value) => {
           dimension.value = value;
@@ -68,6 +69,7 @@ export function ExploreSection() {
         <input
           type="checkbox"
           checked={eigenbasis.value}
+          aria-describedby="first-directions"
           disabled={!ready.value}
           onChange={({ currentTarget }) => {
             eigenbasis.value = currentTarget.checked;
@@ -75,6 +77,10 @@ export function ExploreSection() {
         />
         <span>Smoothest first</span>
       </label>
+      <p id="first-directions" class="quiet small">
+        Each slider is one way to change the edit. The first one moves the fewest points, or with
+        Smoothest first bends the surface least.
+      </p>
       <button
         type="button"
         class={`button wide${possible && !draft.value?.variation ? " primary" : ""}`}

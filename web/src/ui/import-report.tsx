@@ -2,10 +2,10 @@
 import "./import-report.css";
 import { useEffect, useRef } from "preact/hooks";
 import type { MeshReport } from "../solver/protocol.ts";
-import { countHealth } from "../state/analysis.ts";
 import { damage, damageWords } from "../state/damage.ts";
 import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
+import { countHealth } from "../state/panel-rows.ts";
 import { planarisingWords } from "../state/planarising.ts";
 import { designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";

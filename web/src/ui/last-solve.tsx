@@ -2,7 +2,7 @@
 import "./last-solve.css";
 import { planarisingWords } from "../state/planarising.ts";
 import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { convert, formatLength } from "../state/units.ts";
 
 const WIDTH = 280;
 const HEIGHT = 72;
@@ -11,7 +11,13 @@ const FLOOR = 1e-16;
 
 const power = (residual: number): number => Math.log10(Math.max(residual, FLOOR));
 
-/** The constraint residual of every step, on a logarithmic scale. */
+/** Mean edges, as the solver counts, in millimetres; below a ten-thousandth there is nothing to see. */
+function inMillimetres(meanEdges: number): string {
+  const mm = convert(meanEdges * (mesh.value?.report.meanEdge ?? 1), unit.value, "mm");
+  return mm < 1e-4 ? "less than 0.0001 mm" : `${Number(mm.toPrecision(2))} mm`;
+}
+
+/** How far panels are out of flat after every step, on a logarithmic scale. */
 function Curve({ residuals }: { residuals: readonly number[] }) {
   const powers = residuals.map(power);
   const [low, high] = [Math.min(...powers), Math.max(...powers)];
@@ -21,13 +27,15 @@ function Curve({ residuals }: { residuals: readonly number[] }) {
     return `${x.toFixed(1)},${y.toFixed(1)}`;
   };
   const [first = 0, last = 0] = [residuals[0], residuals.at(-1)];
-  const words = `Residual of ${residuals.length} steps, from ${first.toExponential(1)} to ${last.toExponential(1)} mean edges`;
+  const words = `Residual of ${residuals.length} steps, from ${inMillimetres(first)} to ${inMillimetres(last)}`;
   return (
     <figure class="curve">
       <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={words}>
         <polyline points={powers.map(place).join(" ")} />
       </svg>
-      <figcaption class="quiet">{words}, logarithmic.</figcaption>
+      <figcaption class="quiet">
+        {words}, logarithmic: how far panels still were out of flat.
+      </figcaption>
     </figure>
   );
 }
@@ -81,6 +89,10 @@ export function LastSolve() {
           </div>
         ))}
       </dl>
+      <p class="quiet small">
+        Degrees of freedom: in how many independent ways points could move with every panel flat.
+        Objective: what the solver makes small, without a unit.
+      </p>
       {residuals.length > 1 && <Curve residuals={residuals} />}
     </details>
   );

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
 import { flatnessWords } from "../state/flatness.ts";
-import { mesh, panelFigures, selectedPanel, unit } from "../state/store.ts";
+import { OUTLINES } from "../state/panel-rows.ts";
+import { mesh, panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
+
+/** ", convex, smallest angle 87°, shortest edge 604 mm"; "" while nothing is measured. */
+function shapeWords(panel: number): string {
+  const [outline, edge, angle] = panelHealth.value?.subarray(4 * panel, 4 * panel + 3) ?? [];
+  if (outline === undefined || edge === undefined || angle === undefined) return "";
+  return `, ${OUTLINES[outline]}, smallest angle ${angle.toFixed(0)}°, shortest edge ${formatLength(edge, unit.value)}`;
+}
 
 /** What is worth knowing about the selected panel, beside it. */
 export function PanelFigure() {
@@ -15,6 +24,7 @@ export function PanelFigure() {
       {gap !== undefined &&
         mmPerM !== undefined &&
         `, ${flatnessWords(gap, mmPerM, unit.value).sentence}`}
+      {shapeWords(panel)}
     </span>
   );
 }

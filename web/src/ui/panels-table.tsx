@@ -1,34 +1,64 @@
 // SPDX-License-Identifier: MIT
 import "./panels.css";
 import { useSignal } from "@preact/signals";
+import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
 import {
   countHealth,
   firstPanels,
   OUTLINES,
   type PanelColumn,
+  type PanelOrder,
   type PanelRow,
-} from "../state/analysis.ts";
-import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
+} from "../state/panel-rows.ts";
 import { panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
 import { convert } from "../state/units.ts";
 
 const ROWS = 8;
+const MORE = 50;
 
 interface Column {
   readonly key: PanelColumn;
   readonly name: string;
   readonly unit?: string;
+  readonly meaning: string;
   /** Whether the first click brings the largest to the top. */
   readonly largest: boolean;
 }
 
 const COLUMNS: readonly Column[] = [
-  { key: "panel", name: "Panel", largest: false },
-  { key: "gap", name: "Out of flat", unit: "mm", largest: true },
-  { key: "mmPerM", name: "mm/m", largest: true },
-  { key: "angle", name: "Angle", largest: false },
-  { key: "edge", name: "Edge", unit: "mm", largest: false },
-  { key: "outline", name: "Shape", largest: true },
+  { key: "panel", name: "Panel", meaning: "Number of the panel, from 0", largest: false },
+  {
+    key: "gap",
+    name: "Out of flat",
+    unit: "mm",
+    meaning: "Distance of the two planes, parallel to the best-fit plane, that hold all corners",
+    largest: true,
+  },
+  {
+    key: "mmPerM",
+    name: "mm/m",
+    meaning: "Out of flat, divided by the panel's longest edge",
+    largest: true,
+  },
+  {
+    key: "angle",
+    name: "Smallest angle",
+    meaning: "The panel's smallest inner angle",
+    largest: false,
+  },
+  {
+    key: "edge",
+    name: "Shortest edge",
+    unit: "mm",
+    meaning: "Length of the panel's shortest edge",
+    largest: false,
+  },
+  {
+    key: "outline",
+    name: "Shape",
+    meaning: "Convex, concave, or crossing itself (bow-tie)",
+    largest: true,
+  },
 ];
 
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
@@ -68,51 +98,98 @@ function Row({ row }: { row: PanelRow }) {
   );
 }
 
+interface HeadProps {
+  readonly order: PanelOrder;
+  readonly onSort: (column: Column) => void;
+}
+
+function Head({ order: { key, descending }, onSort }: HeadProps) {
+  return (
+    <thead>
+      <tr>
+        {COLUMNS.map((column) => (
+          <th
+            key={column.key}
+            scope="col"
+            class={`column-${column.key}`}
+            aria-sort={column.key !== key ? "none" : descending ? "descending" : "ascending"}
+          >
+            <button
+              type="button"
+              class="sort-button"
+              title={column.meaning}
+              onClick={() => onSort(column)}
+            >
+              {column.name}
+              {column.unit && (
+                <>
+                  {" "}
+                  <span class="column-unit">{column.unit}</span>
+                </>
+              )}
+              <span class="sort-arrow" aria-hidden="true">
+                {column.key === key ? (descending ? "↓" : "↑") : ""}
+              </span>
+            </button>
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}
+
 /** Every panel's figures, first those that matter by the chosen column; choosing one shows it. */
 export function PanelsTable() {
-  const order = useSignal<{ key: PanelColumn; descending: boolean }>({
-    key: "mmPerM",
-    descending: true,
-  });
+  const order = useSignal<PanelOrder>({ key: "mmPerM", descending: true, changedOnly: false });
+  const wanted = useSignal(ROWS);
   const [figures, health] = [panelFigures.value, panelHealth.value];
   if (!figures || health?.length !== 2 * figures.length) return null;
-  const { key, descending } = order.value;
+  const { key, descending, changedOnly } = order.value;
   const sort = (column: Column): void => {
     const again = column.key === key;
-    order.value = { key: column.key, descending: again ? !descending : column.largest };
+    const down = again ? !descending : column.largest;
+    order.value = { key: column.key, descending: down, changedOnly };
   };
+  const rows = firstPanels(figures, health, order.value, wanted.value);
+  const total = changedOnly ? countHealth(health).changed : figures.length / 2;
+  const more = Math.min(MORE, total - rows.length);
   return (
     <>
       <Summary health={health} />
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={changedOnly}
+          onChange={({ currentTarget }) => {
+            order.value = { key, descending, changedOnly: currentTarget.checked };
+          }}
+        />
+        <span>Only panels that must be made again</span>
+      </label>
       <div class="panels-frame">
         <table class="panels" aria-label="Panels">
-          <thead>
-            <tr>
-              {COLUMNS.map((column) => (
-                <th
-                  key={column.key}
-                  scope="col"
-                  aria-sort={column.key !== key ? "none" : descending ? "descending" : "ascending"}
-                >
-                  <button type="button" class="sort-button" onClick={() => sort(column)}>
-                    {column.name}
-                    <span aria-hidden="true">
-                      {column.key === key ? (descending ? " ↓" : " ↑") : ""}
-                    </span>
-                    {column.unit && <span class="column-unit">{column.unit}</span>}
-                  </button>
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <Head order={order.value} onSort={sort} />
           <tbody>
-            {firstPanels(figures, health, key, descending, ROWS).map((row) => (
+            {rows.map((row) => (
               <Row key={row.panel} row={row} />
             ))}
           </tbody>
         </table>
       </div>
-      <p class="quiet small">{FLAT_MEANS}</p>
+      <div class="panels-more">
+        <span class="quiet small">{`${rows.length} of ${panels(total)}; ${FLAT_MEANS}`}</span>
+        {more > 0 && (
+          <button
+            type="button"
+            class="button small"
+            onClick={() => {
+              wanted.value = rows.length + MORE;
+            }}
+          >
+            Show {more} more
+          </button>
+        )}
+      </div>
     </>
   );
 }

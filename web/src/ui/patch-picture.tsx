@@ -3,8 +3,8 @@ import { useEffect, useRef } from "preact/hooks";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { drawPatch, type Patch } from "./patch-drawing.ts";
 
-/** CSS pixels of every small picture. */
-export const PICTURE_SIZE = [88, 66] as const;
+/** CSS pixels where there is room; elsewhere it is shown smaller. */
+const SIZE = [136, 102] as const;
 
 interface PatchPictureProps {
   readonly mesh: OpenedMesh;
@@ -17,7 +17,7 @@ export function PatchPicture({ mesh, patch, shape }: PatchPictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const draw = (): void => {
-      if (canvas.current) drawPatch(canvas.current, mesh, patch, shape, PICTURE_SIZE);
+      if (canvas.current) drawPatch(canvas.current, mesh, patch, shape, SIZE);
     };
     draw();
     const dark = window.matchMedia("(prefers-color-scheme: dark)");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 import { history, mesh } from "../state/store.ts";
 import { drawPatch, patchOf } from "./patch-drawing.ts";
-import { PICTURE_SIZE } from "./patch-picture.tsx";
+
+/** CSS pixels. */
+const SIZE = [88, 66] as const;
 
 /** The last finished design as a small picture, a data: address; "" if it cannot be drawn. */
 export function snapshotPicture(): string {
@@ -9,6 +11,6 @@ export function snapshotPicture(): string {
   const opened = mesh.value;
   if (!design || !opened) return "";
   const canvas = document.createElement("canvas");
-  drawPatch(canvas, opened, patchOf(opened, [design.shape]), design.shape, PICTURE_SIZE);
+  drawPatch(canvas, opened, patchOf(opened, [design.shape]), design.shape, SIZE);
   return canvas.toDataURL("image/webp", 0.9);
 }

@@ -18,9 +18,23 @@ import { snapshotPicture } from "./snapshot-picture.ts";
 
 function figuresOf({ design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;
-  const name = sourceName(design.source);
-  if (movedVertices === 0) return `${name}, unchanged`;
-  return `${name} · ${movedVertices} points · ${formatLength(maxDisplacement, unit.value)}`;
+  if (movedVertices === 0) return "unchanged";
+  const points = movedVertices === 1 ? "1 point" : `${movedVertices} points`;
+  return `${points} · ${formatLength(maxDisplacement, unit.value)}`;
+}
+
+const CLOCK = new Intl.DateTimeFormat(undefined, { hour: "2-digit", minute: "2-digit" });
+
+/** What tells one snapshot from another: its mesh; what moved, how far, and when it was taken. */
+function Caption({ snapshot }: { snapshot: Snapshot }) {
+  const name = sourceName(snapshot.design.source);
+  const figures = `${figuresOf(snapshot)} · ${CLOCK.format(snapshot.time)}`;
+  return (
+    <div title={`${name} · ${figures}`}>
+      <span class="quiet small">{name}</span>
+      <span class="quiet small">{figures}</span>
+    </div>
+  );
 }
 
 function Row({ snapshot }: { snapshot: Snapshot }) {
@@ -48,7 +62,7 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
             currentTarget.value = snapshots.value.find((one) => one.id === id)?.name ?? name;
           }}
         />
-        <span class="quiet small">{figuresOf(snapshot)}</span>
+        <Caption snapshot={snapshot} />
       </div>
       <button
         type="button"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
-import { offeredFigures, openFigure } from "../state/figures.ts";
+import { offeredFigures, openFigure, shownFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
 import { SAMPLES } from "../state/samples.ts";
 import { canRedo, canUndo, designName, history, ready } from "../state/store.ts";
@@ -35,7 +35,7 @@ function BarButton({ icon, label, keys, disabled, onClick }: BarButtonProps) {
 
 function SampleChooser() {
   const source = history.value?.present.source;
-  const value = source?.kind === "sample" ? source.name : "";
+  const value = shownFigure.value?.name ?? (source?.kind === "sample" ? source.name : "");
   return (
     <select
       aria-label="Sample"

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The panels one by one: a table that fits and goes on, a scale that says what it is, a legend that
+// leads to its panels; and words that need no paper to be read.
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { idle, openFile, openSite, pickFile, type Site, typeTarget } from "./support/page.ts";
+
+const BOW_TIE = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
+
+let site: Site;
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
+
+const table = (page: Page) => page.getByRole("table", { name: "Panels" });
+const shows = (page: Page) => table(page).getByRole("button", { name: /^Show panel \d+$/ });
+
+/** Cells whose words reach over the cell's own sides, or into the words of the next one. */
+const collisions = (page: Page): Promise<string[]> =>
+  table(page)
+    .getByRole("row")
+    .evaluateAll((rows) =>
+      rows.flatMap((row) => {
+        const boxes = [...row.children].map((cell) => {
+          const range = document.createRange();
+          range.selectNodeContents(cell);
+          return { text: cell.textContent ?? "", words: range.getBoundingClientRect(), cell };
+        });
+        return boxes.flatMap(({ text, words, cell }, k) => {
+          const sides = cell.getBoundingClientRect();
+          const next = boxes[k + 1]?.words.left ?? Number.POSITIVE_INFINITY;
+          const over = words.right > sides.right + 0.5 || words.left < sides.left - 0.5;
+          return over || words.right > next ? [text] : [];
+        });
+      }),
+    );
+
+it("has a head that fits and is explained, at a desk and on a telephone", async () => {
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 360, height: 740 },
+  ]) {
+    const page = await site.open({ viewport });
+    await typeTarget(page, "+40cm");
+    await expect.poll(() => shows(page).count()).toBe(8);
+    expect(await collisions(page)).toEqual([]);
+    for (const name of ["Smallest angle", "Shortest edge mm"]) {
+      const head = table(page).getByRole("columnheader", { name }).getByRole("button");
+      expect(await head.getAttribute("title")).toMatch(/^(The panel's|Length of)/);
+    }
+    await openFile(page, "bow.obj", BOW_TIE);
+    await page.getByRole("button", { name: "Start editing" }).click();
+    await expect.poll(() => shows(page).count()).toBe(2);
+    expect(await collisions(page)).toEqual([]);
+    await page.context().close();
+  }
+});
+
+it("goes on by keyboard, and lists those alone that must be made again", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => shows(page).count()).toBe(8);
+  await page.getByRole("button", { name: "Show 50 more" }).focus();
+  await page.keyboard.press("Enter");
+  expect(await shows(page).count()).toBe(58);
+  await page.keyboard.press("Enter");
+  expect(await shows(page).count()).toBe(108);
+  const summary = await page.getByText(/panels must be made again after this edit/).textContent();
+  const changed = Number.parseInt(summary ?? "", 10);
+  expect(changed).toBeGreaterThan(0);
+  await page.getByRole("checkbox", { name: "Only panels that must be made again" }).check();
+  expect(await shows(page).count()).toBe(Math.min(108, changed));
+  expect(await page.getByText(new RegExp(`of ${changed} panels`)).count()).toBe(1);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await expect.poll(() => shows(page).count()).toBe(0);
+  await page.context().close();
+});
+
+it("says that the planarity scale is logarithmic, with ticks ten times apart", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
+  await page.getByText(/mm\/m, logarithmic/).waitFor();
+  const ticks = await Promise.all(
+    ["0.001", "0.01", "0.1", "1", "10"].map(async (word) => {
+      const tick = page.locator(".decades").getByText(word, { exact: true });
+      return Number.parseFloat(await tick.evaluate((at) => at.style.getPropertyValue("--place")));
+    }),
+  );
+  const gaps = ticks.slice(1).map((place, k) => place - (ticks[k] ?? 0));
+  for (const gap of gaps) expect(gap).toBeCloseTo(gaps[0] ?? 0, 6);
+  expect(ticks.at(-1)).toBeCloseTo(100, 6);
+  const words = await page.locator(".decade").evaluateAll((all) =>
+    all
+      .filter((one) => one.textContent)
+      .map((one) => {
+        const { left, right } = one.getBoundingClientRect();
+        return { left, right };
+      }),
+  );
+  words.slice(1).forEach(({ left }, k) => {
+    expect(left).toBeGreaterThan(words[k]?.right ?? 0);
+  });
+  await page.context().close();
+});
+
+it("goes to the next panel of a class of the legend", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await pickFile(page, "bow.obj", BOW_TIE);
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
+  await page.getByRole("button", { name: /^crosses itself \(bow-tie\)\s*1$/ }).press("Enter");
+  await expect.poll(() => page.getByText(/^Panel 0 4 corners.*crosses itself/).count()).toBe(1);
+  await page.getByRole("button", { name: /^convex\s*1$/ }).click();
+  await expect.poll(() => page.getByText(/^Panel 1 4 corners.*convex/).count()).toBe(1);
+  expect(await page.getByRole("button", { name: /^concave/ }).isDisabled()).toBe(true);
+  // A file that has such panels is not all well only because they are flat.
+  expect(await page.getByText("But 1 panel crosses itself, as in the file.").count()).toBe(1);
+  await page.context().close();
+});
+
+it("names the figure that was chosen, until another mesh is opened", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const sample = page.getByRole("combobox", { name: "Sample" });
+  const chosen = (): Promise<string> =>
+    sample.evaluate((select: HTMLSelectElement) => select.selectedOptions[0]?.textContent ?? "");
+  await expect.poll(() => sample.getByRole("option", { name: /^Figure 1:/ }).count()).toBe(1);
+  const figure = (await sample.getByRole("option", { name: /^Figure 1:/ }).textContent()) ?? "";
+  await sample.selectOption(figure);
+  await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
+  await idle(page);
+  expect(await chosen()).toBe(figure);
+  await sample.selectOption("Dome");
+  await expect.poll(chosen).toBe("Dome");
+  await idle(page);
+  expect(await chosen()).toBe("Dome");
+  await page.context().close();
+});
+
+it("speaks of millimetres, and of flat panels only where they are flat", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+40cm");
+  await page.getByText("Last solve", { exact: true }).click();
+  const curve = page.getByRole("img", { name: /^Residual of \d+ steps/ });
+  expect(await curve.getAttribute("aria-label")).toMatch(
+    /from [\d.]+ mm to (less than )?[\d.]+ mm/,
+  );
+  expect(await page.getByText(/mean edge/).count()).toBe(0);
+  const view = page.getByRole("application", { name: "3D view" });
+  const summary = async (): Promise<string> => {
+    const id = await view.getAttribute("aria-describedby");
+    return (await page.locator(`#${id}`).textContent()) ?? "";
+  };
+  expect(await summary()).toContain("400 flat panels");
+  await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
+  await expect.poll(summary).toContain("not all of them flat");
+  expect(await summary()).not.toContain("flat panels");
+  await page.context().close();
+});

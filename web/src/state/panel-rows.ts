@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The measured panels as rows of a table, in any order, and as classes.
+
+export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
+
+export interface PanelRow {
+  readonly panel: number;
+  /** Model units. */
+  readonly gap: number;
+  readonly mmPerM: number;
+  /** Place in OUTLINES. */
+  readonly outline: number;
+  /** The shortest, model units. */
+  readonly edge: number;
+  /** The smallest inside the panel, degrees. */
+  readonly angle: number;
+  /** 1 if it must be made again, 0 if no point of it moved. */
+  readonly changed: number;
+}
+
+export type PanelColumn = keyof PanelRow;
+
+/** Where a column's value is: array, numbers per panel, place among them. */
+const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", 2 | 4, number]>> = {
+  panel: ["figures", 2, 0],
+  gap: ["figures", 2, 0],
+  mmPerM: ["figures", 2, 1],
+  outline: ["health", 4, 0],
+  edge: ["health", 4, 1],
+  angle: ["health", 4, 2],
+  changed: ["health", 4, 3],
+};
+
+export function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
+  return {
+    panel,
+    gap: figures[2 * panel] ?? 0,
+    mmPerM: figures[2 * panel + 1] ?? 0,
+    outline: health[4 * panel] ?? 0,
+    edge: health[4 * panel + 1] ?? 0,
+    angle: health[4 * panel + 2] ?? 0,
+    changed: health[4 * panel + 3] ?? 0,
+  };
+}
+
+export interface PanelOrder {
+  readonly key: PanelColumn;
+  readonly descending: boolean;
+  /** Leaves out panels that need not be made again. */
+  readonly changedOnly: boolean;
+}
+
+/** The first `count` panels in this order; panels that are equal stay in theirs. */
+export function firstPanels(
+  figures: Float32Array,
+  health: Float32Array,
+  { key, descending, changedOnly }: PanelOrder,
+  count: number,
+): PanelRow[] {
+  const [array, stride, place] = PLACES[key];
+  const values = array === "figures" ? figures : health;
+  const value = (panel: number): number =>
+    key === "panel" ? panel : (values[stride * panel + place] ?? 0);
+  const before = (a: number, b: number): boolean =>
+    descending ? value(a) > value(b) : value(a) < value(b);
+  const first: number[] = [];
+  for (let panel = 0; 2 * panel + 1 < figures.length; ++panel) {
+    if (changedOnly && health[4 * panel + 3] !== 1) continue;
+    const last = first.at(-1);
+    if (first.length === count && last !== undefined && !before(panel, last)) continue;
+    const at = first.findIndex((other) => before(panel, other));
+    first.splice(at < 0 ? first.length : at, 0, panel);
+    first.length = Math.min(first.length, count);
+  }
+  return first.map((panel) => rowOf(panel, figures, health));
+}
+
+/** Panels whose outline is `outline`, by number. */
+export function panelsOfOutline(health: Float32Array, outline: number): number[] {
+  const found: number[] = [];
+  for (let k = 0; k < health.length; k += 4) if (health[k] === outline) found.push(k / 4);
+  return found;
+}
+
+export interface HealthCounts {
+  readonly convex: number;
+  readonly changed: number;
+  readonly concave: number;
+  readonly crossing: number;
+}
+
+export function countHealth(health: Float32Array): HealthCounts {
+  let [convex, changed, concave, crossing] = [0, 0, 0, 0];
+  for (let k = 0; k + 3 < health.length; k += 4) {
+    if (health[k] === 0) convex += 1;
+    if (health[k] === 1) concave += 1;
+    if (health[k] === 2) crossing += 1;
+    if (health[k + 3] === 1) changed += 1;
+  }
+  return { convex, changed, concave, crossing };
+}
