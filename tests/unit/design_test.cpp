@@ -16,14 +16,14 @@ namespace {
 using testing::same_bits;
 
 constexpr int kSize = 13;
-constexpr int kMiddle = 6 * kSize + 6;
+constexpr int kLifted = 6 * kSize + 6;
 
 Design lifted_vault(double height) {
   Design design;
   design.source = SampleSource{"vault", kSize};
-  Eigen::Vector3d target = make_sample("vault", kSize)->positions.col(kMiddle);
+  Eigen::Vector3d target = make_sample("vault", kSize)->positions.col(kLifted);
   target.z() += height;
-  design.targets.handles = {{kMiddle, target}};
+  design.targets.handles = {{kLifted, target}};
   return design;
 }
 
@@ -82,7 +82,7 @@ TEST(Design, PlanarisesItsFileAndKnowsIt) {
   design.source = FileSource{"bumpy.obj", 0, "obj", write_mesh(bumpy, MeshFormat::kObj)};
   Replay opened = replay_or_fail(design);
   const Eigen::Vector3d up(0.0, 0.0, 0.3);
-  design.targets.handles = {{kMiddle, opened.base.positions.col(kMiddle) + up}};
+  design.targets.handles = {{kLifted, opened.base.positions.col(kLifted) + up}};
   auto& file = std::get<FileSource>(design.source);
   file.hash = mesh_hash(opened.base);
   design.result = replay_or_fail(design).mark;
