@@ -47,10 +47,12 @@ ARROWS = {
 # Files whose group is not their directory or stem.
 FILE_GROUPS = {
     "index": "mesh",
+    "stopwatch": "report",
     "solve_report": "report",
     "engine": "report",
     "panel_kernels": "engines",
     "coupling_graph": "engines",
+    "elimination_order": "engines",
     "edge_table": "topology",
     "disjoint_sets": "topology",
     "base_planarity": "metrics",

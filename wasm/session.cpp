@@ -2,7 +2,6 @@
 #include "session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <utility>
 #include <variant>
@@ -14,22 +13,13 @@
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
+#include "planish/stopwatch.hpp"
 
 namespace planish {
 namespace {
 
 /// Display coordinates span about this much, whatever the unit of the model.
 constexpr double kDisplaySize = 10.0;
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 Refusal unusable(const SolveReport& report, std::string_view what) {
   if (report.usable()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planish/constraints/planar_polygon.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 namespace {
@@ -16,8 +17,6 @@ constexpr double kRankThreshold = 1e-8;
 constexpr double kMostWork = 2e9;
 /// Forces below this share of the largest are rounding.
 constexpr double kLeastShare = 1e-6;
-
-std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 /// Faces that use a vertex of `free`, ascending.
 std::vector<int> faces_around(const Adjacency& adjacency, std::span<const int> free) {

@@ -2,7 +2,6 @@
 #include "planish/handle_edit.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -16,21 +15,9 @@
 #include "planish/index.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
+#include "planish/stopwatch.hpp"
 
 namespace planish {
-namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
 
 Positions apply(const Mesh& mesh, const HandleEditResult& result) {
   Positions positions = mesh.positions;

@@ -2,7 +2,6 @@
 #include "planish/projection.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -12,6 +11,7 @@
 #include "planish/engines/working_set_newton.hpp"
 #include "planish/index.hpp"
 #include "planish/metrics.hpp"
+#include "planish/stopwatch.hpp"
 
 namespace planish {
 namespace {
@@ -163,7 +163,7 @@ void Projector::solve_augmented_lagrangian(const Progress& progress) {
 }
 
 ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   if (options_.engine == Engine::kAugmentedLagrangian) {
     solve_augmented_lagrangian(progress);
   } else if (!problem_.sparse && problem_.fairness_weight == 0.0) {
@@ -186,8 +186,7 @@ ProjectionResult Projector::run(const std::vector<int>& failing, const Progress&
   result.report.objective = design_objective(problem_, design, cutter);
   result.moved = design.vertices;
   result.moved_positions = design.positions;
-  result.report.solve_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.report.solve_seconds = watch.seconds();
   return result;
 }
 

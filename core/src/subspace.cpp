@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "planish/engines/augmented_lagrangian.hpp"
@@ -13,6 +12,7 @@
 #include "planish/engines/working_set.hpp"
 #include "planish/index.hpp"
 #include "planish/problem.hpp"
+#include "planish/stopwatch.hpp"
 
 namespace planish {
 namespace {
@@ -305,10 +305,9 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
                           const SubspaceOptions& options, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Subspace result = SubspaceBuilder(base, edited, close, options).build(progress);
-  result.report.solve_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.report.solve_seconds = watch.seconds();
   return result;
 }
 

@@ -218,7 +218,7 @@ describe("storage", () => {
     expect(await obj(page)).toBe(before);
     expect(await status(page)).toContain(numbers);
     expect(await page.getByRole("button", { name: "Adopt Snapshot 1" }).count()).toBe(1);
-    expect(await page.getByText(/my roof\.obj · \d+ points/).count()).toBe(1);
+    expect(await page.getByTitle(/my roof\.obj · \d+ points/).count()).toBe(1);
     await page.context().close();
   });
 });

@@ -49,7 +49,7 @@ describe("markup in data stays text", () => {
     const page = await site.open({}, "", trapMarkup);
     const text = `g ${PAYLOAD}\no ${PAYLOAD}\nusemtl ${PAYLOAD}\n${flatRoof(6)}`;
     await openFile(page, `${PAYLOAD.replaceAll("/", "")}.obj`, text);
-    expect(await page.getByRole("heading", { name: /<img src=x/ }).count()).toBe(1);
+    await expect.poll(() => page.getByRole("heading", { name: /<img src=x/ }).count()).toBe(1);
     await page.getByRole("button", { name: "Start editing" }).click();
     await openFile(page, `${PAYLOAD}.exe`, "");
     expect(await page.getByRole("alert").innerText()).toContain("<img");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/index.hpp"
 
 namespace planish {
 
@@ -25,7 +26,6 @@ void join_all(const List& list, const Join& join) {
 ///                  first, so that no list grows
 template <class EachPair>
 RaggedRows coupling_graph(int count, const EachPair& each_pair) {
-  const auto at = [](int index) { return static_cast<std::size_t>(index); };
   const auto counts = [&](int a, int b) { return a < count && b < count && a != b; };
   std::vector<int> begin(at(count) + 1, 0);
   each_pair([&](int a, int b) {

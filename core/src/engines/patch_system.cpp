@@ -11,8 +11,6 @@
 namespace planish {
 namespace {
 
-std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
-
 /// Adds a 3 × 3 block to the panels.
 void add_block(std::vector<double>& values, const BlockSlot& slot, const Eigen::Matrix3d& block) {
   double* const target = values.data() + slot.offset;
