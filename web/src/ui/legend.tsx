@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
 import { flatnessWords } from "../state/flatness.ts";
@@ -76,9 +77,10 @@ function Scale() {
 }
 
 /** What the colours of the model mean. */
-export function Legend() {
+export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | null> }) {
   return (
-    <div class="legend">
+    <fieldset ref={element} class="legend">
+      <legend class="visually-hidden">Legend</legend>
       <label>
         <span class="legend-word">Colour by</span>
         <select
@@ -96,6 +98,6 @@ export function Legend() {
         </select>
       </label>
       <Scale />
-    </div>
+    </fieldset>
   );
 }

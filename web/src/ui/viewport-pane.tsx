@@ -78,9 +78,11 @@ export function ViewportPane() {
   const figure = useRef<HTMLDivElement>(null);
   const point = useRef<HTMLDivElement>(null);
   const box = useRef<HTMLDivElement>(null);
+  const legend = useRef<HTMLFieldSetElement>(null);
+  const views = useRef<HTMLFieldSetElement>(null);
   const viewport = useRef<Viewport | null>(null);
   useEffect(() => {
-    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box });
+    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box, legend, views });
     const view = parts && mount(parts);
     viewport.current = view;
     if (!parts || !view) return;
@@ -121,8 +123,8 @@ export function ViewportPane() {
       <div ref={box} class="selection-box" hidden />
       <BeforeNote />
       <DragTools />
-      <Legend />
-      <fieldset class="views">
+      <Legend element={legend} />
+      <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>
         <button type="button" title="Fit (F)" onClick={() => viewport.current?.fit()}>
           Fit
