@@ -35,6 +35,7 @@ export const EDITED: Design = {
     maxDisplacement: 1.25,
     worstGap: 1e-16,
     worstMmPerM: 1e-12,
+    worstExcess: 0,
     handleError: 0.5,
     objective: 12.5,
     iterations: 7,

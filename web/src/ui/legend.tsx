@@ -51,13 +51,12 @@ function Ends({ of }: { of: "displacement" | "fairness" }) {
 
 /** The figure itself where the ramp says mm/m, and what is measured where it is not plain. */
 function Note() {
-  const { worstGap, worstMmPerM } = figures.value;
+  const { worstGap, worstMmPerM, worstExcess } = figures.value;
   if (colourBy.value === "fairness")
     return <p class="legend-note">Difference between neighbours' moves</p>;
   if (colourBy.value !== "planarity") return null;
-  return (
-    <p class="legend-note">{`Worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).sentence}`}</p>
-  );
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
+  return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
 }
 
 function Scale() {

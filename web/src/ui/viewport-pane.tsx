@@ -5,7 +5,7 @@ import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
-import { FLAT } from "../state/flatness.ts";
+import { isFlat } from "../state/flatness.ts";
 import { figures, mesh, problem, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
@@ -28,7 +28,7 @@ function Summary() {
   return (
     <p id="view-summary" class="visually-hidden">
       {report
-        ? `A structure of ${report.faces} ${figures.value.worstMmPerM <= FLAT ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
+        ? `A structure of ${report.faces} ${isFlat(figures.value) ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
         : "The model is being prepared."}
     </p>
   );
