@@ -131,6 +131,14 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
   await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
   await idle(page);
   expect(await chosen()).toBe(figure);
+  // Also of what was made of it, after a reload.
+  await page.getByRole("checkbox", { name: "Pinned" }).first().click();
+  await idle(page);
+  await page.waitForTimeout(600);
+  expect(new URL(page.url()).hash).toBe("");
+  await page.reload();
+  await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
+  await idle(page);
   await sample.selectOption("Dome");
   await expect.poll(chosen).toBe("Dome");
   await idle(page);
