@@ -40,8 +40,8 @@ it("a result that is not the shared one opens with how far it is off", async () 
   const moved = { ...shared, mark: { ...mark, hash: mark.hash ^ 1, probes } };
   const page = await openWith(await encodeLink(moved));
   await expect
-    .poll(() => page.getByText(/^Replayed: differs from the shared result by up to/).textContent())
-    .toMatch(/by up to 5\.0 mm/);
+    .poll(() => page.getByRole("alert").textContent())
+    .toMatch(/^Replayed: differs from the shared result by up to 5\.0 mm/);
   expect(await page.getByText(/Verified/).count()).toBe(0);
   const z = page.getByRole("spinbutton", { name: "Z" });
   expect(Number(await z.getAttribute("aria-valuenow"))).toBe(handles[0]?.target[2]);

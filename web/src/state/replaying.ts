@@ -6,7 +6,7 @@ import type { OpenedMesh } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
 import { run } from "./connection.ts";
 import type { Design, Family } from "./design.ts";
-import { deviationWords } from "./deviating.ts";
+import { deviationWords, isRounding } from "./deviating.ts";
 import { editQuestion } from "./editing.ts";
 import { findDirections } from "./exploring.ts";
 import * as steps from "./history.ts";
@@ -95,7 +95,7 @@ export async function replayNow(recipe: Steps): Promise<boolean> {
   placeCamera(recipe.camera);
   draft.value = end.design;
   history.value = history.value ? steps.record(history.value, end.design) : steps.begin(end.design);
-  if (answer) notice.value = wordsFor(recipe, end.design, answer.mesh);
+  if (answer) sayHowItCompares(recipe, end.design, answer.mesh);
   return true;
 }
 
@@ -108,7 +108,13 @@ export async function replay(recipe: Recipe): Promise<boolean> {
   return opened;
 }
 
-function wordsFor({ mark }: Steps, design: Design, { positions, report }: OpenedMesh): string {
-  if (!mark) return "Opened: the design holds no result to compare with.";
-  return deviationWords(deviation(mark, design.shape, positions), sizeOf(report), unit.value);
+/** More than rounding is no mere notice. */
+function sayHowItCompares({ mark }: Steps, { shape }: Design, opened: OpenedMesh): void {
+  notice.value = "Opened: the design holds no result to compare with.";
+  if (!mark) return;
+  const [off, size] = [deviation(mark, shape, opened.positions), sizeOf(opened.report)];
+  const words = deviationWords(off, size, unit.value);
+  const same = isRounding(off, size, unit.value);
+  notice.value = same ? words : null;
+  if (!same) problem.value = words;
 }
