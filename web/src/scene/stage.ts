@@ -31,6 +31,12 @@ const REST = 160;
 /** Pixels at the top of the view that the drag tools cover. */
 const TOOLS = 52;
 
+export interface DrawingSteps {
+  /** `pixel`: the display units that one spans where the camera looks. */
+  before(pixel: number): void;
+  after(): void;
+}
+
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(28, 1, 0.1, 400);
@@ -41,7 +47,7 @@ export class Stage {
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
   readonly #glide: Glide;
   readonly #caster = new Raycaster();
-  readonly #onDraw: () => void;
+  readonly #steps: DrawingSteps;
   #paper = "#FFFFFF";
   #size = "";
   #pending = 0;
@@ -49,8 +55,8 @@ export class Stage {
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #target: Object3D | null = null;
 
-  constructor(canvas: HTMLCanvasElement, onDraw: () => void) {
-    this.#onDraw = onDraw;
+  constructor(canvas: HTMLCanvasElement, steps: DrawingSteps) {
+    this.#steps = steps;
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: true,
@@ -66,13 +72,11 @@ export class Stage {
     this.orbit.enableDamping = false;
     this.orbit.addEventListener("change", () => this.invalidate());
     this.#glide = new Glide(this.camera, this.orbit);
-    // The renderer sets up its own state again first: it has listened for longer.
-    canvas.addEventListener("webglcontextrestored", () => this.#castShadows());
     this.#lightUp();
     // After the renderer's own listener, which makes its state and buffers again, but plain black.
     canvas.addEventListener("webglcontextrestored", () => {
       this.renderer.setClearColor(this.#paper);
-      this.#castShadows();
+      this.castShadows();
     });
   }
 
@@ -124,6 +128,13 @@ export class Stage {
   #standpoint(points: Float32Array, towards: Vector3): Standpoint {
     const { height = 1, offsetY = 0 } = this.camera.view ?? {};
     return standpoint(points, towards, this.camera, 1 + (2 * offsetY) / height);
+  }
+
+  /** Display units that a pixel spans where the camera looks. */
+  pixel(): number {
+    const high = 2 * Math.tan((this.camera.fov * Math.PI) / 360);
+    const away = this.camera.position.distanceTo(this.orbit.target);
+    return (high * away) / (this.camera.view?.height ?? 1);
   }
 
   /** The ray through a place on screen, −1 … 1 to the right and upwards. */
@@ -189,11 +200,11 @@ export class Stage {
   moved(): void {
     clearTimeout(this.#shadowTimer);
     if (this.#drawMilliseconds < QUICK) this.renderer.shadowMap.needsUpdate = true;
-    else this.#shadowTimer = setTimeout(() => this.#castShadows(), REST);
+    else this.#shadowTimer = setTimeout(() => this.castShadows(), REST);
     this.invalidate();
   }
 
-  #castShadows(): void {
+  castShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
@@ -205,9 +216,10 @@ export class Stage {
   draw(): void {
     this.#pending = 0;
     const begin = performance.now();
+    this.#steps.before(this.pixel());
     this.renderer.render(this.scene, this.camera);
     this.#drawMilliseconds = performance.now() - begin;
-    this.#onDraw();
+    this.#steps.after();
   }
 
   dispose(): void {
