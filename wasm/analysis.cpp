@@ -26,11 +26,12 @@ void Analysis::show(std::vector<int> moved, const Positions& positions) {
 
 std::vector<float> Analysis::panel_figures() const {
   std::vector<float> figures;
-  figures.reserve(2 * static_cast<std::size_t>(base_.face_count()));
+  figures.reserve(3 * static_cast<std::size_t>(base_.face_count()));
   for (int f = 0; f < base_.face_count(); ++f) {
     const FacePlanarity face = face_planarity(current_, base_.face(f));
     figures.push_back(static_cast<float>(face.gap));
     figures.push_back(static_cast<float>(face.mm_per_m));
+    figures.push_back(static_cast<float>(face.excess));
   }
   return figures;
 }

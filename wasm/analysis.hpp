@@ -24,7 +24,7 @@ class Analysis {
   /// The design to be measured: `moved` ascending, everything else at the base.
   void show(std::vector<int> moved, const Positions& positions);
 
-  /// Gap (model units) and mm/m of every face, interleaved.
+  /// Gap (model units), mm/m and excess (mm/m) of every face, interleaved, see FacePlanarity.
   [[nodiscard]] std::vector<float> panel_figures() const;
   /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
   /// units), smallest angle (degrees), and 1 if one of its points moved.

@@ -126,6 +126,14 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
   await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
   await idle(page);
   expect(await chosen()).toBe(figure);
+  // Also of what was made of it, after a reload.
+  await page.getByRole("checkbox", { name: "Pinned" }).first().click();
+  await idle(page);
+  await page.waitForTimeout(600);
+  expect(new URL(page.url()).hash).toBe("");
+  await page.reload();
+  await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
+  await idle(page);
   await sample.selectOption("Dome");
   await expect.poll(chosen).toBe("Dome");
   await idle(page);
@@ -151,5 +159,40 @@ it("speaks of millimetres, and of flat panels only where they are flat", async (
   await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   await expect.poll(summary).toContain("not all of them flat");
   expect(await summary()).not.toContain("flat panels");
+  await page.context().close();
+});
+
+/** A tilted plane of quads of nearly 1 m, so far from the origin that its coordinates are coarse. */
+function farPlane(offset: number): string {
+  const lines: string[] = [];
+  for (let j = 0; j < 4; ++j)
+    for (let i = 0; i < 4; ++i) {
+      const [x, y] = [0.9 * i + 0.13 * j, 0.7 * j - 0.11 * i];
+      lines.push(`v ${offset + x} ${offset + y} ${0.9 * x + 0.8 * y}`);
+    }
+  for (let j = 0; j < 3; ++j)
+    for (let i = 0; i < 3; ++i) {
+      const a = 4 * j + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + 5} ${a + 4}`);
+    }
+  return lines.join("\n");
+}
+
+it("calls flat what the coordinates cannot hold flatter, and says so", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const verdict = page.getByText(/^(Every|Worst) panel/).last();
+  const colour = (): Promise<string> => verdict.evaluate((at) => getComputedStyle(at).color);
+  await expect.poll(() => verdict.textContent()).toBe("Every panel is flat (< 0.000001 mm/m).");
+  const good = await colour();
+  await openFile(page, "far.obj", farPlane(1e8 + 0.1));
+  const held = /as flat as its coordinates can hold \(0\.0000\d+ mm\/m\)/;
+  await page.getByRole("definition").filter({ hasText: held }).waitFor();
+  expect(await page.getByRole("button", { name: "Planarise" }).count()).toBe(0);
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
+  await expect.poll(() => verdict.textContent()).toMatch(/^Every panel is as flat as/);
+  expect(await colour()).toBe(good);
+  await page.getByText("0 panels out of flat, 9 flat").waitFor();
+  expect(await page.getByRole("status").textContent()).toContain("flat but for rounding");
   await page.context().close();
 });

@@ -3,8 +3,9 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
-import { exportAs, idle, openFile, typeTarget } from "./support/page.ts";
+import { exportAs, idle, movedCount, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
+import { handleRows } from "./support/view.ts";
 
 const field = (page: Page, name: string) => page.getByRole("combobox", { name });
 const exactTargets = (page: Page) =>
@@ -42,11 +43,49 @@ it("panels count as flat up to the tolerance, and stay within it", async () => {
   expect(edited).toBeLessThan(1);
   expect(await alert.count()).toBe(0);
 
-  // The design does not meet a tighter one: it is refused, and stays as it was.
+  // The mesh does not meet a tighter one: that is said, and the design stays as it was.
   await choose(page, "Tolerance", "0.001 mm/m");
-  await expect.poll(() => alert.textContent()).toContain("not flat");
+  await expect.poll(() => alert.textContent()).toContain("not flat to 0.001 mm/m");
   expect(await field(page, "Tolerance").inputValue()).toBe("1");
   expect(worstFlatness(readObj((await exportAs(page, "OBJ")).toString()))).toBe(edited);
+  // Planarise makes it possible: the same edit, on a mesh that meets it; Undo leads back.
+  const handles = await handleRows(page);
+  await page.getByRole("button", { name: "Planarise" }).click();
+  await expect.poll(() => field(page, "Tolerance").inputValue()).toBe("0.001");
+  await idle(page);
+  expect(await handleRows(page)).toEqual(handles);
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  expect(worstFlatness(readObj((await exportAs(page, "OBJ")).toString()))).toBeLessThan(0.001);
+  expect(await alert.count()).toBe(0);
+  for (let k = 0; k < 2; ++k) {
+    await page.getByRole("button", { name: "Undo" }).click();
+    await idle(page);
+  }
+  expect(worstFlatness(readObj((await exportAs(page, "OBJ")).toString()))).toBe(edited);
+  await page.context().close();
+});
+
+it("a tighter tolerance than the mesh was opened with offers to planarise it, and says why", async () => {
+  const page = await site.open();
+  await openAdvanced(page);
+  await choose(page, "Tolerance", "1 mm/m");
+  await openFile(page, "row.obj", almostFlat(0.0005));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  const planarise = page.getByRole("button", { name: "Planarise" });
+  const add = page.getByRole("button", { name: "Add handle" });
+  expect(await planarise.count()).toBe(0);
+  await choose(page, "Tolerance", "0.000001 mm/m");
+  await page.getByText(/up to 0\.\d+ mm\/m, with a tolerance of 0\.000001 mm\/m/).waitFor();
+  expect(await add.isDisabled()).toBe(true);
+  // Loose again, there is nothing to be made flat.
+  await choose(page, "Tolerance", "1 mm/m");
+  await expect.poll(() => planarise.count()).toBe(0);
+  await choose(page, "Tolerance", "0.000001 mm/m");
+  await planarise.click();
+  await expect.poll(() => planarise.count()).toBe(0);
+  await idle(page);
+  expect(worstFlatness(readObj((await exportAs(page, "OBJ")).toString()))).toBeLessThan(1e-6);
+  await typeTarget(page, "+10cm");
   await page.context().close();
 });
 

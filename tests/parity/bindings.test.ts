@@ -50,8 +50,8 @@ it("declares every bound member of Analysis; it measures what a session shows", 
   const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * middle);
   analysis.show(Int32Array.of(middle), Float64Array.of(x, y, z + 0.5));
   const figures = analysis.panelFigures();
-  expect(figures.length).toBe(2 * 64);
-  expect(figures.filter((mmPerM, k) => k % 2 === 1 && mmPerM > 1).length).toBe(4);
+  expect(figures.length).toBe(3 * 64);
+  expect(figures.filter((mmPerM, k) => k % 3 === 1 && mmPerM > 1).length).toBe(4);
   expect(analysis.panelHealth().filter((flag, k) => k % 4 === 3 && flag === 1).length).toBe(4);
   expect(analysis.panelDamage()).toEqual(new Uint8Array(64));
   analysis.show(Int32Array.of(middle), Float64Array.of(x + 9, y, z));

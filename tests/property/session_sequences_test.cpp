@@ -153,7 +153,8 @@ class User {
     base_ = base().positions;
     history_ = {Step{{}, {}, Positions(3, 0), true}};
     present_ = 0;
-    flat_ = nlohmann::json::parse(session_.mesh_report())["flat"].get<bool>();
+    flat_ = nlohmann::json::parse(session_.mesh_report())["worstExcess"].get<double>() <=
+            HandleEditOptions{}.tolerance;
     check_design(what, flat_);
   }
 

@@ -2,12 +2,13 @@
 import { describe, expect, it } from "vitest";
 import { FLAT, flatnessWords } from "../../web/src/state/flatness.ts";
 
-const said = (gap: number, mmPerM: number): string => flatnessWords(gap, mmPerM, "m").sentence;
+const said = (gap: number, mmPerM: number): string =>
+  flatnessWords(gap, mmPerM, mmPerM, "m").sentence;
 
 describe("flatness in words", () => {
   it.each([0, 6e-13, 4.2e-8, FLAT])("%d mm/m is flat, and how flat that is", (mmPerM) => {
     expect(said(1e-16, mmPerM)).toBe("flat (< 0.000001 mm/m)");
-    expect(flatnessWords(1e-16, mmPerM, "m").cell).toBe("flat");
+    expect(flatnessWords(1e-16, mmPerM, mmPerM, "m").cell).toBe("flat");
   });
 
   it.each([
@@ -21,8 +22,16 @@ describe("flatness in words", () => {
   });
 
   it("is short where there is little room", () => {
-    expect(flatnessWords(1e-16, 1e-13, "m").short).toBe("0.0000 mm, flat");
-    expect(flatnessWords(1e-8, 1e-5, "m").short).toBe("0.0000 mm (0.000010 mm/m)");
+    expect(flatnessWords(1e-16, 1e-13, 1e-13, "m").short).toBe("0.0000 mm, flat");
+    expect(flatnessWords(1e-8, 1e-5, 1e-5, "m").short).toBe("0.0000 mm (0.000010 mm/m)");
+  });
+
+  it("calls flat but for rounding what its coordinates cannot hold flatter", () => {
+    const words = flatnessWords(1e-8, 1e-5, 0, "m");
+    expect(words.sentence).toBe("as flat as its coordinates can hold (0.000010 mm/m)");
+    expect(words.short).toBe("0.0000 mm, flat but for rounding");
+    expect(words.cell).toBe("0.000010");
+    expect(flatnessWords(1e-16, 1e-13, 0, "m").short).toBe("0.0000 mm, flat");
   });
 
   it("never falls back on powers of ten, and never says flat of what is not", () => {

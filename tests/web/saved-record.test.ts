@@ -9,8 +9,10 @@ const files: Files = new Map([[fileKey(FILE), FILE.bytes]]);
 
 describe("a saved record", () => {
   it("comes back to the same bits", () => {
-    const read = decodeRecord(encodeRecord(RECORD), files);
-    expect(read).toEqual({ kind: "record", record: RECORD });
+    const report = { ...RECORD.present.report, worstExcess: 0 };
+    const record = { ...RECORD, figure: "figure-1", present: { ...RECORD.present, report } };
+    const read = decodeRecord(encodeRecord(record), files);
+    expect(read).toEqual({ kind: "record", record });
     if (read.kind !== "record") return;
     const { positions } = read.record.present.shape;
     const bits = (array: Float64Array) => new BigUint64Array(array.slice().buffer);

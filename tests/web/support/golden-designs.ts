@@ -35,6 +35,7 @@ export const EDITED: Design = {
     maxDisplacement: 1.25,
     worstGap: 1e-16,
     worstMmPerM: 1e-12,
+    worstExcess: 1e-12,
     handleError: 0.5,
     objective: 12.5,
     iterations: 7,
@@ -62,6 +63,7 @@ export const OPENED: Design = {
 };
 
 export const RECORD: SavedRecord = {
+  figure: null,
   time: 1_790_000_000_000,
   unit: "mm",
   camera: { position: [1, 2, 3], target: [0, -0.5, 0.25] },

@@ -3,7 +3,7 @@
 import { effect } from "@preact/signals";
 import { isLink } from "../share/fragment.ts";
 import type { Design } from "../state/design.ts";
-import { rememberLink } from "../state/figures.ts";
+import { rememberOrigin } from "../state/figures.ts";
 import { fetchPart } from "../state/later.ts";
 import { markOf, type Recipe } from "../state/recipe.ts";
 import { deleteSnapshot, providePictures, takeSnapshot } from "../state/snapshots.ts";
@@ -15,7 +15,7 @@ async function replayLink(
 ): Promise<boolean> {
   const link = location.hash;
   const opened = await replay(recipe);
-  if (opened) rememberLink(link);
+  if (opened) rememberOrigin("link", link);
   return opened;
 }
 

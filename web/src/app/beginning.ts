@@ -2,7 +2,7 @@
 import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
 import { client } from "../state/connection.ts";
-import { loadFigures } from "../state/figures.ts";
+import { loadFigures, rememberOrigin } from "../state/figures.ts";
 import { begin as beginHistory } from "../state/history.ts";
 import { openFirst } from "../state/opening.ts";
 import { show } from "../state/showing.ts";
@@ -33,6 +33,7 @@ async function openSaved(saved: ReturnType<typeof restoreSaved>): Promise<boolea
   history.value = beginHistory(record.present);
   unit.value = record.unit;
   placeCamera(record.camera);
+  if (record.figure !== null) rememberOrigin("name", record.figure);
   const time = new Date(record.time).toLocaleString(undefined, {
     dateStyle: "medium",
     timeStyle: "short",

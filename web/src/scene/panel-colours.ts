@@ -86,7 +86,7 @@ export class PanelColours {
     const { offsets } = this.#mesh;
     const health = this.#kind === "health";
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[2 * f + 1] ?? 0);
+      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[3 * f + 2] ?? 0);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

@@ -20,9 +20,11 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Camera } from "../state/camera.ts";
-import { DIRECTIONS, type Standpoint, standpoint, type ViewName } from "./framing.ts";
+import { clearStandpoint, type Subject } from "./clearance.ts";
+import { DIRECTIONS, type Standpoint, sightOf, type ViewName } from "./framing.ts";
 import { closer, Glide } from "./glide.ts";
 import type { Palette } from "./palette.ts";
+import type { Box } from "./picking.ts";
 
 /** Milliseconds: a slower frame leaves shadows out while something moves. */
 const QUICK = 8;
@@ -30,6 +32,8 @@ const QUICK = 8;
 const REST = 160;
 /** Pixels at the top of the view that the drag tools cover. */
 const TOOLS = 52;
+
+const toolsIn = (height: number): number => Math.min(TOOLS, height / 5);
 
 export interface DrawingSteps {
   /** `pixel`: the display units that one spans where the camera looks. */
@@ -110,24 +114,28 @@ export class Stage {
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  /** A named view that just holds `points`; `at once` on opening, else with a short glide. */
-  view(name: ViewName, points: Float32Array, atOnce: boolean): void {
-    const place = this.#standpoint(points, new Vector3(...DIRECTIONS[name]).normalize());
+  /**
+   * A named view that just holds the subject, clear of the boxes that lie over the view; `at once`
+   * on opening, else with a short glide.
+   */
+  view(name: ViewName, subject: Subject, over: readonly Box[], atOnce: boolean): void {
+    const towards = new Vector3(...DIRECTIONS[name]).normalize();
+    const place = this.#standpoint(subject, towards, over);
     if (atOnce) this.#glide.jump(place);
     else this.#glide.to(place);
     this.invalidate();
   }
 
-  /** Moves the camera, without turning it, to where it just holds `points`. */
-  fit(points: Float32Array): void {
+  /** Moves the camera, without turning it, to where it just holds the subject, as view() does. */
+  fit(subject: Subject, over: readonly Box[]): void {
     const towards = this.camera.getWorldDirection(new Vector3()).negate();
-    this.#glide.to(this.#standpoint(points, towards));
+    this.#glide.to(this.#standpoint(subject, towards, over));
     this.invalidate();
   }
 
-  #standpoint(points: Float32Array, towards: Vector3): Standpoint {
-    const { height = 1, offsetY = 0 } = this.camera.view ?? {};
-    return standpoint(points, towards, this.camera, 1 + (2 * offsetY) / height);
+  #standpoint(subject: Subject, towards: Vector3, over: readonly Box[]): Standpoint {
+    const sight = sightOf(this.camera, towards);
+    return clearStandpoint(subject, sight, toolsIn(sight.height), over);
   }
 
   /** Display units that a pixel spans where the camera looks. */
@@ -189,7 +197,7 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     // The axis goes through the middle of what the tools leave free.
-    const down = Math.min(TOOLS, height / 5) / 2;
+    const down = toolsIn(height) / 2;
     this.camera.setViewOffset(width, height, 0, -down, width, height);
     // A canvas of a new size is blank: not even one frame may show it.
     cancelAnimationFrame(this.#pending);

@@ -31,6 +31,7 @@ import {
   snapping,
   visited,
 } from "../state/store.ts";
+import type { Subject } from "./clearance.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
@@ -45,12 +46,17 @@ import { Stage } from "./stage.ts";
 
 export interface ViewportParts extends OverlayParts {
   readonly canvas: HTMLCanvasElement;
+  /** What lies over the lower corners of the view; a fitted model is not under it. */
+  readonly legend: HTMLElement;
+  readonly views: HTMLElement;
 }
 
 /** Pixels about a selected point that are its own, even where arrows begin. */
 const CORE = 9;
 /** Milliseconds after which a large mesh gets its shadow. */
 const SHADOW_DELAY = 1000;
+/** Height of the legend over its width once there is something to count: it grows with an edit. */
+const GROWN = 0.55;
 /** Pixels within which a snapped drag goes back to the base position. */
 const HOME = 10;
 
@@ -82,6 +88,7 @@ function watchPixelRatio(changed: () => void): () => void {
 export class Viewport {
   readonly stage: Stage;
   readonly #canvas: HTMLCanvasElement;
+  readonly #parts: ViewportParts;
   readonly #gizmo: Gizmo;
   readonly #pointer: PointerTool;
   readonly #overlay: Overlay;
@@ -92,6 +99,7 @@ export class Viewport {
 
   constructor(parts: ViewportParts) {
     this.#canvas = parts.canvas;
+    this.#parts = parts;
     this.#overlay = new Overlay(parts);
     this.stage = new Stage(parts.canvas, {
       before: (pixel) => this.#shell?.inkEdges(pixel),
@@ -103,12 +111,14 @@ export class Viewport {
   }
 
   view(name: ViewName): void {
-    if (this.#shell) this.stage.view(name, this.#shell.current, false);
+    const subject = this.#subject();
+    if (subject) this.stage.view(name, subject, this.#over(), false);
   }
 
   /** Brings the whole design into view without turning the camera. */
   fit(): void {
-    if (this.#shell) this.stage.fit(this.#shell.current);
+    const subject = this.#subject();
+    if (subject) this.stage.fit(subject, this.#over());
   }
 
   /** Gives up a drag; without one, deselects. */
@@ -141,6 +151,23 @@ export class Viewport {
   picture(): Promise<Blob | null> {
     this.stage.draw();
     return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
+  }
+
+  #subject(): Subject | null {
+    const shell = this.#shell;
+    return shell && { points: shell.current, edges: shell.topology.edges };
+  }
+
+  /** Where the legend and the buttons of the views lie, or will once there is an edit. */
+  #over(): Box[] {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return [this.#parts.legend, this.#parts.views].map((part, k) => {
+      const box = part.getBoundingClientRect();
+      const grows = k === 0 && colourBy.peek() !== "none";
+      const high = Math.max(box.height, grows ? GROWN * box.width : 0);
+      const [right, bottom] = [box.right - left, box.bottom - top];
+      return { left: box.left - left, right, top: bottom - high, bottom };
+    });
   }
 
   #view(): View {
@@ -313,7 +340,8 @@ export class Viewport {
     this.#overlay.setPanel(null);
     this.#resize();
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
-    if (first || !same) this.stage.view("Perspective", shown.display, true);
+    const subject = { points: shown.display, edges: shown.topology.edges };
+    if (first || !same) this.stage.view("Perspective", subject, this.#over(), true);
     if (this.#shell.shadowToCome) this.#castLater(this.#shell);
   }
 

@@ -107,6 +107,8 @@ function readReport(value: unknown): ShapeReport | null {
     maxDisplacement: readFigure(value.maxDisplacement),
     worstGap: readFigure(value.worstGap),
     worstMmPerM: readFigure(value.worstMmPerM),
+    // Records from before this figure was kept.
+    worstExcess: readFigure(value.worstExcess ?? value.worstMmPerM),
     handleError: readFigure(value.handleError),
     objective: readFigure(value.objective),
     iterations: readFigure(value.iterations),

@@ -33,6 +33,8 @@ export interface SavedRecord {
   readonly time: number;
   readonly unit: Unit;
   readonly camera: Camera | null;
+  /** The paper's figure that the design began as, by its name; null if it is none. */
+  readonly figure: string | null;
   readonly present: Design;
   readonly snapshots: readonly Snapshot[];
 }
@@ -59,6 +61,7 @@ export function encodeRecord(record: SavedRecord): Uint8Array {
     time: record.time,
     unit: record.unit,
     camera: readableCamera(record.camera),
+    figure: record.figure,
     present: writeDesign(record.present, pool),
     snapshots: record.snapshots.map(({ id, name, time, picture, design }) => ({
       id,
@@ -94,6 +97,7 @@ function readSnapshot(value: unknown, pool: PoolReader, files: Files): Snapshot 
 function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | null {
   const { time, unit, snapshots } = json;
   const camera = readCamera(json.camera);
+  const figure = isName(json.figure) ? json.figure : null;
   const present = readDesign(json.present, pool, files);
   if (!isNumber(time) || typeof unit !== "string" || !isUnit(unit)) return null;
   if (camera === undefined || !present) return null;
@@ -104,7 +108,7 @@ function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | nul
     if (!snapshot) return null;
     read.push(snapshot);
   }
-  return { time, unit, camera, present, snapshots: read };
+  return { time, unit, camera, figure, present, snapshots: read };
 }
 
 export type ReadRecord =

@@ -97,7 +97,8 @@ export interface MeshReport {
   readonly degreesOfFreedom: number;
   readonly worstGap: number;
   readonly worstMmPerM: number;
-  readonly flat: boolean;
+  /** mm/m beyond what rounding accounts for: the mesh is flat where a tolerance allows it. */
+  readonly worstExcess: number;
   /** Points that planarising moved, and the longest way, model units; zeros if there was none. */
   readonly planarising: { readonly moved: number; readonly largest: number };
   readonly centre: readonly [number, number, number];
@@ -111,6 +112,8 @@ export interface ShapeReport {
   readonly maxDisplacement: number;
   readonly worstGap: number;
   readonly worstMmPerM: number;
+  /** mm/m: of the panel for which the rounding of its coordinates accounts least; often 0. */
+  readonly worstExcess: number;
   readonly handleError: number;
   readonly objective: number;
   readonly iterations: number;
@@ -128,7 +131,7 @@ export interface ExploreReport {
 
 /** What is measured on a finished design. */
 export interface PanelMeasures {
-  /** Gap in model units and mm/m, for every panel. */
+  /** Gap in model units, mm/m, and mm/m or 0 where rounding accounts for it, for every panel. */
   readonly figures: Float32Array;
   /** Outline, shortest edge, smallest angle and 1 if it changed, for every panel. */
   readonly health: Float32Array;

@@ -33,14 +33,14 @@ export function keepPanelFigures(): () => void {
     client.ask({ kind: "panels", fairness }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
-        if (!measures || measures.figures.length > 2 * EAGER) return;
+        if (!measures || measures.figures.length > 3 * EAGER) return;
         batch(() => {
           panelFigures.value = measures.figures;
           panelHealth.value = measures.health;
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
         });
-        if ((selectedPanel.peek() ?? 0) * 2 >= measures.figures.length) selectedPanel.value = null;
+        if ((selectedPanel.peek() ?? 0) * 3 >= measures.figures.length) selectedPanel.value = null;
       },
       () => {
         panelFigures.value = null;

@@ -6,6 +6,7 @@ import { type Files, fileKey } from "../share/saved-design.ts";
 import { decodeRecord, encodeRecord, type SavedRecord } from "../share/saved-record.ts";
 import { readCamera } from "./camera.ts";
 import type { Design } from "./design.ts";
+import { shownFigure } from "./figures.ts";
 import {
   claimNewSlot,
   claimSlot,
@@ -36,8 +37,14 @@ const NO_STORAGE =
 function recordNow(): SavedRecord | null {
   const present = history.value?.present;
   if (!present) return null;
-  const camera = readCamera();
-  return { time: Date.now(), unit: unit.value, camera, present, snapshots: snapshots.value };
+  return {
+    time: Date.now(),
+    unit: unit.value,
+    camera: readCamera(),
+    figure: shownFigure.peek()?.name ?? null,
+    present,
+    snapshots: snapshots.value,
+  };
 }
 
 function filesOf(record: SavedRecord): Map<string, Blob> {

@@ -74,6 +74,7 @@ export const NO_REPORT: ShapeReport = {
   maxDisplacement: 0,
   worstGap: 0,
   worstMmPerM: 0,
+  worstExcess: 0,
   handleError: 0,
   objective: 0,
   iterations: 0,

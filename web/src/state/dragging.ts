@@ -6,6 +6,7 @@ import { type HandleRow, leftBehind, type Point, withHandle } from "./design.ts"
 import { commitEdit, edit, editQuestion, handleOf, setPinned, shownPoint } from "./editing.ts";
 import { showPresent } from "./showing.ts";
 import {
+  baseFlat,
   draft,
   hintVertex,
   history,
@@ -88,7 +89,7 @@ export const FLAT_FIRST = "Make it flat first: Planarise.";
 /** Takes hold of points; null if they cannot be moved, and the notice says why. */
 export function beginDrag(vertices: readonly number[]): Drag | null {
   if (!ready.value || !mesh.value) return null;
-  if (!mesh.value.report.flat) {
+  if (!baseFlat.value) {
     notice.value = FLAT_FIRST;
     return null;
   }
@@ -130,6 +131,6 @@ export const allPinned = (): boolean =>
 /** Pins what is selected, or lets it go if all of it is pinned. */
 export function togglePins(): void {
   if (!ready.value) return;
-  if (mesh.value?.report.flat) void setPinned(selection.value, !allPinned());
+  if (baseFlat.value) void setPinned(selection.value, !allPinned());
   else notice.value = FLAT_FIRST;
 }

@@ -18,7 +18,7 @@ import * as steps from "./history.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { show, showPresent } from "./showing.ts";
-import { draft, hintVertex, history, mesh, notice, selected } from "./store.ts";
+import { draft, hintVertex, history, mesh, notice, refusedTolerance, selected } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -149,6 +149,11 @@ export function previewSettings(change: Partial<EditSettings>): void {
   if (next.handles.length > 0) void frame(editQuestion(next, "drag"));
 }
 
+/** An edit cannot be flatter than what it does not move; without one the tolerance is only noted. */
+const needsFlatterMesh = ({ handles, settings }: Design): boolean =>
+  toTargets(handles).handles.length > 0 &&
+  (mesh.value?.report.worstExcess ?? 0) > settings.tolerance;
+
 export async function commitSettings(
   change: Partial<EditSettings>,
   burst: string | null = null,
@@ -157,7 +162,9 @@ export async function commitSettings(
   await inTurn(async () => {
     const design = draft.value;
     if (!design) return;
-    await commitEdit({ ...design, settings: { ...design.settings, ...change } }, "solve", burst);
+    const next = { ...design, settings: { ...design.settings, ...change } };
+    refusedTolerance.value = needsFlatterMesh(next) ? next.settings.tolerance : null;
+    if (refusedTolerance.value === null) await commitEdit(next, "solve", burst);
   }, burst);
 }
 

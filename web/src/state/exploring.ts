@@ -6,7 +6,7 @@ import { commit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { planariseNow } from "./opening.ts";
 import { show } from "./showing.ts";
-import { dimension, draft, eigenbasis, figures, history, mesh, notice } from "./store.ts";
+import { baseFlat, dimension, draft, eigenbasis, figures, history, notice } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
@@ -127,7 +127,7 @@ async function commitVaried(next: Varied, steady: Design, burst: string | null):
 async function makeExactNow(): Promise<void> {
   const design = draft.value;
   if (!design) return;
-  if (mesh.value && !mesh.value.report.flat) {
+  if (!baseFlat.value) {
     await planariseNow();
     return;
   }

@@ -14,18 +14,23 @@ export interface Figure {
 /** None until the page can be used. */
 export const offeredFigures = signal<readonly Figure[]>([]);
 
-/** The link that gave the mesh on screen, as long as no other mesh is opened. */
-const followed = signal<{ readonly link: string; readonly opened: OpenedMesh | null } | null>(null);
+/** What the mesh on screen came from, as long as no other mesh is opened. */
+const followed = signal<{
+  readonly key: "link" | "name";
+  readonly value: string;
+  readonly opened: OpenedMesh | null;
+} | null>(null);
 
-export function rememberLink(link: string): void {
-  followed.value = { link, opened: mesh.peek() };
+/** The link or the figure's name that the design on screen was opened by. */
+export function rememberOrigin(key: "link" | "name", value: string): void {
+  followed.value = { key, value, opened: mesh.peek() };
 }
 
 /** The figure that the design on screen began as. */
 export const shownFigure = computed(() => {
   if (!followed.value || followed.value.opened !== mesh.value) return null;
-  const { link } = followed.value;
-  return offeredFigures.value.find((figure) => figure.link === link) ?? null;
+  const { key, value } = followed.value;
+  return offeredFigures.value.find((figure) => figure[key] === value) ?? null;
 });
 
 export async function loadFigures(): Promise<void> {

@@ -17,12 +17,19 @@ export interface FlatnessWords {
   readonly cell: string;
   /** "0.0123 mm (1.23 mm/m)", "0.0000 mm, flat": where there is little room */
   readonly short: string;
-  /** "0.0123 mm out of flat (1.23 mm/m)", "flat (< 0.000001 mm/m)" */
+  /**
+   * "0.0123 mm out of flat (1.23 mm/m)", "flat (< 0.000001 mm/m)", and far from the origin
+   * "as flat as its coordinates can hold (0.000012 mm/m)"
+   */
   readonly sentence: string;
 }
 
+/** Whether nothing is out of flat but for the rounding of its coordinates. */
+export const isFlat = ({ worstExcess }: { readonly worstExcess: number }): boolean =>
+  worstExcess <= FLAT;
+
 /** mm/m without a power of ten: three digits, two below a thousandth, never less than one unit. */
-function decimal(mmPerM: number): string {
+export function decimal(mmPerM: number): string {
   if (mmPerM >= 100) return mmPerM.toFixed(0);
   if (mmPerM >= 1e-3) return mmPerM.toPrecision(3);
   return mmPerM.toFixed(1 - Math.floor(Math.log10(mmPerM)));
@@ -31,14 +38,24 @@ function decimal(mmPerM: number): string {
 /**
  * @param gap model units
  * @param mmPerM the same over the panel's longest edge
+ * @param excess mmPerM, or 0 where rounding accounts for it
  */
-export function flatnessWords(gap: number, mmPerM: number, unit: Unit): FlatnessWords {
+export function flatnessWords(
+  gap: number,
+  mmPerM: number,
+  excess: number,
+  unit: Unit,
+): FlatnessWords {
   const length = formatGap(gap, unit);
   if (mmPerM <= FLAT) {
     const sentence = `flat (${PROMISE} mm/m)`;
     return { gap: length, cell: "flat", short: `${length}, flat`, sentence };
   }
   const perMetre = decimal(mmPerM);
+  if (excess <= FLAT) {
+    const sentence = `as flat as its coordinates can hold (${perMetre} mm/m)`;
+    return { gap: length, cell: perMetre, short: `${length}, flat but for rounding`, sentence };
+  }
   const short = `${length} (${perMetre} mm/m)`;
   return {
     gap: length,

@@ -57,8 +57,8 @@ export function ofMoves(lengths: Iterable<number>, total: number): Histogram {
 /** How sharply the edit bends at points, model units. */
 export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 
-/** mm/m of panels, on the legend's logarithmic scale. @param figures gap and mm/m for each */
+/** mm/m of panels, on the legend's logarithmic scale. @param figures gap, mm/m, excess for each */
 export function ofPlanarity(figures: Float32Array): Histogram {
-  const perMetre = figures.filter((_, k) => k % 2 === 1);
+  const perMetre = figures.filter((_, k) => k % 3 === 2);
   return count(perMetre, maximum(perMetre), planarityShare);
 }

@@ -3,23 +3,24 @@
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
+import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
-import { draft, hintVertex, history, mesh, notice, settings } from "./store.ts";
+import { draft, hintVertex, history, mesh, notice, refusedTolerance, settings } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 /** The unedited mesh as a design. */
 export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
-  const { worstGap, worstMmPerM } = opened.report;
+  const { worstGap, worstMmPerM, worstExcess } = opened.report;
   return {
     source,
     planarised,
     handles: [],
     settings: settingsForNew(settings.value ?? DEFAULT_SETTINGS),
     shape: NO_SHAPE,
-    report: { ...NO_REPORT, worstGap, worstMmPerM },
+    report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,
   };
 }
@@ -43,12 +44,17 @@ export const openSample = (name: string): Promise<void> =>
     else await showPresent();
   });
 
-/** Within a turn. */
+/** Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step. */
 export async function planariseNow(): Promise<void> {
   const design = draft.value;
   if (!design) return;
+  const { handles, settings } = design;
+  const tolerance = refusedTolerance.value ?? settings.tolerance;
   const answer = await run("making every panel flat", { kind: "planarise" }, "opened");
-  if (answer) adopt(design.source, true, answer.mesh);
+  if (!answer) return;
+  draft.value = { ...design, settings: { ...settings, tolerance } };
+  adopt(design.source, true, answer.mesh);
+  if (handles.length > 0) await commitEdit({ ...draft.value, handles }, "solve");
 }
 
 export const planarise = (): Promise<void> => inTurn(planariseNow);

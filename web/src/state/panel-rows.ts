@@ -8,6 +8,8 @@ export interface PanelRow {
   /** Model units. */
   readonly gap: number;
   readonly mmPerM: number;
+  /** mmPerM, or 0 where rounding accounts for it. */
+  readonly excess: number;
   /** Place in OUTLINES. */
   readonly outline: number;
   /** The shortest, model units. */
@@ -21,10 +23,11 @@ export interface PanelRow {
 export type PanelColumn = keyof PanelRow;
 
 /** Where a column's value is: array, numbers per panel, place among them. */
-const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", 2 | 4, number]>> = {
-  panel: ["figures", 2, 0],
-  gap: ["figures", 2, 0],
-  mmPerM: ["figures", 2, 1],
+const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", 3 | 4, number]>> = {
+  panel: ["figures", 3, 0],
+  gap: ["figures", 3, 0],
+  mmPerM: ["figures", 3, 1],
+  excess: ["figures", 3, 2],
   outline: ["health", 4, 0],
   edge: ["health", 4, 1],
   angle: ["health", 4, 2],
@@ -34,8 +37,9 @@ const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", 2 | 4
 export function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
   return {
     panel,
-    gap: figures[2 * panel] ?? 0,
-    mmPerM: figures[2 * panel + 1] ?? 0,
+    gap: figures[3 * panel] ?? 0,
+    mmPerM: figures[3 * panel + 1] ?? 0,
+    excess: figures[3 * panel + 2] ?? 0,
     outline: health[4 * panel] ?? 0,
     edge: health[4 * panel + 1] ?? 0,
     angle: health[4 * panel + 2] ?? 0,
@@ -64,7 +68,7 @@ export function firstPanels(
   const before = (a: number, b: number): boolean =>
     descending ? value(a) > value(b) : value(a) < value(b);
   const first: number[] = [];
-  for (let panel = 0; 2 * panel + 1 < figures.length; ++panel) {
+  for (let panel = 0; 3 * panel < figures.length; ++panel) {
     if (changedOnly && health[4 * panel + 3] !== 1) continue;
     const last = first.at(-1);
     if (first.length === count && last !== undefined && !before(panel, last)) continue;

@@ -19,6 +19,7 @@ import {
   panelFigures,
   panelHealth,
   problem,
+  refusedTolerance,
   selectedPanel,
   selection,
   visited,
@@ -58,6 +59,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     freedom.value = null;
     hintVertex.value = null;
     importReport.value = false;
+    refusedTolerance.value = null;
   });
 }
 
@@ -77,6 +79,7 @@ export async function show(design: Design): Promise<boolean> {
   const kept = problem.value;
   if (!(await openBase(design))) return false;
   draft.value = design;
+  refusedTolerance.value = null;
   const { shape, settings, variation } = design;
   const targets = toTargets(design.handles);
   const keep = variation !== null && variation.centre === held.centre;

@@ -64,7 +64,7 @@ export const eigenbasis = signal(false);
 export const colourBy = signal<ColourBy>("displacement");
 /** Counts how often what measures designs has arrived: with every new solver. */
 export const measurable = signal(0);
-/** Gap (model units) and mm/m of every panel of the last finished design. */
+/** Gap (model units), mm/m and mm/m beyond rounding of every panel of the last finished design. */
 export const panelFigures = signal<Float32Array | null>(null);
 /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
 export const panelHealth = signal<Float32Array | null>(null);
@@ -83,6 +83,8 @@ export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */
 export const hintVertex = signal<number | null>(null);
 export const importReport = signal(false);
+/** mm/m: a tolerance chosen for an edit of a mesh that does not meet it; null without one. */
+export const refusedTolerance = signal<number | null>(null);
 
 /** The point chosen last. */
 export const selected = computed(() => selection.value.at(-1) ?? null);
@@ -95,6 +97,10 @@ export const designName = computed(() =>
 );
 export const handles = computed(() => draft.value?.handles ?? []);
 export const settings = computed(() => draft.value?.settings ?? null);
+/** Whether every panel of the opened mesh is flat up to the tolerance: only then do points move. */
+export const baseFlat = computed(
+  () => (mesh.value?.report.worstExcess ?? 0) <= (settings.value?.tolerance ?? 0),
+);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
 export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
 export const busy = computed(() => activity.value !== null);

@@ -2,7 +2,9 @@
 import type { EditSettings } from "../solver/protocol.ts";
 import { DEFAULT_SETTINGS } from "../state/design.ts";
 import { commitSettings } from "../state/editing.ts";
-import { ready, settings } from "../state/store.ts";
+import { decimal } from "../state/flatness.ts";
+import { planarise } from "../state/opening.ts";
+import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
@@ -86,10 +88,29 @@ function Differences({ of }: { of: EditSettings }) {
   );
 }
 
+/** Why a tolerance was not taken, and the way to get it. */
+function RefusedTolerance() {
+  const refused = refusedTolerance.value;
+  const report = mesh.value?.report;
+  if (refused === null || !report) return null;
+  return (
+    <div class="note warn" role="alert">
+      <p>
+        {`The mesh itself is not flat to ${refused} mm/m, but up to ${decimal(report.worstMmPerM)} mm/m. Planarise makes it so and does the edit again.`}
+      </p>
+      <button type="button" class="button primary" onClick={() => void planarise()}>
+        Planarise
+      </button>
+    </div>
+  );
+}
+
 /** The settings that few need; the defaults are the command line's. */
 export function Advanced() {
   const shown = settings.value ?? DEFAULT_SETTINGS;
   const { fairness, engine, hardHandles, tolerance } = shown;
+  // The chooser goes back to what holds.
+  refusedTolerance.value;
   const known = TOLERANCES.find(([value]) => Number(value) === tolerance);
   // A link or a file may have set another.
   const given = [String(tolerance), `${tolerance} mm/m`] as const;
@@ -116,6 +137,7 @@ export function Advanced() {
           onChoose={(value) => choose({ tolerance: Number(value) })}
         />
         <p class="quiet small">Panels count as flat up to the tolerance.</p>
+        <RefusedTolerance />
         <label class="check">
           <input
             type="checkbox"

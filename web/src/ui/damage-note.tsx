@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { damage, damageWords, spoiltPanels } from "../state/damage.ts";
-import { FLAT } from "../state/flatness.ts";
+import { isFlat } from "../state/flatness.ts";
 import { showNextPanel } from "../state/selection.ts";
 import { figures } from "../state/store.ts";
 
@@ -9,7 +9,7 @@ export function DamageNote() {
   const found = damage.value;
   const words = found && damageWords(found);
   if (!words) return null;
-  const flat = figures.value.worstMmPerM <= FLAT;
+  const flat = isFlat(figures.value);
   return (
     <>
       {"· "}

@@ -3,6 +3,7 @@
 import type { ComponentChildren } from "preact";
 import { allPinned, FLAT_FIRST, toggleLock, togglePins } from "../state/dragging.ts";
 import {
+  baseFlat,
   boxTool,
   type Lock,
   localArrows,
@@ -117,9 +118,9 @@ function PinTool() {
   return (
     <Toggle
       name="Pin selected points"
-      about={mesh.value?.report.flat === false ? FLAT_FIRST : "pinned points do not move (P)"}
+      about={!baseFlat.value ? FLAT_FIRST : "pinned points do not move (P)"}
       on={allPinned()}
-      disabled={selection.value.length === 0 || !ready.value || !mesh.value?.report.flat}
+      disabled={selection.value.length === 0 || !ready.value || !baseFlat.value}
       onClick={togglePins}
     >
       <Icon name="pin" />

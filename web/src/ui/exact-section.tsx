@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { makeExact } from "../state/exploring.ts";
-import { FLAT } from "../state/flatness.ts";
+import { isFlat } from "../state/flatness.ts";
 import { figures, mesh, ready, showBefore } from "../state/store.ts";
 import { later } from "./later.tsx";
 
@@ -13,7 +13,7 @@ function hold(on: boolean): void {
 
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
-  const exact = figures.value.worstMmPerM <= FLAT;
+  const exact = isFlat(figures.value);
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">

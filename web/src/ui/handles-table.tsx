@@ -4,7 +4,7 @@ import { FLAT_FIRST } from "../state/dragging.ts";
 import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
-import { handles, mesh, ready, selection, unit } from "../state/store.ts";
+import { baseFlat, handles, mesh, ready, selection, unit } from "../state/store.ts";
 import { formatLength, niceStep } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
@@ -96,7 +96,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
 export function HandlesTable() {
   const step = stepFor(mesh.value?.report.meanEdge ?? 1);
   const rows = handles.value;
-  const bent = mesh.value?.report.flat === false;
+  const bent = !baseFlat.value;
   return (
     <>
       <table class={rows.length === 0 ? "handles vacant" : "handles"} aria-label="Handles">
@@ -128,13 +128,13 @@ export function HandlesTable() {
           The first {ROWS} of {rows.length}; the view shows all of them.
         </p>
       )}
-      {rows.length === 0 && mesh.value?.report.flat && (
+      {rows.length === 0 && baseFlat.value && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
       <button
         type="button"
         class={`button wide${rows.length === 0 ? " primary" : ""}`}
-        disabled={!ready.value || !mesh.value?.report.flat}
+        disabled={!ready.value || !baseFlat.value}
         aria-description={bent ? FLAT_FIRST : undefined}
         onClick={() => void addHandle()}
       >

@@ -7,7 +7,7 @@ import { flatnessWords } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
 import { planarisingWords } from "../state/planarising.ts";
-import { designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
+import { baseFlat, designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
@@ -40,10 +40,11 @@ function planarisingFacts(report: MeshReport): readonly Fact[] {
 }
 
 function Facts({ report }: { report: MeshReport }) {
+  const { worstGap, worstMmPerM, worstExcess } = report;
   const facts: readonly Fact[] = [
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
-    ["Worst panel", flatnessWords(report.worstGap, report.worstMmPerM, unit.value).sentence],
+    ["Worst panel", flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence],
     ...planarisingFacts(report),
     ...outlineFacts(),
     ["Boundary loops", String(report.boundaryLoops)],
@@ -96,7 +97,7 @@ export function ImportReport() {
   return (
     <section ref={section} class="step import-report" aria-labelledby="import-title">
       <h2 id="import-title">{designName.value}</h2>
-      {report && !report.flat && (
+      {report && !baseFlat.value && (
         <p>
           <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
           then moves as little as possible.
@@ -110,7 +111,7 @@ export function ImportReport() {
       ))}
       <UnitChooser />
       <div class="dialog-actions">
-        {report && !report.flat ? (
+        {report && !baseFlat.value ? (
           <>
             <button type="button" class="button" onClick={close}>
               Leave as it is
@@ -121,7 +122,7 @@ export function ImportReport() {
               onClick={() => {
                 close();
                 void planarise().then(() => {
-                  importReport.value = mesh.value?.report.flat ?? false;
+                  importReport.value = baseFlat.value;
                 });
               }}
             >

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { commitSettings, previewSettings } from "../state/editing.ts";
+import { decimal } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
-import { importReport, mesh, ready, settings } from "../state/store.ts";
+import { baseFlat, importReport, mesh, ready, settings } from "../state/store.ts";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
@@ -9,11 +10,14 @@ import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 
 function NotFlatNote() {
-  const report = mesh.value?.report;
-  if (!report || report.flat || importReport.value) return null;
+  const [report, chosen] = [mesh.value?.report, settings.value];
+  if (!report || !chosen || baseFlat.value || importReport.value) return null;
+  const worst = decimal(report.worstMmPerM);
   return (
     <div class="note warn">
-      <p>This mesh has panels that are not flat. Points can be moved once they are.</p>
+      <p>
+        {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are.`}
+      </p>
       <button type="button" class="button primary" onClick={() => void planarise()}>
         Planarise
       </button>

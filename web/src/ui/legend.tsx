@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
 import { flatnessWords } from "../state/flatness.ts";
@@ -50,13 +51,12 @@ function Ends({ of }: { of: "displacement" | "fairness" }) {
 
 /** The figure itself where the ramp says mm/m, and what is measured where it is not plain. */
 function Note() {
-  const { worstGap, worstMmPerM } = figures.value;
+  const { worstGap, worstMmPerM, worstExcess } = figures.value;
   if (colourBy.value === "fairness")
     return <p class="legend-note">Difference between neighbours' moves</p>;
   if (colourBy.value !== "planarity") return null;
-  return (
-    <p class="legend-note">{`Worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).sentence}`}</p>
-  );
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
+  return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
 }
 
 function Scale() {
@@ -76,9 +76,10 @@ function Scale() {
 }
 
 /** What the colours of the model mean. */
-export function Legend() {
+export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | null> }) {
   return (
-    <div class="legend">
+    <fieldset ref={element} class="legend">
+      <legend class="visually-hidden">Legend</legend>
       <label>
         <span class="legend-word">Colour by</span>
         <select
@@ -96,6 +97,6 @@ export function Legend() {
         </select>
       </label>
       <Scale />
-    </div>
+    </fieldset>
   );
 }

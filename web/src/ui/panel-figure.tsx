@@ -17,13 +17,14 @@ export function PanelFigure() {
   const offsets = mesh.value?.offsets;
   if (panel === null || !offsets) return null;
   const corners = (offsets[panel + 1] ?? 0) - (offsets[panel] ?? 0);
-  const [gap, mmPerM] = panelFigures.value?.subarray(2 * panel, 2 * panel + 2) ?? [];
+  const [gap, mmPerM, excess] = panelFigures.value?.subarray(3 * panel, 3 * panel + 3) ?? [];
   return (
     <span>
       <strong>Panel {panel}</strong> {corners} corners
       {gap !== undefined &&
         mmPerM !== undefined &&
-        `, ${flatnessWords(gap, mmPerM, unit.value).sentence}`}
+        excess !== undefined &&
+        `, ${flatnessWords(gap, mmPerM, excess, unit.value).sentence}`}
       {shapeWords(panel)}
     </span>
   );

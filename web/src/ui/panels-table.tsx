@@ -74,7 +74,7 @@ function Summary({ health }: { health: Float32Array }) {
 
 function Row({ row }: { row: PanelRow }) {
   const { panel, angle, edge, outline } = row;
-  const { gap, cell } = flatnessWords(row.gap, row.mmPerM, unit.value);
+  const { gap, cell } = flatnessWords(row.gap, row.mmPerM, row.excess, unit.value);
   return (
     <tr class={panel === selectedPanel.value ? "selected" : ""}>
       <th scope="row">
@@ -143,7 +143,7 @@ export function PanelsTable() {
   const order = useSignal<PanelOrder>({ key: "mmPerM", descending: true, changedOnly: false });
   const wanted = useSignal(ROWS);
   const [figures, health] = [panelFigures.value, panelHealth.value];
-  if (!figures || health?.length !== 2 * figures.length) return null;
+  if (!figures || health?.length !== (4 * figures.length) / 3) return null;
   const { key, descending, changedOnly } = order.value;
   const sort = (column: Column): void => {
     const again = column.key === key;
@@ -151,7 +151,7 @@ export function PanelsTable() {
     order.value = { key: column.key, descending: down, changedOnly };
   };
   const rows = firstPanels(figures, health, order.value, wanted.value);
-  const total = changedOnly ? countHealth(health).changed : figures.length / 2;
+  const total = changedOnly ? countHealth(health).changed : figures.length / 3;
   const more = Math.min(MORE, total - rows.length);
   return (
     <>

@@ -24,11 +24,12 @@ const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.D
 
 function numbers(): readonly string[] {
   if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
-  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, seconds, status } = figures.value;
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess, seconds, status } =
+    figures.value;
   const parts = [
     `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,
     `largest ${formatLength(maxDisplacement, unit.value)}`,
-    `worst panel ${flatnessWords(worstGap, worstMmPerM, unit.value).short}`,
+    `worst panel ${flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).short}`,
   ];
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { Point } from "../state/design.ts";
 import { FLAT_FIRST, moveInFrame } from "../state/dragging.ts";
-import { mesh, ready, selection, unit } from "../state/store.ts";
+import { baseFlat, mesh, ready, selection, unit } from "../state/store.ts";
 import { niceStep } from "../state/units.ts";
 import { NumberField } from "./number-field.tsx";
 
@@ -16,7 +16,7 @@ const count = (points: number): string => (points === 1 ? "1 point" : `${points}
 /** Typed moves of the selected points in the directions of the surface at each of them. */
 export function SurfaceMove() {
   const chosen = selection.value;
-  const disabled = chosen.length === 0 || !ready.value || !mesh.value?.report.flat;
+  const disabled = chosen.length === 0 || !ready.value || !baseFlat.value;
   return (
     <details class="surface-move">
       <summary>Move along the surface</summary>
@@ -39,7 +39,7 @@ export function SurfaceMove() {
         ))}
       </div>
       <p class="quiet">
-        {mesh.value?.report.flat === false
+        {!baseFlat.value
           ? FLAT_FIRST
           : chosen.length === 0
             ? "Select a point first."

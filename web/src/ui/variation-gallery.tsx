@@ -15,9 +15,9 @@ interface TileProps {
 }
 
 function Tile({ item, number, patch }: TileProps) {
-  const { movedVertices, maxDisplacement, worstGap, worstMmPerM } = item.report;
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
   const length = formatLength(maxDisplacement, unit.value);
-  const worst = flatnessWords(worstGap, worstMmPerM, unit.value).sentence;
+  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence;
   const chosen = draft.value?.shape === item.shape;
   const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}`;
   return (

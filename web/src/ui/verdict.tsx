@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { damage, damageWords } from "../state/damage.ts";
-import { FLAT, flatnessWords } from "../state/flatness.ts";
+import { flatnessWords, isFlat } from "../state/flatness.ts";
 import { countHealth } from "../state/panel-rows.ts";
 import { figures, panelHealth, unit } from "../state/store.ts";
 
@@ -9,12 +9,12 @@ const panelsCross = (count: number): string =>
 
 /** Whether every panel can be made: being flat is not all. */
 export function Verdict() {
-  const { worstGap, worstMmPerM } = figures.value;
-  const exact = worstMmPerM <= FLAT;
+  const { worstGap, worstMmPerM, worstExcess } = figures.value;
+  const exact = isFlat(figures.value);
   const crossing = panelHealth.value ? countHealth(panelHealth.value).crossing : 0;
   const spoilt = damage.value ? damageWords(damage.value) : "";
   const sound = crossing === 0 && spoilt === "";
-  const { sentence } = flatnessWords(worstGap, worstMmPerM, unit.value);
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
   return (
     <p class={exact && sound ? "verdict good" : "verdict"}>
       {`${exact ? "Every panel is" : "Worst panel"} ${sentence}.`}

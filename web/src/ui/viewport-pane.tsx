@@ -5,7 +5,7 @@ import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
-import { FLAT } from "../state/flatness.ts";
+import { isFlat } from "../state/flatness.ts";
 import { figures, mesh, problem, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
@@ -28,7 +28,7 @@ function Summary() {
   return (
     <p id="view-summary" class="visually-hidden">
       {report
-        ? `A structure of ${report.faces} ${figures.value.worstMmPerM <= FLAT ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
+        ? `A structure of ${report.faces} ${isFlat(figures.value) ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
         : "The model is being prepared."}
     </p>
   );
@@ -78,9 +78,11 @@ export function ViewportPane() {
   const figure = useRef<HTMLDivElement>(null);
   const point = useRef<HTMLDivElement>(null);
   const box = useRef<HTMLDivElement>(null);
+  const legend = useRef<HTMLFieldSetElement>(null);
+  const views = useRef<HTMLFieldSetElement>(null);
   const viewport = useRef<Viewport | null>(null);
   useEffect(() => {
-    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box });
+    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box, legend, views });
     const view = parts && mount(parts);
     viewport.current = view;
     if (!parts || !view) return;
@@ -121,8 +123,8 @@ export function ViewportPane() {
       <div ref={box} class="selection-box" hidden />
       <BeforeNote />
       <DragTools />
-      <Legend />
-      <fieldset class="views">
+      <Legend element={legend} />
+      <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>
         <button type="button" title="Fit (F)" onClick={() => viewport.current?.fit()}>
           Fit
