@@ -40,6 +40,14 @@ it("is offered during an edit, waits for the user, and loses nothing", async () 
   const reload = page.getByRole("button", { name: "Reload" });
   await expect.poll(() => reload.count()).toBe(1);
   expect(await page.getByText("A new version is ready.").count()).toBe(1);
+  // On a telephone it takes a line of its own, not the room of the figures.
+  const wide = page.viewportSize();
+  await page.setViewportSize({ width: 360, height: 740 });
+  const figures = await page.getByRole("status").boundingBox();
+  const offer = await reload.boundingBox();
+  expect(figures?.width).toBeGreaterThan(200);
+  expect(offer?.y).toBeGreaterThan((figures?.y ?? 0) + (figures?.height ?? 0) - 1);
+  if (wide) await page.setViewportSize(wide);
 
   await typeTarget(page, "+25cm");
   await killNow(page);

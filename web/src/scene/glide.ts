@@ -2,6 +2,7 @@
 // A short, eased way from one standpoint to another; a jump where motion is not wanted.
 import { Box3, type Camera, Quaternion, Vector3 } from "three";
 import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { facing } from "./facing.ts";
 import type { Standpoint } from "./framing.ts";
 
 const MILLISECONDS = 160;
@@ -63,12 +64,18 @@ export class Glide {
   }
 }
 
-/** A standpoint near a few points, looking the way the camera looks now. */
-export function closer(camera: Camera, orbit: OrbitControls, points: Float32Array): Standpoint {
-  const box = new Box3().setFromArray(points);
+/** A standpoint near the panel with these corners, looking as now if that shows it: see facing(). */
+export function closer(
+  camera: Camera,
+  orbit: OrbitControls,
+  corners: Float32Array,
+  outward: number,
+): Standpoint {
+  const box = new Box3().setFromArray(corners);
   const target = box.getCenter(new Vector3());
   const arm = camera.position.clone().sub(orbit.target);
   const near = 9 * box.getSize(new Vector3()).length();
-  const position = target.clone().add(arm.setLength(Math.min(arm.length(), near)));
+  const towards = facing(corners, arm.clone().normalize(), outward);
+  const position = target.clone().addScaledVector(towards, Math.min(arm.length(), near));
   return { position, target };
 }

@@ -7,7 +7,8 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 export class PanelOutline {
   readonly object = new LineSegments2(
     new LineSegmentsGeometry(),
-    new LineMaterial({ linewidth: 3, transparent: true }),
+    // Whole over the panels' edges, which share its place, and through what hides the panel.
+    new LineMaterial({ linewidth: 3, transparent: true, depthTest: false }),
   );
 
   constructor() {

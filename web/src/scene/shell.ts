@@ -16,6 +16,7 @@ import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import { type EdgeLines, edgeInk, makeEdgeLines, meanEdge } from "./edge-lines.ts";
+import { outwards } from "./facing.ts";
 import { displaySphere } from "./framing.ts";
 import { Ghost } from "./ghost.ts";
 import type { Palette } from "./palette.ts";
@@ -46,6 +47,8 @@ export class Shell {
   readonly #ghost: Ghost;
   readonly #dirtyCorners = new DirtyRange();
   readonly #dirtyTriangles = new DirtyRange();
+  /** See outward. */
+  #outward: number | null = null;
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
   #outlined: number | null = null;
@@ -170,6 +173,12 @@ export class Shell {
     this.#edges.dispose();
     this.#outline.dispose();
     this.#ghost.dispose();
+  }
+
+  /** See outwards(); an edit does not turn a model inside out. */
+  get outward(): number {
+    this.#outward ??= outwards(this.corners, this.triangles, this.topology.boundary);
+    return this.#outward;
   }
 
   #place(v: number, from: Float32Array): void {

@@ -161,9 +161,9 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Brings a few points to the middle, near enough to judge them, without turning the view. */
-  lookAt(points: Float32Array): void {
-    this.#glide.to(closer(this.camera, this.orbit, points));
+  /** Brings a panel to the middle, near enough to judge it; turns the view only if it must. */
+  lookAt(corners: Float32Array, outward: number): void {
+    this.#glide.to(closer(this.camera, this.orbit, corners, outward));
     this.invalidate();
   }
 

@@ -56,7 +56,7 @@ const CORE = 9;
 /** Milliseconds after which a large mesh gets its shadow. */
 const SHADOW_DELAY = 1000;
 /** Height of the legend over its width once there is something to count: it grows with an edit. */
-const GROWN = 0.55;
+const GROWN = 0.65;
 /** Pixels within which a snapped drag goes back to the base position. */
 const HOME = 10;
 
@@ -326,7 +326,7 @@ export class Viewport {
   #outline(panel: number | null): void {
     const corners = this.#shell?.outlinePanel(panel) ?? null;
     this.#overlay.setPanel(corners);
-    if (corners && !this.#choosing) this.stage.lookAt(corners);
+    if (corners && !this.#choosing) this.stage.lookAt(corners, this.#shell?.outward ?? 0);
     this.stage.invalidate();
   }
 

@@ -177,7 +177,10 @@ export function PanelsTable() {
         </table>
       </div>
       <div class="panels-more">
-        <span class="quiet small">{`${rows.length} of ${panels(total)}; ${FLAT_MEANS}`}</span>
+        <span class="quiet small">
+          {`${rows.length} of ${panels(total)}; `}
+          <span class="whole">{FLAT_MEANS}</span>
+        </span>
         {more > 0 && (
           <button
             type="button"

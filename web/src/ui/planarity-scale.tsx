@@ -33,8 +33,8 @@ export function PlanarityScale() {
         ))}
       </div>
       <p class="scale-words">
-        mm/m, logarithmic scale
-        <span class="visually-hidden">, from flat to {FABRICATION_LIMIT} mm/m or more</span>
+        mm/m, logarithmic
+        <span class="visually-hidden"> scale, from flat to {FABRICATION_LIMIT} mm/m or more</span>
       </p>
     </>
   );

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// From where a panel can be judged: not along its own plane, and not through a closed model.
+import { Quaternion, Vector3 } from "three";
+
+/** Further from the panel's normal than this a view is turned, to this angle. */
+const GRAZING = (75 * Math.PI) / 180;
+const TURNED = (45 * Math.PI) / 180;
+
+/**
+ * Which way panels of a closed model face: 1 if their normals point out of it, −1 if into it; 0 for
+ * an open one, which has no inside. By the sign of the volume within.
+ * @param boundary 1 for points on an open edge
+ */
+export function outwards(
+  corners: Float32Array,
+  triangles: Uint32Array,
+  boundary: Uint8Array,
+): number {
+  if (boundary.includes(1)) return 0;
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  let volume = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    a.fromArray(corners, 3 * (triangles[t] ?? 0));
+    b.fromArray(corners, 3 * (triangles[t + 1] ?? 0));
+    c.fromArray(corners, 3 * (triangles[t + 2] ?? 0));
+    volume += a.dot(b.cross(c));
+  }
+  return Math.sign(volume);
+}
+
+/** Of the polygon, whatever its number of corners; by Newell's sum. */
+function normalOf(corners: Float32Array): Vector3 {
+  const [a, b, sum] = [new Vector3(), new Vector3(), new Vector3()];
+  const count = corners.length / 3;
+  for (let k = 0; k < count; ++k) {
+    a.fromArray(corners, 3 * k);
+    b.fromArray(corners, 3 * ((k + 1) % count));
+    sum.add(a.cross(b));
+  }
+  return sum.normalize();
+}
+
+/**
+ * The direction from a panel to a camera that shall show it: `towards` itself if the panel is seen
+ * well from there, else turned the least way to where it is.
+ * @param towards of length 1
+ * @param outward see outwards()
+ */
+export function facing(corners: Float32Array, towards: Vector3, outward: number): Vector3 {
+  const normal = normalOf(corners);
+  normal.multiplyScalar(outward !== 0 ? outward : normal.dot(towards) < 0 ? -1 : 1);
+  if (normal.lengthSq() === 0 || normal.angleTo(towards) <= GRAZING) return towards.clone();
+  const axis = new Vector3().crossVectors(normal, towards);
+  // Seen right from behind, every way is as long: one that keeps up upright.
+  if (axis.lengthSq() < 1e-12) axis.set(normal.y, -normal.x, 0);
+  if (axis.lengthSq() < 1e-12) axis.set(1, 0, 0);
+  return normal.applyQuaternion(new Quaternion().setFromAxisAngle(axis.normalize(), TURNED));
+}
