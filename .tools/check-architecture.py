@@ -59,6 +59,7 @@ FILE_GROUPS = {
     "panel_health": "metrics",
     "crc32": "design",
     "handle_edit_rules": "handle_edit",
+    "edit_terms": "handle_edit",
     "subspace_rules": "subspace",
     "design_rules": "design",
     "design_text_read": "design_text",

@@ -92,6 +92,7 @@ function tasksOf(events) {
   const tasks = { CrRendererMain: [], "DedicatedWorker thread": [] };
   for (const { name, pid, tid, dur, tdur } of events) {
     if (name !== "ThreadControllerImpl::RunTask" && name !== "RunTask") continue;
+    if (dur === undefined) continue; // still running when the trace ended
     tasks[names.get(`${pid} ${tid}`)]?.push({ wall: dur / 1000, cpu: (tdur ?? 0) / 1000 });
   }
   return tasks;

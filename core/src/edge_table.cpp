@@ -15,7 +15,7 @@ EdgeUse edge_use(const Mesh& mesh, int face, int corner, int next_corner) {
 
 /// Calls `visit` with each side of each face, in face order.
 template <class Visit>
-void for_each_side(const Mesh& mesh, const Visit& visit) {
+void for_each_use(const Mesh& mesh, const Visit& visit) {
   for (int f = 0; f < mesh.face_count(); ++f) {
     const int begin = mesh.face_offsets[static_cast<std::size_t>(f)];
     const int end = mesh.face_offsets[static_cast<std::size_t>(f) + 1];
@@ -30,12 +30,12 @@ void for_each_side(const Mesh& mesh, const Visit& visit) {
 std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
   // Counting by the low vertex first leaves short runs to sort: twice as fast as one big sort.
   std::vector<std::size_t> starts(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
-  for_each_side(mesh, [&](const EdgeUse& use) { ++starts[static_cast<std::size_t>(use.low) + 1]; });
+  for_each_use(mesh, [&](const EdgeUse& use) { ++starts[static_cast<std::size_t>(use.low) + 1]; });
   for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
   std::vector<EdgeUse> uses(starts.back());
   std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-  for_each_side(mesh,
-                [&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.low)]++] = use; });
+  for_each_use(mesh,
+               [&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.low)]++] = use; });
   const auto by_edge = [](const EdgeUse& a, const EdgeUse& b) {
     return std::tie(a.high, a.corner) < std::tie(b.high, b.corner);
   };

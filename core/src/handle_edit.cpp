@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base_planarity.hpp"
+#include "edit_terms.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/cold_search.hpp"
 #include "planish/engines/exact_finish.hpp"
@@ -38,8 +38,6 @@ class HandleEditSolver::State {
  private:
   void rebuild();
   void set_targets(const EditTargets& targets);
-  [[nodiscard]] VertexTerm default_term() const;
-  void clear_targets();
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
@@ -60,8 +58,8 @@ class HandleEditSolver::State {
   std::unique_ptr<ExactFinish> finish_;
   std::unique_ptr<PatchCutter> cutter_;
   EditProblem problem_;
+  EditTerms terms_;
   std::vector<int> drag_support_;
-  std::vector<int> overridden_;            ///< vertices whose term is not the default
   std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
   std::vector<int> pins_;                  ///< ascending
   double setup_seconds_ = 0.0;
@@ -88,10 +86,7 @@ void HandleEditSolver::State::rebuild() {
   problem_ = {};
   problem_.model = model_.get();
   problem_.fairness_weight = options_.smoothness;
-  const VertexTerm term = default_term();
-  problem_.sparse = term.norm_weight > 0.0;
-  problem_.terms.assign(at(model_->vertex_count()), term);
-  overridden_.clear();
+  terms_.fill(options_, problem_);
   drag_support_.clear();
   last_exact_.reset();
 }
@@ -106,23 +101,7 @@ void HandleEditSolver::State::set_options(const HandleEditOptions& options) {
   rebuild();
 }
 
-/// What every vertex has that is neither a handle nor a pin.
-VertexTerm HandleEditSolver::State::default_term() const {
-  VertexTerm term;
-  if (options_.sparsity == Sparsity::kL21) term.norm_weight = options_.locality;
-  if (options_.sparsity == Sparsity::kL2) term.square_weight = options_.locality;
-  return term;
-}
-
-void HandleEditSolver::State::clear_targets() {
-  const VertexTerm term = default_term();
-  for (const int v : overridden_) problem_.terms[at(v)] = term;
-  overridden_.clear();
-  problem_.handles.clear();
-}
-
 void HandleEditSolver::State::set_targets(const EditTargets& targets) {
-  clear_targets();
   std::vector<int> pins = targets.pins;
   std::sort(pins.begin(), pins.end());
   if (pins != pins_) {  // what was exact before may have moved what is pinned now
@@ -130,23 +109,7 @@ void HandleEditSolver::State::set_targets(const EditTargets& targets) {
     drag_support_.clear();
     last_exact_.reset();
   }
-  for (const Handle& handle : targets.handles) {
-    VertexTerm term;
-    term.square_weight = options_.attraction;
-    term.target = (handle.target - model_->mesh.positions.col(handle.vertex)) / model_->unit();
-    term.handle = true;
-    term.fixed = options_.hard_handles;
-    problem_.terms[at(handle.vertex)] = term;
-    overridden_.push_back(handle.vertex);
-    problem_.handles.push_back(handle.vertex);
-  }
-  std::sort(problem_.handles.begin(), problem_.handles.end());
-  for (const int v : targets.pins) {
-    VertexTerm term;
-    term.fixed = true;
-    problem_.terms[at(v)] = term;
-    overridden_.push_back(v);
-  }
+  terms_.assign(targets, options_, problem_);
 }
 
 /// The base mesh as a design.

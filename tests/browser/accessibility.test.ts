@@ -3,20 +3,15 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import { idle, openFile, openSite, type Site, typeTarget } from "./support/page.ts";
+import { idle, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 /** Off by default: targets of at least 24 pixels, which WCAG 2.2 AA asks for. */
 const RULES = `{ rules: { "target-size": { enabled: true } } }`;
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 interface Violation {
   readonly id: string;

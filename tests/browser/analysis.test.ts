@@ -3,16 +3,11 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, movedCount, openSite, pickFile, type Site, typeTarget } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { idle, movedCount, pickFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** The cells of one column of the table Panels. */
 async function column(page: Page, place: number): Promise<string[]> {

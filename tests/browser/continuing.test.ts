@@ -2,25 +2,10 @@
 // An edit starts from the base and says so when it leaves a variation behind; a shape that shall be
 // kept becomes the new base.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openSite,
-  type Site,
-  typeTarget,
-  usable,
-} from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
+import { idle, movedCount, obj, typeTarget, usable } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();

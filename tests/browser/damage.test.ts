@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A panel can be flat and spoilt all the same: the page says so, in words, wherever it says flat.
-import { afterAll, beforeAll, expect, it } from "vitest";
-import {
-  exportAs,
-  idle,
-  openSite,
-  pickFile,
-  type Site,
-  status,
-  typeTarget,
-} from "./support/page.ts";
+import { expect, it } from "vitest";
+import { exportAs, idle, pickFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 /** Panel 0 is a square; the flat quad nearest to panel 1, which is twisted, has no width. */
 const TWISTED = `v 10 0 0
@@ -26,12 +19,6 @@ f 5 6 7 8
 
 const points = (obj: string): number[][] =>
   [...obj.matchAll(/^v (\S+) (\S+) (\S+)/gm)].map((line) => line.slice(1, 4).map(Number));
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 it("says by how much planarising moved the points, and which panels it spoilt", async () => {
   const page = await site.open({ viewport: { width: 1440, height: 900 } });

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Designs as text, opened over an edit: the design, or one sentence and nothing has changed.
 import { readFileSync } from "node:fs";
-import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openFile,
-  openSite,
-  type Site,
-  typeTarget,
-} from "./support/page.ts";
+import { idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
 const scene = (name: string): string =>
   readFileSync(new URL(`../../docs/scenes/${name}.json`, import.meta.url), "utf8");
 

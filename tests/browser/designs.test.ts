@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A design is data: every step can be undone, kept under a name, adopted from the gallery.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openFile,
-  openSite,
-  type Site,
-  status,
-  typeTarget,
-} from "./support/page.ts";
+import { idle, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();
   await idle(page);

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Sliders act without a solve and are exact on release; the other order of the directions.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
-import { exportAs, idle, openSite, type Site, status, typeTarget } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
+import { idle, obj, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 async function findVariations(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Find variations" }).click();

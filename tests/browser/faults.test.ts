@@ -2,7 +2,7 @@
 // What must never lose a design: the solver dies, memory runs out, the picture is lost, storage
 // fails, the tab closes while it writes, a second tab opens, a file comes slowly.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import {
   damageRecords,
   denyStorage,
@@ -16,25 +16,17 @@ import {
   SLOW_DISK,
 } from "./support/faults.ts";
 import {
-  exportAs,
   idle,
   movedCount,
+  obj,
   openFile,
-  openSite,
   pickFile,
-  type Site,
   status,
   typeTarget,
   usable,
 } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
 const alertText = (page: Page): Promise<string> => page.getByRole("alert").innerText();
 
 /** Longer than the page waits before it writes. */

@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Files into the page by every door, what it says about them, and a picture out of it.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import {
-  exportAs,
-  idle,
-  openFile,
-  openSite,
-  pickFile,
-  type Site,
-  status,
-  typeTarget,
-} from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { exportAs, idle, openFile, pickFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 /** Two triangles, a flat hexagon and a quad that is out of flat, in two parts. */
 const MIXED = [

@@ -2,26 +2,13 @@
 // The first minute of a visitor, by accessible names only; the exported file is judged by
 // code that shares nothing with the product.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openSite,
-  pickFile,
-  type Site,
-  status,
-} from "./support/page.ts";
+import { exportAs, idle, movedCount, pickFile, status } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 /** mm/m: what a finished edit promises. */
 const TOLERANCE = 1e-6;
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const exportObj = async (page: Page): Promise<ObjMesh> =>
   readObj((await exportAs(page, "OBJ")).toString());

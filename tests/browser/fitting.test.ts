@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A fitted model is under nothing that lies over the view.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { openSite, type Site, typeTarget } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { site } from "./support/site.ts";
 
 /** Of the panels' edges: darker than a shadow. */
 const DARK = 110;

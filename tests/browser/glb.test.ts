@@ -4,23 +4,10 @@ import { type Document, NodeIO } from "@gltf-transform/core";
 import { KHRMaterialsVariants, type MappingList } from "@gltf-transform/extensions";
 import { validateBytes } from "gltf-validator";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openFile,
-  openSite,
-  type Site,
-  typeTarget,
-} from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { exportAs, idle, movedCount, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 async function expectValid(glb: Buffer): Promise<void> {
   const { issues } = await validateBytes(new Uint8Array(glb));

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A long day: a hundred edits, undone and redone, leave nothing behind that grows.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { holdSolvers, insideSolver } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
-import { openSite, type Prepare, type Site } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import type { Prepare } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 interface CountingWindow extends Window {
   solvers: Worker[];

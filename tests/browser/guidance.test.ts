@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The page says why something cannot be done, what is selected, and what is being looked at.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, openFile, openSite, type Site, status, typeTarget } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { idle, openFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { hintedPoint, press, viewBox } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** One bent quad in the middle of the view, and a flat one beside it. */
 const BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nv 4 0 0\nv 4 2 0\nf 1 2 3 4\nf 2 5 6 3\n";

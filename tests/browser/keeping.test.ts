@@ -2,19 +2,12 @@
 // What was kept is never written over unseen: by a page that its storage kept waiting, by one older
 // than the record, by one that cannot open it. A tab that is killed leaves the old or the new design.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { encodeRecord } from "../../web/src/share/saved-record.ts";
 import { EDITED, RECORD } from "../web/support/golden-designs.ts";
 import { keptRecords, putRecord, slowStorage } from "./support/faults.ts";
-import { exportAs, idle, openSite, type Site, status, typeTarget, usable } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
-
-const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();
+import { idle, obj, status, typeTarget, usable } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 /** Until the page has written: longer than it waits before, and then no change for a while. */
 async function kept(page: Page): Promise<void> {

@@ -2,14 +2,9 @@
 // The first minute without a pointer: Tab, Enter, arrows and typing, nothing else.
 import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, movedCount, openSite, type Site, status } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { expect, it } from "vitest";
+import { idle, movedCount, status } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 /** The accessible name of what has the focus. */
 const focused = (page: Page): Promise<string> =>

@@ -2,15 +2,10 @@
 // Keys on a slider come faster than results: what is kept, shared or exported is where the slider
 // is, and all of them are one step.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/share/link.ts";
-import { exportAs, idle, openSite, type Site, typeTarget } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { exportAs, idle, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { openFile, openSite, type Site, typeTarget } from "./support/page.ts";
+import { describe, expect, it } from "vitest";
+import { openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { viewBox } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** Width, height. 320 pixels are what is left of 1280 at 400 % zoom. */
 const SIZES = [

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the view says about points: under the pointer, chosen, and where a handle came from.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { idle, movedCount, openSite, type Site, status, typeTarget } from "./support/page.ts";
+import { describe, expect, it } from "vitest";
+import { idle, movedCount, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** The figure beside the point looked at; "" if there is none. */
 const pointFigure = async (page: Page): Promise<string> => {

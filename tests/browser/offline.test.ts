@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { exportAs, openSite, type Site, status } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { expect, it } from "vitest";
+import { exportAs, status } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 it("works without a network after the first visit", async () => {
   const page = await site.open();

@@ -2,24 +2,17 @@
 // What a drag on five thousand points costs: processor time of the page's own thread, not the
 // clock, which on a busy machine says more about the machine. What the clock says is printed.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import {
   exportAs,
   idle,
   movedCount,
   openFile,
-  openSite,
   type Prepare,
-  type Site,
   status,
   typeTarget,
 } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { site } from "./support/site.ts";
 
 /** Points along one side. */
 const SIDE = 71;

@@ -2,16 +2,11 @@
 // The panels one by one: a table that fits and goes on, a scale that says what it is, a legend that
 // leads to its panels; and words that need no paper to be read.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, openFile, openSite, pickFile, type Site, typeTarget } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { idle, openFile, pickFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const BOW_TIE = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const table = (page: Page) => page.getByRole("table", { name: "Panels" });
 const shows = (page: Page) => table(page).getByRole("button", { name: /^Show panel \d+$/ });

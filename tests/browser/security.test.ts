@@ -3,20 +3,15 @@
 // static files are served.
 import { readdirSync, readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { encodeLink } from "../../web/src/share/link.ts";
 import { recipeOf } from "../../web/src/state/recipe.ts";
 import { EDITED, FILE } from "../web/support/golden-designs.ts";
 import { flatRoof } from "./support/faults.ts";
-import { openFile, openSite, type Prepare, type Site, typeTarget, usable } from "./support/page.ts";
+import { openFile, openSite, type Prepare, typeTarget, usable } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const PAYLOAD = `<img src=x onerror="window.owned=1"><svg onload="window.owned=1">`;
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** Any use of these with data would make markup of it; the page uses none after it has started. */
 const trapMarkup: Prepare = async (context) => {

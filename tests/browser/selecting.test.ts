@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What is selected is what was clicked, and the arrows stand where the selected point is.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { exportAs, idle, openFile, openSite, type Site } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { exportAs, idle, openFile } from "./support/page.ts";
 import { type Picture, readPng } from "./support/pixels.ts";
+import { site } from "./support/site.ts";
 import { hintedPoint, type Place, viewBox } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 type Colour = readonly [number, number, number];
 

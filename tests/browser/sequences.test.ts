@@ -4,13 +4,14 @@
 // counted as moved has its old digits, and the status line says what the file says.
 // PLANISH_ACTIONS sets how many actions each seed makes, PLANISH_SEED adds a seed.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { randomFrom } from "../web/support/mutations.ts";
 import { flatRoof } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
 import { type Entry, Journal } from "./support/journal.ts";
 import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
-import { openFile, openSite, type Site, usable } from "./support/page.ts";
+import { openFile, usable } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const ACTIONS = Number(process.env.PLANISH_ACTIONS ?? 75);
 const SEEDS = [1, 2, ...(process.env.PLANISH_SEED ? [Number(process.env.PLANISH_SEED)] : [])];
@@ -18,12 +19,6 @@ const TOLERANCE = 1e-6;
 
 const SAMPLES = ["vault", "dome", "freeform", "hex", "trihex"];
 const BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nv 4 0 0\nv 4 2 0\nf 1 2 3 4\nf 2 5 6 3\n";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** `records`: what the action does to the journal if it is not refused. */
 interface Action {

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Advanced settings: they do what they say, and they stay when another mesh is opened.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openFile,
-  openSite,
-  type Site,
-  typeTarget,
-} from "./support/page.ts";
+import { exportAs, idle, movedCount, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { handleRows } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const field = (page: Page, name: string) => page.getByRole("combobox", { name });
 const exactTargets = (page: Page) =>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { randomFrom } from "../web/support/mutations.ts";
 import { flatRoof } from "./support/faults.ts";
 import {
@@ -9,18 +9,11 @@ import {
   idle,
   movedCount,
   openFile,
-  openSite,
-  type Site,
   status,
   typeTarget,
   usable,
 } from "./support/page.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
+import { site } from "./support/site.ts";
 
 /** The status line without what the clock says and what comes later. */
 const figures = async (page: Page): Promise<string> =>

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the page says of handles that are not where they were asked to be, against its own file.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { exportAs, idle, openSite, type Site, typeTarget } from "./support/page.ts";
+import { exportAs, idle, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { handleRows } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();

@@ -3,16 +3,11 @@
 // server can send. What is kept for later (offline, GLB) does not count.
 import { gzipSync } from "node:zlib";
 import type { Response } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { movedCount, openSite, type Site } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { movedCount } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const LIMIT = 500_000;
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 /** Parts that come by themselves later; a drag must not wait for any of them. */
 const LATER =

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The camera, fingers, before and after; and nothing is drawn when nothing changes.
 import type { CDPSession, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { idle, movedCount, openSite, type Site } from "./support/page.ts";
+import { describe, expect, it } from "vitest";
+import { idle, movedCount } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import { handleRows, hintedPoint, type Place, press, viewBox } from "./support/view.ts";
-
-let site: Site;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const gap = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
 

@@ -23,12 +23,6 @@ using testing::is_valid_projection;
 using testing::is_valid_subspace;
 using testing::same_bits;
 
-int action_count() {
-  constexpr int kModerate = 12;
-  const char* text = std::getenv("PLANISH_ACTIONS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : kModerate;
-}
-
 /// A design under random hands.
 class Designer {
  public:
@@ -215,7 +209,7 @@ TEST(Sequences, KeepEveryInvariant) {
   for (const unsigned seed : testing::seeds()) {
     const Start& start = kStarts[turn++ % std::size(kStarts)];
     Designer designer(testing::sample(start.sample, start.size), seed);
-    for (int action = 0; action < action_count(); ++action) {
+    for (int action = 0; action < testing::action_count(); ++action) {
       designer.act();
       ASSERT_FALSE(HasFailure()) << start.sample << ", seed " << seed << ", action " << action;
     }

@@ -25,12 +25,6 @@ using testing::same_bits;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUnhurried = 1e3;  // s: a drag frame then does not depend on the machine
 
-int action_count() {
-  constexpr int kModerate = 12;
-  const char* text = std::getenv("PLANISH_ACTIONS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : kModerate;
-}
-
 /// What undo brings back.
 struct Step {
   EditTargets targets;
@@ -361,7 +355,7 @@ TEST(SessionSequences, KeepEveryInvariant) {
   int done = 0, refused = 0;
   for (const unsigned seed : testing::seeds()) {
     User user(seed);
-    for (int action = 0; action < action_count(); ++action) {
+    for (int action = 0; action < testing::action_count(); ++action) {
       user.act();
       ASSERT_FALSE(HasFailure()) << "seed " << seed << ", action " << action;
     }

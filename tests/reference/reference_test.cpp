@@ -19,15 +19,13 @@
 namespace planish {
 namespace {
 
-using nlohmann::json;
-
-json cases(const std::string& name) {
+nlohmann::json cases(const std::string& name) {
   std::ifstream file(std::string(PLANISH_REFERENCE_DATA) + "/" + name + ".json");
-  return json::parse(file);
+  return nlohmann::json::parse(file);
 }
 
 /// A list of rows as 3 × n.
-Positions columns(const json& rows) {
+Positions columns(const nlohmann::json& rows) {
   Positions result(3, static_cast<Eigen::Index>(rows.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -37,7 +35,7 @@ Positions columns(const json& rows) {
   return result;
 }
 
-Eigen::MatrixXd matrix(const json& rows) {
+Eigen::MatrixXd matrix(const nlohmann::json& rows) {
   Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()),
                          static_cast<Eigen::Index>(rows[0].size()));
   for (Eigen::Index r = 0; r < result.rows(); ++r) {
@@ -48,23 +46,23 @@ Eigen::MatrixXd matrix(const json& rows) {
   return result;
 }
 
-Mesh mesh_of(const json& item) {
+Mesh mesh_of(const nlohmann::json& item) {
   Mesh mesh;
   mesh.positions = columns(item["points"]);
-  for (const json& face : item["faces"]) {
-    for (const json& v : face) mesh.face_vertices.push_back(v.get<int>());
+  for (const nlohmann::json& face : item["faces"]) {
+    for (const nlohmann::json& v : face) mesh.face_vertices.push_back(v.get<int>());
     mesh.face_offsets.push_back(static_cast<int>(mesh.face_vertices.size()));
   }
   return mesh;
 }
 
-Eigen::Vector3d target_of(const json& item) {
+Eigen::Vector3d target_of(const nlohmann::json& item) {
   return {item["target"][0].get<double>(), item["target"][1].get<double>(),
           item["target"][2].get<double>()};
 }
 
 TEST(ReferencePolygon, HasTheSameProjectionAndPlanarity) {
-  for (const json& item : cases("polygons")) {
+  for (const nlohmann::json& item : cases("polygons")) {
     Positions points = columns(item["points"]);
     std::vector<int> face(static_cast<std::size_t>(points.cols()));
     std::iota(face.begin(), face.end(), 0);
@@ -77,7 +75,7 @@ TEST(ReferencePolygon, HasTheSameProjectionAndPlanarity) {
 }
 
 TEST(ReferenceOperators, AreTheSameQuadraticForms) {
-  for (const json& item : cases("operators")) {
+  for (const nlohmann::json& item : cases("operators")) {
     const Mesh mesh = mesh_of(item);
     const Adjacency adjacency = build_adjacency(mesh);
     const auto form = [&](FairnessKind kind) {
@@ -93,7 +91,7 @@ TEST(ReferenceOperators, AreTheSameQuadraticForms) {
 
 /// (11) to (17), step by step: the same d after every update, with the multipliers in between.
 TEST(ReferenceSplitting, HasTheIteratesOfTheIndependentOne) {
-  for (const json& item : cases("admm")) {
+  for (const nlohmann::json& item : cases("admm")) {
     SCOPED_TRACE(item["name"].get<std::string>());
     testing::ProblemOnMesh on_mesh(mesh_of(item));
     on_mesh.add_handle(item["handle"].get<int>(), target_of(item));
@@ -104,7 +102,7 @@ TEST(ReferenceSplitting, HasTheIteratesOfTheIndependentOne) {
     const auto every = item["every"].get<std::size_t>();
     std::size_t step = 0;
     std::size_t compared = 0;
-    const json& expected = item["displacements"];
+    const nlohmann::json& expected = item["displacements"];
     while (compared < expected.size()) {
       for (int k = 0; k < inner && compared < expected.size(); ++k, ++step) {
         splitting.update_auxiliaries();
@@ -122,7 +120,7 @@ TEST(ReferenceSplitting, HasTheIteratesOfTheIndependentOne) {
 /// Small problems by SLSQP on a smoothed norm, from several starts: never better than ours by more
 /// than what its own tolerance explains.
 TEST(ReferenceEdit, ReachesTheIndependentMinimum) {
-  for (const json& item : cases("edits")) {
+  for (const nlohmann::json& item : cases("edits")) {
     SCOPED_TRACE(item["name"].get<std::string>());
     const Mesh mesh = mesh_of(item);
     const double unit = mean_edge_length(mesh);
@@ -141,7 +139,7 @@ TEST(ReferenceEdit, ReachesTheIndependentMinimum) {
 
 /// The nearest flat mesh by SLSQP.
 TEST(ReferenceProjection, IsAsNear) {
-  for (const json& item : cases("nearest")) {
+  for (const nlohmann::json& item : cases("nearest")) {
     const Mesh mesh = mesh_of(item);
     const ProjectionResult result = project_to_planar(mesh, {.fairness_weight = 0.0});
     double squares = 0.0;

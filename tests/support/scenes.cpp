@@ -30,6 +30,12 @@ std::vector<unsigned> seeds() {
   return list;
 }
 
+int action_count() {
+  constexpr int kModerate = 12;
+  const char* text = std::getenv("PLANISH_ACTIONS");
+  return text != nullptr ? std::max(1, std::atoi(text)) : kModerate;
+}
+
 Eigen::Matrix3Xd random_points(unsigned seed, Eigen::Index count) {
   std::mt19937 engine(seed);
   return Eigen::Matrix3Xd::NullaryExpr(3, count, [&] { return normal_number(engine); });

@@ -18,6 +18,9 @@ inline constexpr double kPromise = 1e-6;  ///< mm/m out of flat, what every exac
 /// The fixed seeds of every randomised test, and PLANISH_SEED from the environment if set.
 [[nodiscard]] std::vector<unsigned> seeds();
 
+/// Random actions per sequence: a moderate number, or PLANISH_ACTIONS from the environment.
+[[nodiscard]] int action_count();
+
 /// Standard normal coordinates, 3 × count; the same on every platform.
 [[nodiscard]] Eigen::Matrix3Xd random_points(unsigned seed, Eigen::Index count);
 /// Standard normal values.

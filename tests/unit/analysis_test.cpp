@@ -13,11 +13,11 @@
 namespace planish {
 namespace {
 
-constexpr int kMiddle = 8 * 17 + 8;
+constexpr int kPulled = 8 * 17 + 8;
 
 struct EditedVault {
   Mesh mesh = testing::sample("vault", 17);
-  EditTargets targets = testing::pull(mesh, kMiddle, {0.0, 0.0, 0.5});
+  EditTargets targets = testing::pull(mesh, kPulled, {0.0, 0.0, 0.5});
   HandleEditResult result = solve_handle_edit(mesh, targets);
   Analysis analysis{mesh};
 
@@ -83,9 +83,9 @@ TEST(Analysis, CountsWhatTheEditLeavesFree) {
 
 TEST(Analysis, NamesThePanelsAtAHandleThatIsHeld) {
   const Mesh mesh = testing::sample("vault", 17);
-  EditTargets targets = testing::pull(mesh, kMiddle, {0.0, 0.0, 0.5});
+  EditTargets targets = testing::pull(mesh, kPulled, {0.0, 0.0, 0.5});
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (v != kMiddle) targets.pins.push_back(v);
+    if (v != kPulled) targets.pins.push_back(v);
   }
   const Analysis analysis(mesh);
   const auto found = nlohmann::json::parse(analysis.freedom(targets));
@@ -94,7 +94,7 @@ TEST(Analysis, NamesThePanelsAtAHandleThatIsHeld) {
   std::set<int> around;
   for (int f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
-    if (std::find(face.begin(), face.end(), kMiddle) != face.end()) around.insert(f);
+    if (std::find(face.begin(), face.end(), kPulled) != face.end()) around.insert(f);
   }
   ASSERT_FALSE(found["holding"].empty());
   for (const int face : found["holding"]) EXPECT_TRUE(around.contains(face)) << face;

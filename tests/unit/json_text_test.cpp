@@ -9,8 +9,6 @@
 namespace planish {
 namespace {
 
-using nlohmann::json;
-
 TEST(JsonText, AnotherReaderGetsTheSameValues) {
   const std::string text = JsonText()
                                .add("number", 0.1)
@@ -24,17 +22,17 @@ TEST(JsonText, AnotherReaderGetsTheSameValues) {
                                .add("words", std::vector<std::string>{"a", "b"})
                                .add("inside", JsonText().add("x", 1))
                                .text();
-  const json expected = {{"number", 0.1},
-                         {"tiny", -5e-324},
-                         {"count", 3},
-                         {"yes", true},
-                         {"word", "flat"},
-                         {"awkward", "\"Größe\"\\\n\x01"},
-                         {"list", {1.0 / 3.0, 2.0}},
-                         {"none", json::array()},
-                         {"words", {"a", "b"}},
-                         {"inside", {{"x", 1}}}};
-  EXPECT_EQ(json::parse(text), expected) << text;
+  const nlohmann::json expected = {{"number", 0.1},
+                                   {"tiny", -5e-324},
+                                   {"count", 3},
+                                   {"yes", true},
+                                   {"word", "flat"},
+                                   {"awkward", "\"Größe\"\\\n\x01"},
+                                   {"list", {1.0 / 3.0, 2.0}},
+                                   {"none", nlohmann::json::array()},
+                                   {"words", {"a", "b"}},
+                                   {"inside", {{"x", 1}}}};
+  EXPECT_EQ(nlohmann::json::parse(text), expected) << text;
 }
 
 TEST(JsonText, WhatIsNotFiniteIsNull) {

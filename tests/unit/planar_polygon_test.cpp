@@ -17,7 +17,7 @@ using testing::random_points;
 
 constexpr double kStep = 1e-6;             ///< of a central difference
 constexpr double kDifferenceError = 1e-8;  ///< what rounding leaves of it, values of order 1
-constexpr double kRounding = 1e-12;
+constexpr double kUnitRounding = 1e-12;
 
 /// A quad whose corners are the four points, in order.
 const FlatnessEquation kEquation{{0, 1, 2, 3}, 0.7, 0.0};
@@ -99,7 +99,7 @@ TEST_P(FlatnessEquationAt, ResidualOfAQuadIsTheDistanceOfItsDiagonals) {
   const Eigen::Vector3d second = points.col(3) - points.col(1);
   const double distance =
       std::abs(first.cross(second).normalized().dot(points.col(1) - points.col(0)));
-  EXPECT_NEAR(std::abs(residual(equations[0], points)), distance, kRounding);
+  EXPECT_NEAR(std::abs(residual(equations[0], points)), distance, kUnitRounding);
 }
 
 /// n − 3 equations; all zero exactly where the polygon is flat, and one of them large where a
@@ -128,7 +128,7 @@ TEST_P(FlatnessEquationAt, PolygonsHaveOneEquationPerVertexBeyondThree) {
       }
       return largest;
     };
-    EXPECT_LT(worst(), kRounding);
+    EXPECT_LT(worst(), kUnitRounding);
     for (int k = 0; size > 3 && k < size; ++k) {
       points(2, k) = 0.1;
       EXPECT_GT(worst(), 0.02) << "size " << size << ", vertex " << k;
@@ -158,7 +158,7 @@ void expect_smallest(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& g
   const Eigen::Vector3d n = smallest_direction(covariance, guess);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const double size = std::max(covariance.trace(), 1e-300);
-  EXPECT_NEAR(n.norm(), 1.0, kRounding);
+  EXPECT_NEAR(n.norm(), 1.0, kUnitRounding);
   EXPECT_NEAR(n.dot(covariance * n) / size, solver.eigenvalues()[0] / size, 1e-10);
   EXPECT_LT((covariance * n - solver.eigenvalues()[0] * n).norm() / size, 1e-9)
       << covariance << "\nguess " << guess.transpose();
@@ -200,12 +200,12 @@ TEST_P(PlaneProjection, IsIdempotent) {
     Eigen::Matrix3Xd once = random_points(GetParam(), size);
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     project_to_plane_centred(once, normal);
-    EXPECT_LT((normal.transpose() * once).norm(), kRounding);
-    EXPECT_LT(once.rowwise().mean().norm(), kRounding);
+    EXPECT_LT((normal.transpose() * once).norm(), kUnitRounding);
+    EXPECT_LT(once.rowwise().mean().norm(), kUnitRounding);
     Eigen::Matrix3Xd twice = once;
     Eigen::Vector3d again = normal;
     project_to_plane_centred(twice, again);
-    EXPECT_LT((twice - once).norm(), kRounding);
+    EXPECT_LT((twice - once).norm(), kUnitRounding);
   }
 }
 
@@ -219,7 +219,7 @@ TEST_P(PlaneProjection, MovesLessThanTheProjectionToAnyOtherPlane) {
   const double moved = (nearest - points).norm();
   const Eigen::Matrix3Xd others = random_points(GetParam() + 200, 50);
   for (int k = 0; k < 50; ++k) {
-    EXPECT_LE(moved, (others.col(k).normalized().transpose() * points).norm() + kRounding);
+    EXPECT_LE(moved, (others.col(k).normalized().transpose() * points).norm() + kUnitRounding);
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using testing::error_text;
 
-Mesh read_mesh_or_fail(const std::string& bytes) {
+Mesh ply_mesh(const std::string& bytes) {
   ReadResult result = read_ply(bytes);
   EXPECT_EQ(error_text(result), "");
   if (auto* file = std::get_if<MeshFile>(&result)) return file->mesh;
@@ -24,7 +24,7 @@ class PlyEncodings : public ::testing::TestWithParam<PlyEncoding> {};
 
 TEST_P(PlyEncodings, WriteWhatReadsBackToTheSameBits) {
   const Mesh mesh = testing::awkward_mesh();
-  EXPECT_TRUE(testing::same_bits(mesh, read_mesh_or_fail(write_ply(mesh, GetParam()))));
+  EXPECT_TRUE(testing::same_bits(mesh, ply_mesh(write_ply(mesh, GetParam()))));
 }
 
 /// A list length of one byte cannot hold a face of 300 vertices.
@@ -36,7 +36,7 @@ TEST_P(PlyEncodings, KeepHugeFaces) {
     face.push_back(k);
   }
   const Mesh mesh = testing::make_mesh(points, {face});
-  EXPECT_TRUE(testing::same_bits(mesh, read_mesh_or_fail(write_ply(mesh, GetParam()))));
+  EXPECT_TRUE(testing::same_bits(mesh, ply_mesh(write_ply(mesh, GetParam()))));
 }
 
 /// Neither a cut nor a flipped byte may do more than give a mesh or a sentence.
@@ -71,9 +71,9 @@ constexpr const char* kHeader =
     "element face 1\nproperty uchar flags\nproperty list uchar uint vertex_index\nend_header\n";
 
 TEST(Ply, PassesOverWhatItDoesNotKnow) {
-  const Mesh mesh = read_mesh_or_fail(std::string(kHeader) +
-                                      "255 2 .5 .5 0 0 7\n0 0 1 0 7\n0 1 9 0 1 7\n3 1 2 3 8\n"
-                                      "1 3 0 1 2\n");
+  const Mesh mesh = ply_mesh(std::string(kHeader) +
+                             "255 2 .5 .5 0 0 7\n0 0 1 0 7\n0 1 9 0 1 7\n3 1 2 3 8\n"
+                             "1 3 0 1 2\n");
   EXPECT_EQ(mesh.positions.col(1), Eigen::Vector3d(1, 0, 7));
   EXPECT_EQ(mesh.face_vertices, (std::vector<int>{0, 1, 2}));
 }

@@ -11,8 +11,6 @@
 namespace planish {
 namespace {
 
-constexpr double kHalfRoot3 = 0.86602540378443864676;
-
 /// Collects faces; a vertex is numbered when a face first uses its cell.
 class CellMesh {
  public:

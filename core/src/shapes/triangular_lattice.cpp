@@ -7,7 +7,6 @@
 namespace planish {
 namespace {
 
-constexpr double kHalfRoot3 = 0.86602540378443864676;
 constexpr std::array<LatticePoint, 6> kNeighbours = {
     {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
 

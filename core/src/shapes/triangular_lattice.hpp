@@ -9,6 +9,9 @@
 
 namespace planish {
 
+/// Height of the lattice's triangles over their side: √3 / 2.
+inline constexpr double kHalfRoot3 = 0.86602540378443864676;
+
 /// A lattice point in steps along the two axes, which are 60° apart.
 struct LatticePoint {
   int i = 0, j = 0;

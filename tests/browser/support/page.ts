@@ -120,3 +120,6 @@ export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"
   await page.getByRole("button", { name: format, exact: true }).click();
   return readFile(await (await download).path());
 }
+
+/** The design as it would be saved for other programs. */
+export const obj = async (page: Page): Promise<string> => (await exportAs(page, "OBJ")).toString();

@@ -20,6 +20,16 @@ const WIDE_LIMIT = 60_000;
 /** Edges darken what lies under them, so that they show on light and on deep colours alike. */
 export const INK = 0.62;
 
+/**
+ * Pixels: shorter edges are left out, longer than the second are drawn in full ink. Closer together
+ * they would only darken the picture, in waves, and take longer than the panels.
+ */
+const FADING = [1, 3] as const;
+
+/** How dark edges are whose mean length on screen is `pixels`. */
+export const edgeInk = (pixels: number): number =>
+  INK * Math.min(1, Math.max(0, (pixels - FADING[0]) / (FADING[1] - FADING[0])));
+
 export interface EdgeLines {
   readonly object: LineSegments2 | LineSegments;
   move(vertex: number, x: number, y: number, z: number): void;
@@ -27,6 +37,8 @@ export interface EdgeLines {
   upload(): void;
   setColour(colour: string): void;
   setSize(width: number, height: number): void;
+  /** 0 (not drawn at all) … 1. */
+  setInk(ink: number): void;
   dispose(): void;
 }
 
@@ -72,6 +84,11 @@ class WideLines implements EdgeLines {
     this.object.material.resolution.set(width, height);
   }
 
+  setInk(ink: number): void {
+    this.object.material.opacity = ink;
+    this.object.visible = ink > 0;
+  }
+
   dispose(): void {
     this.object.geometry.dispose();
     this.object.material.dispose();
@@ -109,10 +126,28 @@ class Hairlines implements EdgeLines {
 
   setSize(): void {}
 
+  setInk(ink: number): void {
+    this.object.material.opacity = ink;
+    this.object.visible = ink > 0;
+  }
+
   dispose(): void {
     this.object.geometry.dispose();
     this.object.material.dispose();
   }
+}
+
+/** Of a thousand edges, evenly from the list: all of a million would take a frame's time. */
+export function meanEdge({ edges }: Topology, points: Float32Array): number {
+  const count = edges.length / 2;
+  const step = Math.max(1, Math.floor(count / 1000));
+  const at = (end: number, axis: number): number => points[3 * (edges[end] ?? 0) + axis] ?? 0;
+  let [sum, seen] = [0, 0];
+  for (let e = 0; e < count; e += step, ++seen) {
+    const along = (axis: number): number => at(2 * e + 1, axis) - at(2 * e, axis);
+    sum += Math.hypot(along(0), along(1), along(2));
+  }
+  return sum / Math.max(1, seen);
 }
 
 export const makeEdgeLines = (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Handles, pins and the hovered point, drawn over the canvas at constant size.
+import { ElementPool } from "./element-pool.ts";
 import { project, type View } from "./picking.ts";
 
 /** More marks than this would hide the model. */
@@ -12,31 +13,25 @@ export interface Marker {
 }
 
 export class Markers {
-  readonly #layer: HTMLElement;
-  readonly #elements: HTMLElement[] = [];
+  readonly #elements: ElementPool;
   #markers: readonly Marker[] = [];
 
   constructor(layer: HTMLElement) {
-    this.#layer = layer;
+    this.#elements = new ElementPool(() => layer.appendChild(document.createElement("span")));
   }
 
   set(markers: readonly Marker[]): void {
     this.#markers = markers.slice(0, LIMIT);
-    while (this.#elements.length < this.#markers.length) {
-      const element = document.createElement("span");
-      this.#layer.append(element);
-      this.#elements.push(element);
-    }
-    for (const surplus of this.#elements.splice(this.#markers.length)) surplus.remove();
+    this.#elements.resize(this.#markers.length);
     this.#markers.forEach((marker, k) => {
-      const element = this.#elements[k];
+      const element = this.#elements.at(k);
       if (element) element.className = `marker ${marker.kind}${marker.selected ? " selected" : ""}`;
     });
   }
 
   place(points: Float32Array, view: View): void {
     this.#markers.forEach((marker, k) => {
-      const element = this.#elements[k];
+      const element = this.#elements.at(k);
       const at = project(points, marker.vertex, view);
       if (!element) return;
       element.hidden = at === null;

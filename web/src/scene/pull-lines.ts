@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A line from where each handle was to where it is pulled, over the canvas as the handles are.
 import type { Point } from "../state/design.ts";
+import { ElementPool } from "./element-pool.ts";
 import { project, type View } from "./picking.ts";
 
 export interface Pull {
@@ -15,29 +16,27 @@ const LIMIT = 100;
 const SHORTEST = 14;
 
 export class PullLines {
-  readonly #layer: HTMLElement;
-  readonly #lines: HTMLElement[] = [];
+  readonly #lines: ElementPool;
   #pulls: readonly Pull[] = [];
 
   constructor(layer: HTMLElement) {
-    this.#layer = layer;
+    this.#lines = new ElementPool(() => {
+      const line = document.createElement("span");
+      line.className = "pull";
+      layer.prepend(line);
+      return line;
+    });
   }
 
   set(pulls: readonly Pull[]): void {
     this.#pulls = pulls.slice(0, LIMIT);
-    while (this.#lines.length < this.#pulls.length) {
-      const line = document.createElement("span");
-      line.className = "pull";
-      this.#layer.prepend(line);
-      this.#lines.push(line);
-    }
-    for (const surplus of this.#lines.splice(this.#pulls.length)) surplus.remove();
+    this.#lines.resize(this.#pulls.length);
   }
 
   /** `base`: display coordinates of all points before the edit. */
   place(base: Float32Array, view: View): void {
     this.#pulls.forEach(({ vertex, to }, k) => {
-      const line = this.#lines[k];
+      const line = this.#lines.at(k);
       const [from, end] = [project(base, vertex, view), project(Float32Array.from(to), 0, view)];
       if (!line) return;
       const [dx, dy] = from && end ? [end.x - from.x, end.y - from.y] : [0, 0];

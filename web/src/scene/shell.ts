@@ -15,7 +15,7 @@ import { row, type Topology } from "../mesh/topology.ts";
 import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.ts";
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
-import { type EdgeLines, makeEdgeLines } from "./edge-lines.ts";
+import { type EdgeLines, edgeInk, makeEdgeLines, meanEdge } from "./edge-lines.ts";
 import { outwards } from "./facing.ts";
 import { displaySphere } from "./framing.ts";
 import { Ghost } from "./ghost.ts";
@@ -23,6 +23,8 @@ import type { Palette } from "./palette.ts";
 import { PanelColours } from "./panel-colours.ts";
 import { PanelOutline } from "./panel-outline.ts";
 
+/** Triangles above which a mesh is shown before its shadow, which takes as long again. */
+const LATE_SHADOW = 400_000;
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.08;
 
@@ -39,6 +41,8 @@ export class Shell {
   readonly #panels: Mesh<BufferGeometry, MeshStandardMaterial>;
   readonly #colours: PanelColours;
   readonly #edges: EdgeLines;
+  /** Display units. */
+  readonly #meanEdge: number;
   readonly #outline = new PanelOutline();
   readonly #ghost: Ghost;
   readonly #dirtyCorners = new DirtyRange();
@@ -59,6 +63,7 @@ export class Shell {
     this.#colours = new PanelColours(mesh);
     this.#panels = this.#makePanels();
     this.#edges = makeEdgeLines(mesh.topology, mesh.display, 1.1);
+    this.#meanEdge = meanEdge(mesh.topology, mesh.display);
     this.#ghost = new Ghost(this.base);
     this.group.add(this.#panels, this.#edges.object, this.#ghost.object, this.#outline.object);
     this.setPalette(palette);
@@ -82,7 +87,7 @@ export class Shell {
       polygonOffsetUnits: 1,
     });
     const panels = new Mesh(geometry, material);
-    panels.castShadow = true;
+    panels.castShadow = this.triangles.length / 3 < LATE_SHADOW;
     panels.receiveShadow = true;
     panels.frustumCulled = false;
     return panels;
@@ -146,6 +151,20 @@ export class Shell {
   setSize(width: number, height: number): void {
     this.#edges.setSize(width, height);
     this.#outline.setSize(width, height);
+  }
+
+  /** `pixel`: what one spans, display units. */
+  inkEdges(pixel: number): void {
+    this.#edges.setInk(edgeInk(this.#meanEdge / pixel));
+  }
+
+  /** True if it casts none yet. */
+  get shadowToCome(): boolean {
+    return !this.#panels.castShadow;
+  }
+
+  castShadow(): void {
+    this.#panels.castShadow = true;
   }
 
   dispose(): void {

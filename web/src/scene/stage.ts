@@ -35,6 +35,12 @@ const TOOLS = 52;
 
 const toolsIn = (height: number): number => Math.min(TOOLS, height / 5);
 
+export interface DrawingSteps {
+  /** `pixel`: the display units that one spans where the camera looks. */
+  before(pixel: number): void;
+  after(): void;
+}
+
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(28, 1, 0.1, 400);
@@ -45,7 +51,7 @@ export class Stage {
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
   readonly #glide: Glide;
   readonly #caster = new Raycaster();
-  readonly #onDraw: () => void;
+  readonly #steps: DrawingSteps;
   #paper = "#FFFFFF";
   #size = "";
   #pending = 0;
@@ -53,8 +59,8 @@ export class Stage {
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #target: Object3D | null = null;
 
-  constructor(canvas: HTMLCanvasElement, onDraw: () => void) {
-    this.#onDraw = onDraw;
+  constructor(canvas: HTMLCanvasElement, steps: DrawingSteps) {
+    this.#steps = steps;
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: true,
@@ -70,13 +76,11 @@ export class Stage {
     this.orbit.enableDamping = false;
     this.orbit.addEventListener("change", () => this.invalidate());
     this.#glide = new Glide(this.camera, this.orbit);
-    // The renderer sets up its own state again first: it has listened for longer.
-    canvas.addEventListener("webglcontextrestored", () => this.#castShadows());
     this.#lightUp();
     // After the renderer's own listener, which makes its state and buffers again, but plain black.
     canvas.addEventListener("webglcontextrestored", () => {
       this.renderer.setClearColor(this.#paper);
-      this.#castShadows();
+      this.castShadows();
     });
   }
 
@@ -132,6 +136,13 @@ export class Stage {
   #standpoint(subject: Subject, towards: Vector3, over: readonly Box[]): Standpoint {
     const sight = sightOf(this.camera, towards);
     return clearStandpoint(subject, sight, toolsIn(sight.height), over);
+  }
+
+  /** Display units that a pixel spans where the camera looks. */
+  pixel(): number {
+    const high = 2 * Math.tan((this.camera.fov * Math.PI) / 360);
+    const away = this.camera.position.distanceTo(this.orbit.target);
+    return (high * away) / (this.camera.view?.height ?? 1);
   }
 
   /** The ray through a place on screen, −1 … 1 to the right and upwards. */
@@ -197,11 +208,11 @@ export class Stage {
   moved(): void {
     clearTimeout(this.#shadowTimer);
     if (this.#drawMilliseconds < QUICK) this.renderer.shadowMap.needsUpdate = true;
-    else this.#shadowTimer = setTimeout(() => this.#castShadows(), REST);
+    else this.#shadowTimer = setTimeout(() => this.castShadows(), REST);
     this.invalidate();
   }
 
-  #castShadows(): void {
+  castShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
@@ -213,9 +224,10 @@ export class Stage {
   draw(): void {
     this.#pending = 0;
     const begin = performance.now();
+    this.#steps.before(this.pixel());
     this.renderer.render(this.scene, this.camera);
     this.#drawMilliseconds = performance.now() - begin;
-    this.#onDraw();
+    this.#steps.after();
   }
 
   dispose(): void {

@@ -53,6 +53,8 @@ export interface ViewportParts extends OverlayParts {
 
 /** Pixels about a selected point that are its own, even where arrows begin. */
 const CORE = 9;
+/** Milliseconds after which a large mesh gets its shadow. */
+const SHADOW_DELAY = 1000;
 /** Height of the legend over its width once there is something to count: it grows with an edit. */
 const GROWN = 0.65;
 /** Pixels within which a snapped drag goes back to the base position. */
@@ -99,7 +101,10 @@ export class Viewport {
     this.#canvas = parts.canvas;
     this.#parts = parts;
     this.#overlay = new Overlay(parts);
-    this.stage = new Stage(parts.canvas, () => this.#placeOverlay());
+    this.stage = new Stage(parts.canvas, {
+      before: (pixel) => this.#shell?.inkEdges(pixel),
+      after: () => this.#placeOverlay(),
+    });
     this.#gizmo = new Gizmo(this.stage);
     this.#pointer = this.#makePointer();
     this.#follow();
@@ -264,10 +269,7 @@ export class Viewport {
   /** `inverted`: Ctrl turns snapping on, or off where it is on. */
   #snap(inverted: boolean): Snap | null {
     if (snapping.value === inverted) return null;
-    const { camera, orbit } = this.stage;
-    const high = 2 * Math.tan((camera.fov * Math.PI) / 360);
-    const pixel = (high * camera.position.distanceTo(orbit.target)) / this.#view().height;
-    return { step: snapDistance.value, reach: HOME * pixel };
+    return { step: snapDistance.value, reach: HOME * this.stage.pixel() };
   }
 
   #toDisplay(target: Point): Point {
@@ -340,6 +342,15 @@ export class Viewport {
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     const subject = { points: shown.display, edges: shown.topology.edges };
     if (first || !same) this.stage.view("Perspective", subject, this.#over(), true);
+    if (this.#shell.shadowToCome) this.#castLater(this.#shell);
+  }
+
+  #castLater(shell: Shell): void {
+    setTimeout(() => {
+      if (shell !== this.#shell) return;
+      shell.castShadow();
+      this.stage.castShadows();
+    }, SHADOW_DELAY);
   }
 
   #apply(changes: Float32Array): void {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+import { afterAll, beforeAll } from "vitest";
+import { openSite, type Site } from "./page.ts";
+
+/** The built site, open while the tests of the file that imports it run. */
+export let site: Site;
+
+beforeAll(async () => {
+  site = await openSite();
+});
+afterAll(() => site.close());
