@@ -107,10 +107,11 @@ export function clearStandpoint(
   const wide = Math.min(...boxes.map((box) => box.right)) + GAP;
   const most = Math.min(high, MOST * height);
   const bottom = leastMargin(most, (margin) => clear({ bottom: margin })) ?? most;
-  const raised = from(subject.points, { bottom });
   const left = leastMargin(Math.min(wide, width / 2), (margin) => clear({ left: margin }));
-  if (left === null) return raised;
-  const beside = from(subject.points, { left });
-  const away = ({ position, target }: Standpoint): number => position.distanceTo(target);
-  return away(beside) < away(raised) ? beside : raised;
+  const away = (margins: Partial<Margins>): number => {
+    const { position, target } = from(ends, margins);
+    return position.distanceTo(target);
+  };
+  const aside = left !== null && away({ left }) < away({ bottom });
+  return from(subject.points, aside ? { left } : { bottom });
 }

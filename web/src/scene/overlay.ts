@@ -91,8 +91,9 @@ export class Overlay {
     const seen = visited.value ?? selected.value;
     const place = seen === null ? null : project(points, seen, view);
     const side = place && sideAt(place.x, view.width);
-    // Below a chosen point it would hide what follows it.
-    putAt(point, side === "below" && visited.value === null ? null : place);
+    // Below a chosen point it would hide what follows it, beside a selected panel the panel.
+    const inTheWay = visited.value === null && (side === "below" || this.#panel !== null);
+    putAt(point, inTheWay ? null : place);
     point.dataset.side = side ?? "";
     putAt(figure, this.#panel && topOf(this.#panel, view));
   }

@@ -5,6 +5,8 @@ export interface Palette {
   readonly panel: string;
   readonly edge: string;
   readonly ghost: string;
+  /** The outline of the selected panel: at least 3 : 1 on a panel. */
+  readonly selected: string;
   readonly sky: string;
   readonly ground: string;
   readonly shadow: number;
@@ -19,6 +21,7 @@ export const LIGHT: Palette = {
   panel: "#F3F0E9",
   edge: "#14120E",
   ghost: "#2456D6",
+  selected: "#2456D6",
   sky: "#FFFFFF",
   ground: "#D9D2C3",
   shadow: 0.16,
@@ -31,6 +34,7 @@ export const DARK: Palette = {
   panel: "#B4B3AF",
   edge: "#08090A",
   ghost: "#7EA2FF",
+  selected: "#1D3FA8",
   sky: "#DCE3EA",
   ground: "#33363B",
   shadow: 0.45,

@@ -102,7 +102,7 @@ export class Shell {
     this.#colours.setPalette(palette);
     this.#edges.setColour(palette.edge);
     this.#ghost.setColour(palette.ghost);
-    this.#outline.setColour(palette.ghost);
+    this.#outline.setColour(palette.selected);
     this.#colourAll();
   }
 
