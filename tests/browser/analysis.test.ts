@@ -70,13 +70,53 @@ it("colours by every figure, with a legend in mm or mm/m and a histogram", async
   expect(await page.getByText("0 mm, smooth").count()).toBe(1);
   seen.push(await view.screenshot());
   await choose("Planarity");
-  expect(await page.getByText(/^Worst panel flat \(< 0\.000001 mm\/m\)$/).count()).toBe(1);
+  await page.getByText(/^Worst panel flat \(< 0\.000001 mm\/m\)$/).waitFor();
   expect(await page.getByText(/0 panels out of flat, 400 flat/).count()).toBe(1);
   seen.push(await view.screenshot());
   await choose("Panel health");
   await expect.poll(() => page.getByText(/^convex\s*400$/).count()).toBe(1);
   const pictures = new Set(seen.map((picture) => picture.toString("base64")));
   expect(pictures.size).toBe(3);
+  await page.context().close();
+});
+
+/** A quad 1 m long whose last corner is `by` metres out of the plane, after a flat one. */
+const bent = (by: number): string =>
+  `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 ${by}\nf 1 2 3 4\nf 2 5 6 3\n`;
+
+it("the scale of planarity grows by decades to hold the worst panel, and leads to it", async () => {
+  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
+  const named = async (): Promise<string[]> => {
+    const legend = page.getByRole("group", { name: "Legend", exact: true });
+    const shown = await legend
+      .getByText(/^(0\.0*1|10*)$/)
+      .evaluateAll((all) =>
+        all.map((tick) => ({ text: tick.textContent ?? "", box: tick.getBoundingClientRect() })),
+      );
+    shown.slice(1).forEach(({ box }, k) => {
+      expect(box.left - (shown[k]?.box.right ?? Number.NaN)).toBeGreaterThan(4);
+    });
+    return shown.map(({ text }) => text);
+  };
+  await expect.poll(named).toEqual(["0.001", "0.1", "10"]);
+  const worst = page.getByRole("button", { name: /^Worst panel / });
+  expect(await worst.count()).toBe(0);
+  for (const [by, ticks] of [
+    [0.01, ["0.001", "0.1", "10"]],
+    [0.1, ["0.0001", "0.1", "100"]],
+    [0.4, ["0.001", "1", "1000"]],
+  ] as const) {
+    await pickFile(page, "bent.obj", bent(by));
+    await page.getByRole("button", { name: "Leave as it is" }).click();
+    await expect.poll(named).toEqual(ticks);
+  }
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect.poll(named).toEqual(["0.001", "1", "1000"]);
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await worst.focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => page.getByText(/^Panel 1 4 corners, /).count()).toBe(1);
   await page.context().close();
 });
 

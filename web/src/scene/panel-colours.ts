@@ -7,7 +7,7 @@ import { row } from "../mesh/topology.ts";
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
-import { makeRamp, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
+import { makeRamp, planarityEnd, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
 
 export class PanelColours {
   readonly attribute: BufferAttribute;
@@ -79,14 +79,15 @@ export class PanelColours {
   }
 
   /**
-   * Flatness: neutral up to the tolerance, then logarithmic up to the fabrication limit. Health:
-   * convex neutral, concave in the middle of the ramp, self-crossing at its end.
+   * Flatness: neutral where flat, then logarithmic up to planarityEnd(). Health: convex neutral,
+   * concave in the middle of the ramp, self-crossing at its end.
    */
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
     const health = this.#kind === "health";
+    const end = health ? 0 : planarityEnd(figures);
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[3 * f + 2] ?? 0);
+      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[3 * f + 2] ?? 0, end);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

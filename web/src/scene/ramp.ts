@@ -23,10 +23,20 @@ export function writeRamp(ramp: Ramp, t: number, out: Float32Array, offset: numb
 /** mm/m: the limit of the paper's fabricators. */
 export const FABRICATION_LIMIT = 10;
 
-/** Place on the planarity ramp: 0 when flat, 1 at the fabrication limit, logarithmic between. */
-export function planarityShare(mmPerM: number): number {
+/**
+ * mm/m at the planarity ramp's end: the fabrication limit, or the power of ten that holds the worst
+ * panel. @param figures gap, mm/m, mm/m beyond rounding of every panel
+ */
+export function planarityEnd(figures: Float32Array): number {
+  let worst = 0;
+  for (let k = 2; k < figures.length; k += 3) worst = Math.max(worst, figures[k] ?? 0);
+  return worst <= FABRICATION_LIMIT ? FABRICATION_LIMIT : 10 ** Math.ceil(Math.log10(worst));
+}
+
+/** Place on the planarity ramp: 0 when flat, 1 at `end`, logarithmic between. */
+export function planarityShare(mmPerM: number, end: number): number {
   if (mmPerM <= FLAT) return 0;
-  return 0.15 + (0.85 * Math.log10(mmPerM / FLAT)) / Math.log10(FABRICATION_LIMIT / FLAT);
+  return 0.15 + (0.85 * Math.log10(mmPerM / FLAT)) / Math.log10(end / FLAT);
 }
 
 /** The same ramp for a legend. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
-import { planarityShare } from "../scene/ramp.ts";
+import { planarityEnd, planarityShare } from "../scene/ramp.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 
 export interface Histogram {
@@ -60,5 +60,6 @@ export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 /** mm/m of panels, on the legend's logarithmic scale. @param figures gap, mm/m, excess for each */
 export function ofPlanarity(figures: Float32Array): Histogram {
   const perMetre = figures.filter((_, k) => k % 3 === 2);
-  return count(perMetre, maximum(perMetre), planarityShare);
+  const end = planarityEnd(figures);
+  return count(perMetre, end, (mmPerM) => planarityShare(mmPerM, end));
 }

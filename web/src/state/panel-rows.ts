@@ -86,6 +86,14 @@ export function panelsOfOutline(health: Float32Array, outline: number): number[]
   return found;
 }
 
+/** The panel with the largest mm/m. */
+export function worstPanel(figures: Float32Array): number {
+  let worst = 0;
+  for (let panel = 0; 3 * panel < figures.length; ++panel)
+    if ((figures[3 * panel + 1] ?? 0) > (figures[3 * worst + 1] ?? 0)) worst = panel;
+  return worst;
+}
+
 export interface HealthCounts {
   readonly convex: number;
   readonly changed: number;

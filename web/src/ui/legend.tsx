@@ -2,7 +2,6 @@
 import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
-import { flatnessWords } from "../state/flatness.ts";
 import { bending, type ColourBy, colourBy, figures, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
@@ -49,16 +48,6 @@ function Ends({ of }: { of: "displacement" | "fairness" }) {
   );
 }
 
-/** The figure itself where the ramp says mm/m, and what is measured where it is not plain. */
-function Note() {
-  const { worstGap, worstMmPerM, worstExcess } = figures.value;
-  if (colourBy.value === "fairness")
-    return <p class="legend-note">Difference between neighbours' moves</p>;
-  if (colourBy.value !== "planarity") return null;
-  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
-  return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
-}
-
 function Scale() {
   const kind = colourBy.value;
   if (kind === "none") return null;
@@ -70,7 +59,7 @@ function Scale() {
         ramp={(palette) => (kind === "displacement" ? palette.displacement : palette.planarity)}
       />
       {kind === "planarity" ? <PlanarityScale /> : <Ends of={kind} />}
-      <Note />
+      {kind === "fairness" && <p class="legend-note">Difference between neighbours' moves</p>}
     </>
   );
 }

@@ -1,41 +1,75 @@
 // SPDX-License-Identifier: MIT
 import "./legend-scales.css";
-import { FABRICATION_LIMIT, planarityShare } from "../scene/ramp.ts";
+import { FABRICATION_LIMIT, planarityEnd, planarityShare } from "../scene/ramp.ts";
+import { flatnessWords, isFlat } from "../state/flatness.ts";
+import { worstPanel } from "../state/panel-rows.ts";
+import { showNextPanel } from "../state/selection.ts";
+import { figures, panelFigures, unit } from "../state/store.ts";
 
-/** mm/m. Where there is little room only the main ones are named. */
-const DECADES: readonly (readonly [value: number, main: boolean])[] = [
-  // Below a thousandth there is no room for words.
-  [0.00001, false],
-  [0.0001, false],
-  [0.001, true],
-  [0.01, false],
-  [0.1, true],
-  [1, false],
-  [FABRICATION_LIMIT, true],
-];
+/** Power of ten, mm/m, of the first tick; what is flat lies a decade below. */
+const FIRST = -5;
+/** Smaller figures are too long to be named. */
+const FIRST_NAMED = -4;
 
-const place = (value: number): string => `${100 * planarityShare(value)}%`;
+/** Names stand so far apart, in decades, that they do not touch on a telephone either. */
+const apart = (end: number): number => (end > FABRICATION_LIMIT ? 3 : 2);
+
+interface Tick {
+  readonly value: number;
+  readonly named: boolean;
+}
+
+/** Every power of ten up to the ramp's end, which is named. */
+function ticksUpTo(end: number): Tick[] {
+  const last = Math.round(Math.log10(end));
+  return Array.from({ length: last - FIRST + 1 }, (_, k) => {
+    const power = FIRST + k;
+    const named = power >= FIRST_NAMED && (last - power) % apart(end) === 0;
+    return { value: Number(`1e${power}`), named };
+  });
+}
+
+/** The figure itself; it leads to its panel unless every panel is flat. */
+function Worst() {
+  const { worstGap, worstMmPerM, worstExcess } = figures.value;
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
+  const measured = panelFigures.value;
+  if (isFlat(figures.value) || !measured)
+    return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
+  return (
+    <button
+      type="button"
+      class="legend-note worst-panel"
+      title="Go to this panel"
+      onClick={() => showNextPanel([worstPanel(measured)])}
+    >
+      {`Worst panel ${sentence}`}
+    </button>
+  );
+}
 
 /** Ticks at powers of ten below the ramp: its colours are not in proportion to the figures. */
 export function PlanarityScale() {
+  const end = panelFigures.value ? planarityEnd(panelFigures.value) : FABRICATION_LIMIT;
   return (
     <>
       <div class="decades" aria-hidden="true">
         <span class="decade flat">flat</span>
-        {DECADES.map(([value, main]) => (
+        {ticksUpTo(end).map(({ value, named }) => (
           <span
             key={value}
-            class={`decade${main ? "" : " minor"}${value === FABRICATION_LIMIT ? " last" : ""}`}
-            style={{ "--place": place(value) }}
+            class={`decade${named ? "" : " minor"}${value === end ? " last" : ""}`}
+            style={{ "--place": `${100 * planarityShare(value, end)}%` }}
           >
-            {value < 0.001 ? "" : value}
+            {named ? value : ""}
           </span>
         ))}
       </div>
       <p class="scale-words">
         mm/m, logarithmic
-        <span class="visually-hidden"> scale, from flat to {FABRICATION_LIMIT} mm/m or more</span>
+        <span class="visually-hidden"> scale, from flat to {end} mm/m or more</span>
       </p>
+      <Worst />
     </>
   );
 }
