@@ -4,7 +4,14 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
 import { exportAs, idle, movedCount, openSite, type Site } from "./support/page.ts";
-import { type HandleRow, handleRows, hintedPoint, type Place, press } from "./support/view.ts";
+import {
+  type HandleRow,
+  handleRows,
+  hintedPoint,
+  type Place,
+  press,
+  viewBox,
+} from "./support/view.ts";
 
 let site: Site;
 let base: ObjMesh | null = null;
@@ -141,6 +148,42 @@ describe("several points", () => {
     await page.getByRole("button", { name: "Undo" }).click();
     await expect.poll(() => movedCount(page)).toBe(0);
     expect(await handleRows(page)).toEqual([]);
+    await page.context().close();
+  });
+
+  it("are those in the last box; with Shift a box adds, and an empty one clears", async () => {
+    const page = await openPage();
+    const { x, y } = await hintedPoint(page);
+    const pins = page.getByRole("button", { name: "Pin selected points" });
+    const rows = async (): Promise<number[]> => {
+      await pins.click();
+      await idle(page);
+      const found = (await handleRows(page)).map((row) => row.vertex);
+      await page.getByRole("button", { name: "Undo" }).click();
+      await expect.poll(() => handleRows(page)).toEqual([]);
+      return found;
+    };
+    const box = async (at: Place, kind: "tool" | "Shift"): Promise<void> => {
+      if (kind === "tool") await page.getByRole("button", { name: "Select in a box" }).click();
+      else await page.keyboard.down("Shift");
+      // Small, for the table shows no more than 40 handles.
+      await press(page, { x: at.x - 12, y: at.y - 12 }, { x: at.x + 12, y: at.y + 12 });
+      await page.mouse.up();
+      if (kind === "Shift") await page.keyboard.up("Shift");
+    };
+    await box({ x, y }, "tool");
+    const first = await rows();
+    await box({ x: x + 70, y }, "tool");
+    const second = await rows();
+    expect(second.length).toBeGreaterThan(0);
+    expect(second.filter((vertex) => first.includes(vertex))).toEqual([]);
+    await box({ x, y }, "Shift");
+    expect((await rows()).toSorted()).toEqual([...first, ...second].toSorted());
+    const { x: left, y: top } = await viewBox(page);
+    await box({ x: left + 60, y: top + 150 }, "Shift");
+    expect(await pins.isDisabled()).toBe(false);
+    await box({ x: left + 60, y: top + 150 }, "tool");
+    expect(await pins.isDisabled()).toBe(true);
     await page.context().close();
   });
 

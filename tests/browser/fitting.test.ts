@@ -2,7 +2,7 @@
 // A fitted model is under nothing that lies over the view.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { typeTarget } from "./support/page.ts";
+import { exportAs, idle, openFile, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
@@ -26,6 +26,74 @@ async function edgesUnder(page: Page, name: "Legend" | "Views"): Promise<number>
     for (let x = 0; x < picture.width; ++x) if (Math.max(...picture.at(x, y)) < DARK) dark += 1;
   return dark;
 }
+
+/** Left, right, top and bottom of what is dark in the view: of the model. */
+async function extent(page: Page): Promise<readonly number[]> {
+  const picture = readPng(await exportAs(page, "PNG"));
+  const xs: number[] = [];
+  const ys: number[] = [];
+  for (let y = 0; y < picture.height; ++y)
+    for (let x = 0; x < picture.width; ++x)
+      if (Math.max(...picture.at(x, y)) < DARK) {
+        xs.push(x);
+        ys.push(y);
+      }
+  return [xs, ys].flatMap((of) => {
+    const sorted = of.toSorted((a, b) => a - b);
+    return [sorted[0] ?? Number.NaN, sorted.at(-1) ?? Number.NaN];
+  });
+}
+
+/** 5 by 5 points in a row of panels `high` up at the far side; a little out of flat by `bump`. */
+const sheet = (high: number, bump = 0): string => {
+  const line = [0, 1, 2, 3, 4];
+  const z = (x: number, y: number): number => (y * high) / 4 + (x === 2 && y === 2 ? bump : 0);
+  const points = line.flatMap((y) => line.map((x) => `v ${x} ${y} ${z(x, y)}`));
+  const corner = (x: number, y: number): number => 5 * y + x + 1;
+  const panels = line.slice(1).flatMap((y) =>
+    line.slice(1).map((x) => {
+      const [a, b] = [corner(x - 1, y - 1), corner(x - 1, y)];
+      return `f ${a} ${a + 1} ${b + 1} ${b}`;
+    }),
+  );
+  return [...points, ...panels, ""].join("\n");
+};
+
+const startEditing = (page: Page): Promise<void> =>
+  page.getByRole("button", { name: "Start editing" }).click();
+
+it("a mesh with as many points as the one before is fitted all the same", async () => {
+  const fresh = await site.open();
+  await openFile(fresh, "steep.obj", sheet(9));
+  await startEditing(fresh);
+  const wanted = await extent(fresh);
+  await fresh.context().close();
+  const page = await site.open();
+  await openFile(page, "flat.obj", sheet(0));
+  await startEditing(page);
+  expect(await extent(page)).not.toEqual(wanted);
+  await openFile(page, "steep.obj", sheet(9));
+  await startEditing(page);
+  expect(await extent(page)).toEqual(wanted);
+  await page.context().close();
+});
+
+it("one that is made flat is seen from where it was", async () => {
+  const page = await site.open();
+  await openFile(page, "bumpy.obj", sheet(0, 0.01));
+  await page.getByLabel("3D view").focus();
+  for (let k = 0; k < 4; ++k) await page.keyboard.press("-");
+  await page.waitForTimeout(500);
+  const before = await extent(page);
+  await page.getByRole("button", { name: "Planarise", exact: true }).click();
+  await idle(page);
+  await startEditing(page);
+  const after = await extent(page);
+  after.forEach((end, k) => {
+    expect(Math.abs(end - (before[k] ?? Number.NaN))).toBeLessThan(4);
+  });
+  await page.context().close();
+});
 
 const view = (page: Page, name: string): Promise<void> =>
   page.getByRole("button", { name, exact: true }).click();

@@ -3,6 +3,7 @@
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { idle, movedCount, status, typeTarget } from "./support/page.ts";
+import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
 
@@ -102,6 +103,26 @@ it("a line goes from where a handle was to where it is pulled, and hides with Be
   await page.getByRole("button", { name: "Remove" }).click();
   await idle(page);
   await expect.poll(() => pixels(page, start, 8)).not.toBe(pulled);
+  await page.context().close();
+});
+
+it("a ticked box in the table of handles shows a tick", async () => {
+  const page = await site.open({ deviceScaleFactor: 4 });
+  await typeTarget(page, "+10cm");
+  const pin = page.getByRole("checkbox", { name: "Pinned" });
+  await pin.check();
+  await idle(page);
+  await page.mouse.move(2, 2);
+  await page.waitForTimeout(300);
+  const picture = readPng(await pin.screenshot());
+  const light: number[] = [];
+  for (let x = 8; x < picture.width - 8; ++x)
+    for (let y = 8; y < picture.height - 8; ++y)
+      if (Math.min(...picture.at(x, y)) > 200) light.push(x / picture.width);
+  const [left, right] = [Math.min(...light), Math.max(...light)];
+  expect(left).toBeGreaterThan(0.15);
+  expect(right - left).toBeGreaterThan(0.4);
+  expect(Math.abs((left + right) / 2 - 0.5)).toBeLessThan(0.1);
   await page.context().close();
 });
 

@@ -58,6 +58,7 @@ describe("lengths in words", () => {
   it("shows flatness to a ten-thousandth of a millimetre", () => {
     expect(formatGap(1e-15, "m")).toBe("0.0000 mm");
     expect(formatGap(0.0000123, "m")).toBe("0.0123 mm");
+    expect(formatGap(0.0155282, "m")).toBe("15.53 mm");
   });
 
   it("shows coordinates without idle zeros", () => {

@@ -15,7 +15,7 @@ describe("flatness in words", () => {
     [2.6e-9, 1.1e-6, "0.0000 mm out of flat (0.0000011 mm/m)"],
     [1e-6, 0.00025, "0.0010 mm out of flat (0.00025 mm/m)"],
     [0.0000123, 0.0123, "0.0123 mm out of flat (0.0123 mm/m)"],
-    [0.02, 20, "20.0000 mm out of flat (20.0 mm/m)"],
+    [0.02, 20, "20.00 mm out of flat (20.0 mm/m)"],
     [0.5, 1234.5, "500.0 mm out of flat (1235 mm/m)"],
   ])("%d m, %d mm/m: %s", (gap, mmPerM, words) => {
     expect(said(gap, mmPerM)).toBe(words);

@@ -32,7 +32,8 @@ export interface PointerEvents {
   readonly grab: (hold: Hold, press: Ray) => DragSession | null;
   readonly drag: (session: DragSession, snap: boolean, ray?: Ray) => void;
   readonly box: (box: Box | null) => void;
-  readonly choose: (box: Box) => void;
+  /** `also` adds what it holds to the selection. */
+  readonly choose: (box: Box, also: boolean) => void;
 }
 
 interface Press {
@@ -155,7 +156,7 @@ export class PointerTool {
     const also = event.ctrlKey || event.metaKey || event.shiftKey || press.kind === "box";
     if (!press.moved)
       this.#events.click(press.x, press.y, press.hold, { also, coarse: coarse(event) });
-    else if (press.kind === "box") this.#events.choose(boxOf(press, x, y));
+    else if (press.kind === "box") this.#events.choose(boxOf(press, x, y), press.event.shiftKey);
     else press.session?.end();
   }
 

@@ -37,6 +37,7 @@ export class Shell {
   readonly corners: Float32Array;
   readonly triangles: Uint32Array;
   readonly offsets: Int32Array;
+  readonly vertices: Int32Array;
   readonly #moved = new Set<number>();
   readonly #panels: Mesh<BufferGeometry, MeshStandardMaterial>;
   readonly #colours: PanelColours;
@@ -58,6 +59,7 @@ export class Shell {
     this.current = mesh.display.slice();
     this.topology = mesh.topology;
     this.offsets = mesh.offsets;
+    this.vertices = mesh.vertices;
     this.corners = mesh.corners.slice();
     this.triangles = mesh.triangles.slice();
     this.#colours = new PanelColours(mesh);

@@ -2,12 +2,21 @@
 // The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
 import { effect, untracked } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
+import type { Polygons } from "../mesh/display-mesh.ts";
+import { isSameStructure } from "../mesh/likeness.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
-import { deselect, selectAlso, selectOnly, toggleSelected, visit } from "../state/selection.ts";
+import {
+  deselect,
+  selectAlso,
+  selectOnly,
+  selectThese,
+  toggleSelected,
+  visit,
+} from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
   bending,
@@ -192,7 +201,7 @@ export class Viewport {
       grab: (hold, press) => this.#grab(hold, press),
       drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
       box: (box) => this.#overlay.drawBox(box),
-      choose: (box) => this.#choose(box),
+      choose: (box, also) => this.#choose(box, also),
     });
   }
 
@@ -243,9 +252,11 @@ export class Viewport {
     this.#choosing = false;
   }
 
-  #choose(box: Box): void {
+  #choose(box: Box, also: boolean): void {
     if (!this.#shell || !ready.value) return;
-    selectAlso(verticesIn(box, this.#shell.current, this.#view()));
+    const inside = verticesIn(box, this.#shell.current, this.#view());
+    if (also) selectAlso(inside);
+    else selectThese(inside);
     boxTool.value = false;
   }
 
@@ -333,16 +344,21 @@ export class Viewport {
   #build(): void {
     const shown = displayMesh.value;
     if (!shown) return;
-    const first = this.#shell === null;
-    const same = this.#shell?.base.length === shown.display.length;
+    const kept = this.#showsMuchTheSame(shown);
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
     this.#overlay.setPanel(null);
     this.#resize();
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
     const subject = { points: shown.display, edges: shown.topology.edges };
-    if (first || !same) this.stage.view("Perspective", subject, this.#over(), true);
+    if (!kept) this.stage.view("Perspective", subject, this.#over(), true);
     if (this.#shell.shadowToCome) this.#castLater(this.#shell);
+  }
+
+  #showsMuchTheSame(mesh: Polygons): boolean {
+    if (!this.#shell) return false;
+    const { current: display, offsets, vertices } = this.#shell;
+    return isSameStructure({ display, offsets, vertices }, mesh);
   }
 
   #castLater(shell: Shell): void {

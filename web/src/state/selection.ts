@@ -18,6 +18,11 @@ export function selectAlso(vertices: readonly number[]): void {
   selection.value = [...kept, ...vertices];
 }
 
+/** Instead of those that were chosen; none of them clears the selection. */
+export function selectThese(vertices: readonly number[]): void {
+  selection.value = vertices;
+}
+
 export function selectHandles(): void {
   selection.value = (draft.value?.handles ?? []).map((row) => row.vertex);
 }

@@ -59,5 +59,5 @@ export function formatLength(value: number, unit: Unit): string {
 /** Out-of-flatness: four decimals of a millimetre, or fewer once it is coarse. */
 export function formatGap(value: number, unit: Unit): string {
   const mm = convert(value, unit, "mm");
-  return `${mm.toFixed(mm >= 100 ? 1 : 4)} mm`;
+  return `${mm.toFixed(mm >= 100 ? 1 : mm >= 10 ? 2 : 4)} mm`;
 }

@@ -137,7 +137,7 @@ export function DragTools() {
     >
       <Toggle
         name="Select in a box"
-        about="the next drag draws a box around points (Shift while dragging)"
+        about="the next drag selects the points in a box; with Shift, adds them"
         on={boxTool.value}
         disabled={!ready.value}
         onClick={() => {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { useRef } from "preact/hooks";
 import type { HandleRow, Point } from "../state/design.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
@@ -93,13 +94,25 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
   );
 }
 
+/** Goes on to where the point is typed; not if the focus has left the button by then. */
+async function addByKey(button: HTMLButtonElement, table: HTMLTableElement | null): Promise<void> {
+  await addHandle();
+  if (document.activeElement !== button) return;
+  table?.querySelector<HTMLInputElement>(".selected [role=spinbutton]")?.focus();
+}
+
 export function HandlesTable() {
+  const table = useRef<HTMLTableElement>(null);
   const step = stepFor(mesh.value?.report.meanEdge ?? 1);
   const rows = handles.value;
   const bent = !baseFlat.value;
   return (
     <>
-      <table class={rows.length === 0 ? "handles vacant" : "handles"} aria-label="Handles">
+      <table
+        ref={table}
+        class={rows.length === 0 ? "handles vacant" : "handles"}
+        aria-label="Handles"
+      >
         <thead>
           <tr>
             <th scope="col">Point</th>
@@ -136,7 +149,10 @@ export function HandlesTable() {
         class={`button wide${rows.length === 0 ? " primary" : ""}`}
         disabled={!ready.value || !baseFlat.value}
         aria-description={bent ? FLAT_FIRST : undefined}
-        onClick={() => void addHandle()}
+        onClick={({ detail, currentTarget }) =>
+          // A key's click counts none.
+          void (detail === 0 ? addByKey(currentTarget, table.current) : addHandle())
+        }
       >
         <Icon name="plus" />
         Add handle

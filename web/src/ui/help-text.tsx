@@ -18,7 +18,7 @@ const HINTS: readonly Hint[] = [
   { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
   {
     how: "[Ctrl] click, [Shift] drag",
-    what: "select several points, or all in a box, those behind the surface too; they move together",
+    what: "add a point to the selection, or all in a box, those behind the surface too; they move together",
   },
   { how: "[P]", what: "pins the selected points, or lets them go" },
   { how: "Rest on a point", what: "says how far it moved, or what its colour stands for" },
