@@ -153,7 +153,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
-  Subspace found = compute_subspace(base_, current_, close, options, progress_);
+  Subspace found = compute_subspace(base_, current_, close, options, targets_.pins, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   prepare_variation();

@@ -69,6 +69,15 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
   return vertices;
 }
 
+/// The report's figures are those of the variation; what was solved for is the edit before it.
+void move_solve_to_edit(Json& json, const SolveReport& report) {
+  json["edit"] = {{"objective", json["objective"]},
+                  {"moved_vertices", report.moved_vertices},
+                  {"max_displacement", report.max_displacement},
+                  {"handle_error", report.handle_error}};
+  json.erase("objective");
+}
+
 ExitCode run_explore(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
@@ -76,8 +85,9 @@ ExitCode run_explore(const Arguments& arguments) {
   const SubspaceOptions basis_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, basis_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
-  const Subspace subspace = compute_subspace(
-      run.base.mesh, run.edited, handle_vertices(run.targets), basis_options, progress_line());
+  const Subspace subspace =
+      compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets), basis_options,
+                       run.targets.pins, progress_line());
   clear_progress_line();
   Mesh result = run.base.mesh;
   result.positions = with_sliders(run.edited, subspace, values);
@@ -106,6 +116,7 @@ ExitCode run_explore(const Arguments& arguments) {
     save_mesh(*output, result, content);
   }
   Json json = edit_json(run, result.positions, options.engine);
+  move_solve_to_edit(json, run.report);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   if (!exact.is_null()) json["exact"] = exact;
   save_report(arguments, json);

@@ -55,6 +55,8 @@ ExitCode run_project(const Arguments& arguments) {
   json["rms_move"] = result.rms_move;
   json["max_move"] = result.max_move;
   json["failing_faces"] = result.failing_faces;
+  json["spoilt_faces"] = damage_json(mesh, mesh.positions, flat.positions);
+  print_damage(json["spoilt_faces"]);
   save_report(arguments, json);
   return exit_code(result.report);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edit_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -147,7 +148,8 @@ void print_planarised(const std::string& name, const ProjectionResult& result) {
   std::array<char, 32> most{};
   std::snprintf(most.data(), most.size(), "%.3g", result.max_move);
   print_message(name + ": not flat; planarised first, which moved " +
-                std::to_string(result.moved.size()) + " vertices by up to " + most.data());
+                std::to_string(result.moved.size()) + " vertices by up to " + most.data() +
+                " (units of the mesh)");
 }
 
 }  // namespace
@@ -176,15 +178,34 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   return run;
 }
 
+namespace {
+
+/// What `after` is against the flat base and the targets, whatever led to it.
+void add_measured(Json& json, const EditRun& run, const Positions& after) {
+  const Positions moves = after - run.base.mesh.positions;
+  double handle_error = 0.0;
+  for (const Handle& handle : run.targets.handles) {
+    handle_error = std::max(handle_error, (after.col(handle.vertex) - handle.target).norm());
+  }
+  json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
+  json["max_displacement"] = moves.colwise().norm().maxCoeff();
+  json["handle_error"] = handle_error;
+}
+
+}  // namespace
+
 Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   Json json = Json::object();
   add_solve(json, run.report, engine);
+  add_measured(json, run, after);
   json["mesh"] = mesh_json(run.given);
   json["planarity_mm_per_m"] = planarity_json(run.given, run.given.positions, after);
   if (run.base.planarised) {
     json["planarised_first"] = {{"max_move", run.base.planarised->max_move},
                                 {"rms_move", run.base.planarised->rms_move}};
   }
+  json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
+  print_damage(json["spoilt_faces"]);
   return json;
 }
 

@@ -3,13 +3,27 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "files.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
 
 namespace planish::cli {
+namespace {
+
+/// The most serious first.
+constexpr std::array<std::pair<PanelDamage, const char*>, 4> kDamages = {
+    {{PanelDamage::kSelfCrossing, "self-crossing"},
+     {PanelDamage::kTurnedOver, "turned over"},
+     {PanelDamage::kCollapsed, "collapsed"},
+     {PanelDamage::kConcave, "concave"}}};
+
+}  // namespace
 
 Json mesh_json(const Mesh& mesh) {
   const MeshSummary summary = summarize(mesh);
@@ -31,6 +45,24 @@ Json planarity_json(const Mesh& mesh, const Positions& before, const Positions& 
   return {{"before_max", planarity_summary(mesh, before).max},
           {"after_max", now.max},
           {"after_mean", now.mean}};
+}
+
+Json damage_json(const Mesh& mesh, const Positions& before, const Positions& after) {
+  Json json = Json::object();
+  for (const auto& [kind, name] : kDamages) {
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      if (panel_damage(before, after, mesh.face(f)) == kind) json[name].push_back(f);
+    }
+  }
+  return json;
+}
+
+void print_damage(const Json& damage) {
+  std::string words;
+  for (const auto& [name, panels] : damage.items()) {
+    words += (words.empty() ? "" : ", ") + std::to_string(panels.size()) + " " + name;
+  }
+  if (!words.empty()) print_message("flat, but spoilt: " + words);
 }
 
 Json subspace_json(const SubspaceReport& report, int dimension) {

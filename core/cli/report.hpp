@@ -19,6 +19,12 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json mesh_json(const Mesh& mesh);
 [[nodiscard]] Json planarity_json(const Mesh& mesh, const Positions& before,
                                   const Positions& after);
+/// Panels that are flat but spoilt since `before`, by what became of them; indices from 0.
+[[nodiscard]] Json damage_json(const Mesh& mesh, const Positions& before, const Positions& after);
+
+/// Says on standard error what `damage_json` found; nothing where it found nothing.
+void print_damage(const Json& damage);
+
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
 
 /// Status, objective, counts and times of a solve.

@@ -107,7 +107,8 @@ class Player {
     options.engine = design_.options.engine;
     std::vector<int> close;
     for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
-    Subspace found = compute_subspace(result_.base, result_.shape, close, options, progress_);
+    Subspace found = compute_subspace(result_.base, result_.shape, close, options,
+                                      design_.targets.pins, progress_);
     if (found.dimension() == 0) return false;
     Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
     const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/subspace_splitting.hpp"
@@ -48,12 +49,12 @@ struct Candidate {
 class SubspaceBuilder {
  public:
   SubspaceBuilder(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                  const SubspaceOptions& options);
+                  const std::vector<int>& pins, const SubspaceOptions& options);
 
   Subspace build(const Progress& progress);
 
  private:
-  void cut_patch(const std::vector<int>& close);
+  void cut_patch(const std::vector<int>& close, const std::vector<int>& pins);
   void set_weights();
   [[nodiscard]] std::vector<Eigen::Matrix3Xd> starts() const;
   void rank(std::vector<Candidate>& candidates) const;
@@ -82,15 +83,16 @@ Mesh with_positions(const Mesh& base, const Positions& positions) {
 }
 
 SubspaceBuilder::SubspaceBuilder(const Mesh& base, const Positions& edited,
-                                 const std::vector<int>& close, const SubspaceOptions& options)
+                                 const std::vector<int>& close, const std::vector<int>& pins,
+                                 const SubspaceOptions& options)
     : options_(options),
       mesh_(with_positions(base, edited)),
       model_(mesh_, options.fairness),
       edit_((edited - base.positions) / model_.unit()) {
-  cut_patch(close);
+  cut_patch(close, pins);
 }
 
-void SubspaceBuilder::cut_patch(const std::vector<int>& close) {
+void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector<int>& pins) {
   problem_.model = &model_;
   problem_.fairness_weight = options_.fairness_weight;
   problem_.terms.resize(at(model_.vertex_count()));
@@ -100,7 +102,9 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close) {
     if (!edit_.col(v).isZero(0.0)) moved.push_back(v);
   }
   WorkingSetGrower grower(model_);
-  const std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
+  std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
+  const std::set<int> pinned(pins.begin(), pins.end());
+  std::erase_if(reach, [&](int v) { return pinned.count(v) > 0; });
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   cutter.cut(problem_, reach, patch_);
@@ -304,9 +308,10 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
 }  // namespace
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                          const SubspaceOptions& options, const Progress& progress) {
+                          const SubspaceOptions& options, const std::vector<int>& pins,
+                          const Progress& progress) {
   const Stopwatch watch;
-  Subspace result = SubspaceBuilder(base, edited, close, options).build(progress);
+  Subspace result = SubspaceBuilder(base, edited, close, pins, options).build(progress);
   result.report.solve_seconds = watch.seconds();
   return result;
 }

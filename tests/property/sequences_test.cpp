@@ -80,6 +80,7 @@ class Designer {
     base_ = start_;
     current_ = base_.positions;
     close_.clear();
+    pins_.clear();
     solver_ = HandleEditSolver(base_, options_);
   }
 
@@ -88,7 +89,9 @@ class Designer {
     EXPECT_TRUE(result.report.usable()) << what << ": " << status_name(result.report.status);
     current_ = apply(base_, result);
     close_.clear();
+    pins_.clear();
     for (const Handle& handle : targets.handles) close_.push_back(handle.vertex);
+    pins_ = targets.pins;
   }
 
   void edit() {
@@ -128,6 +131,7 @@ class Designer {
     // The frame may be the last exact one, of other targets and pins: only its shape is promised.
     EXPECT_TRUE(is_valid_edit(base_, {}, with_handle_error(result, 0.0))) << "hurried drag";
     current_ = apply(base_, result);
+    pins_.clear();
   }
 
   static HandleEditResult with_handle_error(HandleEditResult result, double error) {
@@ -150,7 +154,7 @@ class Designer {
     SubspaceOptions options;
     options.dimension = 1 + static_cast<int>(pick(4));
     options.reach = static_cast<int>(pick(3));
-    const Subspace subspace = compute_subspace(base_, current_, close_, options);
+    const Subspace subspace = compute_subspace(base_, current_, close_, options, pins_);
     ASSERT_TRUE(is_valid_subspace(current_, subspace));
     if (subspace.dimension() == 0) return;
     Eigen::VectorXd coefficients(subspace.dimension());
@@ -164,8 +168,12 @@ class Designer {
     for (std::size_t k = 0; k < subspace.support.size(); ++k) {
       varied.positions.col(subspace.support[k]) = rows.col(static_cast<Eigen::Index>(k));
     }
-    const ProjectionResult exact = project_to_planar(varied, base_.positions);
-    EXPECT_TRUE(is_valid_projection(varied, {}, exact)) << "explore";
+    for (const int pin : pins_) {
+      EXPECT_TRUE(same_bits(Positions(varied.positions.col(pin)), Positions(current_.col(pin))))
+          << "a variation moves pin " << pin;
+    }
+    const ProjectionResult exact = project_to_planar(varied, base_.positions, {}, pins_);
+    EXPECT_TRUE(is_valid_projection(varied, pins_, exact)) << "explore";
     if (exact.report.usable()) current_ = testing::apply(varied, exact);
   }
 
@@ -186,6 +194,7 @@ class Designer {
   void adopt() {
     base_.positions = current_;
     close_.clear();
+    pins_.clear();
     solver_ = HandleEditSolver(base_, options_);
   }
 
@@ -195,6 +204,7 @@ class Designer {
   HandleEditOptions options_;
   HandleEditSolver solver_;
   std::vector<int> close_;
+  std::vector<int> pins_;  ///< of the last edit
 };
 
 struct Start {

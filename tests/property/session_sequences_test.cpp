@@ -167,6 +167,10 @@ class User {
   void take(const Refusal& refusal, const EditTargets& targets, const char* what) {
     if (refusal) return check_unchanged(refusal, what);
     check_design(what, true);
+    check_pins(targets, what);
+  }
+
+  void check_pins(const EditTargets& targets, const char* what) {
     for (const int pin : targets.pins) {
       EXPECT_TRUE(
           same_bits(Positions(session_.current().col(pin)), Positions(base().positions.col(pin))))
@@ -226,6 +230,7 @@ class User {
     const Refusal refusal = session_.vary(x);
     if (refusal) return check_unchanged(refusal, "vary");
     check_design("vary", false);
+    check_pins(history_[present_].targets, "vary");
     record(history_[present_].targets);
     if (pick(2) == 0) make_exact();
   }
@@ -235,6 +240,7 @@ class User {
     const Refusal refusal = session_.make_exact();
     if (refusal) return check_unchanged(refusal, "make exact");
     check_design("make exact", true);
+    check_pins(history_[present_].targets, "make exact");
     record(history_[present_].targets);
   }
 

@@ -57,6 +57,18 @@ TEST_P(SubspaceOn, IsOrthonormal) {
   EXPECT_LT(subspace.report.orthonormality_error, kPromise);
 }
 
+TEST_P(SubspaceOn, MovesNoPin) {
+  const std::vector<int> pins{edit.moved.front(), handle};
+  const Subspace subspace =
+      compute_subspace(mesh, edited.positions, {handle}, {.dimension = 3}, pins);
+  ASSERT_EQ(subspace.dimension(), 3) << status_name(subspace.report.status);
+  for (const int pin : pins) {
+    EXPECT_FALSE(std::binary_search(subspace.support.begin(), subspace.support.end(), pin)) << pin;
+  }
+  EXPECT_LT(subspace.report.tangency_error, kPromise);
+  EXPECT_LT(subspace.report.orthonormality_error, kPromise);
+}
+
 /// J t = 0 with J assembled here, at p⁺, in units of the mean edge.
 TEST_P(SubspaceOn, IsTangent) {
   const Subspace subspace = compute({.dimension = 4});

@@ -90,6 +90,40 @@ TEST_F(Cli, ADesignIsReplayedFromJsonAndFromGlb) {
   }
 }
 
+TEST_F(Cli, TheReportOfAVariationIsThatOfTheMeshItWrites) {
+  ASSERT_EQ(run("sample vault --size 13 -o v.obj"), 0);
+  ASSERT_EQ(run("explore v.obj --handle 84+=0,0,0.6 --pin 83,85 --hard --dimension 3 "
+                "--coefficients 0,0.4,0.3 --exact -o e.obj --report r.json"),
+            0)
+      << err();
+  const Positions before = load("v.obj").positions;
+  const Positions after = load("e.obj").positions;
+  for (const int pin : {83, 85}) EXPECT_EQ(before.col(pin), after.col(pin)) << pin;
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  const Eigen::RowVectorXd moves = (after - before).colwise().norm();
+  EXPECT_EQ(report["moved_vertices"], (moves.array() > 0.0).count());
+  EXPECT_NEAR(report["max_displacement"].get<double>(), moves.maxCoeff(), 1e-12);
+  const double error = (after.col(84) - before.col(84) - Eigen::Vector3d(0, 0, 0.6)).norm();
+  EXPECT_GT(error, 1e-3);
+  EXPECT_NEAR(report["handle_error"].get<double>(), error, 1e-12);
+  EXPECT_LT(report["edit"]["handle_error"].get<double>(), 1e-9);
+}
+
+/// A quad bent a little stays one; the nearest flat one to a zigzag as high as it is long crosses
+/// itself.
+TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {
+  save("dart.obj", "v 0 0 0\nv 3 0 0\nv 1.6 1.6 0\nv 0 3 0.4\nf 1 2 3 4\n");
+  ASSERT_EQ(run("project dart.obj -o flat.obj --report r.json"), 0) << err();
+  auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_TRUE(report["spoilt_faces"].empty());
+  EXPECT_EQ(err(), "");
+  save("cross.obj", "v 0 0 0\nv 1 0 1.5\nv 1 1 0\nv 0 1 1.5\nf 1 2 3 4\n");
+  ASSERT_EQ(run("project cross.obj -o flat.obj --report r.json"), 0) << err();
+  report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(report["spoilt_faces"].size(), 1U) << report;
+  EXPECT_NE(err().find("flat, but spoilt: 1 "), std::string::npos) << err();
+}
+
 TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
   ASSERT_EQ(run("edit sample:vault:13 --handle 84+=0,0,0.6 --design d.json"), 0);
   auto design = nlohmann::json::parse(contents(directory_ / "d.json"));

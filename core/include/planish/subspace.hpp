@@ -55,9 +55,11 @@ struct Subspace {
 
 /// Computes the basis at `edited` = p⁰ + d, for the displacement d from `base`.
 /// Both meshes share faces; `edited` must be flat. `close` is Ψ, usually the handles.
+/// @param pins vertices that no vector moves
 [[nodiscard]] Subspace compute_subspace(const Mesh& base, const Positions& edited,
                                         const std::vector<int>& close,
                                         const SubspaceOptions& options,
+                                        const std::vector<int>& pins = {},
                                         const Progress& progress = {});
 
 /// Positions of the support rows for coefficients x: origin + B (scale ∘ x). Touches nothing else.
