@@ -65,6 +65,29 @@ it("panels count as flat up to the tolerance, and stay within it", async () => {
   await page.context().close();
 });
 
+it("a mesh that is nearly flat can be taken as it is by one press", async () => {
+  const page = await site.open();
+  const accept = page.getByRole("button", { name: "Accept 1 mm/m" });
+  await openFile(page, "bent.obj", almostFlat(0.005));
+  await page.getByText("Planarise first?").waitFor();
+  expect(await accept.count()).toBe(0);
+  await openFile(page, "row.obj", almostFlat(0.0005));
+  const before = readObj((await exportAs(page, "OBJ")).toString());
+  await accept.click();
+  await idle(page);
+  expect(await page.getByRole("region", { name: "row.obj" }).count()).toBe(0);
+  expect(readObj((await exportAs(page, "OBJ")).toString())).toEqual(before);
+  await typeTarget(page, "+10cm");
+  const edited = worstFlatness(readObj((await exportAs(page, "OBJ")).toString()));
+  expect(edited).toBeLessThan(1);
+  await openAdvanced(page);
+  expect(await field(page, "Tolerance").inputValue()).toBe("1");
+  for (let k = 0; k < 3; ++k) await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect(await accept.count()).toBe(1);
+  await page.context().close();
+});
+
 it("a tighter tolerance than the mesh was opened with offers to planarise it, and says why", async () => {
   const page = await site.open();
   await openAdvanced(page);

@@ -5,6 +5,7 @@ import { commitSettings } from "../state/editing.ts";
 import { decimal } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
+import { TOLERANCES } from "../state/tolerance.ts";
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
@@ -47,11 +48,10 @@ const ENGINES = [
   ["alm", "Augmented Lagrangian, the paper's"],
 ] as const;
 
-const TOLERANCES: readonly (readonly [string, string])[] = [
-  ["0.000001", "0.000001 mm/m"],
-  ["0.001", "0.001 mm/m"],
-  ["1", "1 mm/m"],
-];
+const OFFERED: readonly (readonly [string, string])[] = TOLERANCES.map((value) => [
+  value,
+  `${value} mm/m`,
+]);
 
 function wordOf<T extends string>(words: readonly (readonly [T, string])[], value: T): string {
   return words.find(([word]) => word === value)?.[1] ?? value;
@@ -111,7 +111,7 @@ export function Advanced() {
   const { fairness, engine, hardHandles, tolerance } = shown;
   // The chooser goes back to what holds.
   refusedTolerance.value;
-  const known = TOLERANCES.find(([value]) => Number(value) === tolerance);
+  const known = OFFERED.find(([value]) => Number(value) === tolerance);
   // A link or a file may have set another.
   const given = [String(tolerance), `${tolerance} mm/m`] as const;
   return (
@@ -133,7 +133,7 @@ export function Advanced() {
         <Choice
           label="Tolerance"
           value={known?.[0] ?? given[0]}
-          words={known ? TOLERANCES : [...TOLERANCES, given]}
+          words={known ? OFFERED : [...OFFERED, given]}
           onChoose={(value) => choose({ tolerance: Number(value) })}
         />
         <p class="quiet small">Panels count as flat up to the tolerance.</p>

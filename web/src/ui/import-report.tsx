@@ -9,6 +9,7 @@ import { countHealth } from "../state/panel-rows.ts";
 import { planarisingWords } from "../state/planarising.ts";
 import { baseFlat, designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
+import { AcceptTolerance } from "./accept-tolerance.tsx";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
   3: "triangles",
@@ -103,6 +104,7 @@ export function ImportReport() {
           then moves as little as possible.
         </p>
       )}
+      <AcceptTolerance />
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (
         <p key={warning} class="quiet">

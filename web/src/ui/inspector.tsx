@@ -21,6 +21,7 @@ function NotFlatNote() {
       <button type="button" class="button primary" onClick={() => void planarise()}>
         Planarise
       </button>
+      <AcceptTolerance />
     </div>
   );
 }
@@ -59,6 +60,9 @@ function Weights() {
   );
 }
 
+const AcceptTolerance = later(() =>
+  import("./accept-tolerance.tsx").then((part) => part.AcceptTolerance),
+);
 const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
 const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));

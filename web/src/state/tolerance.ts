@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Up to how much out of flat a panel counts as flat.
+import { commitSettings } from "./editing.ts";
+import { baseFlat, importReport, mesh } from "./store.ts";
+
+/** mm/m, the tightest first. */
+export const TOLERANCES = ["0.000001", "0.001", "1"] as const;
+
+/** The tightest that is offered and that the opened mesh meets; null if none, or if it is flat as it is. */
+export function meetableTolerance(): string | null {
+  const worst = mesh.value?.report.worstExcess;
+  if (worst === undefined || baseFlat.value) return null;
+  return TOLERANCES.find((tolerance) => worst <= Number(tolerance)) ?? null;
+}
+
+/** Takes the opened mesh as flat enough: its points stay as they are. */
+export function acceptTolerance(tolerance: string): Promise<void> {
+  importReport.value = false;
+  return commitSettings({ tolerance: Number(tolerance) });
+}
