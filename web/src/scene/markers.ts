@@ -29,6 +29,12 @@ export class Markers {
     });
   }
 
+  /** Where the marks of other points than `vertex` are on screen. */
+  places(points: Float32Array, view: View, vertex: number): { x: number; y: number }[] {
+    const others = this.#markers.filter((marker) => marker.vertex !== vertex);
+    return others.flatMap((marker) => project(points, marker.vertex, view) ?? []);
+  }
+
   place(points: Float32Array, view: View): void {
     this.#markers.forEach((marker, k) => {
       const element = this.#elements.at(k);

@@ -2,6 +2,7 @@
 // What is drawn over the canvas at constant size: points, the first visit's sentence, the selected
 // panel's figure, and the selection box.
 import { handles, hintVertex, selected, selection, visited } from "../state/store.ts";
+import { sideOf } from "./label-side.ts";
 import { type Marker, Markers } from "./markers.ts";
 import { type Box, project, type View } from "./picking.ts";
 import { type Pull, PullLines } from "./pull-lines.ts";
@@ -17,15 +18,6 @@ export interface OverlayParts {
   /** The figure of the point looked at; placed below it. */
   readonly point: HTMLElement;
   readonly box: HTMLElement;
-}
-
-/** Pixels that the figure of a point needs beside it. */
-const ROOM = 200;
-
-/** Left of a point is free of the arrows and of most of the patch. */
-function sideAt(x: number, width: number): string {
-  if (x > ROOM) return "left";
-  return width - x > ROOM ? "right" : "below";
 }
 
 function markersFor(): Marker[] {
@@ -88,14 +80,24 @@ export class Overlay {
         ? null
         : project(points, hintVertex.value, view);
     putAt(hint, at);
-    const seen = visited.value ?? selected.value;
-    const place = seen === null ? null : project(points, seen, view);
-    const side = place && sideAt(place.x, view.width);
-    // Below a chosen point it would hide what follows it, beside a selected panel the panel.
-    const inTheWay = visited.value === null && (side === "below" || this.#panel !== null);
-    putAt(point, inTheWay ? null : place);
-    point.dataset.side = side ?? "";
+    this.#placePoint(point, points, view);
     putAt(figure, this.#panel && topOf(this.#panel, view));
+  }
+
+  #placePoint(element: HTMLElement, points: Float32Array, view: View): void {
+    const hovered = visited.value !== null;
+    // Of several that are chosen it would only be in the way of the others.
+    const seen = visited.value ?? (selection.value.length === 1 ? selected.value : null);
+    const place = seen === null ? null : project(points, seen, view);
+    if (seen === null || !place) {
+      putAt(element, null);
+      return;
+    }
+    const side = sideOf(place, this.#markers.places(points, view, seen), view);
+    // Above or below a chosen point it would hide what follows it, beside a selected panel the panel.
+    const aside = side === "left" || side === "right";
+    putAt(element, hovered || (aside && this.#panel === null) ? place : null);
+    element.dataset.side = side;
   }
 
   drawBox(box: Box | null): void {
