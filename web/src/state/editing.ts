@@ -94,15 +94,22 @@ function changed(rows: readonly HandleRow[]): Design | null {
 }
 
 /** One edit of the handles as they are when its turn comes. */
-export const edit = (change: (rows: readonly HandleRow[]) => HandleRow[]): Promise<void> =>
+export const edit = (
+  change: (rows: readonly HandleRow[]) => HandleRow[],
+  burst: string | null = null,
+): Promise<void> =>
   inTurn(async () => {
     const next = changed(change(draft.value?.handles ?? []));
-    if (next) await commitEdit(next, "solve");
-  });
+    if (next) await commitEdit(next, "solve", burst);
+  }, burst);
 
-export async function setTarget(vertex: number, target: Point): Promise<void> {
+export async function setTarget(
+  vertex: number,
+  target: Point,
+  burst: string | null = null,
+): Promise<void> {
   hintVertex.value = null;
-  await edit((rows) => withHandle(rows, { vertex, target, pinned: false }));
+  await edit((rows) => withHandle(rows, { vertex, target, pinned: false }), burst);
 }
 
 /** Pins points to where the base has them, or lets them go. */

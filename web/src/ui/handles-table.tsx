@@ -36,9 +36,9 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
   const shown: Point = row.pinned ? basePoint(row.vertex) : row.target;
   const name = `point ${row.vertex}`;
   const short = shortfalls.value.find((one) => one.vertex === row.vertex);
-  const apply = (axis: number, value: number): void => {
+  const apply = (axis: number, value: number, burst: string | null): Promise<void> => {
     const [x, y, z] = row.target.map((old, k) => (k === axis ? value : old));
-    void setTarget(row.vertex, [x ?? 0, y ?? 0, z ?? 0]);
+    return setTarget(row.vertex, [x ?? 0, y ?? 0, z ?? 0], burst);
   };
   return (
     <tr class={`${selection.value.includes(row.vertex) ? "selected" : ""}${short ? " off" : ""}`}>
@@ -63,7 +63,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
             step={step}
             disabled={row.pinned}
             context={name}
-            onApply={(value) => apply(axis, value)}
+            onApply={(value, burst) => apply(axis, value, burst)}
           />
           {axis === 0 && short && <Short short={short} />}
         </td>

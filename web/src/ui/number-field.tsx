@@ -12,13 +12,17 @@ interface NumberFieldProps {
   readonly step: number;
   readonly disabled: boolean;
   readonly context: string;
-  readonly onApply: (value: number) => void;
+  /** Resolves once `value` is what was applied. Arrow keys pressed while the field keeps the focus
+   * are one burst; null for what was typed. */
+  readonly onApply: (value: number, burst: string | null) => void | Promise<void>;
 }
+
+let bursts = 0;
 
 /** A coordinate: typed with units and arithmetic, applied by Enter or on leaving. */
 export function NumberField({
   label,
-  value,
+  value: applied,
   unit,
   step,
   disabled,
@@ -28,6 +32,10 @@ export function NumberField({
   /** What is being typed; null while the field only shows the value. */
   const text = useSignal<string | null>(null);
   const invalid = useSignal(false);
+  /** Stepped to and not applied yet: keys come faster than results. */
+  const ahead = useSignal<number | null>(null);
+  const burst = useSignal<string | null>(null);
+  const value = ahead.value ?? applied;
 
   const apply = (): void => {
     const typed = text.value;
@@ -39,8 +47,15 @@ export function NumberField({
     invalid.value = !parsed.ok;
     if (parsed.ok) {
       text.value = null;
-      onApply(parsed.value);
+      void onApply(parsed.value, null);
     } else problem.value = `${label}: ${parsed.reason}`;
+  };
+
+  const stepTo = async (wanted: number): Promise<void> => {
+    ahead.value = wanted;
+    burst.value ??= `${label} ${++bursts}`;
+    await onApply(wanted, burst.value);
+    if (ahead.value === wanted) ahead.value = null;
   };
 
   const onKeyDown = (event: KeyboardEvent): void => {
@@ -52,7 +67,7 @@ export function NumberField({
       event.preventDefault();
       const size = event.shiftKey ? 10 * step : step;
       text.value = null;
-      onApply(value + (event.key === "ArrowUp" ? size : -size));
+      void stepTo(value + (event.key === "ArrowUp" ? size : -size));
     }
   };
 
@@ -76,7 +91,10 @@ export function NumberField({
       onInput={({ currentTarget }) => {
         text.value = currentTarget.value;
       }}
-      onBlur={apply}
+      onBlur={() => {
+        burst.value = null;
+        apply();
+      }}
       onKeyDown={onKeyDown}
     />
   );

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keys on a slider come faster than results: what is kept, shared or exported is where the slider
-// is, and all of them are one step.
+// Keys on a slider or a coordinate come faster than results: what is kept, shared or exported is where
+// they went, and all of them are one step.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/share/link.ts";
@@ -47,6 +47,27 @@ it("a snapshot, a link and a file hold where twenty quick keys went", async () =
   await press(page, "Adopt Snapshot 1");
   expect(await slider(page, "Variation 1").inputValue()).toBe("0.2");
   expect((await exportAs(page, "OBJ")).toString()).toBe(kept);
+  await page.context().close();
+});
+
+it("twenty quick keys in a coordinate are twenty steps of it and one of the history", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+60cm");
+  const field = page.getByRole("spinbutton", { name: "Z", exact: true });
+  const before = Number(await field.getAttribute("aria-valuenow"));
+  const edited = (await exportAs(page, "OBJ")).toString();
+  await field.focus();
+  await page.keyboard.press("ArrowUp");
+  await idle(page);
+  const one = Number(await field.getAttribute("aria-valuenow")) - before;
+  expect(one).toBeGreaterThan(0);
+  for (let k = 0; k < 20; ++k) await page.keyboard.press("ArrowUp");
+  await idle(page);
+  await expect
+    .poll(async () => Number(await field.getAttribute("aria-valuenow")))
+    .toBeCloseTo(before + 21 * one, 9);
+  await press(page, "Undo");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
   await page.context().close();
 });
 
