@@ -23,6 +23,16 @@ import type { Camera } from "../state/camera.ts";
 import { clearStandpoint, type Subject } from "./clearance.ts";
 import { DIRECTIONS, type Standpoint, sightOf, type ViewName } from "./framing.ts";
 import { closer, Glide } from "./glide.ts";
+import {
+  CLIP,
+  changeLens,
+  clip,
+  isParallel,
+  parallelDirection,
+  stretchOf,
+  WIDE,
+  withWideLens,
+} from "./lens.ts";
 import type { Palette } from "./palette.ts";
 import type { Box } from "./picking.ts";
 
@@ -43,7 +53,7 @@ export interface DrawingSteps {
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(28, 1, 0.1, 400);
+  readonly camera = new PerspectiveCamera(WIDE, 1, CLIP.near, CLIP.far);
   readonly orbit: OrbitControls;
   readonly renderer: WebGLRenderer;
   readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
@@ -120,6 +130,8 @@ export class Stage {
    */
   view(name: ViewName, subject: Subject, over: readonly Box[], atOnce: boolean): void {
     const towards = new Vector3(...DIRECTIONS[name]).normalize();
+    this.#glide.stop();
+    changeLens(this.camera, this.orbit.target, isParallel(name));
     const place = this.#standpoint(subject, towards, over);
     if (atOnce) this.#glide.jump(place);
     else this.#glide.to(place);
@@ -151,13 +163,22 @@ export class Stage {
     return this.#caster.ray.clone();
   }
 
-  /** Where the camera is and what it looks at. */
+  /** Where the camera is, or would be in perspective, and what it looks at. */
   read(): Camera {
-    return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
+    const { position, target } = withWideLens(this.camera, this.orbit.target);
+    return { position: position.toArray(), target: target.toArray() };
   }
 
+  /** Along the axes of Top, Front and Side the view is in parallel, as it was when it was read. */
   place({ position, target }: Camera): void {
-    this.#glide.jump({ position: new Vector3(...position), target: new Vector3(...target) });
+    const wide = { position: new Vector3(...position), target: new Vector3(...target) };
+    const towards = parallelDirection(wide);
+    this.#glide.stop();
+    changeLens(this.camera, this.orbit.target, towards !== null);
+    const arm = wide.position.clone().sub(wide.target);
+    if (towards) arm.copy(towards).setLength(wide.position.distanceTo(wide.target));
+    const far = arm.multiplyScalar(stretchOf(this.camera)).add(wide.target);
+    this.#glide.jump({ position: far, target: wide.target });
     this.invalidate();
   }
 
@@ -224,6 +245,7 @@ export class Stage {
   draw(): void {
     this.#pending = 0;
     const begin = performance.now();
+    clip(this.camera, this.orbit.target);
     this.#steps.before(this.pixel());
     this.renderer.render(this.scene, this.camera);
     this.#drawMilliseconds = performance.now() - begin;

@@ -34,7 +34,7 @@ const HINTS: readonly Hint[] = [
   { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
   {
     how: "[1] [2] [3] [4], [F]",
-    what: "perspective, top, front, side; fit the model into the view",
+    what: "perspective; top, front, side in parallel; fit the model into the view",
   },
   { how: "[B], held", what: "shows the design before the edit" },
   { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
