@@ -10,7 +10,8 @@ import {
   Mesh,
   MeshStandardMaterial,
 } from "three";
-import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { DisplayMesh, Polygons } from "../mesh/display-mesh.ts";
+import { isSameStructure } from "../mesh/likeness.ts";
 import { row, type Topology } from "../mesh/topology.ts";
 import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.ts";
 import type { ColourBy } from "../state/store.ts";
@@ -69,6 +70,11 @@ export class Shell {
     this.#ghost = new Ghost(this.base);
     this.group.add(this.#panels, this.#edges.object, this.#ghost.object, this.#outline.object);
     this.setPalette(palette);
+  }
+
+  showsMuchTheSame(mesh: Polygons): boolean {
+    const { current: display, offsets, vertices } = this;
+    return isSameStructure({ display, offsets, vertices }, mesh);
   }
 
   #makePanels(): Mesh<BufferGeometry, MeshStandardMaterial> {

@@ -2,8 +2,6 @@
 // The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
 import { effect, untracked } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
-import type { Polygons } from "../mesh/display-mesh.ts";
-import { isSameStructure } from "../mesh/likeness.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
@@ -344,7 +342,7 @@ export class Viewport {
   #build(): void {
     const shown = displayMesh.value;
     if (!shown) return;
-    const kept = this.#showsMuchTheSame(shown);
+    const kept = this.#shell?.showsMuchTheSame(shown) ?? false;
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
     this.#overlay.setPanel(null);
@@ -353,12 +351,6 @@ export class Viewport {
     const subject = { points: shown.display, edges: shown.topology.edges };
     if (!kept) this.stage.view("Perspective", subject, this.#over(), true);
     if (this.#shell.shadowToCome) this.#castLater(this.#shell);
-  }
-
-  #showsMuchTheSame(mesh: Polygons): boolean {
-    if (!this.#shell) return false;
-    const { current: display, offsets, vertices } = this.#shell;
-    return isSameStructure({ display, offsets, vertices }, mesh);
   }
 
   #castLater(shell: Shell): void {
