@@ -20,6 +20,9 @@ export interface OverlayParts {
   readonly box: HTMLElement;
 }
 
+/** Pixels: the drag tools at the top of the view and three lines of figures under them. */
+const ROOM = 124;
+
 function markersFor(): Marker[] {
   const hovered = visited.value;
   const chosen = new Set(selection.value);
@@ -74,14 +77,23 @@ export class Overlay {
   place(points: Float32Array, base: Float32Array, view: View): void {
     this.#markers.place(points, view);
     this.#pulls.place(base, view);
-    const { hint, figure, point } = this.#parts;
+    const { hint, point } = this.#parts;
     const at =
       hintVertex.value === null || selected.value !== null
         ? null
         : project(points, hintVertex.value, view);
     putAt(hint, at);
     this.#placePoint(point, points, view);
-    putAt(figure, this.#panel && topOf(this.#panel, view));
+    this.#placeFigure(view);
+  }
+
+  /** Above the panel, or below it where the drag tools would cover the figure. */
+  #placeFigure(view: View): void {
+    const { figure } = this.#parts;
+    const seen = this.#panel && spanOf(this.#panel, view);
+    const below = seen !== null && seen.top < ROOM;
+    putAt(figure, seen && { x: seen.x, y: below ? seen.bottom : seen.top });
+    figure.dataset.side = below ? "below" : "above";
   }
 
   #placePoint(element: HTMLElement, points: Float32Array, view: View): void {
@@ -115,15 +127,19 @@ function putAt(element: HTMLElement, at: { x: number; y: number } | null): void 
   if (at) element.style.transform = `translate(${at.x.toFixed(0)}px, ${at.y.toFixed(0)}px)`;
 }
 
-/** The middle of the panel's corners, at the height of the highest on screen. */
-function topOf(corners: Float32Array, view: View): { x: number; y: number } | null {
+/** The middle of the panel's corners, and the highest and lowest of them on screen. */
+function spanOf(
+  corners: Float32Array,
+  view: View,
+): { x: number; top: number; bottom: number } | null {
   const count = corners.length / 3;
-  let [x, y] = [0, Number.POSITIVE_INFINITY];
+  let [x, top, bottom] = [0, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (let k = 0; k < count; ++k) {
     const at = project(corners, k, view);
     if (!at) return null;
     x += at.x / count;
-    y = Math.min(y, at.y);
+    top = Math.min(top, at.y);
+    bottom = Math.max(bottom, at.y);
   }
-  return { x, y };
+  return { x, top, bottom };
 }
