@@ -1,16 +1,14 @@
 #!/usr/bin/env bash
 # Every check but sanitize_all, which takes an hour. With names, only those: format lint types architecture
 # native wasm unit parity browser tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and
-# regression tests under ASan and UBSan, sanitize_all all of them. The last line counts. Seconds are those
-# of each check; tidy, cppcheck and sanitize run beside browser.
+# regression tests under ASan and UBSan, sanitize_all all of them. The last line counts.
 set -uo pipefail
-cd "$(dirname "$0")/.." || exit 1
+cd "$(dirname "$0")/.."
 bash .tools/setup.sh || exit 1
 
 jobs=${PLANISH_JOBS:-$(nproc)}
 logs=build/test-logs
 mkdir -p "$logs"
-rm -f "$logs"/*.result
 passed=0
 failed=0
 failures=()
@@ -68,51 +66,20 @@ explain() { # log
   tail -n 20 "$1"
 }
 
-measure() { # name
+run() { # name
   local log="$logs/$1.log" start=$SECONDS status=0
   "check_$1" >"$log" 2>&1 || status=$?
-  echo "$status $((SECONDS - start)) $(count "$log" "$status")" >"$logs/$1.result"
-}
-
-report() { # name
-  local log="$logs/$1.log" status seconds good bad
-  read -r status seconds good bad <"$logs/$1.result"
+  local good bad
+  read -r good bad < <(count "$log" "$status")
   passed=$((passed + good))
   failed=$((failed + bad))
   if [ "$status" -eq 0 ]; then
-    printf '  ok    %-13s %4d passed  %4d s\n' "$1" "$good" "$seconds"
+    printf '  ok    %-13s %4d passed  %4d s\n' "$1" "$good" $((SECONDS - start))
   else
     failures+=("$1")
-    printf '  FAIL  %-13s %4d failed  %4d s   %s\n' "$1" "$bad" "$seconds" "$log"
+    printf '  FAIL  %-13s %4d failed  %4d s   %s\n' "$1" "$bad" $((SECONDS - start)) "$log"
     explain "$log" | sed 's/^/        /'
   fi
-}
-
-# The browser check draws in software and keeps little more than one processor busy; what it leaves,
-# and no more, goes to the checks of C++ that come after it.
-beside=(tidy cppcheck sanitize)
-aside=''
-start_beside() {
-  local waiting=()
-  for check in "${checks[@]}"; do
-    [[ " ${beside[*]} " == *" $check "* ]] && [ ! -e "$logs/$check.result" ] && waiting+=("$check")
-  done
-  [ ${#waiting[@]} -gt 0 ] || return 0
-  (
-    renice -n 19 "$BASHPID" >/dev/null
-    for check in "${waiting[@]}"; do measure "$check"; done
-  ) &
-  aside=$! beside=("${waiting[@]}")
-}
-
-run() { # name
-  [ "$1" = browser ] && start_beside
-  if [ -n "$aside" ] && [[ " ${beside[*]} " == *" $1 "* ]]; then
-    wait "$aside"
-  else
-    measure "$1"
-  fi
-  report "$1"
 }
 
 checks=("$@")
