@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every check but sanitize_all, which takes an hour. With names, only those: format lint types architecture
+# Every check but sanitize_all, which takes half an hour. With names, only those: format lint types architecture
 # native wasm unit parity browser tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and
 # regression tests under ASan and UBSan, sanitize_all all of them. The last line counts.
 set -uo pipefail
