@@ -85,9 +85,14 @@ bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, 
   return true;
 }
 
+/// What tinygltf says may quote the file: names of any length and any bytes.
 std::string first_line(const std::string& text) {
-  const std::string line(trimmed(std::string_view(text).substr(0, text.find('\n'))));
-  return line.empty() ? "unknown error" : line;
+  constexpr std::size_t kLongest = 160;
+  const std::string_view line = trimmed(std::string_view(text).substr(0, text.find('\n')));
+  std::string result;
+  for (const char c : line.substr(0, kLongest)) result += (c < ' ' || c > '~') ? '?' : c;
+  if (line.size() > kLongest) result += "…";
+  return result.empty() ? "unknown error" : result;
 }
 
 }  // namespace
