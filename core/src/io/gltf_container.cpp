@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json_depth.hpp"
+#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
 
 namespace planish {
@@ -89,10 +90,7 @@ bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, 
 std::string first_line(const std::string& text) {
   constexpr std::size_t kLongest = 160;
   const std::string_view line = trimmed(std::string_view(text).substr(0, text.find('\n')));
-  std::string result;
-  for (const char c : line.substr(0, kLongest)) result += (c < ' ' || c > '~') ? '?' : c;
-  if (line.size() > kLongest) result += "…";
-  return result.empty() ? "unknown error" : result;
+  return line.empty() ? "unknown error" : printable(line, kLongest);
 }
 
 }  // namespace

@@ -11,13 +11,18 @@ std::string count_text(std::size_t count, std::string_view one, std::string_view
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
 
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result;
+  for (const char c : text.substr(0, longest)) result += (c < ' ' || c > '~') ? '?' : c;
+  if (text.size() > longest) result += "…";
+  return result;
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 24;
   std::string result = "\"";
-  for (const char c : text.substr(0, kLongest)) {
-    result += (c < ' ' || c > '~') ? '?' : c;
-  }
-  return result + (text.size() > kLongest ? "…\"" : "\"");
+  result += printable(text, kLongest);
+  return result += '"';
 }
 
 std::string line_text(int line, std::string_view what) {

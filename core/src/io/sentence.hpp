@@ -12,6 +12,9 @@ namespace planish {
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view one,
                                      std::string_view many);
 
+/// `text` cut after `longest` characters, with anything unprintable shown as '?'.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
+
 /// `text` in quotes: cut after 24 characters, with anything unprintable shown as '?'.
 [[nodiscard]] std::string quoted(std::string_view text);
 
