@@ -22,7 +22,9 @@ ExitCode run_edit(const Arguments& arguments) {
     content.design = design_for_glb(design);
     save_mesh(*output, result, content);
   }
-  save_report(arguments, edit_json(run, run.edited, options.engine));
+  const Json json = edit_json(run, run.edited, options.engine);
+  print_damage(json["spoilt_faces"]);
+  save_report(arguments, json);
   return exit_code(run.report);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <utility>
 
 #include "commands.hpp"
@@ -69,13 +70,20 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
   return vertices;
 }
 
-/// The report's figures are those of the variation; what was solved for is the edit before it.
-void move_solve_to_edit(Json& json, const SolveReport& report) {
-  json["edit"] = {{"objective", json["objective"]},
-                  {"moved_vertices", report.moved_vertices},
-                  {"max_displacement", report.max_displacement},
-                  {"handle_error", report.handle_error}};
-  json.erase("objective");
+/// The report's figures become those of the variation; the edit before it keeps its own.
+void add_variation(Json& json, const EditRun& run, const Positions& after) {
+  for (const char* key : {"objective", "moved_vertices", "max_displacement", "handle_error"}) {
+    json["edit"][key] = json[key];
+  }
+  json.erase("objective");  // only the edit has one
+  const Positions moves = after - run.base.mesh.positions;
+  double handle_error = 0.0;
+  for (const Handle& handle : run.targets.handles) {
+    handle_error = std::max(handle_error, (after.col(handle.vertex) - handle.target).norm());
+  }
+  json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
+  json["max_displacement"] = moves.colwise().norm().maxCoeff();
+  json["handle_error"] = handle_error;
 }
 
 ExitCode run_explore(const Arguments& arguments) {
@@ -116,7 +124,8 @@ ExitCode run_explore(const Arguments& arguments) {
     save_mesh(*output, result, content);
   }
   Json json = edit_json(run, result.positions, options.engine);
-  move_solve_to_edit(json, run.report);
+  print_damage(json["spoilt_faces"]);
+  add_variation(json, run, result.positions);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   if (!exact.is_null()) json["exact"] = exact;
   save_report(arguments, json);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edit_options.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -178,26 +177,9 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   return run;
 }
 
-namespace {
-
-/// What `after` is against the flat base and the targets, whatever led to it.
-void add_measured(Json& json, const EditRun& run, const Positions& after) {
-  const Positions moves = after - run.base.mesh.positions;
-  double handle_error = 0.0;
-  for (const Handle& handle : run.targets.handles) {
-    handle_error = std::max(handle_error, (after.col(handle.vertex) - handle.target).norm());
-  }
-  json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
-  json["max_displacement"] = moves.colwise().norm().maxCoeff();
-  json["handle_error"] = handle_error;
-}
-
-}  // namespace
-
 Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   Json json = Json::object();
   add_solve(json, run.report, engine);
-  add_measured(json, run, after);
   json["mesh"] = mesh_json(run.given);
   json["planarity_mm_per_m"] = planarity_json(run.given, run.given.positions, after);
   if (run.base.planarised) {
@@ -205,7 +187,6 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
                                 {"rms_move", run.base.planarised->rms_move}};
   }
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
-  print_damage(json["spoilt_faces"]);
   return json;
 }
 

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "files.hpp"
 #include "planish/mesh_check.hpp"
@@ -48,11 +50,13 @@ Json planarity_json(const Mesh& mesh, const Positions& before, const Positions& 
 }
 
 Json damage_json(const Mesh& mesh, const Positions& before, const Positions& after) {
+  std::map<PanelDamage, std::vector<int>> found;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    found[panel_damage(before, after, mesh.face(f))].push_back(f);
+  }
   Json json = Json::object();
   for (const auto& [kind, name] : kDamages) {
-    for (int f = 0; f < mesh.face_count(); ++f) {
-      if (panel_damage(before, after, mesh.face(f)) == kind) json[name].push_back(f);
-    }
+    if (const auto panels = found.find(kind); panels != found.end()) json[name] = panels->second;
   }
   return json;
 }
