@@ -30,25 +30,37 @@ const FADING = [1, 3] as const;
 export const edgeInk = (pixels: number): number =>
   INK * Math.min(1, Math.max(0, (pixels - FADING[0]) / (FADING[1] - FADING[0])));
 
-export interface EdgeLines {
-  readonly object: LineSegments2 | LineSegments;
-  move(vertex: number, x: number, y: number, z: number): void;
+export abstract class EdgeLines {
+  abstract readonly object: LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
+  abstract move(vertex: number, x: number, y: number, z: number): void;
   /** Sends what moved to the graphics card. */
-  upload(): void;
-  setColour(colour: string): void;
-  setSize(width: number, height: number): void;
+  abstract upload(): void;
+  abstract setSize(width: number, height: number): void;
+
+  setColour(colour: string): void {
+    this.object.material.color.set(colour);
+  }
+
   /** 0 (not drawn at all) … 1. */
-  setInk(ink: number): void;
-  dispose(): void;
+  setInk(ink: number): void {
+    this.object.material.opacity = ink;
+    this.object.visible = ink > 0;
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
 }
 
-class WideLines implements EdgeLines {
+class WideLines extends EdgeLines {
   readonly object: LineSegments2;
   readonly #topology: Topology;
   readonly #ends: Float32Array;
   readonly #dirty = new DirtyRange();
 
   constructor(topology: Topology, points: Float32Array, width: number) {
+    super();
     this.#topology = topology;
     this.#ends = new Float32Array(3 * topology.edges.length);
     topology.edges.forEach((v, end) => {
@@ -76,31 +88,18 @@ class WideLines implements EdgeLines {
     if (start && "data" in start) this.#dirty.flush(start.data, 3);
   }
 
-  setColour(colour: string): void {
-    this.object.material.color.set(colour);
-  }
-
   setSize(width: number, height: number): void {
     this.object.material.resolution.set(width, height);
   }
-
-  setInk(ink: number): void {
-    this.object.material.opacity = ink;
-    this.object.visible = ink > 0;
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
-  }
 }
 
-class Hairlines implements EdgeLines {
+class Hairlines extends EdgeLines {
   readonly object: LineSegments<BufferGeometry, LineBasicMaterial>;
   readonly #points: BufferAttribute;
   readonly #dirty = new DirtyRange();
 
   constructor(topology: Topology, points: Float32Array) {
+    super();
     this.#points = new BufferAttribute(points.slice(), 3).setUsage(DynamicDrawUsage);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", this.#points);
@@ -120,21 +119,7 @@ class Hairlines implements EdgeLines {
     this.#dirty.flush(this.#points, 3);
   }
 
-  setColour(colour: string): void {
-    this.object.material.color.set(colour);
-  }
-
   setSize(): void {}
-
-  setInk(ink: number): void {
-    this.object.material.opacity = ink;
-    this.object.visible = ink > 0;
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
-  }
 }
 
 /** Of a thousand edges, evenly from the list: all of a million would take a frame's time. */
