@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { parseLength } from "../state/expression.ts";
 import { problem } from "../state/store.ts";
 import { formatCoordinate, type Unit, unitWord } from "../state/units.ts";
+import { type Apply, useAhead } from "./ahead.ts";
 
 interface NumberFieldProps {
   readonly label: string;
@@ -12,12 +13,9 @@ interface NumberFieldProps {
   readonly step: number;
   readonly disabled: boolean;
   readonly context: string;
-  /** Resolves once `value` is what was applied. Arrow keys pressed while the field keeps the focus
-   * are one burst; null for what was typed. */
-  readonly onApply: (value: number, burst: string | null) => void | Promise<void>;
+  /** Arrow keys pressed while the field keeps the focus are one burst; what is typed makes none. */
+  readonly onApply: Apply;
 }
-
-let bursts = 0;
 
 /** A coordinate: typed with units and arithmetic, applied by Enter or on leaving. */
 export function NumberField({
@@ -32,10 +30,8 @@ export function NumberField({
   /** What is being typed; null while the field only shows the value. */
   const text = useSignal<string | null>(null);
   const invalid = useSignal(false);
-  /** Stepped to and not applied yet: keys come faster than results. */
-  const ahead = useSignal<number | null>(null);
-  const burst = useSignal<string | null>(null);
-  const value = ahead.value ?? applied;
+  const ahead = useAhead(label, applied);
+  const { value } = ahead;
 
   const apply = (): void => {
     const typed = text.value;
@@ -51,11 +47,10 @@ export function NumberField({
     } else problem.value = `${label}: ${parsed.reason}`;
   };
 
-  const stepTo = async (wanted: number): Promise<void> => {
-    ahead.value = wanted;
-    burst.value ??= `${label} ${++bursts}`;
-    await onApply(wanted, burst.value);
-    if (ahead.value === wanted) ahead.value = null;
+  const stepTo = (wanted: number): void => {
+    ahead.set(wanted);
+    ahead.beginBurst();
+    void ahead.apply(wanted, onApply);
   };
 
   const onKeyDown = (event: KeyboardEvent): void => {
@@ -67,7 +62,7 @@ export function NumberField({
       event.preventDefault();
       const size = event.shiftKey ? 10 * step : step;
       text.value = null;
-      void stepTo(value + (event.key === "ArrowUp" ? size : -size));
+      stepTo(value + (event.key === "ArrowUp" ? size : -size));
     }
   };
 
@@ -92,7 +87,7 @@ export function NumberField({
         text.value = currentTarget.value;
       }}
       onBlur={() => {
-        burst.value = null;
+        ahead.endBurst();
         apply();
       }}
       onKeyDown={onKeyDown}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { useSignal } from "@preact/signals";
+import { type Apply, useAhead } from "./ahead.ts";
 
 interface SliderProps {
   readonly label: string;
@@ -14,28 +14,17 @@ interface SliderProps {
   /** The value with its unit, where `shown` alone does not say it. */
   readonly spoken?: string;
   readonly onInput: (value: number) => void;
-  /** Resolves once `value` is what the design has. Keys pressed while the slider keeps the focus
-   * are one burst; null for a pointer. */
-  readonly onCommit: (value: number, burst: string | null) => void | Promise<void>;
+  /** Keys pressed while the slider keeps the focus are one burst; a pointer makes none. */
+  readonly onCommit: Apply;
 }
 
 const KEYS = /^(Arrow|Page|Home|End)/;
-let bursts = 0;
 
 export function Slider(props: SliderProps) {
   const { label, min, max, step, disabled, ends, onInput, onCommit } = props;
-  /** Set by the user and not in the design yet: an answer to an earlier key must not undo it. */
-  const ahead = useSignal<number | null>(null);
-  const value = ahead.value ?? props.value;
-  const burst = useSignal<string | null>(null);
-  const noBurst = (): void => {
-    burst.value = null;
-  };
-  const commit = async (wanted: number): Promise<void> => {
-    await onCommit(wanted, burst.value);
-    if (ahead.value === wanted) ahead.value = null;
-  };
   const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
+  const ahead = useAhead(id, props.value);
+  const { value } = ahead;
   /** Where the filled part begins: zero if it lies inside, else the low end. */
   const rest = Math.max(min, Math.min(0, max));
   const share = (x: number): string => `${(100 * (x - min)) / (max - min)}%`;
@@ -58,15 +47,15 @@ export function Slider(props: SliderProps) {
         disabled={disabled}
         style={{ "--from": share(Math.min(value, rest)), "--to": share(Math.max(value, rest)) }}
         onKeyDown={({ key }) => {
-          if (KEYS.test(key)) burst.value ??= `${id} ${++bursts}`;
+          if (KEYS.test(key)) ahead.beginBurst();
         }}
-        onPointerDown={noBurst}
-        onBlur={noBurst}
+        onPointerDown={ahead.endBurst}
+        onBlur={ahead.endBurst}
         onInput={({ currentTarget }) => {
-          ahead.value = currentTarget.valueAsNumber;
+          ahead.set(currentTarget.valueAsNumber);
           onInput(currentTarget.valueAsNumber);
         }}
-        onChange={({ currentTarget }) => void commit(currentTarget.valueAsNumber)}
+        onChange={({ currentTarget }) => void ahead.apply(currentTarget.valueAsNumber, onCommit)}
       />
       {ends && (
         <div class="slider-ends" aria-hidden="true">
