@@ -2,7 +2,7 @@
 // Fits a subject into the view so that nothing laid over the view, such as the legend, covers it.
 import { Vector3 } from "three";
 import { type Margins, type Sight, type Standpoint, standpoint } from "./framing.ts";
-import type { Box } from "./picking.ts";
+import type { Box, Place } from "./picking.ts";
 
 /** Pixels between the subject and what lies over the view. */
 const GAP = 12;
@@ -18,11 +18,6 @@ export interface Subject {
   readonly points: Float32Array;
   /** Two vertices per edge. */
   readonly edges: Int32Array;
-}
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
 }
 
 /** The ends of enough of the edges, x, y, z each. */

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // On which side of a point its figure is written, so that it covers no other mark.
 
-export type Side = "left" | "right" | "below" | "above";
+import type { Place } from "./picking.ts";
 
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
+export type Side = "left" | "right" | "below" | "above";
 
 /** Pixels of a figure, a long one, and between it and its point. */
 const WIDE = 180;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Handles, pins and the hovered point, drawn over the canvas at constant size.
 import { ElementPool } from "./element-pool.ts";
-import { project, type View } from "./picking.ts";
+import { type Place, project, type View } from "./picking.ts";
 
 /** More marks than this would hide the model. */
 const LIMIT = 400;
@@ -30,7 +30,7 @@ export class Markers {
   }
 
   /** Where the marks of other points than `vertex` are on screen. */
-  places(points: Float32Array, view: View, vertex: number): { x: number; y: number }[] {
+  places(points: Float32Array, view: View, vertex: number): Place[] {
     const others = this.#markers.filter((marker) => marker.vertex !== vertex);
     return others.flatMap((marker) => project(points, marker.vertex, view) ?? []);
   }

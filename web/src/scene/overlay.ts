@@ -4,7 +4,7 @@
 import { handles, hintVertex, selected, selection, visited } from "../state/store.ts";
 import { sideOf } from "./label-side.ts";
 import { type Marker, Markers } from "./markers.ts";
-import { type Box, project, type View } from "./picking.ts";
+import { type Box, type Place, project, type View } from "./picking.ts";
 import { type Pull, PullLines } from "./pull-lines.ts";
 
 export interface OverlayParts {
@@ -122,7 +122,7 @@ export class Overlay {
   }
 }
 
-function putAt(element: HTMLElement, at: { x: number; y: number } | null): void {
+function putAt(element: HTMLElement, at: Place | null): void {
   element.hidden = at === null;
   if (at) element.style.transform = `translate(${at.x.toFixed(0)}px, ${at.y.toFixed(0)}px)`;
 }

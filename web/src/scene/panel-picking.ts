@@ -3,7 +3,7 @@
 // model, that nobody can be asked to hit it to the pixel.
 import { type Ray, Vector3 } from "three";
 import { panelAt } from "../mesh/triangulation.ts";
-import { project, type View } from "./picking.ts";
+import { type Place, project, type View } from "./picking.ts";
 
 /** Pixels beside the model that still mean its nearest panel, for a mouse and for a finger. */
 const BESIDE = { fine: 8, coarse: 16 };
@@ -19,11 +19,6 @@ export interface Surface {
   readonly corners: Float32Array;
   readonly triangles: Uint32Array;
   readonly offsets: Int32Array;
-}
-
-interface Pixel {
-  readonly x: number;
-  readonly y: number;
 }
 
 /** The first of the triangle's corners where the ray enters the surface; null beside it. */
@@ -50,8 +45,8 @@ function panelUnder(surface: Surface, ray: Ray): number | null {
 }
 
 /** The panel's corners on screen; empty if one is behind the camera. */
-function outlineOf({ corners, offsets }: Surface, panel: number, view: View): Pixel[] {
-  const outline: Pixel[] = [];
+function outlineOf({ corners, offsets }: Surface, panel: number, view: View): Place[] {
+  const outline: Place[] = [];
   for (let c = offsets[panel] ?? 0; c < (offsets[panel + 1] ?? 0); ++c) {
     const at = project(corners, c, view);
     if (!at) return [];
@@ -60,11 +55,11 @@ function outlineOf({ corners, offsets }: Surface, panel: number, view: View): Pi
   return outline;
 }
 
-const nextOf = (outline: readonly Pixel[], k: number, from: Pixel): Pixel =>
+const nextOf = (outline: readonly Place[], k: number, from: Place): Place =>
   outline[(k + 1) % outline.length] ?? from;
 
 /** Pixels across the narrow way: area over half the outline's length. */
-function widthOf(outline: readonly Pixel[]): number {
+function widthOf(outline: readonly Place[]): number {
   let [area, length] = [0, 0];
   outline.forEach((a, k) => {
     const b = nextOf(outline, k, a);
@@ -75,7 +70,7 @@ function widthOf(outline: readonly Pixel[]): number {
 }
 
 /** Pixels from a place to the nearest edge. */
-function distanceTo(outline: readonly Pixel[], { x, y }: Pixel): number {
+function distanceTo(outline: readonly Place[], { x, y }: Place): number {
   let nearest = Number.POSITIVE_INFINITY;
   outline.forEach((a, k) => {
     const b = nextOf(outline, k, a);
@@ -87,7 +82,7 @@ function distanceTo(outline: readonly Pixel[], { x, y }: Pixel): number {
   return nearest;
 }
 
-function middleOf(outline: readonly Pixel[]): Pixel {
+function middleOf(outline: readonly Place[]): Place {
   const sum = (axis: "x" | "y"): number => outline.reduce((total, at) => total + at[axis], 0);
   return { x: sum("x") / outline.length, y: sum("y") / outline.length };
 }
@@ -95,13 +90,13 @@ function middleOf(outline: readonly Pixel[]): Pixel {
 interface Candidate {
   readonly panel: number;
   readonly away: number;
-  readonly middle: Pixel;
+  readonly middle: Place;
 }
 
 /** Panels with an edge within `reach` pixels, the nearest first. */
 function panelsNear(
   surface: Surface,
-  place: Pixel,
+  place: Place,
   reach: number,
   view: View,
   narrowOnly: boolean,
@@ -119,10 +114,10 @@ function panelsNear(
 /** `rayThrough`: the ray through a pixel of the view. */
 export function pickPanel(
   surface: Surface,
-  place: Pixel,
+  place: Place,
   coarse: boolean,
   view: View,
-  rayThrough: (place: Pixel) => Ray,
+  rayThrough: (place: Place) => Ray,
 ): number | null {
   const size = coarse ? "coarse" : "fine";
   const hit = panelUnder(surface, rayThrough(place));

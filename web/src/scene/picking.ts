@@ -19,6 +19,12 @@ export interface View {
 }
 
 /** Pixels from the top left of the canvas. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Pixels from the top left of the canvas. */
 export interface Box {
   readonly left: number;
   readonly top: number;
@@ -28,12 +34,12 @@ export interface Box {
 
 const scratch = new Vector3();
 
-/** Pixels from the top left of the canvas, and depth; null behind the camera. */
+/** Where a point is on screen; null behind the camera. */
 export function project(
   points: Float32Array,
   vertex: number,
   { camera, width, height }: View,
-): { x: number; y: number; depth: number } | null {
+): (Place & { readonly depth: number }) | null {
   scratch.fromArray(points, 3 * vertex).project(camera);
   if (scratch.z < -1 || scratch.z > 1) return null;
   return { x: ((scratch.x + 1) / 2) * width, y: ((1 - scratch.y) / 2) * height, depth: scratch.z };

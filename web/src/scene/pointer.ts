@@ -3,7 +3,7 @@
 import type { Ray } from "three";
 import type { Held } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";
-import type { Box } from "./picking.ts";
+import type { Box, Place } from "./picking.ts";
 import type { Stage } from "./stage.ts";
 
 /** Pixels a press may wander and still be a click; fingers are less steady. */
@@ -36,10 +36,8 @@ export interface PointerEvents {
   readonly choose: (box: Box, also: boolean) => void;
 }
 
-interface Press {
+interface Press extends Place {
   readonly event: PointerEvent;
-  readonly x: number;
-  readonly y: number;
   readonly kind: "turn" | "drag" | "box";
   readonly hold: Hold | null;
   session: DragSession | null;
@@ -160,7 +158,7 @@ export class PointerTool {
     else press.session?.end();
   }
 
-  #place(event: PointerEvent): { x: number; y: number } {
+  #place(event: PointerEvent): Place {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return { x: event.clientX - left, y: event.clientY - top };
   }

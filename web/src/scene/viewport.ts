@@ -45,7 +45,7 @@ import { Gizmo } from "./gizmo.ts";
 import { neighbourTowards } from "./neighbour.ts";
 import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
-import { type Box, pickVertex, project, type View, verticesIn } from "./picking.ts";
+import { type Box, type Place, pickVertex, project, type View, verticesIn } from "./picking.ts";
 import { type Click, type Hold, PointerTool } from "./pointer.ts";
 import type { Pull } from "./pull-lines.ts";
 import { Shell } from "./shell.ts";
@@ -187,6 +187,7 @@ export class Viewport {
     this.#pointer.dispose();
     this.#gizmo.dispose();
     this.#shell?.dispose();
+    this.#shell = null; // its shadow may still be to come
     this.stage.dispose();
   }
 
@@ -243,7 +244,7 @@ export class Viewport {
     if (!shell || !part || shell !== this.#shell) return;
     const view = this.#view();
     const { width, height } = view;
-    const rayThrough = (at: { x: number; y: number }): Ray =>
+    const rayThrough = (at: Place): Ray =>
       this.stage.rayThrough((2 * at.x) / width - 1, 1 - (2 * at.y) / height);
     this.#choosing = true;
     selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, view, rayThrough);
