@@ -25,7 +25,11 @@ export function panelAt(offsets: Int32Array, corner: number): number {
 }
 
 /** Twice the area vector of the polygon with corners `begin` … `end` (Newell). */
-function areaVector(corners: Float32Array, begin: number, end: number): [number, number, number] {
+export function areaVector(
+  corners: Float32Array,
+  begin: number,
+  end: number,
+): [number, number, number] {
   let [x, y, z] = [0, 0, 0];
   for (let c = begin; c < end; ++c) {
     const a = 3 * c;

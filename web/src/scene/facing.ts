@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From where a panel can be judged: not along its own plane, and not through a closed model.
 import { Quaternion, Vector3 } from "three";
+import { areaVector } from "../mesh/triangulation.ts";
 
 /** Further from the panel's normal than this a view is turned, to this angle. */
 const GRAZING = (75 * Math.PI) / 180;
@@ -28,18 +29,6 @@ export function outwards(
   return Math.sign(volume);
 }
 
-/** Of the polygon, whatever its number of corners; by Newell's sum. */
-function normalOf(corners: Float32Array): Vector3 {
-  const [a, b, sum] = [new Vector3(), new Vector3(), new Vector3()];
-  const count = corners.length / 3;
-  for (let k = 0; k < count; ++k) {
-    a.fromArray(corners, 3 * k);
-    b.fromArray(corners, 3 * ((k + 1) % count));
-    sum.add(a.cross(b));
-  }
-  return sum.normalize();
-}
-
 /**
  * The direction from a panel to a camera that shall show it: `towards` itself if the panel is seen
  * well from there, else turned the least way to where it is.
@@ -47,7 +36,7 @@ function normalOf(corners: Float32Array): Vector3 {
  * @param outward see outwards()
  */
 export function facing(corners: Float32Array, towards: Vector3, outward: number): Vector3 {
-  const normal = normalOf(corners);
+  const normal = new Vector3(...areaVector(corners, 0, corners.length / 3)).normalize();
   normal.multiplyScalar(outward !== 0 ? outward : normal.dot(towards) < 0 ? -1 : 1);
   if (normal.lengthSq() === 0 || normal.angleTo(towards) <= GRAZING) return towards.clone();
   const axis = new Vector3().crossVectors(normal, towards);
