@@ -41,12 +41,20 @@ export interface Sight {
   readonly slope: number;
 }
 
-export function sightOf({ fov, up, view }: PerspectiveCamera, towards: Vector3): Sight {
+/** Tangent of the angle from a camera's axis to the upper end of its view. */
+export const slopeOf = (fov: number): number => Math.tan((fov * Math.PI) / 360);
+
+/** Tangent of the angle of one pixel at the axis. */
+export const pixelSlope = ({ fov, view }: PerspectiveCamera): number =>
+  (2 * slopeOf(fov)) / (view?.height ?? 1);
+
+export function sightOf(camera: PerspectiveCamera, towards: Vector3): Sight {
+  const { up, view } = camera;
   const { width = 1, height = 1, offsetY = 0 } = view ?? {};
   const right = new Vector3().crossVectors(up, towards).normalize();
   const above = new Vector3().crossVectors(towards, right);
-  const slope = (2 * Math.tan((fov * Math.PI) / 360)) / height;
-  return { right, above, towards, width, height, axis: height / 2 - offsetY, slope };
+  const [axis, slope] = [height / 2 - offsetY, pixelSlope(camera)];
+  return { right, above, towards, width, height, axis, slope };
 }
 
 /** Pixels along the sides of the view that a subject is kept out of. */

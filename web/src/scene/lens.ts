@@ -2,7 +2,7 @@
 // In perspective, or nearly in parallel: a lens so long, from so far away, that the difference is
 // about a pixel. It stays one kind of camera, so that nothing else has to know.
 import { type PerspectiveCamera, Vector3 } from "three";
-import { DIRECTIONS, type Standpoint, type ViewName } from "./framing.ts";
+import { DIRECTIONS, type Standpoint, slopeOf, type ViewName } from "./framing.ts";
 
 /** Degrees. */
 export const WIDE = 28;
@@ -10,8 +10,6 @@ const LONG = 0.5;
 
 /** Display units: clipping planes of the wide lens. */
 export const CLIP = { near: 0.1, far: 400 } as const;
-
-const slopeOf = (fov: number): number => Math.tan((fov * Math.PI) / 360);
 
 /** How many times as far away a camera stands as with the wide lens, for the same picture. */
 export const stretchOf = ({ fov }: PerspectiveCamera): number => slopeOf(WIDE) / slopeOf(fov);

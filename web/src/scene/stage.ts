@@ -21,7 +21,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Camera } from "../state/camera.ts";
 import { clearStandpoint, type Subject } from "./clearance.ts";
-import { DIRECTIONS, type Standpoint, sightOf, type ViewName } from "./framing.ts";
+import { DIRECTIONS, pixelSlope, type Standpoint, sightOf, type ViewName } from "./framing.ts";
 import { closer, Glide } from "./glide.ts";
 import {
   CLIP,
@@ -152,9 +152,7 @@ export class Stage {
 
   /** Display units that a pixel spans where the camera looks. */
   pixel(): number {
-    const high = 2 * Math.tan((this.camera.fov * Math.PI) / 360);
-    const away = this.camera.position.distanceTo(this.orbit.target);
-    return (high * away) / (this.camera.view?.height ?? 1);
+    return pixelSlope(this.camera) * this.camera.position.distanceTo(this.orbit.target);
   }
 
   /** The ray through a place on screen, −1 … 1 to the right and upwards. */
