@@ -4,6 +4,7 @@
 import { BufferAttribute, DynamicDrawUsage } from "three";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
+import { PER_PANEL } from "../solver/protocol.ts";
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
@@ -87,7 +88,9 @@ export class PanelColours {
     const health = this.#kind === "health";
     const end = health ? 0 : planarityEnd(figures);
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = health ? (figures[4 * f] ?? 0) / 2 : planarityShare(figures[3 * f + 2] ?? 0, end);
+      const t = health
+        ? (figures[PER_PANEL.health * f] ?? 0) / 2
+        : planarityShare(figures[PER_PANEL.figures * f + 2] ?? 0, end);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Color } from "three";
+import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT } from "../state/flatness.ts";
 
 /** Linear-light colour stops, blended in between. */
@@ -29,7 +30,8 @@ export const FABRICATION_LIMIT = 10;
  */
 export function planarityEnd(figures: Float32Array): number {
   let worst = 0;
-  for (let k = 2; k < figures.length; k += 3) worst = Math.max(worst, figures[k] ?? 0);
+  for (let k = 2; k < figures.length; k += PER_PANEL.figures)
+    worst = Math.max(worst, figures[k] ?? 0);
   return worst <= FABRICATION_LIMIT ? FABRICATION_LIMIT : 10 ** Math.ceil(Math.log10(worst));
 }
 

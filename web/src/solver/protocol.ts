@@ -129,6 +129,9 @@ export interface ExploreReport {
   readonly seconds: number;
 }
 
+/** Numbers per panel in PanelMeasures. */
+export const PER_PANEL = { figures: 3, health: 4 } as const;
+
 /** What is measured on a finished design. */
 export interface PanelMeasures {
   /** Gap in model units, mm/m, and mm/m or 0 where rounding accounts for it, for every panel. */

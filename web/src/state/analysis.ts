@@ -3,6 +3,7 @@
 import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
 import { toTargets } from "./design.ts";
+import { panelCount } from "./panel-rows.ts";
 import { stopsShort } from "./stopping-short.ts";
 import {
   bending,
@@ -33,14 +34,14 @@ export function keepPanelFigures(): () => void {
     client.ask({ kind: "panels", fairness }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
-        if (!measures || measures.figures.length > 3 * EAGER) return;
+        if (!measures || panelCount(measures.figures) > EAGER) return;
         batch(() => {
           panelFigures.value = measures.figures;
           panelHealth.value = measures.health;
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
         });
-        if ((selectedPanel.peek() ?? 0) * 3 >= measures.figures.length) selectedPanel.value = null;
+        if ((selectedPanel.peek() ?? 0) >= panelCount(measures.figures)) selectedPanel.value = null;
       },
       () => {
         panelFigures.value = null;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
 import { planarityEnd, planarityShare } from "../scene/ramp.ts";
-import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+import { type OpenedMesh, PER_PANEL, type Shape } from "../solver/protocol.ts";
 
 export interface Histogram {
   /** How many lie in each equal part of the ramp; those at rest are not among them. */
@@ -59,7 +59,7 @@ export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 
 /** mm/m of panels, on the legend's logarithmic scale. @param figures gap, mm/m, excess for each */
 export function ofPlanarity(figures: Float32Array): Histogram {
-  const perMetre = figures.filter((_, k) => k % 3 === 2);
+  const perMetre = figures.filter((_, k) => k % PER_PANEL.figures === 2);
   const end = planarityEnd(figures);
   return count(perMetre, end, (mmPerM) => planarityShare(mmPerM, end));
 }

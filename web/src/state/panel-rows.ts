@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The measured panels as rows of a table, in any order, and as classes.
 
+import { PER_PANEL } from "../solver/protocol.ts";
+
 export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
 
 export interface PanelRow {
@@ -22,29 +24,26 @@ export interface PanelRow {
 
 export type PanelColumn = keyof PanelRow;
 
-/** Where a column's value is: array, numbers per panel, place among them. */
-const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", 3 | 4, number]>> = {
-  panel: ["figures", 3, 0],
-  gap: ["figures", 3, 0],
-  mmPerM: ["figures", 3, 1],
-  excess: ["figures", 3, 2],
-  outline: ["health", 4, 0],
-  edge: ["health", 4, 1],
-  angle: ["health", 4, 2],
-  changed: ["health", 4, 3],
+/** Where a column's value is: the array, and the place among a panel's numbers. */
+const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", number]>> = {
+  panel: ["figures", 0],
+  gap: ["figures", 0],
+  mmPerM: ["figures", 1],
+  excess: ["figures", 2],
+  outline: ["health", 0],
+  edge: ["health", 1],
+  angle: ["health", 2],
+  changed: ["health", 3],
 };
 
+const { figures: FIGURES, health: HEALTH } = PER_PANEL;
+
+export const panelCount = (figures: Float32Array): number => figures.length / FIGURES;
+
 export function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
-  return {
-    panel,
-    gap: figures[3 * panel] ?? 0,
-    mmPerM: figures[3 * panel + 1] ?? 0,
-    excess: figures[3 * panel + 2] ?? 0,
-    outline: health[4 * panel] ?? 0,
-    edge: health[4 * panel + 1] ?? 0,
-    angle: health[4 * panel + 2] ?? 0,
-    changed: health[4 * panel + 3] ?? 0,
-  };
+  const [gap = 0, mmPerM = 0, excess = 0] = figures.subarray(FIGURES * panel);
+  const [outline = 0, edge = 0, angle = 0, changed = 0] = health.subarray(HEALTH * panel);
+  return { panel, gap, mmPerM, excess, outline, edge, angle, changed };
 }
 
 export interface PanelOrder {
@@ -61,15 +60,15 @@ export function firstPanels(
   { key, descending, changedOnly }: PanelOrder,
   count: number,
 ): PanelRow[] {
-  const [array, stride, place] = PLACES[key];
-  const values = array === "figures" ? figures : health;
+  const [array, place] = PLACES[key];
+  const [values, stride] = [array === "figures" ? figures : health, PER_PANEL[array]];
   const value = (panel: number): number =>
     key === "panel" ? panel : (values[stride * panel + place] ?? 0);
   const before = (a: number, b: number): boolean =>
     descending ? value(a) > value(b) : value(a) < value(b);
   const first: number[] = [];
-  for (let panel = 0; 3 * panel < figures.length; ++panel) {
-    if (changedOnly && health[4 * panel + 3] !== 1) continue;
+  for (let panel = 0; panel < panelCount(figures); ++panel) {
+    if (changedOnly && health[HEALTH * panel + 3] !== 1) continue;
     const last = first.at(-1);
     if (first.length === count && last !== undefined && !before(panel, last)) continue;
     const at = first.findIndex((other) => before(panel, other));
@@ -82,16 +81,8 @@ export function firstPanels(
 /** Panels whose outline is `outline`, by number. */
 export function panelsOfOutline(health: Float32Array, outline: number): number[] {
   const found: number[] = [];
-  for (let k = 0; k < health.length; k += 4) if (health[k] === outline) found.push(k / 4);
+  for (let k = 0; k < health.length; k += HEALTH) if (health[k] === outline) found.push(k / HEALTH);
   return found;
-}
-
-/** The panel with the largest mm/m. */
-export function worstPanel(figures: Float32Array): number {
-  let worst = 0;
-  for (let panel = 0; 3 * panel < figures.length; ++panel)
-    if ((figures[3 * panel + 1] ?? 0) > (figures[3 * worst + 1] ?? 0)) worst = panel;
-  return worst;
 }
 
 export interface HealthCounts {
@@ -103,7 +94,7 @@ export interface HealthCounts {
 
 export function countHealth(health: Float32Array): HealthCounts {
   let [convex, changed, concave, crossing] = [0, 0, 0, 0];
-  for (let k = 0; k + 3 < health.length; k += 4) {
+  for (let k = 0; k + 3 < health.length; k += HEALTH) {
     if (health[k] === 0) convex += 1;
     if (health[k] === 1) concave += 1;
     if (health[k] === 2) crossing += 1;

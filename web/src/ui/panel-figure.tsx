@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 import { flatnessWords } from "../state/flatness.ts";
-import { OUTLINES } from "../state/panel-rows.ts";
+import { OUTLINES, type PanelRow, rowOf } from "../state/panel-rows.ts";
 import { mesh, panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 
-/** ", convex, smallest angle 87°, shortest edge 604 mm"; "" while nothing is measured. */
-function shapeWords(panel: number): string {
-  const [outline, edge, angle] = panelHealth.value?.subarray(4 * panel, 4 * panel + 3) ?? [];
-  if (outline === undefined || edge === undefined || angle === undefined) return "";
+/** ", convex, smallest angle 87°, shortest edge 604 mm" */
+function shapeWords({ outline, angle, edge }: PanelRow): string {
   return `, ${OUTLINES[outline]}, smallest angle ${angle.toFixed(0)}°, shortest edge ${formatLength(edge, unit.value)}`;
 }
 
@@ -17,15 +15,13 @@ export function PanelFigure() {
   const offsets = mesh.value?.offsets;
   if (panel === null || !offsets) return null;
   const corners = (offsets[panel + 1] ?? 0) - (offsets[panel] ?? 0);
-  const [gap, mmPerM, excess] = panelFigures.value?.subarray(3 * panel, 3 * panel + 3) ?? [];
+  const [figures, health] = [panelFigures.value, panelHealth.value];
+  const row = figures && health && rowOf(panel, figures, health);
   return (
     <span>
       <strong>Panel {panel}</strong> {corners} corners
-      {gap !== undefined &&
-        mmPerM !== undefined &&
-        excess !== undefined &&
-        `, ${flatnessWords(gap, mmPerM, excess, unit.value).sentence}`}
-      {shapeWords(panel)}
+      {row &&
+        `, ${flatnessWords(row.gap, row.mmPerM, row.excess, unit.value).sentence}${shapeWords(row)}`}
     </span>
   );
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import "./panels.css";
 import { useSignal } from "@preact/signals";
+import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
 import {
   countHealth,
@@ -9,6 +10,7 @@ import {
   type PanelColumn,
   type PanelOrder,
   type PanelRow,
+  panelCount,
 } from "../state/panel-rows.ts";
 import { panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
 import { convert } from "../state/units.ts";
@@ -143,7 +145,7 @@ export function PanelsTable() {
   const order = useSignal<PanelOrder>({ key: "mmPerM", descending: true, changedOnly: false });
   const wanted = useSignal(ROWS);
   const [figures, health] = [panelFigures.value, panelHealth.value];
-  if (!figures || health?.length !== (4 * figures.length) / 3) return null;
+  if (!figures || health?.length !== PER_PANEL.health * panelCount(figures)) return null;
   const { key, descending, changedOnly } = order.value;
   const sort = (column: Column): void => {
     const again = column.key === key;
@@ -151,7 +153,7 @@ export function PanelsTable() {
     order.value = { key: column.key, descending: down, changedOnly };
   };
   const rows = firstPanels(figures, health, order.value, wanted.value);
-  const total = changedOnly ? countHealth(health).changed : figures.length / 3;
+  const total = changedOnly ? countHealth(health).changed : panelCount(figures);
   const more = Math.min(MORE, total - rows.length);
   return (
     <>

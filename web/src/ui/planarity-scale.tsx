@@ -2,9 +2,9 @@
 import "./legend-scales.css";
 import { FABRICATION_LIMIT, planarityEnd, planarityShare } from "../scene/ramp.ts";
 import { flatnessWords, isFlat } from "../state/flatness.ts";
-import { worstPanel } from "../state/panel-rows.ts";
+import { firstPanels } from "../state/panel-rows.ts";
 import { showNextPanel } from "../state/selection.ts";
-import { figures, panelFigures, unit } from "../state/store.ts";
+import { figures, panelFigures, panelHealth, unit } from "../state/store.ts";
 
 /** Power of ten, mm/m, of the first tick; what is flat lies a decade below. */
 const FIRST = -5;
@@ -29,19 +29,22 @@ function ticksUpTo(end: number): Tick[] {
   });
 }
 
+const WORST = { key: "mmPerM", descending: true, changedOnly: false } as const;
+
 /** The figure itself; it leads to its panel unless every panel is flat. */
 function Worst() {
   const { worstGap, worstMmPerM, worstExcess } = figures.value;
   const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
-  const measured = panelFigures.value;
-  if (isFlat(figures.value) || !measured)
+  const [measured, health] = [panelFigures.value, panelHealth.value];
+  if (isFlat(figures.value) || !measured || !health)
     return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
+  const worst = firstPanels(measured, health, WORST, 1);
   return (
     <button
       type="button"
       class="legend-note worst-panel"
       title="Go to this panel"
-      onClick={() => showNextPanel([worstPanel(measured)])}
+      onClick={() => showNextPanel(worst.map(({ panel }) => panel))}
     >
       {`Worst panel ${sentence}`}
     </button>
