@@ -110,8 +110,10 @@ export async function replay(recipe: Recipe): Promise<boolean> {
 
 /** More than rounding is no mere notice. */
 function sayHowItCompares({ mark }: Steps, { shape }: Design, opened: OpenedMesh): void {
-  notice.value = "Opened: the design holds no result to compare with.";
-  if (!mark) return;
+  if (!mark) {
+    notice.value = "Opened: the design holds no result to compare with.";
+    return;
+  }
   const [off, size] = [deviation(mark, shape, opened.positions), sizeOf(opened.report)];
   const words = deviationWords(off, size, unit.value);
   const same = isRounding(off, size, unit.value);
