@@ -29,6 +29,48 @@ describe("topology", () => {
   });
 });
 
+describe("topology of panels thrown together", () => {
+  /** The n-th of a sequence that looks random, 0 … below. */
+  const pick = (n: number, below: number): number => Math.floor((n * 0.618034 * below) % below);
+  const count = 40;
+  const panels = Array.from({ length: 60 }, (_, f) =>
+    Array.from(
+      { length: 3 + (f % 4) },
+      (_, c) => (pick(7 * f + 1, count) + c * (1 + (f % 5))) % count,
+    ),
+  );
+  const starts = [0];
+  for (const panel of panels) starts.push((starts.at(-1) ?? 0) + panel.length);
+  const topology = buildTopology(Int32Array.from(starts), Int32Array.from(panels.flat()), count);
+  const uses = new Map<string, number>();
+  for (const panel of panels) {
+    panel.forEach((a, k) => {
+      const b = panel[(k + 1) % panel.length] ?? a;
+      const key = `${Math.min(a, b)} ${Math.max(a, b)}`;
+      uses.set(key, (uses.get(key) ?? 0) + 1);
+    });
+  }
+  const pairs = Array.from({ length: topology.edges.length / 2 }, (_, e) => [
+    topology.edges[2 * e] ?? 0,
+    topology.edges[2 * e + 1] ?? 0,
+  ]);
+
+  it("has the edges of its panels, each once, by their ends", () => {
+    expect(pairs.map((pair) => pair.join(" ")).sort()).toEqual([...uses.keys()].sort());
+    const inOrder = [...pairs].sort(([a = 0, b = 0], [c = 0, d = 0]) => a - c || b - d);
+    expect(pairs).toEqual(inOrder);
+  });
+
+  it("has a boundary where an edge is used once, however often others are", () => {
+    const open = new Set([...uses].filter(([, n]) => n === 1).flatMap(([key]) => key.split(" ")));
+    expect([...uses.values()].some((n) => n > 2)).toBe(true);
+    expect(open.size).toBeLessThan(count);
+    expect([...topology.boundary]).toEqual(
+      Array.from({ length: count }, (_, v) => (open.has(String(v)) ? 1 : 0)),
+    );
+  });
+});
+
 describe("a sensible vertex", () => {
   const grid = Array.from({ length: 25 }, (_, k) => [k % 5, Math.floor(k / 5), 0]).flat();
   const boundary = Uint8Array.from({ length: 25 }, (_, k) =>

@@ -15,9 +15,14 @@ const polygonArea = (points: readonly Point[]): number =>
     return sum + (x * ny - y * nx) / 2;
   }, 0);
 
-/** Areas of the triangles of one panel that lies in a tilted plane. */
-function cut(points: readonly Point[]): number[] {
-  const corners = Float32Array.from(points.flatMap(([x, y]) => [x, y, 0.5 * x - 0.25 * y]));
+/** Areas of the triangles of one panel that lies in a tilted plane, most along axis `facing`. */
+function cut(points: readonly Point[], facing: number): number[] {
+  const corners = Float32Array.from(
+    points.flatMap(([x, y]) => {
+      const at = [x, y, 0.5 * x - 0.25 * y];
+      return [0, 1, 2].map((axis) => at[(axis + 2 - facing) % 3] ?? 0);
+    }),
+  );
   const triangles = triangulate(corners, Int32Array.of(0, points.length));
   const areas: number[] = [];
   for (let t = 0; t < triangles.length; t += 3) {
@@ -58,16 +63,20 @@ const COMB: readonly Point[] = [
 
 describe("triangles of a panel", () => {
   it.each([
-    ["an arrow head", ARROW],
-    ["a bow tie of six corners", BOW],
-    ["a comb", COMB],
+    ["an arrow head", 2, ARROW],
+    ["an arrow head", 1, ARROW],
+    ["an arrow head", 0, ARROW],
+    ["a bow tie of six corners", 2, BOW],
+    ["a comb", 2, COMB],
+    ["a comb", 1, COMB],
+    ["a comb", 0, COMB],
   ] as const)(
-    "cover %s once and stay inside it, from every first corner and both ways round",
-    (_, shape) => {
+    "cover %s that faces along axis %i once and stay inside it, from every first corner and both ways round",
+    (_, facing, shape) => {
       for (let turn = 0; turn < shape.length; ++turn) {
         const turned = [...shape.slice(turn), ...shape.slice(0, turn)];
         for (const points of [turned, [...turned].reverse()]) {
-          const areas = cut(points);
+          const areas = cut(points, facing);
           const sign = Math.sign(polygonArea(points));
           expect(areas.length).toBe(points.length - 2);
           expect(areas.every((a) => sign * a >= -1e-6)).toBe(true);

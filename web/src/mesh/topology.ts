@@ -28,27 +28,39 @@ function groupByKey(keys: Int32Array, count: number): Rows {
   for (let k = 0; k < count; ++k) offsets[k + 1] = (offsets[k + 1] ?? 0) + (offsets[k] ?? 0);
   const next = offsets.slice(0, count);
   const values = new Int32Array(keys.length);
-  keys.forEach((key, index) => {
+  for (let index = 0; index < keys.length; ++index) {
+    const key = keys[index] ?? 0;
     const at = next[key] ?? 0;
     values[at] = index;
     next[key] = at + 1;
-  });
+  }
   return { offsets, values };
 }
 
-/** One number per corner that names the edge to the next corner, whichever way it runs. */
-function edgeKeys(offsets: Int32Array, vertices: Int32Array, vertexCount: number): Float64Array {
-  const keys = new Float64Array(vertices.length);
+/** The edges from every corner to the next, whichever way they run: their lower and higher ends. */
+function edgesOfCorners(
+  offsets: Int32Array,
+  vertices: Int32Array,
+): readonly [Int32Array, Int32Array] {
+  const [low, high] = [new Int32Array(vertices.length), new Int32Array(vertices.length)];
   for (let f = 0; f + 1 < offsets.length; ++f) {
     const begin = offsets[f] ?? 0;
     const end = offsets[f + 1] ?? 0;
     for (let c = begin; c < end; ++c) {
       const a = vertices[c] ?? 0;
       const b = vertices[c + 1 < end ? c + 1 : begin] ?? 0;
-      keys[c] = Math.min(a, b) * vertexCount + Math.max(a, b);
+      low[c] = Math.min(a, b);
+      high[c] = Math.max(a, b);
     }
   }
-  return keys;
+  return [low, high];
+}
+
+/** The corners in the order of their edges, by grouping twice: no comparison sort keeps up with that. */
+function byEdge(low: Int32Array, high: Int32Array, vertexCount: number): Int32Array {
+  const byHigh = groupByKey(high, vertexCount).values;
+  const lows = byHigh.map((corner) => low[corner] ?? 0);
+  return groupByKey(lows, vertexCount).values.map((place) => byHigh[place] ?? 0);
 }
 
 export function buildTopology(
@@ -56,25 +68,23 @@ export function buildTopology(
   vertices: Int32Array,
   vertexCount: number,
 ): Topology {
-  const keys = edgeKeys(offsets, vertices, vertexCount).sort();
-  const edges: number[] = [];
+  const [low, high] = edgesOfCorners(offsets, vertices);
+  const order = byEdge(low, high, vertexCount);
+  const edges = new Int32Array(2 * vertices.length);
   const boundary = new Uint8Array(vertexCount);
-  for (let k = 0; k < keys.length; ) {
-    const key = keys[k] ?? 0;
-    let uses = 0;
-    while (keys[k] === key) {
-      ++uses;
-      ++k;
-    }
-    const a = Math.floor(key / vertexCount);
-    const b = key % vertexCount;
-    edges.push(a, b);
-    if (uses === 1) {
-      boundary[a] = 1;
-      boundary[b] = 1;
-    }
+  let count = 0;
+  for (let k = 0; k < order.length; ) {
+    const first = order[k] ?? 0;
+    const [a, b] = [low[first] ?? 0, high[first] ?? 0];
+    const begin = k;
+    while (k < order.length && low[order[k] ?? 0] === a && high[order[k] ?? 0] === b) ++k;
+    edges[count++] = a;
+    edges[count++] = b;
+    if (k - begin > 1) continue;
+    boundary[a] = 1;
+    boundary[b] = 1;
   }
-  const ends = Int32Array.from(edges);
+  const ends = edges.slice(0, count);
   return {
     edges: ends,
     edgeEnds: groupByKey(ends, vertexCount),

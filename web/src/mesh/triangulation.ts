@@ -4,11 +4,6 @@
 // From its own file: the worker must not carry the whole of three.
 import { Earcut } from "three/src/extras/Earcut.js";
 
-interface Corner {
-  readonly x: number;
-  readonly y: number;
-}
-
 /** Where the triangles of panel `f` begin, in triangles. */
 export const firstTriangle = (offsets: Int32Array, f: number): number => (offsets[f] ?? 0) - 2 * f;
 
@@ -43,30 +38,37 @@ export function areaVector(
   return [x, y, z];
 }
 
-/** The polygon seen along its area vector, dropping the axis it points along most. */
-function flatten(corners: Float32Array, begin: number, end: number): Corner[] {
-  const normal = areaVector(corners, begin, end);
-  const size = normal.map(Math.abs) as [number, number, number];
-  const drop = size[0] > size[1] && size[0] > size[2] ? 0 : size[1] > size[2] ? 1 : 2;
-  const [u, v] = [(drop + 1) % 3, (drop + 2) % 3];
-  const flip = (normal[drop] ?? 0) < 0 ? -1 : 1;
-  const points: Corner[] = [];
-  for (let c = begin; c < end; ++c) {
-    points.push({ x: flip * (corners[3 * c + u] ?? 0), y: corners[3 * c + v] ?? 0 });
-  }
-  return points;
+/** The two axes along which a polygon is seen from before; the one it faces most is left out. */
+function axesOf(corners: Float32Array, begin: number, end: number): readonly [number, number] {
+  const [x, y, z] = areaVector(corners, begin, end);
+  const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
+  if (ax > ay && ax > az) return x < 0 ? [2, 1] : [1, 2];
+  if (ay > az) return y < 0 ? [0, 2] : [2, 0];
+  return z < 0 ? [1, 0] : [0, 1];
 }
 
-/** Corners that turn the other way than the polygon does. */
-function reflexCorners(points: readonly Corner[]): number[] {
-  const reflex: number[] = [];
-  points.forEach((at, k) => {
-    const before = points[(k + points.length - 1) % points.length] ?? at;
-    const after = points[(k + 1) % points.length] ?? at;
-    const turn = (at.x - before.x) * (after.y - at.y) - (at.y - before.y) * (after.x - at.x);
-    if (turn < 0) reflex.push(k);
-  });
-  return reflex;
+/** The first corner, from 0, that turns the other way than the polygon does; −1 if none does. */
+function firstReflex(corners: Float32Array, begin: number, end: number): number {
+  const [u, v] = axesOf(corners, begin, end);
+  const along = (place: number, axis: number): number => corners[3 * place + axis] ?? 0;
+  let before = end - 1;
+  for (let at = begin; at < end; before = at++) {
+    const after = at + 1 < end ? at + 1 : begin;
+    const [x, y] = [along(at, u), along(at, v)];
+    const turn =
+      (x - along(before, u)) * (along(after, v) - y) -
+      (y - along(before, v)) * (along(after, u) - x);
+    if (turn < 0) return at - begin;
+  }
+  return -1;
+}
+
+/** The polygon as it is seen from before: x, y of its corners, one after the other. */
+function flatten(corners: Float32Array, begin: number, end: number): number[] {
+  const [u, v] = axesOf(corners, begin, end);
+  const points: number[] = [];
+  for (let c = begin; c < end; ++c) points.push(corners[3 * c + u] ?? 0, corners[3 * c + v] ?? 0);
+  return points;
 }
 
 /** Writes the triangles of one panel to `out`; true if it is concave. */
@@ -78,29 +80,22 @@ export function triangulatePanel(
   triangle: number,
 ): boolean {
   const count = end - begin;
+  const reflex = count === 3 ? -1 : firstReflex(corners, begin, end);
   let at = 3 * triangle;
-  const fan = (first: number): void => {
+  if (reflex < 0 || count === 4) {
+    const first = Math.max(0, reflex);
     for (let k = 1; k + 1 < count; ++k) {
       out[at++] = begin + first;
       out[at++] = begin + ((first + k) % count);
       out[at++] = begin + ((first + k + 1) % count);
     }
-  };
-  if (count === 3) {
-    fan(0);
-    return false;
-  }
-  const points = flatten(corners, begin, end);
-  const reflex = reflexCorners(points);
-  if (reflex.length === 0) fan(0);
-  else if (count === 4) fan(reflex[0] ?? 0);
-  else {
+  } else {
     // A polygon that crosses itself may give fewer triangles; the rest stay empty.
     out.fill(begin, at, at + 3 * (count - 2));
-    const ears = Earcut.triangulate(points.flatMap(({ x, y }) => [x, y]));
+    const ears = Earcut.triangulate(flatten(corners, begin, end));
     for (const k of ears.slice(0, 3 * (count - 2))) out[at++] = begin + k;
   }
-  return reflex.length > 0;
+  return reflex >= 0;
 }
 
 /** Every panel; `corners` holds x, y, z for every place in the face list. */
