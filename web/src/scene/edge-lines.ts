@@ -103,7 +103,8 @@ class Hairlines extends EdgeLines {
     this.#points = new BufferAttribute(points.slice(), 3).setUsage(DynamicDrawUsage);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", this.#points);
-    geometry.setIndex(new BufferAttribute(new Uint32Array(topology.edges), 1));
+    const { buffer, byteOffset, length } = topology.edges;
+    geometry.setIndex(new BufferAttribute(new Uint32Array(buffer, byteOffset, length), 1));
     geometry.boundingSphere = displaySphere();
     const material = new LineBasicMaterial({ transparent: true, opacity: INK });
     this.object = new LineSegments(geometry, material);

@@ -37,6 +37,8 @@ export class Ghost {
       lines.frustumCulled = false;
       // After the panels, whose depth tells what they hide.
       lines.renderOrder = 1;
+      // Nothing to draw, and no reason to send a large mesh's points to the graphics card.
+      lines.visible = false;
       this.object.add(lines);
     }
   }
@@ -55,6 +57,7 @@ export class Ghost {
     }
     index.needsUpdate = true;
     this.#geometry.setDrawRange(0, k);
+    for (const lines of this.object.children) lines.visible = k > 0;
   }
 
   dispose(): void {
