@@ -86,6 +86,23 @@ it("a lock chosen in a drag ends with it, one chosen before ends with the mesh",
   await page.context().close();
 });
 
+it("says why a drag towards the viewer moves nothing", async () => {
+  const page = await site.open({ reducedMotion: "reduce" });
+  await page.getByRole("button", { name: "Top", exact: true }).click();
+  await page.getByRole("button", { name: "Lock to Z", exact: true }).click();
+  const place = await hintedPoint(page);
+  await press(page, place, { x: place.x, y: place.y - 40 });
+  const said = page.getByText("This direction points at you");
+  await said.waitFor();
+  await page.keyboard.press("x");
+  await page.mouse.move(place.x + 30, place.y - 40);
+  await expect.poll(() => said.count()).toBe(0);
+  await page.mouse.up();
+  await idle(page);
+  expect(await status(page)).not.toContain("0 of 441 points move");
+  await page.context().close();
+});
+
 it("says that the base is shown while B is held", async () => {
   const page = await site.open();
   await typeTarget(page, "+40cm");

@@ -52,7 +52,10 @@ export class DragSession {
     const { start, press, view } = this.#at;
     const to = meet(ray, start, held, view);
     const from = meet(press, start, held, view);
-    if (!to || !from) return;
+    if (!to || !from) {
+      this.#drag.endOn();
+      return;
+    }
     const offset = to.sub(from);
     this.#drag.by(this.#toModel(snap ? this.#snapped(offset, held, snap) : offset));
   }

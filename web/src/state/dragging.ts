@@ -45,6 +45,8 @@ interface Grip {
   readonly from: Point;
 }
 
+const END_ON = "This direction points at you: turn the view, or type the coordinate.";
+
 /** One drag; model units. An offset of exactly 0 along an axis keeps that coordinate's bits. */
 export class Drag {
   readonly #grips: readonly Grip[];
@@ -59,9 +61,15 @@ export class Drag {
     const design = draft.value;
     if (!design) return;
     hintVertex.value = null;
+    if (notice.value === END_ON) notice.value = null;
     const next = { ...design, handles: withTargets(this.#grips, offset) };
     draft.value = next;
     void frame(editQuestion(next, "drag"));
+  }
+
+  /** The line that it is held to points at the viewer: no place on screen says how far along. */
+  endOn(): void {
+    notice.value = END_ON;
   }
 
   async end(): Promise<void> {
