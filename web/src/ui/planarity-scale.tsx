@@ -38,14 +38,10 @@ function Worst() {
   const [measured, health] = [panelFigures.value, panelHealth.value];
   if (isFlat(figures.value) || !measured || !health)
     return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
-  const worst = firstPanels(measured, health, WORST, 1);
+  const goTo = (): void =>
+    showNextPanel(firstPanels(measured, health, WORST, 1).map(({ panel }) => panel));
   return (
-    <button
-      type="button"
-      class="legend-note worst-panel"
-      title="Go to this panel"
-      onClick={() => showNextPanel(worst.map(({ panel }) => panel))}
-    >
+    <button type="button" class="legend-note worst-panel" title="Go to this panel" onClick={goTo}>
       {`Worst panel ${sentence}`}
     </button>
   );
