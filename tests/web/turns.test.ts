@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { dropTurns, inTurn } from "../../web/src/state/turns.ts";
+import { dropTurns, holdTurns, inTurn, turnsLeft } from "../../web/src/state/turns.ts";
 
 /** What was done, in order, of `asked`: a name, with its burst after a slash. */
 async function doneOf(asked: readonly string[]): Promise<string[]> {
@@ -43,4 +43,34 @@ it("forgets what has not begun", async () => {
   dropTurns();
   await turn;
   expect(done).toEqual([]);
+});
+
+it("counts what runs or waits, but not what was dropped", async () => {
+  let finish = (): void => {};
+  const first = inTurn(() => new Promise((resolve) => (finish = resolve)));
+  const second = inTurn(async () => {});
+  expect(turnsLeft.value).toBe(2);
+  await Promise.resolve();
+  dropTurns();
+  expect(turnsLeft.value).toBe(0);
+  const third = inTurn(async () => {});
+  expect(turnsLeft.value).toBe(1);
+  finish();
+  await Promise.all([first, second, third]);
+  await Promise.resolve();
+  await Promise.resolve();
+  expect(turnsLeft.value).toBe(0);
+});
+
+it("actions wait for what holds them back, which counts for none and may fail", async () => {
+  const done: string[] = [];
+  let fail = (_reason: Error): void => {};
+  holdTurns(new Promise((_, reject) => (fail = reject)));
+  expect(turnsLeft.value).toBe(0);
+  const turn = inTurn(async () => void done.push("turn"));
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(done).toEqual([]);
+  fail(new Error("the solver died"));
+  await turn;
+  expect(done).toEqual(["turn"]);
 });

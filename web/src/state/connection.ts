@@ -152,6 +152,20 @@ export const runUnseen = <K extends Answer["kind"]>(
 ): Promise<AnswerTo<K> | null> => attempt(label, question, kind, false);
 
 /**
+ * Tells a new solver what is on screen already, before anything else is asked of it; nobody has to
+ * wait for that to be shown. False if it could not be done; then the problem has been said.
+ */
+export async function tell(...questions: readonly Question[]): Promise<boolean> {
+  try {
+    await Promise.all(questions.map(ask));
+    return true;
+  } catch (error) {
+    if (!(error instanceof Abandoned || error instanceof Died)) problem.value = sentence(error);
+    return false;
+  }
+}
+
+/**
  * A frame of a drag or a slider. Overtaken frames are dropped; a refused one keeps the frame
  * before it on screen, and what ends the drag says why if it is refused too.
  */

@@ -2,7 +2,15 @@
 // Puts a known design on the screen and into the solver without solving anything.
 import { batch } from "@preact/signals";
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
-import { announceChanges, type Base, held, onDeath, restartSolver, run } from "./connection.ts";
+import {
+  announceChanges,
+  type Base,
+  held,
+  onDeath,
+  restartSolver,
+  run,
+  tell,
+} from "./connection.ts";
 import { type Design, sourceName, toTargets } from "./design.ts";
 import {
   bending,
@@ -24,7 +32,7 @@ import {
   selection,
   visited,
 } from "./store.ts";
-import { dropTurns, inTurn } from "./turns.ts";
+import { dropTurns, holdTurns, inTurn } from "./turns.ts";
 
 const sameSource = (a: Source, b: Source): boolean => {
   if (a === b) return true;
@@ -63,28 +71,35 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
   });
 }
 
+const openQuestion = ({ source, planarised }: Design) =>
+  ({ kind: "open", source, planarise: planarised }) as const;
+
+const restoreQuestion = ({ handles, settings, shape }: Design, keep: boolean) =>
+  ({ kind: "restore", targets: toTargets(handles), settings, shape, keep }) as const;
+
 async function openBase(design: Design): Promise<boolean> {
   if (held.base && sameBase(held.base, design)) return true;
-  const { source, planarised } = design;
-  const label = `opening ${sourceName(source)}`;
-  const answer = await run(label, { kind: "open", source, planarise: planarised }, "opened");
+  const answer = await run(`opening ${sourceName(design.source)}`, openQuestion(design), "opened");
   if (!answer) return false;
   if (shown && sameBase(shown, design)) announceChanges(displayOf(design));
   else takeMesh(design, answer.mesh);
   return true;
 }
 
+/** The design that a new solver is being told after Cancel; it is on screen already. */
+let retold: { readonly design: Design; readonly done: Promise<boolean> } | null = null;
+
 /** False if it could not be done; then the problem has been said. */
 export async function show(design: Design): Promise<boolean> {
+  // What was cancelled ends here, having asked for the design it began with.
+  if (retold?.design === design) return retold.done;
   const kept = problem.value;
   if (!(await openBase(design))) return false;
   draft.value = design;
   refusedTolerance.value = null;
-  const { shape, settings, variation } = design;
-  const targets = toTargets(design.handles);
+  const { variation } = design;
   const keep = variation !== null && variation.centre === held.centre;
-  const restore = { kind: "restore", targets, settings, shape, keep } as const;
-  if (!(await run("restoring", restore, "shown"))) return false;
+  if (!(await run("restoring", restoreQuestion(design, keep), "shown"))) return false;
   figures.value = design.report;
   problem.value = kept;
   return true;
@@ -111,16 +126,31 @@ onDeath(() => {
   });
 });
 
-/** Stops whatever runs and puts the last finished design back at once. */
-export async function cancel(): Promise<void> {
+/**
+ * Stops whatever runs and puts the last finished design back at once. The page knows it to the last
+ * bit, so nobody waits for the new solver: it is told behind the scenes, and later actions wait.
+ */
+export function cancel(): void {
   dropTurns();
   restartSolver();
   const design = history.value?.present;
   if (!design) return;
   draft.value = design;
   figures.value = design.report;
-  if (shown && sameBase(shown, design)) announceChanges(displayOf(design));
-  await inTurn(showPresent);
+  if (!shown || !sameBase(shown, design)) {
+    void inTurn(showPresent);
+    return;
+  }
+  announceChanges(displayOf(design));
+  // Both at once: no frame of a drag gets in between.
+  const done = tell(openQuestion(design), restoreQuestion(design, false));
+  const mine = { design, done };
+  retold = mine;
+  holdTurns(
+    done.then(() => {
+      if (retold === mine) retold = null;
+    }),
+  );
 }
 
 /** The whole design in display coordinates, from what the page itself keeps. */

@@ -7,6 +7,7 @@ import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
+import { turnsLeft } from "./turns.ts";
 import { niceStep, type Unit } from "./units.ts";
 
 /** What is running now, for the status line and Cancel. */
@@ -103,4 +104,4 @@ export const baseFlat = computed(
 );
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
 export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
-export const busy = computed(() => activity.value !== null);
+export const busy = computed(() => activity.value !== null || turnsLeft.value > 0);

@@ -87,12 +87,7 @@ export function StatusLine() {
       <div class="activity" aria-hidden="true">
         {running && ready.value && activityWords(running)}
       </div>
-      <button
-        type="button"
-        class="button small"
-        disabled={!busy.value}
-        onClick={() => void cancel()}
-      >
+      <button type="button" class="button small" disabled={!busy.value} onClick={cancel}>
         Cancel
       </button>
     </footer>
