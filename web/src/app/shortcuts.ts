@@ -2,6 +2,7 @@
 import { redo, undo } from "../state/editing.ts";
 import { ready, showBefore } from "../state/store.ts";
 import { pickAndOpen } from "../ui/pick-file.ts";
+import { takesLetters } from "../ui/view-keys.ts";
 
 const typing = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
@@ -19,7 +20,7 @@ function down(event: KeyboardEvent): void {
   } else if (command && key === "o") {
     event.preventDefault();
     if (ready.value) void pickAndOpen();
-  } else if (!command && !event.altKey && key === "b") {
+  } else if (!command && !event.altKey && key === "b" && !takesLetters(event.target)) {
     showBefore.value = true;
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The panel that a click means: the one under it, or one so narrow on screen, or just beside the
 // model, that nobody can be asked to hit it to the pixel.
-import { type Ray, Vector3 } from "three";
+import type { Ray } from "three";
 import { panelAt } from "../mesh/triangulation.ts";
 import { type Place, project, type View } from "./picking.ts";
+import { surfaceHit, type Triangles } from "./surface-hit.ts";
 
 /** Pixels beside the model that still mean its nearest panel, for a mouse and for a finger. */
 const BESIDE = { fine: 8, coarse: 16 };
@@ -14,34 +15,14 @@ const GRACE = { fine: 3, coarse: 8 };
 /** Nearest panels that are tried; of those hidden by others there may be many. */
 const TRIES = 12;
 
-export interface Surface {
-  /** Display coordinates of the panels' corners, panel by panel. */
-  readonly corners: Float32Array;
-  readonly triangles: Uint32Array;
+export interface Surface extends Triangles {
+  /** Of the panels' corners, which come panel by panel. */
   readonly offsets: Int32Array;
 }
 
-/** The first of the triangle's corners where the ray enters the surface; null beside it. */
-function cornerUnder({ corners, triangles }: Surface, ray: Ray): number | null {
-  const [a, b, c, hit] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
-  let nearest = Number.POSITIVE_INFINITY;
-  let found: number | null = null;
-  for (let t = 0; t < triangles.length; t += 3) {
-    a.fromArray(corners, 3 * (triangles[t] ?? 0));
-    b.fromArray(corners, 3 * (triangles[t + 1] ?? 0));
-    c.fromArray(corners, 3 * (triangles[t + 2] ?? 0));
-    if (!ray.intersectTriangle(a, b, c, false, hit)) continue;
-    const distance = hit.distanceToSquared(ray.origin);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = triangles[t] ?? 0;
-  }
-  return found;
-}
-
 function panelUnder(surface: Surface, ray: Ray): number | null {
-  const corner = cornerUnder(surface, ray);
-  return corner === null ? null : panelAt(surface.offsets, corner);
+  const hit = surfaceHit(surface, ray);
+  return hit && panelAt(surface.offsets, hit.corner);
 }
 
 /** The panel's corners on screen; empty if one is behind the camera. */

@@ -30,6 +30,10 @@ export interface PointerEvents {
   readonly hover: (hold: Hold | null) => void;
   readonly click: (x: number, y: number, hold: Hold | null, how: Click) => void;
   readonly grab: (hold: Hold, press: Ray) => DragSession | null;
+  /** A drag from here turns the camera. */
+  readonly turn: (x: number, y: number) => void;
+  /** The wheel is about to bring the camera nearer to what is here. */
+  readonly zoom: (x: number, y: number) => void;
   readonly drag: (session: DragSession, snap: boolean, ray?: Ray) => void;
   readonly box: (box: Box | null) => void;
   /** `also` adds what it holds to the selection. */
@@ -62,6 +66,11 @@ export class PointerTool {
     const { signal } = this.#off;
     // Before the camera controls see it: a press on a point must not turn the view.
     canvas.addEventListener("pointerdown", (e) => this.#down(e), { capture: true, signal });
+    const onWheel = (event: WheelEvent): void => {
+      const { x, y } = this.#place(event);
+      this.#events.zoom(x, y);
+    };
+    canvas.addEventListener("wheel", onWheel, { capture: true, passive: true, signal });
     canvas.addEventListener("pointermove", (e) => this.#move(e), { signal });
     canvas.addEventListener("pointerup", (e) => this.#up(e), { signal });
     canvas.addEventListener("pointercancel", () => this.abandon(), { signal });
@@ -105,7 +114,10 @@ export class PointerTool {
     const hold = this.#events.find(x, y, coarse(event));
     const kind = event.shiftKey || this.#events.boxing() ? "box" : hold ? "drag" : "turn";
     this.#press = { event, x, y, kind, hold, session: null, moved: false };
-    if (kind === "turn") return;
+    if (kind === "turn") {
+      this.#events.turn(x, y);
+      return;
+    }
     this.#stage.orbit.enabled = false;
     this.#canvas.setPointerCapture(event.pointerId);
   }
@@ -158,7 +170,7 @@ export class PointerTool {
     else press.session?.end();
   }
 
-  #place(event: PointerEvent): Place {
+  #place(event: MouseEvent): Place {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return { x: event.clientX - left, y: event.clientY - top };
   }

@@ -35,6 +35,7 @@ import {
 } from "./lens.ts";
 import type { Palette } from "./palette.ts";
 import type { Box } from "./picking.ts";
+import { Pivot } from "./pivot.ts";
 
 /** Milliseconds: a slower frame leaves shadows out while something moves. */
 const QUICK = 8;
@@ -60,6 +61,7 @@ export class Stage {
   readonly #key = new DirectionalLight("#FFF9F0", 2.15);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
   readonly #glide: Glide;
+  readonly #pivot: Pivot;
   readonly #caster = new Raycaster();
   readonly #steps: DrawingSteps;
   #paper = "#FFFFFF";
@@ -84,8 +86,10 @@ export class Stage {
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
+    this.orbit.zoomToCursor = true;
     this.orbit.addEventListener("change", () => this.invalidate());
     this.#glide = new Glide(this.camera, this.orbit);
+    this.#pivot = new Pivot(this.camera, this.orbit);
     this.#lightUp();
     // After the renderer's own listener, which makes its state and buffers again, but plain black.
     canvas.addEventListener("webglcontextrestored", () => {
@@ -186,8 +190,26 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Turns about the target, radians. */
-  turn(right: number, down: number): void {
+  /**
+   * The distance that zooming counts from becomes that of a point: it is approached by a share of
+   * the way, however far away it is. The picture stays.
+   */
+  aim(point: Vector3): void {
+    const forward = this.camera.getWorldDirection(new Vector3());
+    const away = point.clone().sub(this.camera.position).dot(forward);
+    if (away > 0) this.orbit.target.copy(this.camera.position).addScaledVector(forward, away);
+  }
+
+  /** What the pointer's next turn is about; null for what the camera looks at. */
+  turnAbout(point: Vector3 | null): void {
+    if (point) this.aim(point);
+    this.#pivot.set(point);
+  }
+
+  /** Turns about a point, or about what the camera looks at; radians. */
+  turn(right: number, down: number, about: Vector3 | null): void {
+    this.#glide.stop();
+    this.turnAbout(about);
     const arm = this.camera.position.clone().sub(this.orbit.target);
     const spherical = new Spherical().setFromVector3(new Vector3(arm.x, arm.z, -arm.y));
     spherical.theta -= right;
@@ -196,6 +218,7 @@ export class Stage {
     const turned = new Vector3().setFromSpherical(spherical);
     this.camera.position.copy(this.orbit.target).add(new Vector3(turned.x, -turned.z, turned.y));
     this.orbit.update();
+    this.turnAbout(null);
     this.invalidate();
   }
 

@@ -2,6 +2,7 @@
 // The 3D view: puts stage, shell, gizmo, pointer and overlay together and follows the state.
 import { effect, untracked } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
+import { row } from "../mesh/topology.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
@@ -50,6 +51,7 @@ import { type Click, type Hold, PointerTool } from "./pointer.ts";
 import type { Pull } from "./pull-lines.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";
+import { surfaceHit } from "./surface-hit.ts";
 
 export interface ViewportParts extends OverlayParts {
   readonly canvas: HTMLCanvasElement;
@@ -66,6 +68,8 @@ const SHADOW_DELAY = 1000;
 const GROWN = 0.65;
 /** Pixels within which a snapped drag goes back to the base position. */
 const HOME = 10;
+/** Pixels: the pointer still means the same place. */
+const SAME = 1;
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 const palette = (): Palette => (dark.matches ? DARK : LIGHT);
@@ -103,6 +107,8 @@ export class Viewport {
   #shell: Shell | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
+  /** The last place on the surface that the wheel or a turn began at. */
+  #approached: Vector3 | null = null;
 
   constructor(parts: ViewportParts) {
     this.#canvas = parts.canvas;
@@ -122,9 +128,10 @@ export class Viewport {
     if (subject) this.stage.view(name, subject, this.#over(), false);
   }
 
-  /** Brings the whole design into view without turning the camera. */
-  fit(): void {
-    const subject = this.#subject();
+  /** Brings what is selected, or the whole design, into view without turning the camera. */
+  fit(all: boolean): void {
+    const chosen = all ? null : this.#chosen();
+    const subject = chosen ?? this.#subject();
     if (subject) this.stage.fit(subject, this.#over());
   }
 
@@ -135,7 +142,7 @@ export class Viewport {
   }
 
   turn(right: number, down: number): void {
-    this.stage.turn(right * 0.12, down * 0.12);
+    this.stage.turn(right * 0.12, down * 0.12, this.#leader());
   }
 
   zoom(factor: number): void {
@@ -163,6 +170,51 @@ export class Viewport {
   #subject(): Subject | null {
     const shell = this.#shell;
     return shell && { points: shell.current, edges: shell.topology.edges };
+  }
+
+  /** The edges at the selected points, or around the selected panel; null if nothing is selected. */
+  #chosen(): Subject | null {
+    const shell = this.#shell;
+    if (!shell) return null;
+    const { current, corners, offsets, topology } = shell;
+    const panel = selectedPanel.value;
+    if (selection.value.length > 0) {
+      const ends = selection.value.flatMap((v) => [...row(topology.edgeEnds, v)]);
+      const edges = ends.flatMap((end) => [end, end ^ 1]).map((end) => topology.edges[end] ?? 0);
+      const points = edges.flatMap((v) => [...current.subarray(3 * v, 3 * v + 3)]);
+      return { points: Float32Array.from(points), edges: Int32Array.from(edges.keys()) };
+    }
+    if (panel === null) return null;
+    const points = corners.slice(3 * (offsets[panel] ?? 0), 3 * (offsets[panel + 1] ?? 0));
+    const ends = Array.from({ length: points.length / 3 - 1 }, (_, k) => [k, k + 1]);
+    return { points, edges: Int32Array.from(ends.flat()) };
+  }
+
+  /** Where the point chosen last is; null if it is out of view. */
+  #leader(): Vector3 | null {
+    const [shell, vertex] = [this.#shell, selected.value];
+    if (!shell || vertex === null) return null;
+    const view = this.#view();
+    const at = project(shell.current, vertex, view);
+    if (!at || at.x < 0 || at.y < 0 || at.x > view.width || at.y > view.height) return null;
+    return new Vector3().fromArray(shell.current, 3 * vertex);
+  }
+
+  #rayThrough({ x, y }: Place): Ray {
+    const { width, height } = this.#view();
+    return this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
+  }
+
+  /** What lies under a pixel; zooming to it keeps it there, so that one search does for a ride. */
+  #surfaceAt(place: Place): Vector3 | null {
+    const view = this.#view();
+    const found = this.#approached;
+    const seen = found && project(Float32Array.from(found.toArray()), 0, view);
+    if (!seen || Math.hypot(seen.x - place.x, seen.y - place.y) > SAME) {
+      const hit = this.#shell && surfaceHit(this.#shell, this.#rayThrough(place));
+      this.#approached = hit?.at ?? null;
+    }
+    return this.#approached;
   }
 
   /** Where the legend and the buttons of the views lie, or will once there is an edit. */
@@ -198,6 +250,11 @@ export class Viewport {
       hover: (hold) => this.#hover(hold),
       click: (x, y, hold, press) => this.#click(x, y, hold, press),
       grab: (hold, press) => this.#grab(hold, press),
+      turn: (x, y) => this.stage.turnAbout(this.#leader() ?? this.#surfaceAt({ x, y })),
+      zoom: (x, y) => {
+        const at = this.#surfaceAt({ x, y });
+        if (at) this.stage.aim(at);
+      },
       drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
       box: (box) => this.#overlay.drawBox(box),
       choose: (box, also) => this.#choose(box, also),
@@ -242,12 +299,9 @@ export class Viewport {
     const shell = this.#shell;
     const part = await fetchPart(() => import("./panel-picking.ts"));
     if (!shell || !part || shell !== this.#shell) return;
-    const view = this.#view();
-    const { width, height } = view;
-    const rayThrough = (at: Place): Ray =>
-      this.stage.rayThrough((2 * at.x) / width - 1, 1 - (2 * at.y) / height);
+    const rayThrough = (at: Place): Ray => this.#rayThrough(at);
     this.#choosing = true;
-    selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, view, rayThrough);
+    selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, this.#view(), rayThrough);
     this.#choosing = false;
   }
 

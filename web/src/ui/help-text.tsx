@@ -8,8 +8,8 @@ interface Hint {
 const HINTS: readonly Hint[] = [
   { how: "Drag a point", what: "moves it; its neighbours follow" },
   {
-    how: "Drag beside the model",
-    what: "turns the view; right button or two fingers pan, wheel zooms",
+    how: "Drag beside a point",
+    what: "turns the view about the selected point, or the place pressed; right button or two fingers pan, the wheel zooms to the pointer",
   },
   {
     how: "[X] [Y] [Z] [N]",
@@ -32,10 +32,8 @@ const HINTS: readonly Hint[] = [
     what: "step to it, press Add handle, and type where it should go",
   },
   { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
-  {
-    how: "[1] [2] [3] [4], [F]",
-    what: "perspective; top, front, side in parallel; fit the model into the view",
-  },
+  { how: "[1] [2] [3] [4]", what: "perspective; top, front, side in parallel" },
+  { how: "[F], [Shift] [F]", what: "fit what is selected, or all of the model, into the view" },
   { how: "[B], held", what: "shows the design before the edit" },
   { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
   { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },

@@ -21,7 +21,20 @@ const VIEWS: Readonly<Record<string, ViewName>> = {
   4: "Side",
 };
 
-/** The keyboard in the 3D view: points by arrows, the camera by Shift and arrows. */
+/** Whether letters typed here are words, or keys are for an open dialog or menu. */
+export const takesLetters = (target: EventTarget | null): boolean =>
+  (target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox") ||
+  target instanceof HTMLSelectElement ||
+  document.querySelector(":modal, :popover-open") !== null;
+
+/** Whether arrows move or scroll something here. */
+const takesArrows = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement || (target instanceof Element && !!target.closest("aside"));
+
+/**
+ * The keys of the 3D view, wherever the focus is but in a field: points by arrows, the camera by
+ * Shift and arrows.
+ */
 export class ViewKeys {
   readonly #viewport: Viewport;
   readonly #off = new AbortController();
@@ -29,7 +42,7 @@ export class ViewKeys {
   constructor(canvas: HTMLCanvasElement, viewport: Viewport) {
     this.#viewport = viewport;
     const { signal } = this.#off;
-    canvas.addEventListener("keydown", (event) => this.#down(event), { signal });
+    window.addEventListener("keydown", (event) => this.#down(event), { signal });
     const byPointer = (on: boolean) => () => canvas.classList.toggle("by-pointer", on);
     canvas.addEventListener("pointerdown", byPointer(true), { signal });
     canvas.addEventListener("blur", byPointer(false), { signal });
@@ -40,8 +53,9 @@ export class ViewKeys {
   }
 
   #down(event: KeyboardEvent): void {
+    if (event.defaultPrevented || takesLetters(event.target)) return;
     const command = event.ctrlKey || event.metaKey;
-    const arrow = ARROWS[event.key];
+    const arrow = takesArrows(event.target) ? undefined : ARROWS[event.key];
     const key = event.key.toLowerCase();
     const axis = AXES[key];
     const name = VIEWS[key];
@@ -51,7 +65,7 @@ export class ViewKeys {
     else if (command) return;
     else if (axis) toggleLock(axis, event.shiftKey);
     else if (name) this.#viewport.view(name);
-    else if (key === "f") this.#viewport.fit();
+    else if (key === "f") this.#viewport.fit(event.shiftKey);
     else if (key === "p" && selected.value !== null) togglePins();
     else if (event.key === "+" || event.key === "=") this.#viewport.zoom(0.88);
     else if (event.key === "-") this.#viewport.zoom(1 / 0.88);

@@ -126,7 +126,7 @@ export function ViewportPane() {
       <Legend element={legend} />
       <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>
-        <button type="button" title="Fit (F)" onClick={() => viewport.current?.fit()}>
+        <button type="button" title="Fit all (Shift F)" onClick={() => viewport.current?.fit(true)}>
           Fit
         </button>
         {VIEWS.map(([name, key]) => (
