@@ -199,3 +199,23 @@ describe("the keys of the view", () => {
     await page.context().close();
   });
 });
+
+it("dragging over tool bars selects none of their words", async () => {
+  const page = await site.open();
+  for (const bar of [
+    page.getByRole("banner"),
+    page.getByRole("toolbar"),
+    page.getByRole("group", { name: "Views" }),
+  ]) {
+    const box = await bar.boundingBox();
+    if (!box) throw new Error("no bar");
+    await press(
+      page,
+      { x: box.x + 2, y: box.y + 2 },
+      { x: box.x + box.width - 2, y: box.y + box.height - 2 },
+    );
+    await page.mouse.up();
+    expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
+  }
+  await page.context().close();
+});
