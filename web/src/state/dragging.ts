@@ -3,7 +3,15 @@
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import { client, frame } from "./connection.ts";
 import { type HandleRow, leftBehind, type Point, withHandle } from "./design.ts";
-import { commitEdit, edit, editQuestion, handleOf, setPinned, shownPoint } from "./editing.ts";
+import {
+  commitEdit,
+  edit,
+  editQuestion,
+  freePins,
+  handleOf,
+  setPinned,
+  shownPoint,
+} from "./editing.ts";
 import { showPresent } from "./showing.ts";
 import {
   baseFlat,
@@ -139,6 +147,7 @@ export const allPinned = (): boolean =>
 /** Pins what is selected, or lets it go if all of it is pinned. */
 export function togglePins(): void {
   if (!ready.value) return;
-  if (baseFlat.value) void setPinned(selection.value, !allPinned());
-  else notice.value = FLAT_FIRST;
+  if (!baseFlat.value) notice.value = FLAT_FIRST;
+  else if (allPinned()) void freePins(selection.value);
+  else void setPinned(selection.value, true);
 }

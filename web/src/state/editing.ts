@@ -148,6 +148,24 @@ export function shownPoint(vertex: number, shape = draft.value?.shape ?? NO_SHAP
 export const removeHandle = (vertex: number): Promise<void> =>
   edit((rows) => withoutHandle(rows, vertex));
 
+export function removeHandles(vertices: readonly number[]): Promise<void> {
+  const gone = new Set(vertices);
+  return edit((rows) => rows.filter((row) => !gone.has(row.vertex)));
+}
+
+/** Lets pinned points go: those that were to go somewhere go there again, the others are no handles. */
+export function freePins(vertices: readonly number[]): Promise<void> {
+  const freed = new Set(vertices);
+  const stays = ({ vertex, target }: HandleRow): boolean =>
+    basePoint(vertex).every((x, axis) => x === target[axis]);
+  return edit((rows) =>
+    rows.flatMap((row) => {
+      if (!row.pinned || !freed.has(row.vertex)) return [row];
+      return stays(row) ? [] : [{ ...row, pinned: false }];
+    }),
+  );
+}
+
 /** While a weight's slider moves. */
 export function previewSettings(change: Partial<EditSettings>): void {
   if (!draft.value) return;

@@ -38,11 +38,9 @@ export function niceStep(rough: number): number {
   return (lead < 2 ? 1 : lead < 5 ? 2 : 5) * power;
 }
 
-/** A coordinate for a field: as many digits as a field shows, none that do not matter. */
+/** A coordinate for a field: every digit up to four decimals, without zeros at the end. */
 export function formatCoordinate(value: number): string {
-  const size = Math.abs(value);
-  const decimals = size >= 1e4 ? 1 : size >= 1e3 ? 2 : size >= 100 ? 3 : 4;
-  const text = value.toFixed(decimals).replace(/\.?0+$/, "");
+  const text = value.toFixed(4).replace(/\.?0+$/, "");
   return text === "-0" ? "0" : text;
 }
 

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { HandleRow, Point } from "../state/design.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
-import { addHandle, basePoint, removeHandle, setPinned, setTarget } from "../state/editing.ts";
+import {
+  addHandle,
+  basePoint,
+  removeHandle,
+  removeHandles,
+  setPinned,
+  setTarget,
+} from "../state/editing.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
-import { baseFlat, handles, mesh, ready, selection, unit } from "../state/store.ts";
+import { baseFlat, handles, mesh, ready, selected, selection, unit } from "../state/store.ts";
 import { formatLength, niceStep } from "../state/units.ts";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
@@ -17,6 +25,10 @@ const AXES = ["X", "Y", "Z"] as const;
 
 /** Longer tables are cut; the view shows every handle. */
 const ROWS = 40;
+/** More handles than these, or more pins, are one row each until they are asked for. */
+const LISTED = 10;
+
+const HandleGroup = later(() => import("./handle-group.tsx").then((part) => part.HandleGroup));
 
 const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 
@@ -55,7 +67,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
         </button>
       </th>
       {AXES.map((label, axis) => (
-        <td key={label}>
+        <td key={label} data-axis={`${label} ${unit.value}`}>
           <NumberField
             label={label}
             value={shown[axis] ?? 0}
@@ -101,23 +113,60 @@ async function addByKey(button: HTMLButtonElement, table: HTMLTableElement | nul
   table?.querySelector<HTMLInputElement>(".selected [role=spinbutton]")?.focus();
 }
 
+/** Handles or pins: each of a few, of many the one that is selected and how many there are. */
+function Rows({ rows, kind, step }: { rows: readonly HandleRow[]; kind: string; step: number }) {
+  const listed = useSignal(false);
+  const many = rows.length > LISTED;
+  const shown =
+    many && !listed.value ? rows.filter(({ vertex }) => vertex === selected.value) : rows;
+  return (
+    <>
+      {many && <HandleGroup rows={rows} kind={kind} listed={listed} />}
+      {shown.slice(0, ROWS).map((row) => (
+        <Row key={row.vertex} row={row} step={step} />
+      ))}
+      {shown.length > ROWS && (
+        <tr>
+          <td colSpan={6} class="quiet">
+            The first {ROWS} of {shown.length}; the view shows all of them.
+          </td>
+        </tr>
+      )}
+    </>
+  );
+}
+
+/** Coordinates from here on, with their decimals, need a line each. */
+const LONG = 100;
+const LONG_NUMBERS = 10_000;
+
+/** Of the mesh and of where its points are to go, so that the table keeps its form. */
+function needsLines(rows: readonly HandleRow[]): boolean {
+  const report = mesh.value?.report;
+  if (!report) return false;
+  const reach = Math.max(...report.centre.map(Math.abs)) + 5 / report.scale;
+  const asked = rows.flatMap(({ target }) => target.map(Math.abs));
+  return report.vertices > LONG_NUMBERS || [reach, ...asked].some((size) => size >= LONG);
+}
+
 export function HandlesTable() {
   const table = useRef<HTMLTableElement>(null);
   const step = stepFor(mesh.value?.report.meanEdge ?? 1);
   const rows = handles.value;
   const bent = !baseFlat.value;
+  const [pins, loose] = [rows.filter((row) => row.pinned), rows.filter((row) => !row.pinned)];
   return (
     <>
       <table
         ref={table}
-        class={rows.length === 0 ? "handles vacant" : "handles"}
+        class={`handles${rows.length === 0 ? " vacant" : ""}${needsLines(rows) ? " lines" : ""}`}
         aria-label="Handles"
       >
         <thead>
           <tr>
             <th scope="col">Point</th>
             {AXES.map((axis) => (
-              <th key={axis} scope="col">
+              <th key={axis} scope="col" class="axis">
                 {axis} <span class="unit">{unit.value}</span>
               </th>
             ))}
@@ -130,33 +179,38 @@ export function HandlesTable() {
           </tr>
         </thead>
         <tbody>
-          {rows.slice(0, ROWS).map((row) => (
-            <Row key={row.vertex} row={row} step={step} />
-          ))}
+          <Rows rows={loose} kind="handles" step={step} />
+          <Rows rows={pins} kind="pinned" step={step} />
         </tbody>
       </table>
       <MeetTargets />
-      {rows.length > ROWS && (
-        <p class="quiet">
-          The first {ROWS} of {rows.length}; the view shows all of them.
-        </p>
-      )}
       {rows.length === 0 && baseFlat.value && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
-      <button
-        type="button"
-        class={`button wide${rows.length === 0 ? " primary" : ""}`}
-        disabled={!ready.value || !baseFlat.value}
-        aria-description={bent ? FLAT_FIRST : undefined}
-        onClick={({ detail, currentTarget }) =>
-          // A key's click counts none.
-          void (detail === 0 ? addByKey(currentTarget, table.current) : addHandle())
-        }
-      >
-        <Icon name="plus" />
-        Add handle
-      </button>
+      <div class="row">
+        <button
+          type="button"
+          class={`button grow${rows.length === 0 ? " primary" : ""}`}
+          disabled={!ready.value || !baseFlat.value}
+          aria-description={bent ? FLAT_FIRST : undefined}
+          onClick={({ detail, currentTarget }) =>
+            // A key's click counts none.
+            void (detail === 0 ? addByKey(currentTarget, table.current) : addHandle())
+          }
+        >
+          <Icon name="plus" />
+          Add handle
+        </button>
+        {rows.length > 1 && (
+          <button
+            type="button"
+            class="button"
+            onClick={() => void removeHandles(rows.map(({ vertex }) => vertex))}
+          >
+            Remove all
+          </button>
+        )}
+      </div>
       {bent && <p class="quiet small">{FLAT_FIRST}</p>}
       <SurfaceMove />
     </>
