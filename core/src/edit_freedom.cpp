@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "planish/constraints/planar_polygon.hpp"
+#include "planish/constraints/registry.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -35,7 +35,7 @@ Eigen::Index place(std::span<const int> free, int vertex) {
   return found != free.end() && *found == vertex ? found - free.begin() : -1;
 }
 
-/// The flatness equations of some faces, and their derivatives by the free points.
+/// The equations of some faces, and their derivatives by the free points.
 struct Linearised {
   std::vector<int> faces;  ///< of each equation
   Eigen::MatrixXd slopes;  ///< 3·free × equations: the transposed Jacobian
@@ -44,24 +44,24 @@ struct Linearised {
 Linearised linearise(const Mesh& mesh, const Positions& positions, const std::vector<int>& faces,
                      std::span<const int> free) {
   Linearised result;
-  std::vector<FlatnessEquation> equations;
-  for (const int f : faces) {
-    append_flatness_equations(positions, mesh.face(f), equations);
-    result.faces.resize(equations.size(), f);
-  }
+  ConstraintRows equations;
+  ConstraintKinds::for_each([&]<class Kind>() {
+    for (const int f : faces) {
+      Kind::append_rows(positions, mesh.face(f), equations.of<Kind>());
+      result.faces.resize(equations.size(), f);
+    }
+  });
   const auto rows = 3 * static_cast<Eigen::Index>(free.size());
   result.slopes.setZero(rows, static_cast<Eigen::Index>(equations.size()));
-  for (std::size_t e = 0; e < equations.size(); ++e) {
-    FourPoints corners;
-    for (int k = 0; k < 4; ++k) corners.col(k) = positions.col(equations[e].vertices[at(k)]);
-    const FourPoints slope = gradient(equations[e], corners);
-    for (int k = 0; k < 4; ++k) {
-      const Eigen::Index row = place(free, equations[e].vertices[at(k)]);
-      if (row >= 0) {
-        result.slopes.col(static_cast<Eigen::Index>(e)).segment<3>(3 * row) += slope.col(k);
-      }
+  equations.for_each([&]<class Row>(int e, const Row& equation) {
+    RowPoints<Row::kArity> corners;
+    for (int k = 0; k < Row::kArity; ++k) corners.col(k) = positions.col(equation.vertices[at(k)]);
+    const RowPoints<Row::kArity> slope = gradient(equation, corners);
+    for (int k = 0; k < Row::kArity; ++k) {
+      const Eigen::Index row = place(free, equation.vertices[at(k)]);
+      if (row >= 0) result.slopes.col(e).segment<3>(3 * row) += slope.col(k);
     }
-  }
+  });
   return result;
 }
 

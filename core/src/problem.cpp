@@ -18,11 +18,15 @@ MeshModel::MeshModel(const Mesh& given, FairnessKind kind)
   points /= unit_;
   fairness = fairness_operator(mesh, adjacency, kind);
   fairness_columns = fairness.transpose();
-  face_equations.assign(1, 0);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    append_flatness_equations(points, mesh.face(f), equations);
-    face_equations.push_back(static_cast<int>(equations.size()));
-  }
+  ConstraintKinds::for_each([&]<class Kind>() {
+    static_assert(Kind::kElement == Element::kFace, "patches cut rows face by face");
+    std::vector<int>& offsets = face_offsets[ConstraintKinds::index_of<Kind>()];
+    offsets.assign(1, 0);
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      Kind::append_rows(points, mesh.face(f), equations.of<Kind>());
+      offsets.push_back(static_cast<int>(equations.of<Kind>().size()));
+    }
+  });
 }
 
 std::span<const int> MeshModel::face(int f) const { return mesh.face(f); }
@@ -39,6 +43,24 @@ int PatchCutter::local(int vertex, Patch& patch) {
     patch.vertices.push_back(vertex);
   }
   return found;
+}
+
+/// The rows of the patch's faces that touch a free vertex, kind by kind.
+void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
+  int first = 0;
+  ConstraintKinds::for_each([&]<class Kind>() {
+    const auto& rows = model.equations.of<Kind>();
+    const std::vector<int>& offsets = model.face_offsets[ConstraintKinds::index_of<Kind>()];
+    for (const int f : patch.face_ids) {
+      for (int e = offsets[at(f)]; e < offsets[at(f) + 1]; ++e) {
+        typename Kind::Row row = rows[at(e)];
+        if (!localise(row, local_of_, patch.free_count)) continue;
+        patch.equations.of<Kind>().push_back(row);
+        patch.equation_ids.push_back(first + e);
+      }
+    }
+    first += static_cast<int>(rows.size());
+  });
 }
 
 void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Patch& patch) {
@@ -66,17 +88,6 @@ void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Pat
       patch.face_ids.push_back(f);
       for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
       patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
-      for (int e = model.face_equations[at(f)]; e < model.face_equations[at(f) + 1]; ++e) {
-        FlatnessEquation equation = model.equations[at(e)];
-        bool touches = false;
-        for (int& w : equation.vertices) {
-          w = local(w, patch);
-          touches = touches || w < patch.free_count;
-        }
-        if (!touches) continue;
-        patch.equations.push_back(equation);
-        patch.equation_ids.push_back(e);
-      }
     }
     if (problem.fairness_weight <= 0.0) continue;
     for (FairnessOperator::InnerIterator row(model.fairness_columns, v); row; ++row) {
@@ -92,6 +103,7 @@ void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Pat
           static_cast<int>(patch.fairness_vertices.values.size()));
     }
   }
+  cut_equations(model, patch);
   patch.points.resize(3, patch.local_count());
   patch.displacement.setZero(3, patch.local_count());
   patch.terms.resize(at(patch.free_count));
@@ -114,48 +126,18 @@ ObjectiveTerms objective(const Patch& patch) {
     (term.handle ? result.handle : result.sparsity) += square;
     result.sparsity += 0.5 * term.norm_weight * d.norm();
   }
-  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const auto begin = at(patch.fairness_vertices.offsets[at(r)]);
-    const auto row = patch.fairness_vertices[r];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      sum += patch.fairness_values[begin + k] * patch.displacement.col(row[k]);
-    }
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    const Eigen::Vector3d sum = row.sum([&](int v) { return patch.displacement.col(v); });
     result.fairness += 0.5 * patch.fairness_weight * sum.squaredNorm();
-  }
+  });
   return result;
 }
 
-FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
-                      const FlatnessEquation& equation) {
-  FourPoints result;
-  for (int k = 0; k < 4; ++k) {
-    const int v = equation.vertices[at(k)];
-    result.col(k) = patch.points.col(v);
-    if (v < patch.free_count) {
-      result.col(k) += displacement.col(v);
-    } else {
-      result.col(k) += patch.displacement.col(v);
-    }
-  }
-  return result;
-}
-
-FourPoints corners(const Patch& patch, const FlatnessEquation& equation) {
-  FourPoints result;
-  for (int k = 0; k < 4; ++k) {
-    const int v = equation.vertices[at(k)];
-    result.col(k) = patch.points.col(v) + patch.displacement.col(v);
-  }
-  return result;
-}
-
-void residuals(const Patch& patch, Eigen::VectorXd& out) {
+void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) {
   out.resize(static_cast<Eigen::Index>(patch.equations.size()));
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FourPoints points = corners(patch, patch.equations[e]);
-    out[static_cast<Eigen::Index>(e)] = residual(patch.equations[e], points);
-  }
+  patch.equations.for_each([&](int e, const auto& row) {
+    out[e] = residual(row, corners_at(patch, displacement, row));
+  });
 }
 
 }  // namespace planish

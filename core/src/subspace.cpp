@@ -25,16 +25,13 @@ Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& t) { return {t.da
 /// ‖E t‖² on a patch, per unit of its fairness weight.
 double fairness_of(const Patch& patch, const Eigen::Matrix3Xd& t) {
   double sum = 0.0;
-  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
-    const auto row = patch.fairness_vertices[r];
-    const double* const values =
-        patch.fairness_values.data() + patch.fairness_vertices.offsets[at(r)];
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] < patch.free_count) total += values[k] * t.col(row[k]);
-    }
-    sum += total.squaredNorm();
-  }
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    const auto free_part = [&](int v) -> Eigen::Vector3d {
+      if (v >= patch.free_count) return Eigen::Vector3d::Zero();
+      return t.col(v);
+    };
+    sum += row.sum(free_part).squaredNorm();
+  });
   return sum;
 }
 

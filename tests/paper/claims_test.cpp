@@ -135,7 +135,8 @@ TEST(PaperClaim, TangentSpaceHasTheCountedDimension) {
     const auto equations = static_cast<Eigen::Index>(model.equations.size());
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3 * mesh.vertex_count(), equations);
     for (Eigen::Index e = 0; e < equations; ++e) {
-      const FlatnessEquation& equation = model.equations[static_cast<std::size_t>(e)];
+      const FlatnessEquation& equation =
+          model.equations.of<PlanarPolygon>()[static_cast<std::size_t>(e)];
       FourPoints points;
       for (int k = 0; k < 4; ++k) {
         points.col(k) = model.points.col(equation.vertices[static_cast<std::size_t>(k)]);

@@ -104,7 +104,7 @@ TEST(GlobalSubspace, IsOrthonormalTangentAndFairestFirst) {
   double before = 0.0;
   for (int k = 0; k < 4; ++k) {
     const Positions t = Eigen::Map<const Positions>(basis.col(k).data(), 3, mesh.vertex_count());
-    for (const FlatnessEquation& equation : model.equations) {
+    for (const FlatnessEquation& equation : model.equations.of<PlanarPolygon>()) {
       FourPoints points, moves;
       for (int c = 0; c < 4; ++c) {
         points.col(c) = model.points.col(equation.vertices[static_cast<std::size_t>(c)]);

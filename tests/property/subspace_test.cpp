@@ -76,7 +76,7 @@ TEST_P(SubspaceOn, IsTangent) {
   for (Eigen::Index j = 0; j < subspace.dimension(); ++j) {
     const Positions t = vector(subspace, j);
     double worst = 0.0;
-    for (const FlatnessEquation& equation : model.equations) {
+    for (const FlatnessEquation& equation : model.equations.of<PlanarPolygon>()) {
       FourPoints points, motion;
       for (int k = 0; k < 4; ++k) {
         const int v = equation.vertices[static_cast<std::size_t>(k)];

@@ -18,15 +18,15 @@ Eigen::MatrixXd dense_jacobian(const Patch& patch, const Eigen::Matrix3Xd& displ
       static_cast<Eigen::Index>(patch.equations.size()), 3 * patch.free_count);
   Patch moved = patch;
   moved.displacement.leftCols(patch.free_count) = displacement;
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FourPoints g = gradient(patch.equations[e], corners(moved, patch.equations[e]));
-    for (int k = 0; k < 4; ++k) {
-      const int v = patch.equations[e].vertices[static_cast<std::size_t>(k)];
+  patch.equations.for_each([&](int e, const auto& row) {
+    const auto g = gradient(row, corners(moved, row));
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
       if (v < patch.free_count) {
-        jacobian.block<1, 3>(static_cast<Eigen::Index>(e), 3 * v) = g.col(k).transpose();
+        jacobian.block<1, 3>(e, 3 * v) = g.col(static_cast<Eigen::Index>(k)).transpose();
       }
     }
-  }
+  });
   return jacobian;
 }
 

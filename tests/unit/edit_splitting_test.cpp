@@ -132,7 +132,7 @@ TEST_P(Splitting, ConvergesToASparseFlatState) {
   EXPECT_LE(run.records.back().primal_residual, options.primal_tolerance);
   EXPECT_LE(run.records.back().dual_residual, options.dual_tolerance);
   Eigen::VectorXd c;
-  residuals(patch, c);
+  residuals_at(patch, patch.displacement, c);
   EXPECT_LT(c.lpNorm<Eigen::Infinity>(), 1e-3);
   EXPECT_GT(splitting.support().size(), 1u);
 }

@@ -114,7 +114,7 @@ TEST_P(SystemOn, JacobianIsTheDerivativeOfTheResiduals) {
 TEST_P(SystemOn, StepSolvesTheKktSystem) {
   // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ
   // there.
-  if (patch.equations.front().least_area > 0.0) state.multipliers.setZero();
+  if (patch.equations.of<PlanarPolygon>().front().least_area > 0.0) state.multipliers.setZero();
   ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
   const Eigen::VectorXd c = residuals_of(state.displacement);
   const Eigen::VectorXd g = gradient_at(state.displacement);

@@ -18,16 +18,14 @@ struct VertexColumns {
 std::vector<VertexColumns> vertex_columns(const Patch& patch) {
   std::vector<std::vector<std::pair<Eigen::Index, Eigen::Vector3d>>> entries(
       at(patch.local_count()));
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FlatnessEquation& equation = patch.equations[e];
-    FourPoints points;
-    for (int k = 0; k < 4; ++k) points.col(k) = patch.points.col(equation.vertices[at(k)]);
-    const FourPoints slopes = gradient(equation, points);
-    for (int k = 0; k < 4; ++k) {
-      entries[at(equation.vertices[at(k)])].emplace_back(static_cast<Eigen::Index>(e),
-                                                         slopes.col(k));
+  patch.equations.for_each([&]<class Row>(int e, const Row& row) {
+    RowPoints<Row::kArity> points;
+    for (int k = 0; k < Row::kArity; ++k) points.col(k) = patch.points.col(row.vertices[at(k)]);
+    const RowPoints<Row::kArity> slopes = gradient(row, points);
+    for (int k = 0; k < Row::kArity; ++k) {
+      entries[at(row.vertices[at(k)])].emplace_back(e, slopes.col(k));
     }
-  }
+  });
   std::vector<VertexColumns> columns(entries.size());
   for (std::size_t v = 0; v < entries.size(); ++v) {
     columns[v].gradients.resize(3, static_cast<Eigen::Index>(entries[v].size()));

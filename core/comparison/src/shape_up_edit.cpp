@@ -41,22 +41,21 @@ GlobalStep::GlobalStep(const Patch& patch, double planarity)
       }
     }
   }
-  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
-    const auto row = patch.fairness_vertices[r];
-    const double* const values =
-        patch.fairness_values.data() + patch.fairness_vertices.offsets[at(r)];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < row.size(); ++l) {
-        if (row[k] >= n) continue;
-        const double value = patch.fairness_weight * values[k] * values[l];
-        if (row[l] < n) {
-          entries.emplace_back(row[k], row[l], value);
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
+      if (v >= n) continue;
+      for (std::size_t l = 0; l < row.vertices.size(); ++l) {
+        const int w = row.vertices[l];
+        const double value = patch.fairness_weight * row.weights[k] * row.weights[l];
+        if (w < n) {
+          entries.emplace_back(v, w, value);
         } else {
-          fixed_.col(row[k]) -= value * patch.displacement.col(row[l]);
+          fixed_.col(v) -= value * patch.displacement.col(w);
         }
       }
     }
-  }
+  });
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factor_.compute(matrix);

@@ -20,33 +20,30 @@ Triplets hessian_entries(const Patch& patch) {
       entries.emplace_back(3 * v + c, 3 * v + c, patch.terms[at(v)].square_weight);
     }
   }
-  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
-    const auto row = patch.fairness_vertices[r];
-    const double* const values =
-        patch.fairness_values.data() + patch.fairness_vertices.offsets[at(r)];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < row.size(); ++l) {
-        if (row[k] >= n || row[l] >= n) continue;
-        const double value = patch.fairness_weight * values[k] * values[l];
-        for (int c = 0; c < 3; ++c) entries.emplace_back(3 * row[k] + c, 3 * row[l] + c, value);
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      for (std::size_t l = 0; l < row.vertices.size(); ++l) {
+        const int v = row.vertices[k];
+        const int w = row.vertices[l];
+        if (v >= n || w >= n) continue;
+        const double value = patch.fairness_weight * row.weights[k] * row.weights[l];
+        for (int c = 0; c < 3; ++c) entries.emplace_back(3 * v + c, 3 * w + c, value);
       }
     }
-  }
+  });
   return entries;
 }
 
 Triplets jacobian_entries(const Patch& patch) {
   Triplets entries;
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FlatnessEquation& equation = patch.equations[e];
-    const FourPoints slopes = gradient(equation, corners(patch, equation));
-    for (int k = 0; k < 4; ++k) {
-      const int v = equation.vertices[at(k)];
+  patch.equations.for_each([&]<class Row>(int e, const Row& row) {
+    const RowPoints<Row::kArity> slopes = gradient(row, corners(patch, row));
+    for (int k = 0; k < Row::kArity; ++k) {
+      const int v = row.vertices[at(k)];
       if (v >= patch.free_count) continue;
-      for (int c = 0; c < 3; ++c)
-        entries.emplace_back(static_cast<int>(e), 3 * v + c, slopes(c, k));
+      for (int c = 0; c < 3; ++c) entries.emplace_back(e, 3 * v + c, slopes(c, k));
     }
-  }
+  });
   return entries;
 }
 

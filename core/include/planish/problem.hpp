@@ -8,11 +8,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
 #include "planish/adjacency.hpp"
-#include "planish/constraints/planar_polygon.hpp"
+#include "planish/constraints/registry.hpp"
 #include "planish/energies.hpp"
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
@@ -32,10 +33,11 @@ class MeshModel {
   Mesh mesh;         ///< as given, model units
   Positions points;  ///< 3 × n, centred, mean edge 1
   Adjacency adjacency;
-  FairnessOperator fairness;                ///< rows × n
-  FairnessOperator fairness_columns;        ///< its transpose: n × rows
-  std::vector<FlatnessEquation> equations;  ///< of all faces, face by face
-  std::vector<int> face_equations;          ///< n_faces + 1 offsets into `equations`
+  FairnessOperator fairness;          ///< rows × n
+  FairnessOperator fairness_columns;  ///< its transpose: n × rows
+  ConstraintRows equations;           ///< of all faces; a kind's, face by face
+  /// Of each kind, n_faces + 1 offsets into its batch of `equations`.
+  std::array<std::vector<int>, ConstraintKinds::kCount> face_offsets;
 
  private:
   double unit_ = 1.0;
@@ -60,23 +62,47 @@ struct EditProblem {
   bool sparse = true;
 };
 
+/// One row of E: what it adds up.
+struct FairnessRow {
+  std::span<const int> vertices;    ///< local
+  std::span<const double> weights;  ///< same layout
+
+  /// Σ_k weights[k] · column(vertices[k]).
+  template <class Column>
+  [[nodiscard]] Eigen::Vector3d sum(const Column& column) const {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < vertices.size(); ++k) result += weights[k] * column(vertices[k]);
+    return result;
+  }
+};
+
 /// The problem restricted to a set of free vertices; all others keep d = 0 (or their fixed
 /// target). Local vertex numbers: first the free ones, then the halo they share terms with.
 struct Patch {
   std::vector<int> vertices;  ///< local → mesh
   int free_count = 0;
-  Positions points;                         ///< 3 × local, solver units, undisplaced
-  Positions displacement;                   ///< 3 × local; the halo's columns are constant
-  std::vector<VertexTerm> terms;            ///< free_count
-  std::vector<FlatnessEquation> equations;  ///< local vertices; each touches a free one
-  std::vector<int> equation_ids;            ///< the same in MeshModel::equations
-  RaggedRows faces;                         ///< local vertices of the same faces
-  std::vector<int> face_ids;                ///< mesh face of each row of `faces`
-  RaggedRows fairness_vertices;             ///< local vertices of each fairness row
-  std::vector<double> fairness_values;      ///< same layout
+  Positions points;                     ///< 3 × local, solver units, undisplaced
+  Positions displacement;               ///< 3 × local; the halo's columns are constant
+  std::vector<VertexTerm> terms;        ///< free_count
+  ConstraintRows equations;             ///< local vertices; each touches a free one
+  std::vector<int> equation_ids;        ///< the same in MeshModel::equations
+  RaggedRows faces;                     ///< local vertices of the same faces
+  std::vector<int> face_ids;            ///< mesh face of each row of `faces`
+  RaggedRows fairness_vertices;         ///< local vertices of each fairness row
+  std::vector<double> fairness_values;  ///< same layout
   double fairness_weight = 0.0;
 
   [[nodiscard]] int local_count() const { return static_cast<int>(vertices.size()); }
+  [[nodiscard]] FairnessRow fairness_row(int r) const {
+    return {fairness_vertices[r],
+            {fairness_values.data() + fairness_vertices.offsets[static_cast<std::size_t>(r)],
+             fairness_vertices[r].size()}};
+  }
+  /// Calls visit(row) for every row of E on this patch.
+  template <class Visit>
+  void for_each_fairness_row(const Visit& visit) const {
+    for (int r = 0; r < fairness_vertices.size(); ++r) visit(fairness_row(r));
+  }
 };
 
 /// Cuts patches out of a problem without touching the rest of the mesh. Keeps O(n) marks.
@@ -89,6 +115,7 @@ class PatchCutter {
 
  private:
   int local(int vertex, Patch& patch);
+  void cut_equations(const MeshModel& model, Patch& patch);
 
   std::vector<int> local_of_;  ///< −1 outside the patch being cut
   std::vector<int> face_mark_, row_mark_;
@@ -98,14 +125,44 @@ class PatchCutter {
 /// [PB-1] without smoothing, term by term.
 [[nodiscard]] ObjectiveTerms objective(const Patch& patch);
 
-/// Residuals of all equations at points + displacement. @param out resized to |equations|
-void residuals(const Patch& patch, Eigen::VectorXd& out);
+/// Renames the vertices of a row. @param local new name by old one
+/// @returns whether one of them is free: less than `free_count`
+template <ConstraintRow Row>
+[[nodiscard]] bool localise(Row& row, const std::vector<int>& local, int free_count) {
+  bool touches = false;
+  for (int& v : row.vertices) {
+    v = local[static_cast<std::size_t>(v)];
+    touches = touches || v < free_count;
+  }
+  return touches;
+}
 
-/// The four displaced corners of an equation.
-[[nodiscard]] FourPoints corners(const Patch& patch, const FlatnessEquation& equation);
+/// The corners of a row, displaced; the free ones by `displacement` (3 × free, or 3 × local).
+template <ConstraintRow Row>
+[[nodiscard]] RowPoints<Row::kArity> corners_at(const Patch& patch,
+                                                const Eigen::Matrix3Xd& displacement,
+                                                const Row& row) {
+  RowPoints<Row::kArity> result;
+  for (int k = 0; k < Row::kArity; ++k) {
+    const int v = row.vertices[static_cast<std::size_t>(k)];
+    result.col(k) = patch.points.col(v);
+    if (v < patch.free_count) {
+      result.col(k) += displacement.col(v);
+    } else {
+      result.col(k) += patch.displacement.col(v);
+    }
+  }
+  return result;
+}
 
-/// The same with the free ones displaced by `displacement` (3 × free) instead of the patch's own.
-[[nodiscard]] FourPoints corners_at(const Patch& patch, const Eigen::Matrix3Xd& displacement,
-                                    const FlatnessEquation& equation);
+/// The same, displaced by the patch's own displacement.
+template <ConstraintRow Row>
+[[nodiscard]] RowPoints<Row::kArity> corners(const Patch& patch, const Row& row) {
+  return corners_at(patch, patch.displacement, row);
+}
+
+/// c at points + displacement. @param displacement 3 × free, or 3 × local: the halo keeps the
+/// patch's own. @param out resized to |equations|
+void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out);
 
 }  // namespace planish

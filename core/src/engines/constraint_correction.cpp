@@ -11,36 +11,35 @@ namespace planish {
 namespace {
 
 /// Equations of each free vertex.
-RaggedRows equations_of_vertices(const Patch& patch) {
+RaggedRows equations_of_vertices(const RowJacobian& jacobian, int free_count) {
   RaggedRows rows;
-  rows.offsets.assign(at(patch.free_count) + 1, 0);
-  for (const auto& equation : patch.equations) {
-    for (const int v : equation.vertices) {
-      if (v < patch.free_count) ++rows.offsets[at(v) + 1];
+  rows.offsets.assign(at(free_count) + 1, 0);
+  const auto for_each_entry = [&](const auto& visit) {
+    for (int e = 0; e < jacobian.size(); ++e) {
+      for (const int v : jacobian.vertices(e)) {
+        if (v < free_count) visit(e, v);
+      }
     }
-  }
+  };
+  for_each_entry([&](int, int v) { ++rows.offsets[at(v) + 1]; });
   for (std::size_t v = 1; v < rows.offsets.size(); ++v) rows.offsets[v] += rows.offsets[v - 1];
   rows.values.resize(at(rows.offsets.back()));
   std::vector<int> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    for (const int v : patch.equations[e].vertices) {
-      if (v < patch.free_count) rows.values[at(next[at(v)]++)] = static_cast<int>(e);
-    }
-  }
+  for_each_entry([&](int e, int v) { rows.values[at(next[at(v)]++)] = e; });
   return rows;
 }
 
 /// Equations that share a free vertex.
-RaggedRows coupled_equations(const Patch& patch, const RaggedRows& by_vertex) {
+RaggedRows coupled_equations(const RowJacobian& jacobian, const RaggedRows& by_vertex) {
   RaggedRows graph;
-  std::vector<int> mark(patch.equations.size(), -1);
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    mark[e] = static_cast<int>(e);
-    for (const int v : patch.equations[e].vertices) {
-      if (v >= patch.free_count) continue;
+  std::vector<int> mark(at(jacobian.size()), -1);
+  for (int e = 0; e < jacobian.size(); ++e) {
+    mark[at(e)] = e;
+    for (const int v : jacobian.vertices(e)) {
+      if (v >= by_vertex.size()) continue;
       for (const int other : by_vertex[v]) {
-        if (mark[at(other)] == static_cast<int>(e)) continue;
-        mark[at(other)] = static_cast<int>(e);
+        if (mark[at(other)] == e) continue;
+        mark[at(other)] = e;
         graph.values.push_back(other);
       }
     }
@@ -54,11 +53,12 @@ RaggedRows coupled_equations(const Patch& patch, const RaggedRows& by_vertex) {
 bool ConstraintCorrection::attach(const Patch& patch) {
   constexpr int kMostEquationsPerVertex = 64;
   patch_ = &patch;
-  const RaggedRows by_vertex = equations_of_vertices(patch);
+  jacobian_.attach(patch);
+  const RaggedRows by_vertex = equations_of_vertices(jacobian_, patch.free_count);
   for (int v = 0; v < patch.free_count; ++v) {
     if (by_vertex[v].size() > at(kMostEquationsPerVertex)) return false;
   }
-  const RaggedRows graph = coupled_equations(patch, by_vertex);
+  const RaggedRows graph = coupled_equations(jacobian_, by_vertex);
   cholesky_.analyze(graph, 1);
   diagonal_.clear();
   couplings_.clear();
@@ -70,36 +70,21 @@ bool ConstraintCorrection::attach(const Patch& patch) {
       }
     }
   }
-  gradients_.resize(patch.equations.size());
   return true;
 }
 
 bool ConstraintCorrection::factorize(const Eigen::Matrix3Xd& displacement, double regularization) {
   ++factorizations_;
+  jacobian_.evaluate(*patch_, displacement);
   cholesky_.set_zero();
   std::vector<double>& values = cholesky_.values();
-  for (std::size_t e = 0; e < gradients_.size(); ++e) {
-    const FlatnessEquation& equation = patch_->equations[e];
-    const FourPoints points = corners_at(*patch_, displacement, equation);
-    gradients_[e] = gradient(equation, points);
-    double sum = regularization;
-    for (int k = 0; k < 4; ++k) {
-      if (equation.vertices[at(k)] < patch_->free_count) sum += gradients_[e].col(k).squaredNorm();
-    }
-    values[static_cast<std::size_t>(diagonal_[e].offset)] = sum;
+  for (int e = 0; e < jacobian_.size(); ++e) {
+    values[static_cast<std::size_t>(diagonal_[at(e)].offset)] =
+        jacobian_.product(e, e, regularization);
   }
   for (const Coupling& coupling : couplings_) {
-    const auto& row = patch_->equations[at(coupling.row)].vertices;
-    const auto& column = patch_->equations[at(coupling.column)].vertices;
-    double sum = 0.0;
-    for (int k = 0; k < 4; ++k) {
-      if (row[at(k)] >= patch_->free_count) continue;
-      for (int l = 0; l < 4; ++l) {
-        if (row[at(k)] != column[at(l)]) continue;
-        sum += gradients_[at(coupling.row)].col(k).dot(gradients_[at(coupling.column)].col(l));
-      }
-    }
-    values[static_cast<std::size_t>(coupling.slot.offset)] = sum;
+    values[static_cast<std::size_t>(coupling.slot.offset)] =
+        jacobian_.product(coupling.row, coupling.column);
   }
   return cholesky_.factorize();
 }
@@ -108,36 +93,12 @@ void ConstraintCorrection::step(const Eigen::VectorXd& residuals, Eigen::Matrix3
   multipliers_ = -residuals;
   cholesky_.solve(multipliers_);
   delta.setZero(3, patch_->free_count);
-  for (std::size_t e = 0; e < gradients_.size(); ++e) {
-    for (int k = 0; k < 4; ++k) {
-      const int v = patch_->equations[e].vertices[at(k)];
-      if (v < patch_->free_count) {
-        delta.col(v) += multipliers_[static_cast<Eigen::Index>(e)] * gradients_[e].col(k);
-      }
-    }
-  }
+  jacobian_.add_transposed(multipliers_, delta);
 }
 
 void ConstraintCorrection::apply_jacobian(const Eigen::Matrix3Xd& delta,
                                           Eigen::VectorXd& out) const {
-  out.setZero(static_cast<Eigen::Index>(gradients_.size()));
-  for (std::size_t e = 0; e < gradients_.size(); ++e) {
-    for (int k = 0; k < 4; ++k) {
-      const int v = patch_->equations[e].vertices[at(k)];
-      if (v < patch_->free_count) {
-        out[static_cast<Eigen::Index>(e)] += gradients_[e].col(k).dot(delta.col(v));
-      }
-    }
-  }
-}
-
-void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) {
-  out.resize(static_cast<Eigen::Index>(patch.equations.size()));
-  for (std::size_t e = 0; e < patch.equations.size(); ++e) {
-    const FlatnessEquation& equation = patch.equations[e];
-    const FourPoints points = corners_at(patch, displacement, equation);
-    out[static_cast<Eigen::Index>(e)] = residual(equation, points);
-  }
+  jacobian_.apply(delta, out);
 }
 
 namespace {

@@ -25,18 +25,17 @@ EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
   previous_.resize(3, patch.local_count());
   change_.resize(3, corners);
   halo_fairness_.setZero(3, n);
-  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
-    const auto row = patch.fairness_vertices[r];
-    const double* const values =
-        patch.fairness_values.data() + patch.fairness_vertices.offsets[at(r)];
-    Eigen::Vector3d halo = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] >= n) halo += values[k] * patch.displacement.col(row[k]);
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    const auto fixed_part = [&](int v) -> Eigen::Vector3d {
+      if (v < n) return Eigen::Vector3d::Zero();
+      return patch.displacement.col(v);
+    };
+    const Eigen::Vector3d halo = row.sum(fixed_part);
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
+      if (v < n) halo_fairness_.col(v) -= patch.fairness_weight * row.weights[k] * halo;
     }
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] < n) halo_fairness_.col(row[k]) -= patch.fairness_weight * values[k] * halo;
-    }
-  }
+  });
 }
 
 /// The pattern of AᵀA + EᵀE on the free vertices.
@@ -83,16 +82,14 @@ void EditSplitting::assemble(double penalty, SparseCholesky& factor) const {
       }
     }
   }
-  for (int r = 0; r < patch_.fairness_vertices.size(); ++r) {
-    const auto row = patch_.fairness_vertices[r];
-    const double* const entries =
-        patch_.fairness_values.data() + patch_.fairness_vertices.offsets[at(r)];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      for (std::size_t l = 0; l < row.size(); ++l) {
-        add(row[k], row[l], patch_.fairness_weight * entries[k] * entries[l]);
+  patch_.for_each_fairness_row([&](const FairnessRow& row) {
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      for (std::size_t l = 0; l < row.vertices.size(); ++l) {
+        add(row.vertices[k], row.vertices[l],
+            patch_.fairness_weight * row.weights[k] * row.weights[l]);
       }
     }
-  }
+  });
 }
 
 bool EditSplitting::set_penalty(double penalty) {

@@ -23,8 +23,18 @@ void add_diagonal(std::vector<double>& values, const BlockSlot& slot, double val
   for (int c = 0; c < 3; ++c) values[at(slot.offset + c + c * slot.stride)] += value;
 }
 
-/// Index of block (i, j), i > j, in the order of hessian().
-int pair_index(int i, int j) { return i * (i - 1) / 2 + j; }
+/// Adds λ ∂²c/∂(corner k)∂(corner l) to `sum`.
+template <ConstraintRow Row>
+void add_curvature(const CurvatureBlocks<Row::kArity, Row::kCurvedDiagonal>& blocks, double lambda,
+                   int k, int l, Eigen::Matrix3d& sum) {
+  if (k > l) {
+    sum += lambda * blocks[block_index<Row>(k, l)];
+  } else if (k < l) {
+    sum += lambda * blocks[block_index<Row>(l, k)].transpose();
+  } else if constexpr (Row::kCurvedDiagonal) {
+    sum += lambda * blocks[block_index<Row>(k, k)];
+  }
+}
 
 }  // namespace
 
@@ -49,14 +59,12 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   place_edges();
   place_equations();
   fill_constant_part();
-  gradients_.resize(patch.equations.size());
+  jacobian_.attach(patch);
 }
 
 void PatchSystem::build_graph() {
   graph_ = coupling_graph(patch_->free_count, [&](const auto& join) {
-    for (const FlatnessEquation& equation : patch_->equations) {
-      join_all(equation.vertices, join);
-    }
+    patch_->equations.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
     for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
       join_all(patch_->fairness_vertices[r], join);
     }
@@ -85,30 +93,29 @@ std::size_t PatchSystem::edge(int row, int column) const {
 
 void PatchSystem::place_equations() {
   const int n = patch_->free_count;
-  slots_.resize(patch_->equations.size());
-  for (std::size_t e = 0; e < slots_.size(); ++e) {
-    const auto& vertices = patch_->equations[e].vertices;
-    EquationSlots& place = slots_[e];
-    place.order = {0, 1, 2, 3};
-    const auto rank = [&](int corner) {
-      const int v = vertices[at(corner)];
-      return v < n ? cholesky_.position(v) : -1;
-    };
-    std::sort(place.order.begin(), place.order.end(),
-              [&](int a, int b) { return rank(a) > rank(b); });
-    place.free = static_cast<int>(
-        std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < n; }));
-    std::size_t block = 0;
-    for (int late = 0; late < place.free; ++late) {
-      const int column = vertices[at(place.order[at(late)])];
-      for (int early = 0; early < late; ++early) {
-        // order[early] is eliminated later than order[late]: it is the row.
-        const int row = vertices[at(place.order[at(early)])];
-        place.blocks[block++] = edge_slots_[edge(row, column)];
-      }
-      place.blocks[block++] = diagonal_[at(column)];
+  free_corners_.clear();
+  corner_order_.clear();
+  corner_slots_.clear();
+  patch_->equations.for_each([&](int, const auto& equation) {
+    const auto& vertices = equation.vertices;
+    const std::size_t first = corner_order_.size();
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      if (vertices[k] < n) corner_order_.push_back(static_cast<int>(k));
     }
-  }
+    const auto order = corner_order_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(order, corner_order_.end(), [&](int a, int b) {
+      return cholesky_.position(vertices[at(a)]) > cholesky_.position(vertices[at(b)]);
+    });
+    free_corners_.push_back(static_cast<int>(corner_order_.size() - first));
+    for (auto late = order; late != corner_order_.end(); ++late) {
+      const int column = vertices[at(*late)];
+      for (auto early = order; early != late; ++early) {
+        // *early is eliminated later than *late: it is the row.
+        corner_slots_.push_back(edge_slots_[edge(vertices[at(*early)], column)]);
+      }
+      corner_slots_.push_back(diagonal_[at(column)]);
+    }
+  });
 }
 
 void PatchSystem::fill_constant_part() {
@@ -116,22 +123,20 @@ void PatchSystem::fill_constant_part() {
   std::vector<double> diagonal(at(n));
   for (int v = 0; v < n; ++v) diagonal[at(v)] = patch_->terms[at(v)].square_weight;
   edge_weights_.assign(graph_.values.size(), 0.0);
-  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-    const auto row = patch_->fairness_vertices[r];
-    const double* const entries =
-        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] >= n) continue;
-      const double weight = patch_->fairness_weight * entries[k];
-      diagonal[at(row[k])] += weight * entries[k];
+  patch_->for_each_fairness_row([&](const FairnessRow& row) {
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
+      if (v >= n) continue;
+      const double weight = patch_->fairness_weight * row.weights[k];
+      diagonal[at(v)] += weight * row.weights[k];
       for (std::size_t l = 0; l < k; ++l) {
-        if (row[l] >= n) continue;
-        const bool later = cholesky_.position(row[k]) > cholesky_.position(row[l]);
-        const std::size_t index = later ? edge(row[k], row[l]) : edge(row[l], row[k]);
-        edge_weights_[index] += weight * entries[l];
+        const int w = row.vertices[l];
+        if (w >= n) continue;
+        const bool later = cholesky_.position(v) > cholesky_.position(w);
+        edge_weights_[later ? edge(v, w) : edge(w, v)] += weight * row.weights[l];
       }
     }
-  }
+  });
   cholesky_.set_zero();
   std::vector<double>& values = cholesky_.values();
   for (int v = 0; v < n; ++v) add_diagonal(values, diagonal_[at(v)], diagonal[at(v)]);
@@ -146,42 +151,36 @@ Eigen::Vector3d PatchSystem::displaced(const Eigen::Matrix3Xd& displacement, int
                                 : Eigen::Vector3d(patch_->displacement.col(v));
 }
 
-FourPoints PatchSystem::corners_at(const Eigen::Matrix3Xd& displacement,
-                                   const FlatnessEquation& equation) const {
-  if (constraints_ == Constraints::kExact) {
-    return planish::corners_at(*patch_, displacement, equation);
-  }
-  FourPoints result;
-  for (int k = 0; k < 4; ++k) result.col(k) = patch_->points.col(equation.vertices[at(k)]);
+/// Where the row is evaluated: at the state, or on the undisplaced patch for its linearisation.
+template <ConstraintRow Row>
+RowPoints<Row::kArity> PatchSystem::points_of(const Row& row,
+                                              const Eigen::Matrix3Xd& displacement) const {
+  if (constraints_ == Constraints::kExact) return corners_at(*patch_, displacement, row);
+  RowPoints<Row::kArity> result;
+  for (int k = 0; k < Row::kArity; ++k) result.col(k) = patch_->points.col(row.vertices[at(k)]);
   return result;
 }
 
 void PatchSystem::add_equations(const PatchState& state, double penalty) {
   std::vector<double>& values = cholesky_.values();
-  for (std::size_t e = 0; e < slots_.size(); ++e) {
-    const FlatnessEquation& equation = patch_->equations[e];
-    const FourPoints points = corners_at(state.displacement, equation);
-    const FourPoints g = gradient(equation, points);
-    const auto curvature = hessian(equation, points);
-    gradients_[e] = g;
-    const double lambda =
-        constraints_ == Constraints::kExact ? state.multipliers[static_cast<Eigen::Index>(e)] : 0.0;
-    const EquationSlots& place = slots_[e];
-    std::size_t block = 0;
-    for (int late = 0; late < place.free; ++late) {
-      const int column = place.order[at(late)];
+  const int* order = corner_order_.data();
+  const BlockSlot* slot = corner_slots_.data();
+  patch_->equations.for_each([&]<class Row>(int e, const Row& row) {
+    const RowPoints<Row::kArity> points = points_of(row, state.displacement);
+    const RowPoints<Row::kArity> g = gradient(row, points);
+    const auto curvature = hessian(row, points);
+    jacobian_.set(e, g);
+    const double lambda = constraints_ == Constraints::kExact ? state.multipliers[e] : 0.0;
+    const int free = free_corners_[at(e)];
+    for (int late = 0; late < free; ++late) {
       for (int early = 0; early <= late; ++early) {
-        const int row = place.order[at(early)];
-        Eigen::Matrix3d sum = (penalty * g.col(row)) * g.col(column).transpose();
-        if (row > column) {
-          sum += lambda * curvature[at(pair_index(row, column))];
-        } else if (row < column) {
-          sum += lambda * curvature[at(pair_index(column, row))].transpose();
-        }
-        add_block(values, place.blocks[block++], sum);
+        Eigen::Matrix3d sum = (penalty * g.col(order[early])) * g.col(order[late]).transpose();
+        add_curvature<Row>(curvature, lambda, order[early], order[late], sum);
+        add_block(values, *slot++, sum);
       }
     }
-  }
+    order += free;
+  });
 }
 
 void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {
@@ -210,17 +209,14 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
 
 void PatchSystem::fairness_gradient(const Eigen::Matrix3Xd& displacement,
                                     Eigen::Matrix3Xd& out) const {
-  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-    const auto row = patch_->fairness_vertices[r];
-    const double* const values =
-        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < row.size(); ++k) sum += values[k] * displaced(displacement, row[k]);
+  patch_->for_each_fairness_row([&](const FairnessRow& row) {
+    Eigen::Vector3d sum = row.sum([&](int v) { return displaced(displacement, v); });
     sum *= patch_->fairness_weight;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] < patch_->free_count) out.col(row[k]) += values[k] * sum;
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
+      if (v < patch_->free_count) out.col(v) += row.weights[k] * sum;
     }
-  }
+  });
 }
 
 void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
@@ -236,28 +232,19 @@ void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
           (0.5 * term.norm_weight / std::sqrt(d.squaredNorm() + smoothing * smoothing)) * d;
     }
   }
-  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
-    const FlatnessEquation& equation = patch_->equations[e];
-    const double lambda = state.multipliers[static_cast<Eigen::Index>(e)];
-    const FourPoints points = corners_at(state.displacement, equation);
-    const FourPoints g = gradient(equation, points);
-    for (int k = 0; k < 4; ++k) {
-      const int v = equation.vertices[at(k)];
-      if (v < patch_->free_count) out.col(v) += lambda * g.col(k);
+  patch_->equations.for_each([&]<class Row>(int e, const Row& row) {
+    const RowPoints<Row::kArity> g = gradient(row, points_of(row, state.displacement));
+    for (int k = 0; k < Row::kArity; ++k) {
+      const int v = row.vertices[at(k)];
+      if (v < patch_->free_count) out.col(v) += state.multipliers[e] * g.col(k);
     }
-  }
+  });
 }
 
 void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
                        Eigen::Matrix3Xd& delta) {
   delta = -gradient;
-  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
-    const double push = penalty_ * residuals[static_cast<Eigen::Index>(e)];
-    for (int k = 0; k < 4; ++k) {
-      const int v = patch_->equations[e].vertices[at(k)];
-      if (v < patch_->free_count) delta.col(v) -= push * gradients_[e].col(k);
-    }
-  }
+  jacobian_.add_transposed(-penalty_ * residuals, delta);
   apply_inverse(delta);
 }
 
@@ -266,15 +253,7 @@ void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x) {
 }
 
 void PatchSystem::apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
-  out.setZero(static_cast<Eigen::Index>(patch_->equations.size()));
-  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
-    for (int k = 0; k < 4; ++k) {
-      const int v = patch_->equations[e].vertices[at(k)];
-      if (v < patch_->free_count) {
-        out[static_cast<Eigen::Index>(e)] += gradients_[e].col(k).dot(delta.col(v));
-      }
-    }
-  }
+  jacobian_.apply(delta, out);
 }
 
 double PatchSystem::energy(const Eigen::Matrix3Xd& displacement, double smoothing) const {
@@ -287,34 +266,26 @@ double PatchSystem::energy(const Eigen::Matrix3Xd& displacement, double smoothin
       sum += 0.5 * term.norm_weight * std::sqrt(d.squaredNorm() + smoothing * smoothing);
     }
   }
-  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-    const auto row = patch_->fairness_vertices[r];
-    const double* const values =
-        patch_->fairness_values.data() + patch_->fairness_vertices.offsets[at(r)];
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < row.size(); ++k)
-      total += values[k] * displaced(displacement, row[k]);
+  patch_->for_each_fairness_row([&](const FairnessRow& row) {
+    const Eigen::Vector3d total = row.sum([&](int v) { return displaced(displacement, v); });
     sum += 0.5 * patch_->fairness_weight * total.squaredNorm();
-  }
+  });
   return sum;
 }
 
 void PatchSystem::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {
-  out.resize(static_cast<Eigen::Index>(patch_->equations.size()));
-  for (std::size_t e = 0; e < patch_->equations.size(); ++e) {
-    const FlatnessEquation& equation = patch_->equations[e];
-    const FourPoints points = corners_at(displacement, equation);
-    double& value = out[static_cast<Eigen::Index>(e)];
-    if (constraints_ == Constraints::kExact) {
-      value = residual(equation, points);
-      continue;
-    }
-    const FourPoints g = gradient(equation, points);
-    value = 0.0;
-    for (int k = 0; k < 4; ++k) {
-      value += g.col(k).dot(displaced(displacement, equation.vertices[at(k)]));
-    }
+  if (constraints_ == Constraints::kExact) {
+    residuals_at(*patch_, displacement, out);
+    return;
   }
+  out.resize(static_cast<Eigen::Index>(patch_->equations.size()));
+  patch_->equations.for_each([&]<class Row>(int e, const Row& row) {
+    const RowPoints<Row::kArity> g = gradient(row, points_of(row, displacement));
+    out[e] = 0.0;
+    for (int k = 0; k < Row::kArity; ++k) {
+      out[e] += g.col(k).dot(displaced(displacement, row.vertices[at(k)]));
+    }
+  });
 }
 
 }  // namespace planish

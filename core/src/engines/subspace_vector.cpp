@@ -34,14 +34,11 @@ Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<i
     result.points.col(static_cast<Eigen::Index>(k)) = patch.points.col(order[k]);
   }
   result.terms.resize(at(result.free_count));
-  for (FlatnessEquation equation : patch.equations) {
-    bool touches = false;
-    for (int& v : equation.vertices) {
-      v = local[at(v)];
-      touches = touches || v < result.free_count;
+  ConstraintKinds::for_each([&]<class Kind>() {
+    for (typename Kind::Row row : patch.equations.of<Kind>()) {
+      if (localise(row, local, result.free_count)) result.equations.of<Kind>().push_back(row);
     }
-    if (touches) result.equations.push_back(equation);
-  }
+  });
   return result;
 }
 

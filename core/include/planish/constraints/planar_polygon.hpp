@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "planish/constraints/kind.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish {
@@ -30,6 +32,8 @@ void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector
 /// trilinear, so all derivatives are closed form. `scale` turns it into a distance on the mesh it
 /// was made for, in the unit of the positions. A polygon of n vertices has n − 3 of them.
 struct FlatnessEquation {
+  static constexpr int kArity = 4;
+  static constexpr bool kCurvedDiagonal = false;  ///< linear in each corner
   std::array<int, 4> vertices{};
   double scale = 1.0;
   /// > 0 where a, b, c carry the plane of a larger polygon: then the scale follows their triangle,
@@ -39,7 +43,7 @@ struct FlatnessEquation {
 };
 
 /// Four points, one a column, in the order of FlatnessEquation::vertices.
-using FourPoints = Eigen::Matrix<double, 3, 4>;
+using FourPoints = RowPoints<FlatnessEquation::kArity>;
 
 /// The factor of det() for the equation with its corners at `points`.
 [[nodiscard]] double scale_at(const FlatnessEquation& equation, const FourPoints& points);
@@ -50,17 +54,50 @@ using FourPoints = Eigen::Matrix<double, 3, 4>;
 /// ∂c/∂(vertex k) in column k. [PL-3]
 [[nodiscard]] FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points);
 
-/// ∂²c/∂(vertex k)∂(vertex l), 3 × 3, for k > l; each is a skew matrix, and the (l, k) block is
-/// its transpose; blocks on the diagonal are zero. Order, row by row: (1,0) (2,0) (2,1) (3,0) (3,1)
-/// (3,2). [PL-4]
+/// ∂²c/∂(vertex k)∂(vertex l) for k > l, each a skew matrix; those on the diagonal are zero. [PL-4]
 /// Where the scale follows the triangle it is held constant here: the terms left out are multiples
 /// of c and of ∇c, which do not change a Newton step on the constraints.
-[[nodiscard]] std::array<Eigen::Matrix3d, 6> hessian(const FlatnessEquation& equation,
-                                                     const FourPoints& points);
+[[nodiscard]] CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation,
+                                                const FourPoints& points);
 
 /// The n − 3 equations of `face`. Three well-spread vertices carry the plane; every other vertex
 /// gives one equation. Appends nothing for a triangle.
 void append_flatness_equations(const Positions& positions, std::span<const int> face,
                                std::vector<FlatnessEquation>& out);
+
+/// Flatness of one panel.
+struct FacePlanarity {
+  double gap = 0.0;       ///< max − min signed distance to the best-fit plane, model units
+  double mm_per_m = 0.0;  ///< 1000 · gap / longest edge; 0 for triangles [MET-1]
+  /// mm_per_m, or 0 where the rounding of the panel's own coordinates accounts for it: a panel of
+  /// 1 m at 1e7 m cannot be flatter than about 1e-6 mm/m, wherever its corners go. Rounding never
+  /// accounts for more than 1e-3 mm/m. What is compared with a tolerance. [MET-3]
+  double excess = 0.0;
+};
+
+/// [MET-1] for one face; `positions` is 3 × n of the whole mesh.
+[[nodiscard]] FacePlanarity face_planarity(const Positions& positions, std::span<const int> face);
+
+/// The kind: every vertex of a face in one plane.
+struct PlanarPolygon {
+  static constexpr std::string_view kName = "planar";
+  static constexpr std::string_view kUnit = "mm/m";
+  static constexpr double kTolerance = 1e-6;
+  static constexpr Element kElement = Element::kFace;
+  static constexpr Sense kSense = Sense::kZero;
+  using Row = FlatnessEquation;
+
+  static void append_rows(const Positions& positions, std::span<const int> face,
+                          std::vector<Row>& out) {
+    append_flatness_equations(positions, face, out);
+  }
+  /// [MET-1]
+  [[nodiscard]] static double measure(const Positions& positions, std::span<const int> face) {
+    return face_planarity(positions, face).mm_per_m;
+  }
+  static void project_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector3d& normal) {
+    project_to_plane_centred(points, normal);
+  }
+};
 
 }  // namespace planish

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "planish/engines/row_jacobian.hpp"
 #include "planish/engines/sparse_cholesky.hpp"
 #include "planish/problem.hpp"
 
@@ -45,13 +46,10 @@ class ConstraintCorrection {
   SparseCholesky cholesky_;
   std::vector<BlockSlot> diagonal_;
   std::vector<Coupling> couplings_;
-  std::vector<FourPoints> gradients_;
+  RowJacobian jacobian_;  ///< of the last factorization
   Eigen::VectorXd multipliers_;
   int factorizations_ = 0;
 };
-
-/// c at points + displacement. @param displacement 3 × free; the halo keeps the patch's own
-void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out);
 
 /// Newton steps until the residuals stop falling. Halves steps that do not help.
 /// @param displacement 3 × free, in and out; left at the best point seen

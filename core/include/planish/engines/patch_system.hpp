@@ -8,9 +8,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
+#include "planish/engines/row_jacobian.hpp"
 #include "planish/engines/sparse_cholesky.hpp"
 #include "planish/problem.hpp"
 
@@ -62,13 +62,6 @@ class PatchSystem {
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
  private:
-  /// The ten blocks of four vertices, in order of elimination.
-  struct EquationSlots {
-    std::array<int, 4> order{};          ///< corners, latest eliminated first, halo last
-    int free = 0;                        ///< how many are free
-    std::array<BlockSlot, 10> blocks{};  ///< (0,0) (0,1) (1,1) (0,2) (1,2) (2,2) …
-  };
-
   void build_graph();
   void place_edges();
   [[nodiscard]] std::size_t edge(int row, int column) const;
@@ -77,8 +70,9 @@ class PatchSystem {
   void add_equations(const PatchState& state, double penalty);
   void add_norms(const PatchState& state, double smoothing, double shift);
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
-  [[nodiscard]] FourPoints corners_at(const Eigen::Matrix3Xd& displacement,
-                                      const FlatnessEquation& equation) const;
+  template <ConstraintRow Row>
+  [[nodiscard]] RowPoints<Row::kArity> points_of(const Row& row,
+                                                 const Eigen::Matrix3Xd& displacement) const;
   [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
 
   const Patch* patch_ = nullptr;
@@ -88,9 +82,11 @@ class PatchSystem {
   std::vector<BlockSlot> diagonal_;
   std::vector<BlockSlot> edge_slots_;  ///< layout of graph_.values; set where the row is the later
   std::vector<double> edge_weights_;   ///< ω_f EᵀE, same layout
-  std::vector<EquationSlots> slots_;
-  std::vector<double> constant_;       ///< panel values of ω_f EᵀE + q I
-  std::vector<FourPoints> gradients_;  ///< of the last factorization
+  std::vector<int> free_corners_;      ///< of each row
+  std::vector<int> corner_order_;      ///< row by row: its free corners, latest eliminated first
+  std::vector<BlockSlot> corner_slots_;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
+  std::vector<double> constant_;         ///< panel values of ω_f EᵀE + q I
+  RowJacobian jacobian_;                 ///< of the last factorization
   double penalty_ = 0.0;
   int factorizations_ = 0;
 };

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// All kinds of constraints. A new one is its own file and one line here.
+#pragma once
+
+#include "planish/constraints/constraint_rows.hpp"
+#include "planish/constraints/planar_polygon.hpp"
+
+namespace planish {
+
+using ConstraintKinds = KindList<  //
+    PlanarPolygon                  //
+    >;
+
+/// The rows of a mesh or of a patch.
+using ConstraintRows = RowBatches<ConstraintKinds>;
+
+}  // namespace planish

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// J: the gradients of a patch's rows at one state, and the products with them. Rows of every kind
+/// look alike here. [CON-2]
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "planish/index.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+
+class RowJacobian {
+ public:
+  /// Takes the rows' vertices; gradients are unset until evaluate() or set().
+  void attach(const Patch& patch);
+
+  /// ∇c of every row at points + displacement. @param displacement 3 × free
+  void evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacement);
+
+  /// ∇c of one row, 3 × its vertices.
+  template <int Arity>
+  void set(int row, const RowPoints<Arity>& gradient) {
+    gradients_.middleCols<Arity>(vertices_.offsets[at(row)]) = gradient;
+  }
+
+  [[nodiscard]] int size() const { return vertices_.size(); }
+  /// Local vertices of a row.
+  [[nodiscard]] std::span<const int> vertices(int row) const { return vertices_[row]; }
+  /// out = J δ. @param delta 3 × free
+  void apply(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
+
+  /// out += Jᵀ y. @param out 3 × free
+  void add_transposed(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const;
+
+  /// `start` + ⟨∇c, ∇c'⟩ of two rows over the free vertices they share: an entry of ρI + J Jᵀ.
+  [[nodiscard]] double product(int row, int other, double start = 0.0) const;
+
+ private:
+  RaggedRows vertices_;
+  Eigen::Matrix3Xd gradients_;  ///< 3 × |vertices_.values|
+  int free_count_ = 0;
+};
+
+}  // namespace planish

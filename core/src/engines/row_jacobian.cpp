@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/row_jacobian.hpp"
+
+namespace planish {
+void RowJacobian::attach(const Patch& patch) {
+  free_count_ = patch.free_count;
+  vertices_.offsets.assign(1, 0);
+  vertices_.values.clear();
+  patch.equations.for_each([&](int, const auto& row) {
+    vertices_.values.insert(vertices_.values.end(), row.vertices.begin(), row.vertices.end());
+    vertices_.offsets.push_back(static_cast<int>(vertices_.values.size()));
+  });
+  gradients_.resize(3, static_cast<Eigen::Index>(vertices_.values.size()));
+}
+
+void RowJacobian::evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacement) {
+  patch.equations.for_each(
+      [&](int e, const auto& row) { set(e, gradient(row, corners_at(patch, displacement, row))); });
+}
+
+void RowJacobian::apply(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
+  out.setZero(size());
+  for (int e = 0; e < size(); ++e) {
+    for (int k = vertices_.offsets[at(e)]; k < vertices_.offsets[at(e) + 1]; ++k) {
+      const int v = vertices_.values[at(k)];
+      if (v < free_count_) out[e] += gradients_.col(k).dot(delta.col(v));
+    }
+  }
+}
+
+void RowJacobian::add_transposed(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const {
+  for (int e = 0; e < size(); ++e) {
+    for (int k = vertices_.offsets[at(e)]; k < vertices_.offsets[at(e) + 1]; ++k) {
+      const int v = vertices_.values[at(k)];
+      if (v < free_count_) out.col(v) += y[e] * gradients_.col(k);
+    }
+  }
+}
+
+double RowJacobian::product(int row, int other, double start) const {
+  double sum = start;
+  for (int k = vertices_.offsets[at(row)]; k < vertices_.offsets[at(row) + 1]; ++k) {
+    const int v = vertices_.values[at(k)];
+    if (v >= free_count_) continue;
+    for (int l = vertices_.offsets[at(other)]; l < vertices_.offsets[at(other) + 1]; ++l) {
+      if (vertices_.values[at(l)] == v) sum += gradients_.col(k).dot(gradients_.col(l));
+    }
+  }
+  return sum;
+}
+
+}  // namespace planish
