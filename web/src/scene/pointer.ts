@@ -29,6 +29,8 @@ export interface PointerEvents {
   readonly boxing: () => boolean;
   readonly hover: (hold: Hold | null) => void;
   readonly click: (x: number, y: number, hold: Hold | null, how: Click) => void;
+  /** A double click; `ring` with Alt. */
+  readonly double: (x: number, y: number, how: { also: boolean; ring: boolean }) => void;
   readonly grab: (hold: Hold, press: Ray) => DragSession | null;
   /** A drag from here turns the camera. */
   readonly turn: (x: number, y: number) => void;
@@ -71,6 +73,11 @@ export class PointerTool {
       this.#events.zoom(x, y);
     };
     canvas.addEventListener("wheel", onWheel, { capture: true, passive: true, signal });
+    const onDouble = (event: MouseEvent): void => {
+      const { x, y } = this.#place(event);
+      this.#events.double(x, y, { also: addsTo(event), ring: event.altKey });
+    };
+    canvas.addEventListener("dblclick", onDouble, { signal });
     canvas.addEventListener("pointermove", (e) => this.#move(e), { signal });
     canvas.addEventListener("pointerup", (e) => this.#up(e), { signal });
     canvas.addEventListener("pointercancel", () => this.abandon(), { signal });
@@ -163,7 +170,7 @@ export class PointerTool {
     if (!press || event.button !== 0 || !event.isPrimary) return;
     this.#finish();
     const { x, y } = this.#place(event);
-    const also = event.ctrlKey || event.metaKey || event.shiftKey || press.kind === "box";
+    const also = addsTo(event) || press.kind === "box";
     if (!press.moved)
       this.#events.click(press.x, press.y, press.hold, { also, coarse: coarse(event) });
     else if (press.kind === "box") this.#events.choose(boxOf(press, x, y), press.event.shiftKey);
@@ -180,6 +187,9 @@ export class PointerTool {
     return this.#stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
   }
 }
+
+const addsTo = ({ ctrlKey, metaKey, shiftKey }: MouseEvent): boolean =>
+  ctrlKey || metaKey || shiftKey;
 
 const boxOf = (press: Press, x: number, y: number): Box => ({
   left: Math.min(press.x, x),

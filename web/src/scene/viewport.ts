@@ -107,6 +107,8 @@ export class Viewport {
   #shell: Shell | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
+  /** Clicks so far: what an earlier one would choose comes too late. */
+  #clicks = 0;
   /** The last place on the surface that the wheel or a turn began at. */
   #approached: Vector3 | null = null;
 
@@ -249,6 +251,7 @@ export class Viewport {
       boxing: () => boxTool.value,
       hover: (hold) => this.#hover(hold),
       click: (x, y, hold, press) => this.#click(x, y, hold, press),
+      double: (x, y, how) => void this.#chooseLine({ x, y }, how),
       grab: (hold, press) => this.#grab(hold, press),
       turn: (x, y) => this.stage.turnAbout(this.#leader() ?? this.#surfaceAt({ x, y })),
       zoom: (x, y) => {
@@ -287,6 +290,7 @@ export class Viewport {
   }
 
   #click(x: number, y: number, hold: Hold | null, { also, coarse }: Click): void {
+    this.#clicks += 1;
     if (hold?.arrow) return;
     if (hold && also) toggleSelected(hold.vertex);
     else if (hold) selectOnly(hold.vertex);
@@ -296,13 +300,26 @@ export class Viewport {
   /** The panel that a click means becomes the selected one; beside the model nothing is selected. */
   async #choosePanel(x: number, y: number, coarse: boolean): Promise<void> {
     deselect();
-    const shell = this.#shell;
+    const [shell, click] = [this.#shell, this.#clicks];
     const part = await fetchPart(() => import("./panel-picking.ts"));
-    if (!shell || !part || shell !== this.#shell) return;
+    if (!shell || !part || shell !== this.#shell || click !== this.#clicks) return;
     const rayThrough = (at: Place): Ray => this.#rayThrough(at);
     this.#choosing = true;
     selectedPanel.value = part.pickPanel(shell, { x, y }, coarse, this.#view(), rayThrough);
     this.#choosing = false;
+  }
+
+  /** The line of the mesh, or the strip, that a double click on an edge means. */
+  async #chooseLine(place: Place, { also, ring }: { also: boolean; ring: boolean }): Promise<void> {
+    const shell = this.#shell;
+    if (!shell || !ready.value) return;
+    this.#clicks += 1;
+    const part = await fetchPart(() => import("./line-picking.ts"));
+    const line = shell === this.#shell ? part?.pickLine(shell, place, ring, this.#view()) : null;
+    if (!line) return;
+    if (also) selectAlso(line);
+    else selectThese(line);
+    selectedPanel.value = null;
   }
 
   #choose(box: Box, also: boolean): void {

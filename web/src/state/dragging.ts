@@ -117,6 +117,18 @@ export function beginDrag(vertices: readonly number[]): Drag | null {
   return new Drag(loose);
 }
 
+/** Moves points by the same typed amounts; model units. */
+export async function moveTogether(vertices: readonly number[], by: Point): Promise<void> {
+  hintVertex.value = null;
+  await edit((rows) => {
+    let next = [...rows];
+    for (const vertex of vertices.filter((v) => !isPinned(v))) {
+      next = withHandle(next, { vertex, target: add(askedPoint(vertex), by), pinned: false });
+    }
+    return next;
+  });
+}
+
 /** Moves points by typed amounts along their own surface and out of it. */
 export async function moveInFrame(
   vertices: readonly number[],

@@ -20,6 +20,10 @@ const HINTS: readonly Hint[] = [
     how: "[Ctrl] click, [Shift] drag",
     what: "add a point to the selection, or all in a box, those behind the surface too; they move together",
   },
+  {
+    how: "Double click on an edge",
+    what: "selects the line of the mesh through it, with Alt the strip of panels across it; with Ctrl adds",
+  },
   { how: "[P]", what: "pins the selected points, or lets them go" },
   { how: "Rest on a point", what: "says how far it moved, or what its colour stands for" },
   { how: "Click a panel", what: "shows its figure; close by is enough where it is narrow" },

@@ -6,7 +6,7 @@ import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
 import { isFlat } from "../state/flatness.ts";
-import { figures, mesh, problem, showBefore } from "../state/store.ts";
+import { boxTool, figures, mesh, problem, selection, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
@@ -14,6 +14,9 @@ import { ViewKeys } from "./view-keys.ts";
 
 const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
 const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
+const SelectionStrip = later(() =>
+  import("./selection-strip.tsx").then((part) => part.SelectionStrip),
+);
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
@@ -32,6 +35,11 @@ function Summary() {
         : "The model is being prepared."}
     </p>
   );
+}
+
+/** Where several points are selected, or about to be. */
+function Several() {
+  return selection.value.length > 1 || boxTool.value ? <SelectionStrip /> : null;
 }
 
 /** What is seen while B or Before is held. */
@@ -123,6 +131,7 @@ export function ViewportPane() {
       <div ref={box} class="selection-box" hidden />
       <BeforeNote />
       <DragTools />
+      <Several />
       <Legend element={legend} />
       <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>

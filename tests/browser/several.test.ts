@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Several points are one thing: lines and borders are selected at once, moved, pinned and let go.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { readObj } from "./support/obj.ts";
+import { idle, movedCount, obj } from "./support/page.ts";
+import { site } from "./support/site.ts";
+import { handleRows, hintedPoint, type Place } from "./support/view.ts";
+
+/** Points along and across the first sample. */
+const SIDE = 21;
+
+const strip = (page: Page) => page.getByRole("toolbar", { name: "Selected points" });
+
+const press = async (page: Page, name: string): Promise<void> => {
+  await strip(page).getByRole("button", { name, exact: true }).click();
+};
+
+const selected = async (page: Page): Promise<number> =>
+  (await strip(page).count()) === 0
+    ? 0
+    : Number.parseInt((await strip(page).textContent()) ?? "", 10);
+
+const expectSelected = (page: Page, count: number): Promise<void> =>
+  expect.poll(() => selected(page)).toBe(count);
+
+/** Selects the first visit's point and its neighbour to the right; gives the middle of their edge. */
+async function selectEdge(page: Page): Promise<Place> {
+  const at = await hintedPoint(page);
+  await page.mouse.click(at.x, at.y);
+  await page.keyboard.press("Control+ArrowRight");
+  await expectSelected(page, 2);
+  const places = async (): Promise<Place[]> =>
+    page.locator(".marker.selected").evaluateAll((all) =>
+      all.map((mark) => {
+        const { x, y, width, height } = mark.getBoundingClientRect();
+        return { x: x + width / 2, y: y + height / 2 };
+      }),
+    );
+  // A mark lies at the corner of the view until it is drawn.
+  await expect.poll(async () => Math.abs(((await places())[1]?.x ?? 0) - at.x)).toBeLessThan(60);
+  const [a = at, b = at] = await places();
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+}
+
+it("a double click on an edge selects its line, with Alt its strip; the strip's buttons too", async () => {
+  const page = await site.open();
+  const middle = await selectEdge(page);
+  await page.mouse.dblclick(middle.x, middle.y);
+  await expectSelected(page, SIDE);
+  await page.keyboard.down("Alt");
+  await page.mouse.dblclick(middle.x, middle.y);
+  await page.keyboard.up("Alt");
+  await expectSelected(page, 2 * SIDE);
+  await page.keyboard.press("Escape");
+  expect(await selected(page)).toBe(0);
+  const again = await hintedPoint(page);
+  await page.mouse.click(again.x, again.y);
+  await page.keyboard.press("Control+ArrowRight");
+  await press(page, "Line");
+  await expectSelected(page, SIDE);
+  await page.context().close();
+});
+
+it("a selection grows, shrinks and is turned round", async () => {
+  const page = await site.open();
+  await selectEdge(page);
+  await press(page, "Grow");
+  await expectSelected(page, 8);
+  await press(page, "Shrink");
+  await expectSelected(page, 2);
+  await press(page, "Invert");
+  await expectSelected(page, SIDE * SIDE - 2);
+  await press(page, "Ring");
+  await expectSelected(page, SIDE * SIDE - 2);
+  await press(page, "Invert");
+  await expectSelected(page, 2);
+  await press(page, "Ring");
+  await expectSelected(page, 2 * SIDE);
+  await page.context().close();
+});
+
+it("the boundary is pinned and a line raised by an amount, in twelve actions; both are let go", async () => {
+  const page = await site.open();
+  const base = readObj(await obj(page));
+  const middle = await selectEdge(page);
+  await page.keyboard.press("Escape");
+  let actions = 0;
+  const act = async (action: Promise<unknown>): Promise<void> => {
+    actions += 1;
+    await action;
+  };
+  await act(page.getByRole("button", { name: "Select in a box" }).click());
+  await act(press(page, "Boundary"));
+  await expectSelected(page, 4 * (SIDE - 1));
+  await act(press(page, "Pin"));
+  await idle(page);
+  await act(page.getByRole("button", { name: "Select in a box" }).click());
+  await act(page.mouse.dblclick(middle.x, middle.y));
+  await expectSelected(page, SIDE);
+  const raise = strip(page).getByRole("spinbutton", { name: "Move by Z" });
+  await act(raise.fill("300mm"));
+  await act(raise.press("Enter"));
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  expect(actions).toBeLessThanOrEqual(12);
+  expect(await raise.inputValue()).toBe("0");
+  const table = page.getByRole("table", { name: "Handles" });
+  await expect.poll(() => table.getByText(/^80 pinned/).count()).toBe(1);
+  // The two ends of the line are on the boundary: they are pinned, and stay.
+  await expect.poll(() => table.getByText(new RegExp(`^${SIDE - 2} handles`)).count()).toBe(1);
+  await table.getByRole("button", { name: "List" }).first().click();
+  const raised = (await handleRows(page)).filter(
+    ({ pinned, target }) => !pinned && target.length > 0,
+  );
+  expect(raised.length).toBe(SIDE - 2);
+  for (const { vertex, target } of raised) {
+    const [x, y, z = 0] = base.points[vertex] ?? [];
+    expect(target.slice(0, 2)).toEqual([x, y]);
+    expect(target[2]).toBeCloseTo(z + 0.3, 12);
+  }
+  await press(page, "Remove");
+  await idle(page);
+  expect(await movedCount(page)).toBe(0);
+  await table.getByRole("button", { name: "Select", exact: true }).click();
+  // Without those of the line.
+  await expectSelected(page, 4 * (SIDE - 1) - 2);
+  await press(page, "Free");
+  await idle(page);
+  await expect.poll(() => table.getByRole("row").count()).toBe(1);
+  await page.context().close();
+});
