@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What a kind of constraint is: equations ("rows") that hang on the elements of a mesh, each a
 /// smooth function of a few vertices with closed derivatives. Engines see rows, never kinds.
+/// How to add one: docs/extending.md. [CON-1]
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "planish/mesh.hpp"
@@ -41,11 +43,15 @@ using CurvatureBlocks =
 /// Where the block (k, l), k ≥ l, of a row stands in its CurvatureBlocks.
 template <class Row>
 constexpr std::size_t block_index(int k, int l) {
-  return static_cast<std::size_t>((Row::kCurvedDiagonal ? k * (k + 1) / 2 : k * (k - 1) / 2) + l);
+  const auto row = static_cast<std::size_t>(k);
+  const std::size_t first = (Row::kCurvedDiagonal ? row * (row + 1) : row * (row - 1)) / 2;
+  return first + static_cast<std::size_t>(l);
 }
 
 /// One equation on `kArity` vertices: data that was made once for the base mesh, and three pure
-/// functions, found by argument-dependent lookup. The residual is in the unit of the positions.
+/// functions, found by argument-dependent lookup. The residual is a length, in the unit of the
+/// positions. Where it is zero, the gradient is its derivative and the Hessian, along directions
+/// that keep it, the gradient's; elsewhere they may leave out multiples of the residual.
 template <class Row>
 concept ConstraintRow = requires(const Row& row, const RowPoints<Row::kArity>& points) {
   requires std::same_as<std::remove_cvref_t<decltype(row.vertices)>, std::array<int, Row::kArity>>;
@@ -58,19 +64,16 @@ concept ConstraintRow = requires(const Row& row, const RowPoints<Row::kArity>& p
 template <class Kind>
 concept ConstraintKind = ConstraintRow<typename Kind::Row> &&
     requires(const Positions& positions, std::span<const int> element,
-             std::vector<typename Kind::Row>& out, Eigen::Matrix3Xd& points,
-             Eigen::Vector3d& last) {
+             std::vector<typename Kind::Row>& out) {
   { Kind::kName } -> std::convertible_to<std::string_view>;  ///< on the command line
   { Kind::kUnit } -> std::convertible_to<std::string_view>;  ///< of measure()
   { Kind::kTolerance } -> std::convertible_to<double>;       ///< default bound of measure()
   { Kind::kElement } -> std::convertible_to<Element>;
   { Kind::kSense } -> std::convertible_to<Sense>;
-  /// The rows of one element, scaled on `positions`; none where the element cannot break it.
+  /// The rows of one element, scaled on `positions`; none where it cannot be broken.
   Kind::append_rows(positions, element, out);
   /// How far one element is from keeping the constraint, ≥ 0; what people are told.
   { Kind::measure(positions, element) } -> std::same_as<double>;
-  /// The nearest points that keep it, centred; for splitting. `last` remembers a direction.
-  Kind::project_centred(points, last);
 };
 
 }  // namespace planish

@@ -95,9 +95,6 @@ struct PlanarPolygon {
   [[nodiscard]] static double measure(const Positions& positions, std::span<const int> face) {
     return face_planarity(positions, face).mm_per_m;
   }
-  static void project_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector3d& normal) {
-    project_to_plane_centred(points, normal);
-  }
 };
 
 }  // namespace planish

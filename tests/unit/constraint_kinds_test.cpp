@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planish/constraints/registry.hpp"
+#include "support/constraint_checks.hpp"
+#include "support/equal_diagonals.hpp"
+
+namespace planish {
+namespace {
+
+/// [CON-1] for whatever is registered.
+TEST(ConstraintKinds, HaveTheirDerivativesAndTheirMeasure) {
+  ConstraintKinds::for_each([]<class Kind>() { testing::expect_sound_kind<Kind>(); });
+}
+
+/// The example of docs/extending.md is a kind: it satisfies the concept and every check.
+TEST(ConstraintKinds, TheExampleIsOne) {
+  using WithExample = KindList<PlanarPolygon, testing::EqualDiagonals>;
+  static_assert(WithExample::index_of<testing::EqualDiagonals>() == 1);
+  WithExample::for_each([]<class Kind>() { testing::expect_sound_kind<Kind>(); });
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(std::string(PLANISH_REFERENCE_DATA) + "/../../../" + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ConstraintKinds, TheExampleIsTheOneThatIsShown) {
+  const std::string code = text_of("tests/support/equal_diagonals.hpp");
+  ASSERT_FALSE(code.empty());
+  EXPECT_NE(text_of("docs/extending.md").find("```cpp\n" + code + "```"), std::string::npos);
+  EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 60);
+}
+
+/// Rows are numbered through, batch after batch, in the order of the list.
+TEST(RowBatches, NumberTheirRowsThrough) {
+  RowBatches<KindList<PlanarPolygon, testing::EqualDiagonals>> rows;
+  rows.of<testing::EqualDiagonals>().resize(3);
+  rows.of<PlanarPolygon>().resize(2);
+  EXPECT_EQ(rows.size(), 5u);
+  std::vector<int> numbers, planar;
+  rows.for_each([&]<class Row>(int number, const Row&) {
+    numbers.push_back(number);
+    if constexpr (std::is_same_v<Row, FlatnessEquation>) planar.push_back(number);
+  });
+  EXPECT_EQ(numbers, (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(planar, (std::vector<int>{0, 1}));
+  rows.clear();
+  EXPECT_TRUE(rows.empty());
+}
+
+TEST(ConstraintKinds, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  ConstraintKinds::for_each([&]<class Kind>() {
+    EXPECT_TRUE(names.insert(Kind::kName).second) << Kind::kName;
+    EXPECT_FALSE(Kind::kUnit.empty()) << Kind::kName;
+    EXPECT_GT(Kind::kTolerance, 0.0) << Kind::kName;
+  });
+}
+
+}  // namespace
+}  // namespace planish
