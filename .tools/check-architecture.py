@@ -25,7 +25,7 @@ ARROWS = {
     "topology": {"mesh"},  # edge_table, disjoint_sets: what mesh_check needs
     "read_result": {"mesh"},  # io's result type and its sentences: mesh_check speaks the same
     "adjacency": {"mesh"},
-    "constraints": {"mesh"},
+    "constraints": {"mesh", "trigonometry"},
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints", "trigonometry"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
@@ -47,6 +47,7 @@ ARROWS = {
 # Files whose group is not their directory or stem.
 FILE_GROUPS = {
     "index": "mesh",
+    "logarithm": "trigonometry",
     "stopwatch": "report",
     "solve_report": "report",
     "engine": "report",

@@ -202,7 +202,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .field("hardHandles", &HandleEditOptions::hard_handles)
       .field("engine", &HandleEditOptions::engine)
       .field("tolerance", &HandleEditOptions::tolerance)
-      .field("maxIterations", &HandleEditOptions::max_iterations);
+      .field("maxIterations", &HandleEditOptions::max_iterations)
+      .field("keepShape", &HandleEditOptions::keep_shape);
   emscripten::value_object<SubspaceOptions>("SubspaceOptions")
       .field("dimension", &SubspaceOptions::dimension)
       .field("fairnessWeight", &SubspaceOptions::fairness_weight)

@@ -14,6 +14,7 @@ export interface HandleEditOptions {
   fairness: EnumValue;
   sparsity: EnumValue;
   hardHandles: boolean;
+  keepShape: boolean;
   engine: EnumValue;
   tolerance: number;
   maxIterations: number;

@@ -22,6 +22,17 @@ double largest_distance(const Positions& a, const Positions& b) {
   return a.cols() > 0 ? (a - b).colwise().norm().maxCoeff() : 0.0;
 }
 
+/// Empty where there is no certificate: a drag's frame, a variation, a step of the history.
+JsonText optimality_text(const SolveReport& solve) {
+  JsonText text;
+  if (solve.optimality) {
+    text.add("stationarity", solve.optimality->stationarity)
+        .add("outside", solve.optimality->outside)
+        .add("certifiedVertices", solve.optimality->certified_vertices);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
@@ -43,6 +54,7 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
       .add("iterations", solve.iterations)
       .add("seconds", seconds)
       .add("residuals", residuals(solve))
+      .add("optimality", optimality_text(solve))
       .text();
 }
 

@@ -29,6 +29,15 @@ void set_number(const Arguments& arguments, std::string_view option, double& val
   if (const auto text = arguments.value(option)) value = parse_finite(*text, option);
 }
 
+void set_bounds(const Arguments& arguments, HandleEditOptions& options) {
+  for (const std::string& bound : arguments.values("--bound")) {
+    if (bound != "shape=on" && bound != "shape=off") {
+      throw CommandError(kWrongUsage, "--bound: \"" + bound + "\" is none of shape=on, shape=off");
+    }
+    options.keep_shape = bound == "shape=on";
+  }
+}
+
 int parse_vertex(std::string_view text, std::string_view what, const Mesh& mesh) {
   const int vertex = parse_whole(text, what);
   if (vertex < 0 || vertex >= mesh.vertex_count()) {
@@ -66,6 +75,9 @@ std::vector<OptionRow> edit_option_rows() {
   return {{"--handle", "V=x,y,z", "move vertex V (from 0) there; V+=dx,dy,dz moves it by that"},
           {"--pin", "V,V,...", "vertices that stay where they are"},
           {"--hard", "", "handles reach their targets exactly"},
+          {"--bound", "NAME=VALUE",
+           "shape=on|off, default on: no panel becomes concave, crossing,\n"
+           "turned over or collapsed that was not"},
           {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
           {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
           {"--attraction", "W", "weight ω_h, default 1000: higher meets the handles closer"},
@@ -94,6 +106,7 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   set_number(arguments, "--attraction", options.attraction);
   set_number(arguments, "--tolerance", options.tolerance);
   options.hard_handles = arguments.has("--hard");
+  set_bounds(arguments, options);
   if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
   if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
   if (const auto text = arguments.value("--sparsity")) {

@@ -92,6 +92,11 @@ void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["handle_error"] = report.handle_error;
   json["iterations"] = report.iterations;
   json["factorizations"] = report.factorizations;
+  if (report.optimality) {
+    json["optimality"] = {{"stationarity", report.optimality->stationarity},
+                          {"outside", report.optimality->outside},
+                          {"certified_vertices", report.optimality->certified_vertices}};
+  }
   json["seconds"] = {{"setup", report.setup_seconds}, {"solve", report.solve_seconds}};
 }
 

@@ -149,10 +149,17 @@ DesignSource read_source(const Field& source) {
   return file;
 }
 
+/// What a design means that does not name its bounds: those of the time before there were any.
+HandleEditOptions options_before_bounds() {
+  HandleEditOptions options;
+  options.keep_shape = false;
+  return options;
+}
+
 HandleEditOptions read_options(const Field& field) {
   field.only({"attraction", "locality", "smoothness", "fairness", "sparsity", "hard", "solver",
-              "tolerance", "max_iterations"});
-  HandleEditOptions options;
+              "tolerance", "max_iterations", "shape"});
+  HandleEditOptions options = options_before_bounds();
   read_if(field, "attraction", options.attraction);
   read_if(field, "locality", options.locality);
   read_if(field, "smoothness", options.smoothness);
@@ -162,6 +169,7 @@ HandleEditOptions read_options(const Field& field) {
   if (field.has("solver")) options.engine = field.at("solver").word(kEngineWords);
   read_if(field, "tolerance", options.tolerance);
   if (field.has("max_iterations")) options.max_iterations = field.at("max_iterations").whole(0);
+  read_if(field, "shape", options.keep_shape);
   return options;
 }
 
@@ -229,7 +237,7 @@ Design read_root(const Field& root) {
   read_if(root, "planarised", design.planarised);
   if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
   design.targets = read_targets(root);
-  if (root.has("options")) design.options = read_options(root.at("options"));
+  design.options = root.has("options") ? read_options(root.at("options")) : options_before_bounds();
   if (root.has("variations")) {
     const Field variations = root.at("variations");
     for (std::size_t k = 0; k < variations.size(kMostVariations); ++k) {

@@ -35,15 +35,17 @@ Json source_json(const DesignSource& source) {
 }
 
 Json options_json(const HandleEditOptions& options) {
-  return {{"attraction", options.attraction},
-          {"locality", options.locality},
-          {"smoothness", options.smoothness},
-          {"fairness", word_of(options.fairness, kFairnessWords)},
-          {"sparsity", word_of(options.sparsity, kSparsityWords)},
-          {"hard", options.hard_handles},
-          {"solver", word_of(options.engine, kEngineWords)},
-          {"tolerance", options.tolerance},
-          {"max_iterations", options.max_iterations}};
+  Json json = {{"attraction", options.attraction},
+               {"locality", options.locality},
+               {"smoothness", options.smoothness},
+               {"fairness", word_of(options.fairness, kFairnessWords)},
+               {"sparsity", word_of(options.sparsity, kSparsityWords)},
+               {"hard", options.hard_handles},
+               {"solver", word_of(options.engine, kEngineWords)},
+               {"tolerance", options.tolerance},
+               {"max_iterations", options.max_iterations}};
+  if (options.keep_shape) json["shape"] = true;  // absent in designs from before the bounds
+  return json;
 }
 
 Json variation_json(const DesignVariation& variation) {

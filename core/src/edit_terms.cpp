@@ -8,6 +8,10 @@
 namespace planish {
 namespace {
 
+/// t of [SHP-3]: what the barrier costs where a corner has lost half of its size is then far below
+/// the price of a moved vertex.
+constexpr double kShapeWeight = 1e-2;
+
 /// What every vertex has that is neither a handle nor a pin.
 VertexTerm default_term(const HandleEditOptions& options) {
   VertexTerm term;
@@ -21,6 +25,7 @@ VertexTerm default_term(const HandleEditOptions& options) {
 void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
   const VertexTerm term = default_term(options);
   problem.sparse = term.norm_weight > 0.0;
+  problem.shape_weight = options.keep_shape ? kShapeWeight : 0.0;
   problem.terms.assign(at(problem.model->vertex_count()), term);
   overridden_.clear();
 }

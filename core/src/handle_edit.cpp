@@ -14,10 +14,34 @@
 #include "planish/engines/working_set_newton.hpp"
 #include "planish/index.hpp"
 #include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
 #include "planish/problem.hpp"
 #include "planish/stopwatch.hpp"
 
 namespace planish {
+namespace {
+
+/// Whether every touched panel is as sound as it was, by the verdict that reports give.
+bool keeps_shape(const Mesh& base, const ExactDesign& design) {
+  Positions before;
+  Positions after;
+  std::vector<int> outline;
+  return std::all_of(design.faces.begin(), design.faces.end(), [&](int f) {
+    const auto face = base.face(f);
+    before = base.positions(Eigen::all, std::vector<int>(face.begin(), face.end()));
+    after = before;
+    outline.resize(face.size());
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      outline[k] = static_cast<int>(k);
+      const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), face[k]);
+      if (found == design.vertices.end() || *found != face[k]) continue;
+      after.col(outline[k]) = design.positions.col(found - design.vertices.begin());
+    }
+    return panel_damage(before, after, outline) == PanelDamage::kNone;
+  });
+}
+
+}  // namespace
 
 Positions apply(const Mesh& mesh, const HandleEditResult& result) {
   Positions positions = mesh.positions;
@@ -39,15 +63,21 @@ class HandleEditSolver::State {
   void rebuild();
   void set_targets(const EditTargets& targets);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign settle(const NewtonOptions& options, const Interruption& interruption,
+                     SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
   [[nodiscard]] bool nothing_to_do() const;
   [[nodiscard]] bool is_exact(const ExactDesign& design) const;
+  [[nodiscard]] bool is_acceptable(const ExactDesign& design) const;
   [[nodiscard]] SolveStatus honest(SolveStatus status, const ExactDesign& design) const;
   [[nodiscard]] static ExactDesign unmoved();
   ExactDesign run_engine(const Progress& progress, SolveReport& report);
   ExactDesign come_nearer(const Progress& progress, SolveReport& report);
+  [[nodiscard]] double handle_distance(const ExactDesign& design) const;
+  [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
+  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
 
   HandleEditOptions options_;
   std::unique_ptr<MeshModel> model_;
@@ -120,6 +150,20 @@ ExactDesign HandleEditSolver::State::unmoved() {
   return design;
 }
 
+/// Largest distance of a handle from its target, solver units.
+double HandleEditSolver::State::handle_distance(const ExactDesign& design) const {
+  double largest = 0.0;
+  for (const int v : problem_.handles) {
+    Eigen::Vector3d reached = Eigen::Vector3d::Zero();
+    const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), v);
+    if (found != design.vertices.end() && *found == v) {
+      reached = design.displacement.col(found - design.vertices.begin());
+    }
+    largest = std::max(largest, (reached - problem_.terms[at(v)].target).norm());
+  }
+  return largest;
+}
+
 HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, SolveReport report) {
   HandleEditResult result;
   const Positions& base = model_->mesh.positions;
@@ -142,15 +186,7 @@ HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, S
   report.planarity_before = planarity_->mm_per_m.worst();
   report.planarity_after =
       std::max(design.worst_mm_per_m, planarity_->mm_per_m.worst_outside(design.faces));
-  for (const int v : problem_.handles) {
-    Eigen::Vector3d reached = Eigen::Vector3d::Zero();
-    const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), v);
-    if (found != design.vertices.end() && *found == v) {
-      reached = design.displacement.col(found - design.vertices.begin());
-    }
-    const double error = model_->unit() * (reached - problem_.terms[at(v)].target).norm();
-    report.handle_error = std::max(report.handle_error, error);
-  }
+  report.handle_error = model_->unit() * handle_distance(design);
   report.factorizations += design.factorizations;
   report.setup_seconds = setup_seconds_;
   result.report = std::move(report);
@@ -168,46 +204,87 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   report.iterations += outcome.steps;
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
-  return finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
+  return settle(options, interruption, report);
 }
 
-/// The handles moved in equal parts, each part exact before the next: slower, and it always ends on
-/// an exact design, though perhaps short of the targets.
+/// From the state that a search left to a certified design, or to the design of that state.
+ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options,
+                                            const Interruption& interruption, SolveReport& report) {
+  const DisplacementField::Snapshot found = trial_->snapshot();
+  const std::vector<int> support = newton_->support();
+  if (report.status != SolveStatus::kCancelled) {
+    const NewtonOutcome fine = newton_->settle(problem_, options, *trial_, interruption);
+    report.iterations += fine.steps;
+    report.factorizations += fine.factorizations;
+    ExactDesign design = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
+    if (is_acceptable(design)) {
+      report.optimality = newton_->optimality(problem_, design.vertices, design.displacement);
+      report.status = fine.status == SolveStatus::kCancelled ? fine.status
+                      : report.optimality->met()             ? SolveStatus::kConverged
+                                                             : SolveStatus::kIterationLimit;
+      return design;
+    }
+    report.factorizations += design.factorizations;
+    report.status = SolveStatus::kIterationLimit;
+    trial_->restore(found);
+    newton_->set_support(support);
+  }
+  return finish_->finish(problem_, support, *trial_, options_.tolerance);
+}
+
+/// The handles moved in parts, each part acceptable before the next: slower, and it always ends on
+/// an acceptable design, though perhaps short of the targets. A part that fails is tried at half
+/// its length, a few times in all.
 ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
-  constexpr int kParts = 8;
+  constexpr double kFirstPart = 0.125;
+  constexpr double kShortestPart = 0.125 / 16;
   NewtonOptions options;
   options.stop = 1e-5;
   options.max_steps = 60;
-  std::vector<VertexTerm> whole;
-  for (const int v : problem_.handles) whole.push_back(problem_.terms[at(v)]);
+  std::vector<Eigen::Vector3d> targets;
+  for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);
   const Interruption interruption = [&](const IterationRecord& record) {
     return progress && progress(record) == Flow::kStop;
   };
   ExactDesign best = unmoved();
   trial_->clear();
+  newton_->set_support(problem_.handles);
   report.status = SolveStatus::kInfeasibleHandles;
-  for (int part = 1; part <= kParts; ++part) {
-    for (std::size_t k = 0; k < whole.size(); ++k) {
-      const double share = static_cast<double>(part) / kParts;
-      problem_.terms[at(problem_.handles[k])].target = share * whole[k].target;
+  double reached = 0.0;
+  for (double part = kFirstPart; reached < 1.0 && part >= kShortestPart;) {
+    const DisplacementField::Snapshot before = trial_->snapshot();
+    const std::vector<int> support = newton_->support();
+    const double share = std::min(1.0, reached + part);
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      problem_.terms[at(problem_.handles[k])].target = share * targets[k];
     }
     const NewtonOutcome outcome =
-        part == 1 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, interruption)
-                  : newton_->run_warm(problem_, options, *trial_, interruption);
+        reached == 0.0 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, interruption)
+                       : newton_->run_warm(problem_, options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
     ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, options_.tolerance);
-    if (!is_exact(next)) break;
-    best = std::move(next);
+    if (is_acceptable(next)) {
+      best = std::move(next);
+      reached = share;
+    } else {
+      trial_->restore(before);
+      newton_->set_support(support);
+      part *= 0.5;
+    }
     if (outcome.status == SolveStatus::kCancelled) {
       report.status = SolveStatus::kCancelled;
       break;
     }
-    if (part == kParts) report.status = SolveStatus::kIterationLimit;
   }
-  for (std::size_t k = 0; k < whole.size(); ++k) {
-    problem_.terms[at(problem_.handles[k])] = whole[k];
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    problem_.terms[at(problem_.handles[k])].target = targets[k];
   }
+  if (reached < 1.0 || report.status == SolveStatus::kCancelled) return best;
+  report.status = SolveStatus::kIterationLimit;
+  ExactDesign settled = settle(options, interruption, report);
+  if (is_acceptable(settled)) return settled;
+  report.optimality.reset();
   return best;
 }
 
@@ -234,6 +311,11 @@ bool HandleEditSolver::State::is_exact(const ExactDesign& design) const {
   return design.worst_excess <= std::max(options_.tolerance, planarity_->excess.worst());
 }
 
+/// Exact, and no panel lost the shape it had.
+bool HandleEditSolver::State::is_acceptable(const ExactDesign& design) const {
+  return is_exact(design) && (!options_.keep_shape || keeps_shape(model_->mesh, design));
+}
+
 /// A design of a base that was not flat itself is no exact one, however it ended.
 SolveStatus HandleEditSolver::State::honest(SolveStatus status, const ExactDesign& design) const {
   const double excess =
@@ -250,17 +332,47 @@ ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveR
 /// in parts. The base mesh is the last resort, and always valid.
 ExactDesign HandleEditSolver::State::come_nearer(const Progress& progress, SolveReport& report) {
   const std::vector<VertexTerm> terms = problem_.terms;
-  bool softened = false;
-  for (const int v : problem_.handles) {
-    softened = softened || problem_.terms[at(v)].fixed;
-    problem_.terms[at(v)].fixed = false;
+  const bool softened = std::any_of(problem_.handles.begin(), problem_.handles.end(),
+                                    [&](int v) { return problem_.terms[at(v)].fixed; });
+  if (softened && options_.keep_shape) {  // a jump starts beyond the barrier, a path does not
+    ExactDesign design = solve_in_parts(progress, report);
+    if (report.status != SolveStatus::kInfeasibleHandles) return design;
   }
+  for (const int v : problem_.handles) problem_.terms[at(v)].fixed = false;
   ExactDesign design = solve_in_parts(progress, report);
   problem_.terms = terms;
   if (softened && report.status != SolveStatus::kCancelled) {
     report.status = SolveStatus::kInfeasibleHandles;
   }
   return design;
+}
+
+/// A jump may end against the barrier, far from the target and from any minimum.
+bool HandleEditSolver::State::stops_short(const ExactDesign& design,
+                                          const SolveReport& report) const {
+  constexpr double kFar = 0.05;  // of the move
+  const bool certified = report.optimality && report.optimality->met();
+  if (!options_.keep_shape || certified || report.status == SolveStatus::kCancelled) return false;
+  return handle_distance(design) > kFar * handle_scale(problem_);
+}
+
+/// The way in parts, where it ends lower.
+void HandleEditSolver::State::try_in_parts(const Progress& progress, ExactDesign& design,
+                                           SolveReport& report) {
+  SolveReport other;
+  ExactDesign nearer = solve_in_parts(progress, other);
+  const double reached = design_objective(problem_, design, *cutter_).total();
+  const bool lower = design_objective(problem_, nearer, *cutter_).total() < reached;
+  other.iterations += report.iterations;
+  other.factorizations += report.factorizations;
+  other.records = std::move(report.records);
+  if (!lower) {
+    other.status = report.status;
+    other.optimality = report.optimality;
+  } else {
+    design = std::move(nearer);
+  }
+  report = std::move(other);
 }
 
 HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
@@ -274,12 +386,15 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
     return result_of(unmoved(), std::move(report));
   }
   ExactDesign design = run_engine(progress, report);
-  if (!is_exact(design)) {
+  if (!is_acceptable(design)) {
+    report.optimality.reset();
     if (report.status == SolveStatus::kCancelled) {
       design = unmoved();
     } else {
       design = come_nearer(progress, report);
     }
+  } else if (stops_short(design, report)) {
+    try_in_parts(progress, design, report);
   } else if (report.status == SolveStatus::kSingularSystem) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
@@ -322,7 +437,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
   ExactDesign design = finish_->finish(problem_, drag_support_, *field_, options_.tolerance);
-  if (is_exact(design)) {
+  if (is_acceptable(design)) {
     last_exact_ = std::move(design);
   } else {  // the last exact state stands; the next frame starts afresh
     drag_support_.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planish/problem.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "planish/index.hpp"
@@ -63,8 +64,7 @@ void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
   });
 }
 
-void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Patch& patch) {
-  const MeshModel& model = *problem.model;
+void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, Patch& patch) {
   patch.vertices.clear();
   patch.equations.clear();
   patch.equation_ids.clear();
@@ -74,47 +74,97 @@ void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Pat
   patch.fairness_vertices.offsets.assign(1, 0);
   patch.fairness_vertices.values.clear();
   patch.fairness_values.clear();
+  patch.corners.clear();
   patch.fairness_weight = problem.fairness_weight;
+  patch.shape_weight = problem.shape_weight;
   ++stamp_;
   for (const int v : free) {
     if (!problem.terms[at(v)].fixed) (void)local(v, patch);
   }
   patch.free_count = patch.local_count();
-  for (int k = 0; k < patch.free_count; ++k) {
+}
+
+/// The outline of one face, and its corners that touch a free vertex.
+void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  if (model.face(f).size() >= 4) {
+    patch.face_ids.push_back(f);
+    for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
+    patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
+  }
+  if (problem.shape_weight <= 0.0) return;
+  std::size_t kept = patch.corners.size();
+  append_corner_shapes(model.points, model.face(f), patch.corners);
+  for (std::size_t k = kept; k < patch.corners.size(); ++k) {
+    CornerShape corner = patch.corners[k];
+    for (int& w : corner.vertices) w = local(w, patch);
+    const bool touches = std::any_of(corner.vertices.begin(), corner.vertices.end(),
+                                     [&](int w) { return w < patch.free_count; });
+    if (touches) patch.corners[kept++] = corner;
+  }
+  patch.corners.resize(kept);
+}
+
+void PatchCutter::add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  for (FairnessOperator::InnerIterator row(model.fairness_columns, vertex); row; ++row) {
+    const auto r = static_cast<int>(row.col());
+    if (row_mark_[at(r)] == stamp_) continue;
+    row_mark_[at(r)] = stamp_;
+    for (FairnessOperator::InnerIterator entry(model.fairness, r); entry; ++entry) {
+      const int w = local(static_cast<int>(entry.col()), patch);
+      patch.fairness_vertices.values.push_back(w);
+      patch.fairness_values.push_back(entry.value());
+    }
+    patch.fairness_vertices.offsets.push_back(
+        static_cast<int>(patch.fairness_vertices.values.size()));
+  }
+}
+
+/// What the first `owners` vertices take part in.
+void PatchCutter::add_rows(const EditProblem& problem, int owners, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  for (int k = 0; k < owners; ++k) {
     const int v = patch.vertices[at(k)];
     for (const int f : model.adjacency.faces[v]) {
-      if (face_mark_[at(f)] == stamp_ || model.face(f).size() < 4) continue;
+      const bool bare = model.face(f).size() < 4 && problem.shape_weight <= 0.0;
+      if (face_mark_[at(f)] == stamp_ || bare) continue;
       face_mark_[at(f)] = stamp_;
-      patch.face_ids.push_back(f);
-      for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
-      patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
+      add_face(problem, f, patch);
     }
-    if (problem.fairness_weight <= 0.0) continue;
-    for (FairnessOperator::InnerIterator row(model.fairness_columns, v); row; ++row) {
-      const auto r = static_cast<int>(row.col());
-      if (row_mark_[at(r)] == stamp_) continue;
-      row_mark_[at(r)] = stamp_;
-      for (FairnessOperator::InnerIterator entry(model.fairness, r); entry; ++entry) {
-        const int w = local(static_cast<int>(entry.col()), patch);
-        patch.fairness_vertices.values.push_back(w);
-        patch.fairness_values.push_back(entry.value());
-      }
-      patch.fairness_vertices.offsets.push_back(
-          static_cast<int>(patch.fairness_vertices.values.size()));
-    }
+    if (problem.fairness_weight > 0.0) add_fairness_rows(problem, v, patch);
   }
   cut_equations(model, patch);
+}
+
+/// Points, terms and the constant displacement of the halo; forgets the local numbers.
+void PatchCutter::place(const EditProblem& problem, Patch& patch) {
   patch.points.resize(3, patch.local_count());
   patch.displacement.setZero(3, patch.local_count());
   patch.terms.resize(at(patch.free_count));
   for (int k = 0; k < patch.local_count(); ++k) {
     const int v = patch.vertices[at(k)];
-    patch.points.col(k) = model.points.col(v);
+    patch.points.col(k) = problem.model->points.col(v);
     const VertexTerm& term = problem.terms[at(v)];
     if (k < patch.free_count) patch.terms[at(k)] = term;
     if (term.fixed) patch.displacement.col(k) = term.target;
     local_of_[at(v)] = -1;
   }
+}
+
+void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Patch& patch) {
+  begin(problem, free, patch);
+  add_rows(problem, patch.free_count, patch);
+  place(problem, patch);
+}
+
+void PatchCutter::cut_open(const EditProblem& problem, std::span<const int> inner, Patch& patch) {
+  cut(problem, inner, patch);
+  const int owners = patch.free_count;
+  const std::vector<int> reached = std::move(patch.vertices);
+  begin(problem, reached, patch);
+  add_rows(problem, owners, patch);
+  place(problem, patch);
 }
 
 ObjectiveTerms objective(const Patch& patch) {

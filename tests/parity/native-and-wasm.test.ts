@@ -36,6 +36,7 @@ const defaults = () => ({
   fairness: module.FairnessKind.second,
   sparsity: module.Sparsity.l21,
   hardHandles: false,
+  keepShape: true,
   engine: module.Engine.newton,
   tolerance: 1e-6,
   maxIterations: 0,

@@ -23,8 +23,8 @@ std::size_t noticeable(const Mesh& mesh, const HandleEditResult& result, double 
 TEST(EditLocality, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
   const Mesh mesh = testing::sample("vault", 17);
   const int handle = 8 * 17 + 8;
-  const HandleEditResult result =
-      solve_handle_edit(mesh, testing::pull(mesh, handle, {0, 0, kLift}), {.smoothness = 0.0});
+  const HandleEditResult result = solve_handle_edit(
+      mesh, testing::pull(mesh, handle, {0, 0, kLift}), {.smoothness = 0.0, .keep_shape = false});
   EXPECT_TRUE(result.report.usable()) << status_name(result.report.status);
   const std::vector<int> moved = testing::moved_beyond(mesh, result, kNoticeable * kLift);
   const std::vector<int> near = testing::ring_neighbourhood(mesh, handle, 2);

@@ -26,7 +26,8 @@ class PublicScene : public ::testing::TestWithParam<Scene> {};
 TEST_P(PublicScene, ReachesItsObjectiveWithFlatPanelsAndTheRestUntouched) {
   const Mesh mesh = testing::sample(GetParam().name, 32);
   const EditTargets targets = testing::public_scene_targets(mesh);
-  const HandleEditResult result = solve_handle_edit(mesh, targets, {.engine = GetParam().engine});
+  const HandleEditResult result =
+      solve_handle_edit(mesh, targets, {.keep_shape = false, .engine = GetParam().engine});
   EXPECT_TRUE(result.report.usable()) << status_name(result.report.status);
   EXPECT_LE(result.report.objective.total(), GetParam().objective);
   const Positions edited = apply(mesh, result);
@@ -43,8 +44,8 @@ TEST_P(PublicScene, ReachesItsObjectiveWithFlatPanelsAndTheRestUntouched) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PublicScene,
-                         ::testing::Values(Scene{"vault", Engine::kNewton, 23.6},
-                                           Scene{"dome", Engine::kNewton, 6.0},
+                         ::testing::Values(Scene{"vault", Engine::kNewton, 23.4220},
+                                           Scene{"dome", Engine::kNewton, 5.9897},
                                            Scene{"vault", Engine::kAugmentedLagrangian, 25.8},
                                            Scene{"dome", Engine::kAugmentedLagrangian, 6.1}));
 

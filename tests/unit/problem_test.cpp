@@ -116,6 +116,26 @@ TEST(PatchCutter, CutsTheSamePatchAgain) {
   EXPECT_EQ(first.points, again.points);
 }
 
+TEST(PatchCutter, AnOpenPatchFreesTheRimAndHoldsItByTheRowsOfTheSetAlone) {
+  ProblemOnMesh on_mesh(testing::sample("dome", 12));
+  on_mesh.problem.shape_weight = 1.0;
+  PatchCutter cutter(on_mesh.model.vertex_count(), on_mesh.model.mesh.face_count(),
+                     static_cast<int>(on_mesh.model.fairness.rows()));
+  const std::vector<int> inner{65, 66, 78};
+  on_mesh.problem.terms[53].fixed = true;  // beside 65: in the halo, not on the rim
+  Patch closed, open;
+  cutter.cut(on_mesh.problem, inner, closed);
+  cutter.cut_open(on_mesh.problem, inner, open);
+  EXPECT_EQ(open.equation_ids, closed.equation_ids);
+  EXPECT_EQ(open.fairness_values, closed.fairness_values);
+  EXPECT_GE(open.corners.size(), closed.corners.size());  // corners of the same faces
+  EXPECT_EQ(open.face_ids, closed.face_ids);
+  EXPECT_EQ(std::set<int>(open.vertices.begin(), open.vertices.end()),
+            std::set<int>(closed.vertices.begin(), closed.vertices.end()));
+  EXPECT_EQ(open.free_count, open.local_count() - 1);
+  EXPECT_EQ(open.vertices.back(), 53);
+}
+
 TEST(PatchCutter, SkipsTriangles) {
   ProblemOnMesh on_mesh(testing::triangle_grid(5, 5));
   const Patch patch = on_mesh.cut_all();

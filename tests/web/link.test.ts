@@ -19,7 +19,7 @@ const recipe: Recipe = {
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
   ],
-  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5 },
+  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5, keepShape: false },
   families: [{ coefficients: [0.5, -0.25], asked: 2, eigenbasis: false }],
   unit: "m",
   camera: null,

@@ -11,6 +11,7 @@ it("another mesh starts with what the page has controls for, and with nothing un
     engine: "alm",
     sparsity: "l2",
     hardHandles: true,
+    keepShape: false,
     tolerance: 0.001,
     maxIterations: 5,
   } as const;

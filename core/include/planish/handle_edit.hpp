@@ -38,6 +38,8 @@ struct HandleEditOptions {
   double smoothness = 1.0;
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Sparsity sparsity = Sparsity::kL21;
+  /// No panel becomes concave, crossing, turned over or collapsed that was not. [SHP-1]
+  bool keep_shape = true;
   bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
   Engine engine = Engine::kNewton;
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/constraints/corner_shape.hpp"
 #include "planish/constraints/registry.hpp"
 #include "planish/energies.hpp"
 #include "planish/mesh.hpp"
@@ -60,6 +61,7 @@ struct EditProblem {
   double fairness_weight = 0.0;   ///< ω_f ≥ 0
   /// Whether (almost) every vertex has a norm weight: then few move, and a working set finds them.
   bool sparse = true;
+  double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
 };
 
 /// One row of E: what it adds up.
@@ -90,6 +92,8 @@ struct Patch {
   std::vector<int> face_ids;            ///< mesh face of each row of `faces`
   RaggedRows fairness_vertices;         ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
+  std::vector<CornerShape> corners;     ///< local vertices; each touches a free one
+  double shape_weight = 0.0;
   double fairness_weight = 0.0;
 
   [[nodiscard]] int local_count() const { return static_cast<int>(vertices.size()); }
@@ -113,8 +117,18 @@ class PatchCutter {
   /// @param free mesh vertices, no duplicates; fixed ones among them are left out
   void cut(const EditProblem& problem, std::span<const int> free, Patch& patch);
 
+  /// The same, and every vertex that shares an equation or a fairness row with `inner` is free too,
+  /// but has no further rows: a relaxation of the problem on the whole mesh. Where its minimum
+  /// leaves those vertices at rest, it is the minimum with everything free. [OPT-2]
+  void cut_open(const EditProblem& problem, std::span<const int> inner, Patch& patch);
+
  private:
   int local(int vertex, Patch& patch);
+  void begin(const EditProblem& problem, std::span<const int> free, Patch& patch);
+  void add_rows(const EditProblem& problem, int owners, Patch& patch);
+  void add_face(const EditProblem& problem, int face, Patch& patch);
+  void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
+  void place(const EditProblem& problem, Patch& patch);
   void cut_equations(const MeshModel& model, Patch& patch);
 
   std::vector<int> local_of_;  ///< −1 outside the patch being cut

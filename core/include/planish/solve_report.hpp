@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,16 @@ struct ObjectiveTerms {
   [[nodiscard]] double total() const { return handle + sparsity + fairness; }
 };
 
+/// How far a result is from a first-order point of the stated problem, over the whole mesh. [OPT-1]
+struct Optimality {
+  double stationarity = 0.0;  ///< largest ‖∇F + Jᵀλ‖ of a moved vertex, in units of ω_s/2
+  double outside = 0.0;  ///< largest ‖∇F + Jᵀλ‖ of a vertex at rest over ω_s/2, less 1; ≥ 0
+  int certified_vertices = 0;  ///< whose conditions were evaluated; no row reaches the others
+
+  /// What "converged" means.
+  [[nodiscard]] bool met() const { return stationarity <= 1e-4 && outside <= 1e-4; }
+};
+
 /// What every solve reports.
 struct SolveReport {
   SolveStatus status = SolveStatus::kIterationLimit;
@@ -60,6 +71,7 @@ struct SolveReport {
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
   std::vector<IterationRecord> records;
+  std::optional<Optimality> optimality;  ///< of the positions; absent where none was computed
 
   /// Whether the positions may be shown to a user as an exact result.
   [[nodiscard]] bool usable() const { return status <= SolveStatus::kInfeasibleHandles; }

@@ -41,7 +41,6 @@ class ColdSearch {
     Contender& winner = problem_.sparse ? run_on() : contenders_.front();
     field_.restore(winner.state);
     newton_.set_support(winner.support);
-    if (problem_.sparse && total_.status != SolveStatus::kCancelled) polish();
     if (total_.status != SolveStatus::kCancelled) total_.status = winner.outcome.status;
     total_.objective = winner.outcome.objective;
     total_.records = std::move(winner.outcome.records);
@@ -85,13 +84,6 @@ class ColdSearch {
       if (valid && (winner == nullptr || lower(contender, *winner))) winner = &contender;
     }
     return winner != nullptr ? *winner : contenders_.front();
-  }
-
-  /// What the smoothing left outside the support goes, and the norm is followed closer.
-  void polish() {
-    const NewtonOutcome fine = newton_.polish(problem_, handle_scale(problem_), options_, field_);
-    total_.steps += fine.steps;
-    total_.factorizations += fine.factorizations;
   }
 
   /// Adds the outcome of a run that used field_.

@@ -58,6 +58,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
   place_edges();
   place_equations();
+  place_shapes();
   fill_constant_part();
   jacobian_.attach(patch);
 }
@@ -65,6 +66,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
 void PatchSystem::build_graph() {
   graph_ = coupling_graph(patch_->free_count, [&](const auto& join) {
     patch_->equations.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
+    for (const CornerShape& corner : patch_->corners) join_all(corner.vertices, join);
     for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
       join_all(patch_->fairness_vertices[r], join);
     }
@@ -116,6 +118,23 @@ void PatchSystem::place_equations() {
       corner_slots_.push_back(diagonal_[at(column)]);
     }
   });
+}
+
+void PatchSystem::place_shapes() {
+  const int n = patch_->free_count;
+  shape_slots_.resize(patch_->corners.size());
+  for (std::size_t c = 0; c < shape_slots_.size(); ++c) {
+    const auto& vertices = patch_->corners[c].vertices;
+    for (int k = 0; k < 3; ++k) {
+      const int v = vertices[at(k)];
+      if (v < n) shape_slots_[c].own[at(k)] = diagonal_[at(v)];
+      const int w = vertices[at((k + 1) % 3)];
+      if (v >= n || w >= n) continue;
+      const bool later = cholesky_.position(v) > cholesky_.position(w);
+      shape_slots_[c].next_is_row[at(k)] = !later;
+      shape_slots_[c].next[at(k)] = edge_slots_[later ? edge(v, w) : edge(w, v)];
+    }
+  }
 }
 
 void PatchSystem::fill_constant_part() {
@@ -183,6 +202,48 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
   });
 }
 
+/// t (B'' ∇s ∇sᵀ + B' ∇²s) of the corners that the barrier reaches.
+void PatchSystem::add_shapes(const PatchState& state) {
+  std::vector<double>& values = cholesky_.values();
+  for (std::size_t c = 0; c < shape_slots_.size(); ++c) {
+    const CornerShape& corner = patch_->corners[c];
+    const RowPoints<3> points = corners_at(*patch_, state.displacement, corner);
+    const Barrier barrier = clamped_barrier(residual(corner, points));
+    if (barrier.curvature == 0.0) continue;
+    const RowPoints<3> g = gradient(corner, points);
+    const double bend = patch_->shape_weight * barrier.curvature;
+    const auto curvature = hessian(corner, points);
+    const double slope = patch_->shape_weight * barrier.slope;
+    const ShapeSlots& place = shape_slots_[c];
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      if (corner.vertices[at(k)] >= patch_->free_count) continue;
+      add_block(values, place.own[at(k)], bend * g.col(k) * g.col(k).transpose());
+      if (corner.vertices[at(next)] >= patch_->free_count) continue;
+      Eigen::Matrix3d block = bend * g.col(k) * g.col(next).transpose();
+      add_curvature<CornerShape>(curvature, slope, k, next, block);
+      add_block(values, place.next[at(k)],
+                place.next_is_row[at(k)] ? Eigen::Matrix3d(block.transpose()) : block);
+    }
+  }
+}
+
+void PatchSystem::shape_gradient(const Eigen::Matrix3Xd& displacement,
+                                 Eigen::Matrix3Xd& out) const {
+  for (const CornerShape& corner : patch_->corners) {
+    const RowPoints<3> points = corners_at(*patch_, displacement, corner);
+    const Barrier barrier = clamped_barrier(residual(corner, points));
+    if (barrier.slope == 0.0) continue;
+    const RowPoints<3> g = gradient(corner, points);
+    for (int k = 0; k < 3; ++k) {
+      const int v = corner.vertices[at(k)];
+      if (v < patch_->free_count) {
+        out.col(v) += (patch_->shape_weight * barrier.slope) * g.col(k);
+      }
+    }
+  }
+}
+
 void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {
   std::vector<double>& values = cholesky_.values();
   for (int v = 0; v < patch_->free_count; ++v) {
@@ -204,6 +265,7 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
   std::copy(constant_.begin(), constant_.end(), cholesky_.values().begin());
   add_norms(state, smoothing, shift);
   add_equations(state, penalty);
+  add_shapes(state);
   return cholesky_.factorize();
 }
 
@@ -223,6 +285,7 @@ void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
                                       Eigen::Matrix3Xd& out) const {
   out.setZero(3, patch_->free_count);
   fairness_gradient(state.displacement, out);
+  shape_gradient(state.displacement, out);
   for (int v = 0; v < patch_->free_count; ++v) {
     const VertexTerm& term = patch_->terms[at(v)];
     const Eigen::Vector3d d = state.displacement.col(v);
@@ -270,6 +333,10 @@ double PatchSystem::energy(const Eigen::Matrix3Xd& displacement, double smoothin
     const Eigen::Vector3d total = row.sum([&](int v) { return displaced(displacement, v); });
     sum += 0.5 * patch_->fairness_weight * total.squaredNorm();
   });
+  for (const CornerShape& corner : patch_->corners) {
+    const double share = residual(corner, corners_at(*patch_, displacement, corner));
+    sum += patch_->shape_weight * clamped_barrier(share).value;
+  }
   return sum;
 }
 

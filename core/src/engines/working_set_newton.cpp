@@ -83,21 +83,6 @@ NewtonOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span
   return run(problem, scale, options, field, interrupted);
 }
 
-NewtonOutcome WorkingSetNewton::polish(const EditProblem& problem, double scale,
-                                       const NewtonOptions& options, DisplacementField& field) {
-  frozen_ = true;
-  NewtonOptions fine = options;
-  fine.first_smoothing = fine.last_smoothing = 0.1 * options.last_smoothing;
-  fine.max_steps = 8;
-  // Once steps are this short, rounding, which differs from machine to machine, decides only digits
-  // that nobody sees: native and wasm then agree to 1e-9.
-  fine.stop = 0.0;
-  fine.settled_move = 1e-6;
-  NewtonOutcome outcome = run(problem, scale, fine, field, {});
-  frozen_ = false;
-  return outcome;
-}
-
 void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                                           double relative_smoothing, DisplacementField& field) {
   std::vector<int> next;
@@ -113,12 +98,11 @@ void WorkingSetNewton::choose_working_set(const EditProblem& problem, const Newt
       next = std::move(joined);
     }
   }
-  if (frozen_) next = support_;
   // A set that still holds the support with its rings, and not much more, need not be cut again.
   constexpr double kSlack = 1.05;
   const bool roomy =
       static_cast<double>(working_.size()) <= kSlack * static_cast<double>(next.size());
-  if (!working_.empty() && roomy && !frozen_ &&
+  if (!working_.empty() && roomy &&
       std::includes(working_.begin(), working_.end(), next.begin(), next.end())) {
     return;
   }
@@ -201,7 +185,6 @@ WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& op
 }
 
 void WorkingSetNewton::find_support(double smoothing) {
-  if (frozen_) return;
   support_.clear();
   for (int k = 0; k < patch_.free_count; ++k) {
     const bool moving = !sparse_ || patch_.terms[at(k)].handle ||

@@ -14,6 +14,7 @@ export interface Recipe {
     readonly sparsity: "l21" | "l2" | "none";
     readonly solver: "newton" | "alm";
     readonly hard: boolean;
+    readonly shape?: boolean;
   };
   /** Slider values; absent: no variation. */
   readonly coefficients?: readonly number[];
@@ -44,6 +45,7 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
       fairness,
       sparsity: module.Sparsity[options.sparsity],
       hardHandles: options.hard,
+      keepShape: options.shape ?? false,
       engine,
       tolerance: 1e-6,
       maxIterations: 0,

@@ -27,7 +27,7 @@ export const EDITED: Design = {
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
   ],
-  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5 },
+  settings: { ...DEFAULT_SETTINGS, smoothness: 0.5, keepShape: false },
   shape,
   report: {
     status: "converged",
@@ -41,6 +41,7 @@ export const EDITED: Design = {
     iterations: 7,
     seconds: 0.02,
     residuals: [],
+    optimality: {},
   },
   variation: {
     coefficients: [0.5, -0.25, 0],

@@ -41,8 +41,9 @@ function sourceJson(source: Source, base: BaseMesh): Json {
 }
 
 function optionsJson(settings: EditSettings): Json {
-  const { hardHandles, engine, maxIterations, ...rest } = settings;
-  return { ...rest, hard: hardHandles, solver: engine, max_iterations: maxIterations };
+  const { hardHandles, keepShape, engine, maxIterations, ...rest } = settings;
+  const bounds = keepShape ? { shape: true } : {}; // absent in designs from before the bounds
+  return { ...rest, hard: hardHandles, solver: engine, max_iterations: maxIterations, ...bounds };
 }
 
 const variationJson = ({ coefficients, asked, eigenbasis }: Family): Json => ({
@@ -145,7 +146,7 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
 
 function readOptions(value: unknown): EditSettings {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
-  names.push("hard", "solver", "tolerance", "max_iterations");
+  names.push("hard", "solver", "tolerance", "max_iterations", "shape");
   const options = readObject(value ?? {}, "options", names);
   const usual = DEFAULT_SETTINGS;
   const number = (key: string, otherwise: number): number => {
@@ -161,6 +162,7 @@ function readOptions(value: unknown): EditSettings {
     engine: pick(options.solver, ENGINES, usual.engine, "options.solver"),
     sparsity: pick(options.sparsity, SPARSITY, usual.sparsity, "options.sparsity"),
     hardHandles: pick(options.hard, [true, false], usual.hardHandles, "options.hard"),
+    keepShape: pick(options.shape, [true, false], false, "options.shape"),
     tolerance: number("tolerance", usual.tolerance),
     maxIterations: number("max_iterations", usual.maxIterations),
   };

@@ -74,9 +74,22 @@ function readRest(value: readonly unknown[]): Rest | null {
   return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
 }
 
-/** Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit. */
+/** Last of the settings where panels keep their shape; absent in designs from before that bound. */
+const SHAPE = "shape";
+
+/**
+ * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit; then
+ * "shape".
+ */
 export function readSettings(value: unknown): EditSettings | null {
-  if (!Array.isArray(value) || ![5, 6, 9].includes(value.length)) return null;
+  if (!Array.isArray(value)) return null;
+  const keepShape = value.at(-1) === SHAPE;
+  const weightsAndRest = readWeightsAndRest(keepShape ? value.slice(0, -1) : value);
+  return weightsAndRest && { ...weightsAndRest, keepShape };
+}
+
+function readWeightsAndRest(value: readonly unknown[]): Omit<EditSettings, "keepShape"> | null {
+  if (![5, 6, 9].includes(value.length)) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);
@@ -92,7 +105,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const first = [attraction, locality, smoothness, fairness, engine];
   const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
-  return usual ? first : [...first, ...rest];
+  const named = usual ? first : [...first, ...rest];
+  return settings.keepShape ? [...named, SHAPE] : named;
 }
 
 /** Position and target; undefined if there is something else than a camera or nothing. */

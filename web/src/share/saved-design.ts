@@ -114,6 +114,7 @@ function readReport(value: unknown): ShapeReport | null {
     iterations: readFigure(value.iterations),
     seconds: readFigure(value.seconds),
     residuals: [],
+    optimality: {}, // not kept: a certificate is of a solve, not of a record
   };
 }
 

@@ -71,6 +71,7 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     fairness: module.FairnessKind[settings.fairness],
     sparsity: module.Sparsity[settings.sparsity],
     hardHandles: settings.hardHandles,
+    keepShape: settings.keepShape,
     engine: module.Engine[settings.engine],
     tolerance: settings.tolerance,
     maxIterations: settings.maxIterations,

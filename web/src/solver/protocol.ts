@@ -27,6 +27,8 @@ export interface EditSettings {
   readonly sparsity: Sparsity;
   /** Targets are met exactly, or the edit is refused. */
   readonly hardHandles: boolean;
+  /** No panel becomes concave, crossing, turned over or collapsed that was not. */
+  readonly keepShape: boolean;
   /** Worst panel of a finished edit, mm/m. */
   readonly tolerance: number;
   /** 0: the engine's own limit. */
@@ -119,7 +121,18 @@ export interface ShapeReport {
   readonly iterations: number;
   readonly seconds: number;
   readonly residuals: readonly number[];
+  /** How far from a first-order point; without fields where nothing was certified. */
+  readonly optimality: Optimality | NotCertified;
 }
+
+/** The core's Optimality; null: not a finite number. */
+export interface Optimality {
+  readonly stationarity: number | null;
+  readonly outside: number | null;
+  readonly certifiedVertices: number;
+}
+
+type NotCertified = Readonly<Record<string, never>>;
 
 export interface ExploreReport {
   readonly status: string;

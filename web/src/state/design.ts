@@ -51,6 +51,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   engine: "newton",
   sparsity: "l21",
   hardHandles: false,
+  keepShape: true,
   tolerance: 1e-6,
   maxIterations: 0,
 };
@@ -61,8 +62,8 @@ export const DEFAULT_SETTINGS: EditSettings = {
  * a link or a file may have set it, and nobody could see that it is still there.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
-  const { locality, smoothness, fairness, engine, hardHandles, tolerance } = shown;
-  const controlled = { locality, smoothness, fairness, engine, hardHandles, tolerance };
+  const { locality, smoothness, fairness, engine, hardHandles, keepShape, tolerance } = shown;
+  const controlled = { locality, smoothness, fairness, engine, hardHandles, keepShape, tolerance };
   return { ...DEFAULT_SETTINGS, ...controlled };
 }
 
@@ -80,6 +81,7 @@ export const NO_REPORT: ShapeReport = {
   iterations: 0,
   seconds: 0,
   residuals: [],
+  optimality: {},
 };
 
 /** Whether an edit of the handles, which starts from the base, would leave a variation behind. */

@@ -60,19 +60,21 @@ function wordOf<T extends string>(words: readonly (readonly [T, string])[], valu
 const choose = (change: Partial<EditSettings>): void => void commitSettings(change);
 
 /** What differs from the defaults, so that it is seen while folded: it stays for the next mesh. */
-function differences({ fairness, engine, hardHandles, tolerance }: EditSettings): string[] {
+function differences(shown: EditSettings): string[] {
+  const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
   const different: string[] = [];
   if (fairness !== DEFAULT_SETTINGS.fairness) different.push(wordOf(FAIRNESS, fairness));
   if (engine !== DEFAULT_SETTINGS.engine) different.push(wordOf(ENGINES, engine));
   if (tolerance !== DEFAULT_SETTINGS.tolerance) different.push(`${tolerance} mm/m`);
   if (hardHandles !== DEFAULT_SETTINGS.hardHandles) different.push("exact targets");
+  if (keepShape !== DEFAULT_SETTINGS.keepShape) different.push("panels may lose their shape");
   return different;
 }
 
 function Differences({ of }: { of: EditSettings }) {
   const words = differences(of).join(", ");
   if (words === "") return null;
-  const { fairness, engine, hardHandles, tolerance } = DEFAULT_SETTINGS;
+  const { fairness, engine, hardHandles, keepShape, tolerance } = DEFAULT_SETTINGS;
   return (
     <div class="differences">
       <p class="quiet small">{`Not the default: ${words}. It stays when you open another mesh.`}</p>
@@ -80,7 +82,7 @@ function Differences({ of }: { of: EditSettings }) {
         type="button"
         class="button small"
         disabled={!ready.value}
-        onClick={() => choose({ fairness, engine, hardHandles, tolerance })}
+        onClick={() => choose({ fairness, engine, hardHandles, keepShape, tolerance })}
       >
         Defaults
       </button>
@@ -108,7 +110,7 @@ function RefusedTolerance() {
 /** The settings that few need; the defaults are the command line's. */
 export function Advanced() {
   const shown = settings.value ?? DEFAULT_SETTINGS;
-  const { fairness, engine, hardHandles, tolerance } = shown;
+  const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
   // The chooser goes back to what holds.
   refusedTolerance.value;
   const known = OFFERED.find(([value]) => Number(value) === tolerance);
@@ -147,6 +149,16 @@ export function Advanced() {
           />
           <span>Meet the targets exactly</span>
         </label>
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={keepShape}
+            disabled={!ready.value}
+            onChange={({ currentTarget }) => choose({ keepShape: currentTarget.checked })}
+          />
+          <span>Panels keep their shape</span>
+        </label>
+        <p class="quiet small">None becomes concave, crossing, turned over or collapsed.</p>
       </details>
       <Differences of={shown} />
     </div>

@@ -58,6 +58,16 @@ function planarisingFact(): readonly (readonly [string, string])[] {
   return words ? [["Planarised first", words]] : [];
 }
 
+/** The certificate in one word: "converged" is within 1e-4 of a first-order point. */
+function certificateFact(): readonly (readonly [string, string])[] {
+  const { optimality, status } = figures.value;
+  if (!("certifiedVertices" in optimality)) return [];
+  const { stationarity, outside } = optimality;
+  const far = Math.max(stationarity ?? Number.POSITIVE_INFINITY, outside ?? 0);
+  const words = Number.isFinite(far) ? `to ${far.toPrecision(1)}` : "not known";
+  return [["Lowest nearby", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
+}
+
 function facts(): readonly (readonly [string, string])[] {
   const { iterations, objective, handleError } = figures.value;
   return [
@@ -66,6 +76,7 @@ function facts(): readonly (readonly [string, string])[] {
     ...planarisingFact(),
     ["Steps", String(iterations)],
     ["Objective", objective.toPrecision(5)],
+    ...certificateFact(),
     ["Furthest from a target now", formatLength(handleError, unit.value)],
   ];
 }
@@ -91,7 +102,8 @@ export function LastSolve() {
       </dl>
       <p class="quiet small">
         Degrees of freedom: in how many independent ways points could move with every panel flat.
-        Objective: what the solver makes small, without a unit.
+        Objective: what the solver makes small, without a unit. Lowest nearby: no small change of
+        the design has a lower objective; the number is what is left of the slope.
       </p>
       {residuals.length > 1 && <Curve residuals={residuals} />}
     </details>

@@ -8,8 +8,8 @@ namespace planish {
 
 /// The problem has many local minima. Cold starts in different working sets and smoothings are
 /// followed to a coarse smoothing, where their objectives tell most minima apart; those within a
-/// few per cent of the best run on to the last smoothing, and the best of them is polished on its
-/// support. The result depends on the problem alone. Without a norm term there is one start.
+/// few per cent of the best run on to the last smoothing. The result depends on the problem alone.
+/// Without a norm term there is one start.
 /// @param field the winner's state, newton.support() its support
 /// @returns the winner's status and records; steps and factorizations of all
 NewtonOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,

@@ -40,7 +40,7 @@ class PatchSystem {
   [[nodiscard]] bool factorize(const PatchState& state, double smoothing, double penalty,
                                double shift);
 
-  /// ∇F_ε + Jᵀ λ at `state`, 3 × free.
+  /// ∇F_ε + Jᵀ λ at `state`, 3 × free; ε = ∞ leaves the norms out.
   void lagrangian_gradient(const PatchState& state, double smoothing, Eigen::Matrix3Xd& out) const;
 
   /// δ from the last factorization. @param gradient ∇F_ε + Jᵀλ; @param residuals c
@@ -62,12 +62,22 @@ class PatchSystem {
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
  private:
+  /// The three diagonal blocks of a corner's shape and the blocks of (k, k + 1), modulo 3.
+  struct ShapeSlots {
+    std::array<BlockSlot, 3> own{};
+    std::array<BlockSlot, 3> next{};
+    std::array<bool, 3> next_is_row{};  ///< k + 1 is eliminated later than k
+  };
+
   void build_graph();
   void place_edges();
   [[nodiscard]] std::size_t edge(int row, int column) const;
   void place_equations();
+  void place_shapes();
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
+  void add_shapes(const PatchState& state);
+  void shape_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   void add_norms(const PatchState& state, double smoothing, double shift);
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   template <ConstraintRow Row>
@@ -85,8 +95,9 @@ class PatchSystem {
   std::vector<int> free_corners_;      ///< of each row
   std::vector<int> corner_order_;      ///< row by row: its free corners, latest eliminated first
   std::vector<BlockSlot> corner_slots_;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
-  std::vector<double> constant_;         ///< panel values of ω_f EᵀE + q I
-  RowJacobian jacobian_;                 ///< of the last factorization
+  std::vector<ShapeSlots> shape_slots_;
+  std::vector<double> constant_;  ///< panel values of ω_f EᵀE + q I
+  RowJacobian jacobian_;          ///< of the last factorization
   double penalty_ = 0.0;
   int factorizations_ = 0;
 };

@@ -38,6 +38,8 @@ struct NewtonOptions {
   double stop = 1e-6;
   /// Stop as well when no vertex moves further than this in a step, share, ≥ 0.
   double settled_move = 1e-4;
+  /// settle() ends a stage when no vertex's ∇L is longer than this, solver units, > 0.
+  double stationary = 5e-7;
   int max_steps = 150;
 };
 
@@ -90,10 +92,16 @@ class WorkingSetNewton {
                            const NewtonOptions& options, DisplacementField& field,
                            const Interruption& interrupted);
 
-  /// The same problem with exactly support() free: what the smoothing left outside is gone, and the
-  /// norm is followed ten times closer. A few steps.
-  NewtonOutcome polish(const EditProblem& problem, double scale, const NewtonOptions& options,
-                       DisplacementField& field);
+  /// From the field of a run and its support() to a first-order point of the problem: the working
+  /// set grows by what moves at its rim, ε falls until it is nothing, and what is at rest then
+  /// leaves the support. kConverged: so it ended; otherwise the budget did. [OPT-2]
+  NewtonOutcome settle(const EditProblem& problem, const NewtonOptions& options,
+                       DisplacementField& field, const Interruption& interrupted);
+
+  /// The conditions at a design near the state that the last settle() left, with its multipliers.
+  /// @param vertices ascending; @param displacement 3 × |vertices|, all other vertices at rest
+  [[nodiscard]] Optimality optimality(const EditProblem& problem, std::span<const int> vertices,
+                                      const Eigen::Matrix3Xd& displacement);
 
   /// Vertices that the last run found to move, ascending; handles included.
   [[nodiscard]] const std::vector<int>& support() const { return support_; }
@@ -111,6 +119,12 @@ class WorkingSetNewton {
   [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);
   [[nodiscard]] bool search_line(const NewtonOptions& options, double smoothing, double decrease);
   void find_support(double smoothing);
+  void set_out(const EditProblem& problem);
+  void lay_open(const EditProblem& problem, DisplacementField& field);
+  [[nodiscard]] std::vector<int> movers_at_rim(double smoothing) const;
+  [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
+                               NewtonOutcome& outcome);
+  void keep_support(double smoothing);
 
   const MeshModel& model_;
   PatchCutter cutter_;
@@ -120,7 +134,6 @@ class WorkingSetNewton {
   PatchState state_;
   std::vector<int> support_, start_, working_;
   bool sparse_ = true;
-  bool frozen_ = false;  ///< the working set is the support and stays it
 
   // One step's work space, kept so that the loop does not allocate.
   Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;

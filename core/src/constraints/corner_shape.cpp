@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "planish/constraints/corner_shape.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "logarithm.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kKeep = 0.05;       ///< κ: the share of g⁰ that no corner goes below
+constexpr double kClamp = 0.5;       ///< ŝ: where the barrier begins
+constexpr double kStraight = 1e-3;   ///< sine below which a corner has no side
+constexpr double kAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d result;
+  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return result;
+}
+
+}  // namespace
+
+double residual(const CornerShape& corner, const RowPoints<3>& points) {
+  const Eigen::Vector3d in = points.col(1) - points.col(0);
+  const Eigen::Vector3d out = points.col(2) - points.col(1);
+  return (corner.normal.dot(in.cross(out)) - kKeep) / (1.0 - kKeep);
+}
+
+RowPoints<3> gradient(const CornerShape& corner, const RowPoints<3>& points) {
+  const Eigen::Vector3d normal = corner.normal / (1.0 - kKeep);
+  RowPoints<3> result;
+  result.col(0) = (points.col(1) - points.col(2)).cross(normal);
+  result.col(1) = (points.col(2) - points.col(0)).cross(normal);
+  result.col(2) = (points.col(0) - points.col(1)).cross(normal);
+  return result;
+}
+
+CurvatureBlocks<3, false> hessian(const CornerShape& corner, const RowPoints<3>& /*points*/) {
+  const Eigen::Matrix3d twist = skew(corner.normal / (1.0 - kKeep));
+  return {twist, -twist, twist};
+}
+
+Barrier clamped_barrier(double share) {
+  if (share >= kClamp) return {};
+  if (!(share > 0.0)) return {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  const double below = share - kClamp;
+  const double logarithm = natural_logarithm(share / kClamp);
+  return {-below * below * logarithm, -2.0 * below * logarithm - below * below / share,
+          -2.0 * logarithm - 4.0 * below / share + below * below / (share * share)};
+}
+
+void append_corner_shapes(const Positions& positions, std::span<const int> face,
+                          std::vector<CornerShape>& out) {
+  const std::size_t n = face.size();
+  const auto point = [&](std::size_t k) -> Eigen::Vector3d { return positions.col(face[k % n]); };
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  double perimeter = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    area += (point(k) - point(0)).cross(point(k + 1) - point(0));
+    perimeter += (point(k + 1) - point(k)).norm();
+  }
+  const double size = area.norm();
+  if (!(size > kAreaShare * perimeter * perimeter)) return;
+  const Eigen::Vector3d normal = area / size;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector3d in = point(k + n) - point(k + n - 1);
+    const Eigen::Vector3d away = point(k + 1) - point(k);
+    const double base = normal.dot(in.cross(away));
+    if (!(std::abs(base) > kStraight * in.norm() * away.norm())) continue;
+    out.push_back({{face[(k + n - 1) % n], face[k], face[(k + 1) % n]}, normal / base});
+    if (n == 3) return;  // the other two say the same
+  }
+}
+
+}  // namespace planish

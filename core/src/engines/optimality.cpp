@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "planish/engines/optimality.hpp"
+
+#include <algorithm>
+
+#include "planish/index.hpp"
+
+namespace planish {
+
+Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacement,
+                         const Eigen::Matrix3Xd& pulls, double rest) {
+  constexpr double kUnitPull = 0.5;  // where no vertex has a norm weight: that of weight 1
+  double unit = 0.0;
+  for (const VertexTerm& term : patch.terms) unit = std::max(unit, 0.5 * term.norm_weight);
+  if (unit == 0.0) unit = kUnitPull;
+  Optimality result;
+  result.certified_vertices = patch.free_count;
+  for (int k = 0; k < patch.free_count; ++k) {
+    const double bound = 0.5 * patch.terms[at(k)].norm_weight;
+    const Eigen::Vector3d d = displacement.col(k);
+    if (bound > 0.0 && d.norm() <= rest) {
+      result.outside = std::max(result.outside, pulls.col(k).norm() / bound - 1.0);
+      continue;
+    }
+    const Eigen::Vector3d left = pulls.col(k) + bound * d.normalized();
+    result.stationarity = std::max(result.stationarity, left.norm() / unit);
+  }
+  return result;
+}
+
+}  // namespace planish

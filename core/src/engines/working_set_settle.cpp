@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+/// The last part of a solve: from a minimum that was found with a coarse norm, on a working set
+/// that was guessed, to a first-order point of the problem itself, support included. [OPT-2]
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "planish/engines/optimality.hpp"
+#include "planish/engines/working_set_newton.hpp"
+#include "planish/index.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kFirst = 1e-4;          ///< first ε, share
+constexpr double kLast = 1e-12;          ///< last ε, share
+constexpr double kShrink = 1e-2;         ///< between two
+constexpr double kAtRest = 100.0;        ///< ε: what moves less is at rest at the end
+constexpr double kMovesAtRim = 100.0;    ///< ε: what moves further joins the working set
+constexpr double kPenalty = 10.0;        ///< μ ε: the constraints of vertices at rest are stiff
+constexpr double kFollowed = 5e-4;       ///< ‖∇L‖ at which a stage ends, solver units
+constexpr double kStationary = 5e-7;     ///< the same for the last stage
+constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts as at rest
+constexpr int kMostRuns = 70;            ///< working sets
+constexpr int kStepsPerRun = 5;          ///< on one of them
+constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
+
+}  // namespace
+
+/// The first working set: the support, and the neighbours of handles that are fixed, whose rows
+/// belong to no free vertex of the support.
+void WorkingSetNewton::set_out(const EditProblem& problem) {
+  std::vector<int> fixed;
+  std::copy_if(problem.handles.begin(), problem.handles.end(), std::back_inserter(fixed),
+               [&](int v) { return problem.terms[at(v)].fixed; });
+  const std::vector<int> beside = grower_.grow(fixed, 1);
+  working_.clear();
+  std::set_union(support_.begin(), support_.end(), beside.begin(), beside.end(),
+                 std::back_inserter(working_));
+}
+
+/// The working set and everything that shares a row with it; the state comes from `field`.
+void WorkingSetNewton::lay_open(const EditProblem& problem, DisplacementField& field) {
+  cutter_.cut_open(problem, working_, patch_);
+  system_.attach(patch_);
+  field.load(patch_, state_);
+  zero_.setZero(3, patch_.free_count);
+}
+
+/// Free vertices beyond the working set that do not stay at rest.
+std::vector<int> WorkingSetNewton::movers_at_rim(double smoothing) const {
+  std::vector<int> movers;
+  for (int k = 0; k < patch_.free_count; ++k) {
+    const int v = patch_.vertices[at(k)];
+    if (state_.displacement.col(k).norm() <= kMovesAtRim * smoothing) continue;
+    if (!std::binary_search(working_.begin(), working_.end(), v)) movers.push_back(v);
+  }
+  std::sort(movers.begin(), movers.end());
+  return movers;
+}
+
+/// Newton's steps at one ε on one working set. True once the gradient is zero.
+bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
+                                 NewtonOutcome& outcome) {
+  for (int step = 0; step < kStepsPerRun; ++step) {
+    system_.residuals(state_.displacement, residuals_);
+    system_.lagrangian_gradient(state_, smoothing, gradient_);
+    if (gradient_.colwise().norm().maxCoeff() <= options.stationary) return true;
+    StepResult result = StepResult::kRejected;
+    for (int attempt = 0; attempt < 4 && result == StepResult::kRejected; ++attempt) {
+      result = take_step(options, smoothing);
+    }
+    ++outcome.steps;
+    if (result != StepResult::kAccepted) return false;
+  }
+  return false;
+}
+
+NewtonOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonOptions& options,
+                                       DisplacementField& field, const Interruption& interrupted) {
+  NewtonOutcome outcome;
+  const int before = system_.factorizations();
+  const double scale = handle_scale(problem);
+  sparse_ = problem.sparse;
+  NewtonOptions exact = options;
+  set_out(problem);
+  if (!sparse_) {
+    working_.resize(at(model_.vertex_count()));
+    std::iota(working_.begin(), working_.end(), 0);
+  }
+  double smoothing = sparse_ ? kFirst * scale : kLast * scale;
+  double work = 0.0;
+  shift_ = 0.0;
+  lay_open(problem, field);
+  if (patch_.free_count == 0 || !std::isfinite(system_.energy(state_.displacement, smoothing))) {
+    return outcome;
+  }
+  for (int run = 0; run < kMostRuns && work < kMostWork; ++run) {
+    const bool last = !sparse_ || smoothing <= kLast * scale;
+    exact.stationary = last ? kStationary : kFollowed;
+    exact.penalty = sparse_ ? std::max(options.penalty, kPenalty / smoothing) : options.penalty;
+    const int first = outcome.steps;
+    const bool done = settle_at(smoothing, exact, outcome);
+    work += static_cast<double>((outcome.steps - first) * patch_.free_count);
+    field.store(patch_, state_);
+    outcome.objective = system_.energy(state_.displacement, 0.0);
+    if (interrupted && interrupted({outcome.objective, 0.0, largest_move_, smoothing})) {
+      outcome.status = SolveStatus::kCancelled;
+      break;
+    }
+    const std::vector<int> movers = movers_at_rim(smoothing);
+    if (!movers.empty()) {
+      std::vector<int> joined;
+      std::set_union(working_.begin(), working_.end(), movers.begin(), movers.end(),
+                     std::back_inserter(joined));
+      working_ = std::move(joined);
+      lay_open(problem, field);
+      continue;
+    }
+    if (!done) continue;
+    if (last) {
+      outcome.status = SolveStatus::kConverged;
+      break;
+    }
+    // What is at rest follows ε: w = d/√(‖d‖² + ε²) then stays what it is.
+    const double shrink = std::max(kShrink, kLast * scale / smoothing);
+    for (int k = 0; k < patch_.free_count; ++k) {
+      if (patch_.terms[at(k)].norm_weight <= 0.0) continue;
+      if (state_.displacement.col(k).norm() <= kAtRest * smoothing) {
+        state_.displacement.col(k) *= shrink;
+      }
+    }
+    smoothing *= shrink;
+  }
+  keep_support(smoothing);
+  field.store(patch_, state_);
+  outcome.factorizations = system_.factorizations() - before;
+  return outcome;
+}
+
+/// What is at rest stays exactly there; the rest is the support.
+void WorkingSetNewton::keep_support(double smoothing) {
+  support_.clear();
+  for (int k = 0; k < patch_.free_count; ++k) {
+    const VertexTerm& term = patch_.terms[at(k)];
+    const bool rests = sparse_ && !term.handle && term.norm_weight > 0.0 &&
+                       state_.displacement.col(k).norm() <= kAtRest * smoothing;
+    if (rests) {
+      state_.displacement.col(k).setZero();
+    } else {
+      support_.push_back(patch_.vertices[at(k)]);
+    }
+  }
+  std::sort(support_.begin(), support_.end());
+}
+
+Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<const int> vertices,
+                                        const Eigen::Matrix3Xd& displacement) {
+  auto missing = std::count_if(vertices.begin(), vertices.end(),
+                               [&](int v) { return !problem.terms[at(v)].fixed; });
+  for (int k = 0; k < patch_.free_count; ++k) {
+    const auto found = std::lower_bound(vertices.begin(), vertices.end(), patch_.vertices[at(k)]);
+    const bool moved = found != vertices.end() && *found == patch_.vertices[at(k)];
+    state_.displacement.col(k) = moved ? Eigen::Vector3d(displacement.col(found - vertices.begin()))
+                                       : Eigen::Vector3d::Zero().eval();
+    missing -= moved ? 1 : 0;
+  }
+  system_.lagrangian_gradient(state_, std::numeric_limits<double>::infinity(), gradient_);
+  Optimality result =
+      optimality_of(patch_, state_.displacement, gradient_, kCounted * handle_scale(problem));
+  // The finish moved what the multipliers know nothing of.
+  if (missing > 0) result.stationarity = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+}  // namespace planish
