@@ -13,30 +13,42 @@ const MEDIA: Readonly<Record<FileFormat, string>> = {
   glb: "model/gltf-binary",
 };
 
-function save(blob: Blob, extension: string): void {
+/** `ending`: what follows the design's name, with the extension. */
+export function save(blob: Blob, ending: string): void {
   const name = designName.value.replace(/\.[a-z]+$/i, "").replace(/[^\p{L}\p{N}_-]+/gu, "-");
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
-  link.download = `${name.toLowerCase()}.${extension}`;
+  link.download = `${name.toLowerCase()}${ending}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-/** What makes the design again, as text. */
-async function recipe(): Promise<string> {
+/** What makes the design again, as text; `whole` with the mesh itself. */
+async function recipe(whole: boolean): Promise<string> {
   const text = await fetchPart(() => import("../share/design-text.ts"));
   const [design, base] = [history.value?.present, mesh.value];
-  return text && design && base ? text.writeDesign(recipeOf(design, unit.value, null), base) : "";
+  if (!text || !design || !base) return "";
+  const { source } = design;
+  const bytes =
+    whole && source.kind === "file" ? new Uint8Array(await source.bytes.arrayBuffer()) : null;
+  return text.writeDesign(recipeOf(design, unit.value, null), base, bytes);
 }
+
+/** The design as a file that opens again, here and on the command line. */
+export const exportDesign = (): Promise<void> =>
+  inTurn(async () => {
+    const text = await recipe(true);
+    if (text) save(new Blob([text], { type: "application/json" }), "-design.json");
+  });
 
 async function exportNow(format: FileFormat): Promise<void> {
   const question = {
     kind: "export",
     format,
-    design: format === "glb" ? await recipe() : "",
+    design: format === "glb" ? await recipe(false) : "",
   } as const;
   const answer = await run(`writing ${format.toUpperCase()}`, question, "exported");
-  if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), format);
+  if (answer) save(new Blob([answer.bytes as BlobPart], { type: MEDIA[format] }), `.${format}`);
 }
 
 /** The design, once all that was asked for is done, written by the core in float64. */
@@ -53,6 +65,6 @@ export function providePicture(take: TakePicture | null): void {
 export const exportPicture = (): Promise<void> =>
   inTurn(async () => {
     const blob = (await takePicture?.()) ?? null;
-    if (blob) save(blob, "png");
+    if (blob) save(blob, ".png");
     else problem.value = "The picture could not be taken.";
   });

@@ -69,13 +69,23 @@ function markJson({ hash, moved, probes }: ResultMark): Json {
   return { hash: hex(hash), moved, probes: rows };
 }
 
-/** The text for a GLB, which holds the base itself. */
-export function writeDesign(recipe: Recipe, base: BaseMesh): string {
+/** The bytes of a design's mesh, to ride along. */
+function bytesJson(source: Source, bytes: Uint8Array | null): Json {
+  if (source.kind === "sample" || !bytes) return {};
+  return { format: source.format, bytes: toBase64(bytes) };
+}
+
+/** The text for a GLB, which holds the base itself, or with the bytes of the mesh for a file alone. */
+export function writeDesign(
+  recipe: Recipe,
+  base: BaseMesh,
+  bytes: Uint8Array | null = null,
+): string {
   const { handles, families } = recipe;
   return JSON.stringify({
     format: "planish-design",
     version: 1,
-    source: sourceJson(recipe.source, base),
+    source: { ...sourceJson(recipe.source, base), ...bytesJson(recipe.source, bytes) },
     planarised: recipe.planarised,
     unit: recipe.unit,
     handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
@@ -127,6 +137,14 @@ function readSource(value: unknown): ReadSource {
   const kept = new Blob([bytes as BlobPart]);
   const source = { kind: "file", name, format, bytes: kept, crc: crc32(bytes) } as const;
   return { source, meshName: name, baseHash };
+}
+
+/** In pieces: a call takes only so many arguments. */
+function toBase64(bytes: Uint8Array): string {
+  let letters = "";
+  for (let k = 0; k < bytes.length; k += 8192)
+    letters += String.fromCharCode(...bytes.subarray(k, k + 8192));
+  return btoa(letters);
 }
 
 function fromBase64(text: string): Uint8Array | null {

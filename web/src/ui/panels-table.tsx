@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 import "./panels.css";
 import { useSignal } from "@preact/signals";
+import { save } from "../export/exporting.ts";
+import { panelList } from "../export/panel-list.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
 import {
@@ -183,6 +185,17 @@ export function PanelsTable() {
           {`${rows.length} of ${panels(total)}; `}
           <span class="whole">{FLAT_MEANS}</span>
         </span>
+        <button
+          type="button"
+          class="button small"
+          title="Saves the table of all panels, for spreadsheets"
+          onClick={() => {
+            const text = panelList(figures, health, unit.value);
+            save(new Blob([text], { type: "text/csv" }), "-panels.csv");
+          }}
+        >
+          Save CSV
+        </button>
         {more > 0 && (
           <button
             type="button"

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What is saved beside the mesh: the design as JSON, which opens again, and the panels as a table.
+import { readFile } from "node:fs/promises";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { flatRoof } from "./support/faults.ts";
+import { idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+interface Saved {
+  readonly name: string;
+  readonly text: string;
+}
+
+async function saved(page: Page, press: () => Promise<void>): Promise<Saved> {
+  const download = page.waitForEvent("download");
+  await press();
+  const file = await download;
+  return { name: file.suggestedFilename(), text: (await readFile(await file.path())).toString() };
+}
+
+const saveDesign = (page: Page): Promise<Saved> =>
+  saved(page, async () => {
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.getByRole("button", { name: "JSON", exact: true }).click();
+  });
+
+it.each(["sample", "file"])(
+  "a design of a %s opens again, verified, to the last bit",
+  async (kind) => {
+    const page = await site.open();
+    if (kind === "file") {
+      await openFile(page, "roof.obj", flatRoof(6));
+      await page.getByRole("button", { name: "Start editing" }).click();
+    }
+    await typeTarget(page, "+40cm");
+    const [moved, edited] = [await movedCount(page), await obj(page)];
+    const { name, text } = await saveDesign(page);
+    expect(name).toBe(kind === "file" ? "roof-design.json" : "vault-design.json");
+    const other = await site.open();
+    await openFile(other, name, text);
+    await other.getByText(/^Verified:/).waitFor({ timeout: 60_000 });
+    await idle(other);
+    expect(await movedCount(other)).toBe(moved);
+    expect(await obj(other)).toBe(edited);
+    await other.context().close();
+    await page.context().close();
+  },
+);
+
+it("the table of panels is saved with a line for every panel", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+40cm");
+  const button = page.getByRole("button", { name: "Save CSV" });
+  await button.waitFor();
+  const sentence = page.getByText(/panels? must be made again after this edit/);
+  await expect.poll(() => sentence.textContent()).not.toMatch(/^0 /);
+  const { name, text } = await saved(page, () => button.click());
+  expect(name).toBe("vault-panels.csv");
+  const [head, ...lines] = text.trimEnd().split("\r\n");
+  const columns = head?.split(",") ?? [];
+  expect(columns).toContain("must_be_made_again");
+  expect(lines.length).toBe(400);
+  expect(lines.every((line) => line.split(",").length === columns.length)).toBe(true);
+  const again = lines.filter((line) => line.endsWith(",yes")).length;
+  expect(await sentence.textContent()).toMatch(new RegExp(`^${again} panels`));
+  await page.context().close();
+});

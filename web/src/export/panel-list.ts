@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The table of panels as a file for spreadsheets.
+import { OUTLINES, panelCount, rowOf } from "../state/panel-rows.ts";
+import { convert, type Unit } from "../state/units.ts";
+
+const COLUMNS = [
+  "panel",
+  "out_of_flat_mm",
+  "out_of_flat_mm_per_m",
+  "smallest_angle_deg",
+  "shortest_edge_mm",
+  "shape",
+  "must_be_made_again",
+] as const;
+
+/** As many digits as were measured. */
+const digits = (value: number): string => String(Number(value.toPrecision(7)));
+
+/** One line a panel in their order, after one that names the columns; lines end as RFC 4180 says. */
+export function panelList(figures: Float32Array, health: Float32Array, unit: Unit): string {
+  const mm = (length: number): string => digits(convert(length, unit, "mm"));
+  const lines = Array.from({ length: panelCount(figures) }, (_, panel) => {
+    const row = rowOf(panel, figures, health);
+    const shape = OUTLINES[row.outline] ?? "";
+    const again = row.changed === 1 ? "yes" : "no";
+    return [panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge), shape, again];
+  });
+  return [COLUMNS, ...lines].map((line) => `${line.join(",")}\r\n`).join("");
+}
