@@ -45,6 +45,13 @@ def area_vector(corners):
     return np.cross(arms, np.roll(arms, -1, axis=0)).sum(axis=0)
 
 
+def mean_edge(points, faces):
+    """Every edge counts once."""
+    edges = {(min(f[k], f[k - 1]), max(f[k], f[k - 1])) for f in faces for k in range(len(f))}
+    ends = np.array(sorted(edges))
+    return float(np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1).mean())
+
+
 def outline(corners):
     normal = area_vector(corners)
     if np.linalg.norm(normal) == 0:
@@ -151,7 +158,7 @@ def edits(meshes, count, lifts):
         points, faces = read_obj(path)
         random = np.random.default_rng(1000 + index)
         used = sorted({v for face in faces for v in face})
-        edge = np.mean([np.linalg.norm(points[f[k]] - points[f[k - 1]]) for f in faces for k in range(len(f))])
+        edge = mean_edge(points, faces)
         for v in random.choice(used, size=min(count, len(used)), replace=False):
             around = [area_vector(points[f]) for f in faces if v in f]
             normal = np.sum(around, axis=0)
@@ -161,7 +168,7 @@ def edits(meshes, count, lifts):
             for lift in lifts:
                 for way, direction in (("normal", normal), ("sideways", side)):
                     jobs.append({"mesh": name, "vertex": int(v), "lift": lift, "way": way,
-                                 "move": (lift * edge * direction).tolist(), "edge": float(edge)})
+                                 "move": (lift * edge * direction).tolist(), "edge": edge})
     return jobs
 
 
