@@ -42,8 +42,10 @@ Design lift(const std::string& sample, double height) {
 /// Every way through the engines: both of them, hard handles, fairness, sparsity, variations.
 std::map<std::string, Design> designs_on(const std::string& sample) {
   std::map<std::string, Design> designs;
-  for (const auto& [size, height] : std::map<std::string, double>{{"low", 0.25}, {"high", 1.5}}) {
-    const Design plain = lift(sample, height);
+  const std::map<std::string, double> heights{{"low", 0.25}, {"high", 1.5}};
+  for (const auto& entry : heights) {
+    const std::string& size = entry.first;  // clang captures no structured binding
+    const Design plain = lift(sample, entry.second);
     const auto add = [&](const std::string& what, const auto& change) {
       Design design = plain;
       change(design);
