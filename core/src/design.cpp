@@ -127,6 +127,7 @@ class Player {
     if (design_.result) {
       result_.deviation = planish::deviation(*design_.result, result_.base, result_.shape);
       result_.verified = result_.deviation == 0.0;
+      result_.agrees = result_.deviation <= agreement(result_.base);
     }
     return std::move(result_);
   }
@@ -189,6 +190,14 @@ double deviation(const DesignMark& mark, const Mesh& base, const Positions& shap
     largest = std::max(largest, (shape.col(probe.vertex) - probe.position).norm());
   }
   return largest;
+}
+
+double agreement(const Mesh& base) {
+  constexpr double kShare = 1e-9;
+  if (base.vertex_count() == 0) return 0.0;
+  const Eigen::Vector3d extent =
+      base.positions.rowwise().maxCoeff() - base.positions.rowwise().minCoeff();
+  return kShare * extent.norm();
 }
 
 ProjectionOptions exact_options(const HandleEditOptions& edit) {

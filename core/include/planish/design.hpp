@@ -82,6 +82,10 @@ struct Design {
 /// to the last bit.
 [[nodiscard]] double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape);
 
+/// Up to which deviation two results are the same, model units: a billionth of the mesh's diagonal.
+/// Compilers round in another order; certified results agree far below it, and nobody sees it.
+[[nodiscard]] double agreement(const Mesh& base);
+
 /// How the shape with a variation is made exact: to the edit's tolerance, by its engine.
 [[nodiscard]] ProjectionOptions exact_options(const HandleEditOptions& edit);
 
@@ -96,6 +100,7 @@ struct Replay {
   std::optional<Subspace> subspace;  ///< of the last variation
   DesignMark mark;                   ///< of `shape`
   bool verified = false;             ///< `shape` is the recorded result, bit for bit
+  bool agrees = false;               ///< so are its probes, up to rounding: see agreement()
   double deviation = 0.0;            ///< from the recorded probes, model units
 };
 
