@@ -45,7 +45,8 @@ Linearised linearise(const Mesh& mesh, const Positions& positions, const std::ve
                      std::span<const int> free) {
   Linearised result;
   ConstraintRows equations;
-  ConstraintKinds::for_each([&]<class Kind>() {
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
     for (const int f : faces) {
       Kind::append_rows(positions, mesh.face(f), equations.of<Kind>());
       result.faces.resize(equations.size(), f);

@@ -19,7 +19,8 @@ MeshModel::MeshModel(const Mesh& given, FairnessKind kind)
   points /= unit_;
   fairness = fairness_operator(mesh, adjacency, kind);
   fairness_columns = fairness.transpose();
-  ConstraintKinds::for_each([&]<class Kind>() {
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
     static_assert(Kind::kElement == Element::kFace, "patches cut rows face by face");
     std::vector<int>& offsets = face_offsets[ConstraintKinds::index_of<Kind>()];
     offsets.assign(1, 0);
@@ -49,7 +50,8 @@ int PatchCutter::local(int vertex, Patch& patch) {
 /// The rows of the patch's faces that touch a free vertex, kind by kind.
 void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
   int first = 0;
-  ConstraintKinds::for_each([&]<class Kind>() {
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
     const auto& rows = model.equations.of<Kind>();
     const std::vector<int>& offsets = model.face_offsets[ConstraintKinds::index_of<Kind>()];
     for (const int f : patch.face_ids) {

@@ -18,14 +18,16 @@ namespace {
 
 /// [CON-1] for whatever is registered.
 TEST(ConstraintKinds, HaveTheirDerivativesAndTheirMeasure) {
-  ConstraintKinds::for_each([]<class Kind>() { testing::expect_sound_kind<Kind>(); });
+  ConstraintKinds::for_each(
+      [](auto tag) { testing::expect_sound_kind<typename decltype(tag)::type>(); });
 }
 
 /// The example of docs/extending.md is a kind: it satisfies the concept and every check.
 TEST(ConstraintKinds, TheExampleIsOne) {
   using WithExample = KindList<PlanarPolygon, testing::EqualDiagonals>;
   static_assert(WithExample::index_of<testing::EqualDiagonals>() == 1);
-  WithExample::for_each([]<class Kind>() { testing::expect_sound_kind<Kind>(); });
+  WithExample::for_each(
+      [](auto tag) { testing::expect_sound_kind<typename decltype(tag)::type>(); });
 }
 
 std::string text_of(const std::string& path) {
@@ -59,7 +61,8 @@ TEST(RowBatches, NumberTheirRowsThrough) {
 
 TEST(ConstraintKinds, HaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
-  ConstraintKinds::for_each([&]<class Kind>() {
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
     EXPECT_TRUE(names.insert(Kind::kName).second) << Kind::kName;
     EXPECT_FALSE(Kind::kUnit.empty()) << Kind::kName;
     EXPECT_GT(Kind::kTolerance, 0.0) << Kind::kName;

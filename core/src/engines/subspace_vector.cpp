@@ -34,7 +34,8 @@ Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<i
     result.points.col(static_cast<Eigen::Index>(k)) = patch.points.col(order[k]);
   }
   result.terms.resize(at(result.free_count));
-  ConstraintKinds::for_each([&]<class Kind>() {
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
     for (typename Kind::Row row : patch.equations.of<Kind>()) {
       if (localise(row, local, result.free_count)) result.equations.of<Kind>().push_back(row);
     }

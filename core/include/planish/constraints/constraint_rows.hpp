@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,10 +19,10 @@ template <ConstraintKind... Kinds>
 struct KindList {
   static constexpr std::size_t kCount = sizeof...(Kinds);
 
-  /// Calls visit.template operator()<Kind>() for every kind, in order.
+  /// Calls visit(std::type_identity<Kind>()) for every kind, in order.
   template <class Visit>
   static constexpr void for_each(const Visit& visit) {
-    (visit.template operator()<Kinds>(), ...);
+    (visit(std::type_identity<Kinds>()), ...);
   }
 
   /// The place of a kind in the list.
