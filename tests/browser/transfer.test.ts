@@ -7,13 +7,14 @@ import { expect, it } from "vitest";
 import { movedCount } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
-const LIMIT = 500_000;
+/** What "ready in 1.5 s, and soon to the first drag" leaves room for. */
+const LIMIT = 600_000;
 
 /** Parts that come by themselves later; a drag must not wait for any of them. */
 const LATER =
   /(analysis|glb|advanced|last-solve|panels-table|histogram|help-text|offered|link|files|snapshots?-[a-z]+|refused-note|holding-panels|patch-picture|variation-gallery|import-report|point-figure|moves|panel-picking|panel-figure|surface-move|shared-link|designs|variation-sliders|continue-button|announcement|meet-targets|verdict|mesh-hash|damage[a-z-]*|verdict|panel-rows|health-scale|planarity-scale|legend-scales|tolerance)-/;
 
-it("is at most 500 KB for everything that a drag needs", async () => {
+it("is at most 600 KB for everything that a drag needs", async () => {
   const sizes: (readonly [string, Promise<number>])[] = [];
   const packed = async (answer: Response): Promise<number> =>
     gzipSync(await answer.body(), { level: 9 }).length;
