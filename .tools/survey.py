@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SAMPLES = {"vault": 20, "dome": 20, "freeform": 20, "hex": 14, "trihex": 12}
 DAMAGES = ("crossing", "turned over", "collapsed", "concave")
 STRAIGHT = 1e-9  # radians
+WAS_STRAIGHT, MAY_TURN = 1e-3, math.radians(1)  # a corner that was straight may turn by a degree
 THIN = 1e-3  # of the longest edge
 
 
@@ -77,12 +78,19 @@ def crosses(flat):
     return False
 
 
-def is_convex(flat):
+def turns_of(flat):
+    """Of the corners, positive the way that the outline turns; and whether it goes round once."""
     edges = np.roll(flat, -1, axis=0) - flat
     turns = [math.atan2(cross(e, f), e @ f) for e, f in zip(np.roll(edges, 1, axis=0), edges)]
-    total = sum(turns)
-    way = -1.0 if total < 0 else 1.0
-    return all(way * t > -STRAIGHT for t in turns) and abs(abs(total) - 2 * math.pi) < 0.1
+    way = -1.0 if sum(turns) < 0 else 1.0
+    return [way * t for t in turns], abs(abs(sum(turns)) - 2 * math.pi) < 0.1
+
+
+def is_convex(flat, base=None):
+    """With a base: except for corners that were straight there and turned by no more than a degree."""
+    turns, once = turns_of(flat)
+    was = turns_of(base)[0] if base is not None else [1.0] * len(turns)
+    return once and all(t > (-MAY_TURN if abs(w) <= WAS_STRAIGHT else -STRAIGHT) for t, w in zip(turns, was))
 
 
 def is_collapsed(corners):
@@ -95,7 +103,8 @@ def is_collapsed(corners):
 def damage(before, after):
     """The worst that became of a panel, or None."""
     was, now = outline(before), outline(after)
-    convex, now_convex = is_convex(was), is_convex(now)
+    convex = is_convex(was)
+    now_convex = is_convex(now, was) if convex else is_convex(now)
     was_crossing = not convex and crosses(was)
     if not now_convex and crosses(now):
         return None if was_crossing else "crossing"

@@ -212,7 +212,8 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options,
                                             const Interruption& interruption, SolveReport& report) {
   const DisplacementField::Snapshot found = trial_->snapshot();
   const std::vector<int> support = newton_->support();
-  if (report.status != SolveStatus::kCancelled) {
+  const bool spent = options_.max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
+  if (report.status != SolveStatus::kCancelled && !spent) {
     const NewtonOutcome fine = newton_->settle(problem_, options, *trial_, interruption);
     report.iterations += fine.steps;
     report.factorizations += fine.factorizations;

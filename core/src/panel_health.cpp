@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "planish/constraints/corner_shape.hpp"
 #include "trigonometry.hpp"
 
 namespace planish {
@@ -83,32 +84,57 @@ bool is_collapsed(const Positions& positions, std::span<const int> face, double 
   return !(shortest_edge > kThin * longest && width > kThin * longest);
 }
 
-}  // namespace
+/// How far each corner turns, radians, positive the way that the outline turns as a whole.
+struct Turns {
+  std::vector<double> corners;
+  bool once = true;  ///< all of them together go round once
+};
 
-PanelHealth panel_health(const Positions& positions, std::span<const int> face) {
-  const Outline outline = flatten(positions, face);
+Turns turns_of(const Outline& outline) {
   const std::size_t n = outline.size();
-  PanelHealth health;
-  health.shortest_edge = std::numeric_limits<double>::infinity();
-  std::vector<double> turns;
+  Turns turns;
   double total = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector2d in = outline[k] - outline[(k + n - 1) % n];
     const Eigen::Vector2d out = outline[(k + 1) % n] - outline[k];
-    health.shortest_edge = std::min(health.shortest_edge, out.norm());
-    turns.push_back(std::atan2(cross(in, out), in.dot(out)));
-    total += turns.back();
+    turns.corners.push_back(std::atan2(cross(in, out), in.dot(out)));
+    total += turns.corners.back();
   }
-  constexpr double kStraight = 1e-9;  // a corner in the middle of an edge turns by rounding only
   const double way = total < 0.0 ? -1.0 : 1.0;
-  bool same_way = true;
-  health.smallest_angle = 360.0;
-  for (const double turn : turns) {
-    same_way = same_way && way * turn > -kStraight;
-    health.smallest_angle = std::min(health.smallest_angle, (kPi - way * turn) * 180.0 / kPi);
+  for (double& turn : turns.corners) turn *= way;
+  turns.once = std::abs(std::abs(total) - 2.0 * kPi) < 0.1;
+  return turns;
+}
+
+/// A corner in the middle of an edge turns by rounding only.
+constexpr double kRoundingTurn = 1e-9;
+
+/// Concave only where corners that were straight turned by what the bound lets them. [SHP-1]
+bool is_nearly_convex(const Turns& before, const Turns& after) {
+  constexpr double kDegree = kPi / 180.0;
+  if (!after.once) return false;
+  for (std::size_t k = 0; k < after.corners.size(); ++k) {
+    const bool straight = std::abs(before.corners[k]) <= kStraight;
+    if (after.corners[k] <= (straight ? -kDegree : -kRoundingTurn)) return false;
   }
-  const bool once = std::abs(std::abs(total) - 2.0 * kPi) < 0.1;
-  if (!same_way || !once) {
+  return true;
+}
+
+}  // namespace
+
+PanelHealth panel_health(const Positions& positions, std::span<const int> face) {
+  const Outline outline = flatten(positions, face);
+  const Turns turns = turns_of(outline);
+  PanelHealth health;
+  health.shortest_edge = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const double edge = (outline[(k + 1) % outline.size()] - outline[k]).norm();
+    health.shortest_edge = std::min(health.shortest_edge, edge);
+  }
+  const double widest = *std::max_element(turns.corners.begin(), turns.corners.end());
+  const double least = *std::min_element(turns.corners.begin(), turns.corners.end());
+  health.smallest_angle = std::min(360.0, (kPi - widest) * 180.0 / kPi);
+  if (!(least > -kRoundingTurn) || !turns.once) {
     health.outline = crosses_itself(outline) ? PanelOutline::kSelfCrossing : PanelOutline::kConcave;
   }
   return health;
@@ -129,7 +155,9 @@ PanelDamage panel_damage(const Positions& before, const Positions& after,
       !is_collapsed(before, face, was.shortest_edge)) {
     return PanelDamage::kCollapsed;
   }
-  const bool dented = was.outline == PanelOutline::kConvex && is.outline == PanelOutline::kConcave;
+  const bool dented =
+      was.outline == PanelOutline::kConvex && is.outline == PanelOutline::kConcave &&
+      !is_nearly_convex(turns_of(flatten(before, face)), turns_of(flatten(after, face)));
   return dented ? PanelDamage::kConcave : PanelDamage::kNone;
 }
 

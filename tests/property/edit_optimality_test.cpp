@@ -110,6 +110,17 @@ TEST(EditOptimalityOf, ThePublicScenesIsCertifiedAndLow) {
   EXPECT_LE(outwards.objective.total(), 6.56);
 }
 
+/// Who limits the steps gets what there is after them, and no certificate.
+TEST(EditOptimalityOf, AnEditWithALimitOfStepsIsNotSettled) {
+  const Mesh mesh = testing::sample("vault", 20);
+  const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0.0, 0.0, 0.5});
+  const SolveReport limited = solve_handle_edit(mesh, targets, {.max_iterations = 5}).report;
+  const SolveReport whole = solve_handle_edit(mesh, targets).report;
+  EXPECT_EQ(limited.status, SolveStatus::kIterationLimit);
+  EXPECT_FALSE(limited.optimality);
+  EXPECT_LT(limited.iterations, whole.iterations / 2);
+}
+
 /// A state that is not a minimum has no certificate: the measure can fail.
 TEST(OptimalityOf, AWorseStateIsNotMet) {
   testing::ProblemOnMesh on_mesh(testing::sample("dome", 8));

@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 1e-6;  ///< of a central difference
 
 CornerShape corner_with(unsigned seed) {
-  return {{0, 1, 2}, testing::random_points(seed + 100, 1).col(0)};
+  return {{0, 1, 2}, testing::random_points(seed + 100, 1).col(0), -0.3};
 }
 
 class CornerShapeAt : public ::testing::TestWithParam<unsigned> {};
@@ -97,7 +97,27 @@ TEST(CornerShapes, AreOneInTheBase) {
 }
 
 /// A quad with its last corner pulled through the diagonal, a straight one, and one without area.
-TEST(CornerShapes, KeepAReflexCornerAndLeaveOutWhatHasNoSide) {
+/// Corner (1, 0) of the quad (0, 0), (1, 0), (2, 0), (2, 2) may rise by what one degree is.
+TEST(CornerShapes, LetAStraightCornerTurnByOneDegree) {
+  Positions positions(3, 4);
+  positions << 0, 1, 2, 2,  //
+      0, 0, 0, 2,           //
+      0, 0, 0, 0;
+  std::vector<CornerShape> corners;
+  append_corner_shapes(positions, std::vector<int>{0, 1, 2, 3}, corners);
+  const CornerShape& straight = corners[1];
+  const auto share = [&](double rise) {
+    RowPoints<3> points = positions.leftCols<3>();
+    points(1, 1) = rise;
+    return residual(straight, points);
+  };
+  EXPECT_DOUBLE_EQ(share(0.0), 1.0);
+  EXPECT_GT(share(-0.1), 1.0);  // outwards: nothing holds it
+  EXPECT_NEAR(share(0.5 * kStraightTurn), 0.0, 1e-3);
+  EXPECT_LT(share(kStraightTurn), 0.0);
+}
+
+TEST(CornerShapes, KeepAReflexCornerAndLeaveOutWhatHasNoArea) {
   Positions positions(3, 8);
   positions << 0, 2, 2, 1.5, 1, 3, 4, 5,  //
       0, 0, 2, 0.5, 0, 0, 0, 0,           //
@@ -107,7 +127,7 @@ TEST(CornerShapes, KeepAReflexCornerAndLeaveOutWhatHasNoSide) {
   append_corner_shapes(positions, std::vector<int>{0, 4, 1, 2}, straight);
   append_corner_shapes(positions, std::vector<int>{4, 5, 6, 7}, line);
   EXPECT_EQ(reflex.size(), 4u);
-  EXPECT_EQ(straight.size(), 3u);
+  EXPECT_EQ(straight.size(), 4u);
   EXPECT_TRUE(line.empty());
 }
 

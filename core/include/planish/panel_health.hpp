@@ -26,7 +26,7 @@ enum class PanelDamage {
   kSelfCrossing,  ///< two edges cross that did not
   kTurnedOver,    ///< its normal points the other way
   kCollapsed,     ///< an edge or the whole panel is thinner than a thousandth of its longest edge
-  kConcave,       ///< it was convex
+  kConcave,       ///< it was convex; a corner that was straight may have turned by a degree
 };
 
 /// Seen along the panel's own normal; `positions` is 3 × n of the whole mesh. O(k²) for a concave

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kKeep = 0.05;       ///< κ: the share of g⁰ that no corner goes below
 constexpr double kClamp = 0.5;       ///< ŝ: where the barrier begins
-constexpr double kStraight = 1e-3;   ///< sine below which a corner has no side
 constexpr double kAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
@@ -26,11 +25,11 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
 double residual(const CornerShape& corner, const RowPoints<3>& points) {
   const Eigen::Vector3d in = points.col(1) - points.col(0);
   const Eigen::Vector3d out = points.col(2) - points.col(1);
-  return (corner.normal.dot(in.cross(out)) - kKeep) / (1.0 - kKeep);
+  return corner.normal.dot(in.cross(out)) + corner.offset;
 }
 
 RowPoints<3> gradient(const CornerShape& corner, const RowPoints<3>& points) {
-  const Eigen::Vector3d normal = corner.normal / (1.0 - kKeep);
+  const Eigen::Vector3d& normal = corner.normal;
   RowPoints<3> result;
   result.col(0) = (points.col(1) - points.col(2)).cross(normal);
   result.col(1) = (points.col(2) - points.col(0)).cross(normal);
@@ -39,7 +38,7 @@ RowPoints<3> gradient(const CornerShape& corner, const RowPoints<3>& points) {
 }
 
 CurvatureBlocks<3, false> hessian(const CornerShape& corner, const RowPoints<3>& /*points*/) {
-  const Eigen::Matrix3d twist = skew(corner.normal / (1.0 - kKeep));
+  const Eigen::Matrix3d twist = skew(corner.normal);
   return {twist, -twist, twist};
 }
 
@@ -69,8 +68,14 @@ void append_corner_shapes(const Positions& positions, std::span<const int> face,
     const Eigen::Vector3d in = point(k + n) - point(k + n - 1);
     const Eigen::Vector3d away = point(k + 1) - point(k);
     const double base = normal.dot(in.cross(away));
-    if (!(std::abs(base) > kStraight * in.norm() * away.norm())) continue;
-    out.push_back({{face[(k + n - 1) % n], face[k], face[(k + 1) % n]}, normal / base});
+    const double lengths = in.norm() * away.norm();
+    if (!(lengths > 0.0)) continue;
+    const std::array<int, 3> corner{face[(k + n - 1) % n], face[k], face[(k + 1) % n]};
+    if (std::abs(base) > kStraight * lengths) {
+      out.push_back({corner, normal / (base * (1.0 - kKeep)), -kKeep / (1.0 - kKeep)});
+    } else {
+      out.push_back({corner, normal / (lengths * kStraightTurn), 1.0});
+    }
     if (n == 3) return;  // the other two say the same
   }
 }

@@ -7,8 +7,10 @@
 ///   g(p) = n⁰ · ((b − a) × (c − b)),   s = (g / g⁰ − κ) / (1 − κ) ≥ 0
 ///
 /// where g⁰ is the value in the base: the bound is relative, so the base always keeps it, and a
-/// reflex corner stays reflex. One row rules out concave, turned-over and collapsed panels alike.
-/// Its price: a panel cannot turn by nearly 90°.
+/// reflex corner stays reflex. A corner that is straight in the base has no side to keep; it may
+/// turn inwards by kStraightTurn: s = 1 + g / (‖b − a‖ ‖c − b‖ kStraightTurn), lengths of the base.
+/// One row rules out concave, turned-over and collapsed panels alike. Its price: a panel cannot
+/// turn by nearly 90°.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,12 +23,19 @@
 
 namespace planish {
 
+/// Sine of a turn below which a corner of the base is straight.
+inline constexpr double kStraight = 1e-3;
+/// Sine of the turn, one degree, by which a straight corner may become reflex.
+inline constexpr double kStraightTurn = 0.0174524064372835;
+
 /// A bound's row, in the form of the constraints' rows: residual() is s, at least zero.
 struct CornerShape {
   static constexpr int kArity = 3;
   static constexpr bool kCurvedDiagonal = false;
-  std::array<int, 3> vertices{};                     ///< previous, this, next
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< n⁰ / g⁰: g / g⁰ is then one dot product
+  std::array<int, 3> vertices{};  ///< previous, this, next
+  Eigen::Vector3d normal =
+      Eigen::Vector3d::Zero();  ///< n⁰ scaled: s = normal · (in × out) + offset
+  double offset = 0.0;
 };
 
 /// s: 1 in the base mesh, 0 at the bound.
@@ -51,8 +60,8 @@ struct Barrier {
 };
 [[nodiscard]] Barrier clamped_barrier(double share);
 
-/// The corners of `face` that have a side in the base; a triangle's three are one. Appends nothing
-/// for corners that are straight and for faces without area.
+/// The corners of `face`; a triangle's three are one. Appends nothing for corners with an edge of
+/// no length and for faces without area.
 /// @param positions 3 × n of the base mesh
 void append_corner_shapes(const Positions& positions, std::span<const int> face,
                           std::vector<CornerShape>& out);
