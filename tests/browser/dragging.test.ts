@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openSite, type Site } from "./support/page.ts";
+import { exportAs, idle, movedCount, openFile, openSite, type Site } from "./support/page.ts";
 import {
   type HandleRow,
   handleRows,
@@ -50,6 +50,70 @@ async function dragWith(page: Page, ...keys: readonly string[]): Promise<number[
 
 const pressed = (page: Page, name: string): Promise<string | null> =>
   page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed");
+
+/** A wall of 8 × 8 squares, along X and up. */
+function wall(): string {
+  const places = Array.from({ length: 81 }, (_, k) => `v ${k % 9} 0 ${Math.floor(k / 9)}`);
+  const faces = Array.from({ length: 64 }, (_, k) => {
+    const a = Math.floor(k / 8) * 9 + (k % 8) + 1;
+    return `f ${a} ${a + 1} ${a + 10} ${a + 9}`;
+  });
+  return [...places, ...faces].join("\n");
+}
+
+describe("a drag without a lock", () => {
+  it("goes up on a roof, and with Alt where the pointer goes", async () => {
+    const page = await openPage();
+    const [x, y, z] = await dragWith(page);
+    expect([x, y]).toEqual([0, 0]);
+    expect(z).toBeGreaterThan(0.1);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await expect.poll(() => movedCount(page)).toBe(0);
+    const [row] = await handleRows(page);
+    expect(row).toBeUndefined();
+    await page.context().close();
+    const other = await openPage();
+    const from = await hintedPoint(other);
+    await other.keyboard.down("Alt");
+    await press(other, from, { x: from.x + 42, y: from.y - 10 });
+    await release(other);
+    await other.keyboard.up("Alt");
+    const [free] = await handleRows(other);
+    if (!free) throw new Error("no handle");
+    expect(Math.hypot(...offset(free).slice(0, 2))).toBeGreaterThan(0.1);
+    await other.context().close();
+  });
+
+  it("goes out of a wall, and along it where that points at the viewer", async () => {
+    const page = await site.open();
+    await openFile(page, "wall.obj", wall());
+    await page.getByRole("button", { name: "Start editing" }).click();
+    const pull = async (): Promise<readonly number[]> => {
+      await page.getByRole("button", { name: "Add handle" }).click();
+      await idle(page);
+      const [before] = await handleRows(page);
+      const box = await page.locator(".marker").first().boundingBox();
+      if (!before || !box) throw new Error("no handle");
+      const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      await press(page, from, { x: from.x + 30, y: from.y + 24 });
+      await page.mouse.up();
+      await idle(page);
+      const [after] = await handleRows(page);
+      return (after?.target ?? []).map((value, axis) => value - (before.target[axis] ?? 0));
+    };
+    const out = await pull();
+    expect([out[0], out[2]]).toEqual([0, 0]);
+    expect(Math.abs(out[1] ?? 0)).toBeGreaterThan(0.1);
+    await page.getByRole("button", { name: "Remove" }).click();
+    await idle(page);
+    await page.getByRole("button", { name: "Front", exact: true }).click();
+    const along = await pull();
+    expect(Math.abs(along[1] ?? 1)).toBeLessThan(1e-9);
+    expect(along[0]).toBeGreaterThan(0.1);
+    expect(along[2]).toBeLessThan(-0.1);
+    await page.context().close();
+  });
+});
 
 describe("a drag", () => {
   it("is held to an axis by its key, and keeps the other coordinates' bits", async () => {

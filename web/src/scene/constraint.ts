@@ -11,6 +11,20 @@ export interface Held {
 /** A plane seen more edge-on than this would throw points to the horizon. */
 const EDGE_ON = 0.08;
 
+/** Cosine from which a surface lies rather than stands: 45 degrees. */
+const LYING = Math.SQRT1_2;
+/** Sine of 20 degrees: a line nearer to the view than that says little about how far along. */
+const SEEN = 0.34;
+
+/**
+ * What a drag is held to that is held to nothing else: up where the surface lies, its normal where
+ * it stands. Null, for the plane of the screen, where that points at the viewer.
+ */
+export function usualLine(normal: Vector3, view: Vector3): Held | null {
+  const direction = Math.abs(normal.z) < LYING ? normal : new Vector3(0, 0, 1);
+  return Math.sqrt(1 - direction.dot(view) ** 2) < SEEN ? null : { direction, plane: false };
+}
+
 /** The point of the line through `start` nearest to the ray; null where the two run together. */
 function onLine(ray: Ray, start: Vector3, direction: Vector3): Vector3 | null {
   const apart = ray.origin.clone().sub(start);

@@ -5,7 +5,7 @@ import type { Frame } from "../mesh/point-frame.ts";
 import type { Point } from "../state/design.ts";
 import type { Drag } from "../state/dragging.ts";
 import type { Lock } from "../state/store.ts";
-import { type Held, meet, snapOffset } from "./constraint.ts";
+import { type Held, meet, snapOffset, usualLine } from "./constraint.ts";
 
 const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
@@ -45,10 +45,11 @@ export class DragSession {
     this.#local = [along, across, normal].map((vector) => new Vector3(...vector));
   }
 
-  /** The pointer moved, or (without a ray) the lock or the snapping changed. */
-  move(lock: Lock | null, snap: Snap | null, ray: Ray = this.#ray): void {
+  /** The pointer moved, or (without a ray) the lock or the snapping changed; `free` of the usual line. */
+  move(lock: Lock | null, snap: Snap | null, free: boolean, ray: Ray = this.#ray): void {
     this.#ray = ray;
-    const held = lock ? this.#heldBy(lock) : this.#at.arrow;
+    const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, this.#at.view);
+    const held = lock ? this.#heldBy(lock) : (this.#at.arrow ?? usual);
     const { start, press, view } = this.#at;
     const to = meet(ray, start, held, view);
     const from = meet(press, start, held, view);

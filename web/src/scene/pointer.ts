@@ -36,7 +36,8 @@ export interface PointerEvents {
   readonly turn: (x: number, y: number) => void;
   /** The wheel is about to bring the camera nearer to what is here. */
   readonly zoom: (x: number, y: number) => void;
-  readonly drag: (session: DragSession, snap: boolean, ray?: Ray) => void;
+  /** `snap` with Ctrl; `free` of the usual line, with Alt. */
+  readonly drag: (session: DragSession, how: { snap: boolean; free: boolean }, ray?: Ray) => void;
   readonly box: (box: Box | null) => void;
   /** `also` adds what it holds to the selection. */
   readonly choose: (box: Box, also: boolean) => void;
@@ -58,6 +59,8 @@ export class PointerTool {
   readonly #events: PointerEvents;
   readonly #off = new AbortController();
   #press: Press | null = null;
+  /** The keys held at the last move of a drag. */
+  #how = { snap: false, free: false };
   /** A press that is being given to the camera controls. */
   #handedOver: Event | null = null;
 
@@ -97,7 +100,7 @@ export class PointerTool {
 
   /** The lock changed while the pointer rests. */
   refresh(): void {
-    if (this.#press?.session) this.#events.drag(this.#press.session, false);
+    if (this.#press?.session) this.#events.drag(this.#press.session, this.#how);
   }
 
   dispose(): void {
@@ -162,7 +165,8 @@ export class PointerTool {
       return;
     }
     const { x, y } = this.#place(event);
-    this.#events.drag(press.session, event.ctrlKey || event.metaKey, this.#rayAt(x, y));
+    this.#how = { snap: event.ctrlKey || event.metaKey, free: event.altKey };
+    this.#events.drag(press.session, this.#how, this.#rayAt(x, y));
   }
 
   #up(event: PointerEvent): void {

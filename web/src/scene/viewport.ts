@@ -258,7 +258,7 @@ export class Viewport {
         const at = this.#surfaceAt({ x, y });
         if (at) this.stage.aim(at);
       },
-      drag: (session, snap, ray) => session.move(lock.value, this.#snap(snap), ray),
+      drag: (session, { snap, free }, ray) => session.move(lock.value, this.#snap(snap), free, ray),
       box: (box) => this.#overlay.drawBox(box),
       choose: (box, also) => this.#choose(box, also),
     });

@@ -6,7 +6,11 @@ interface Hint {
 }
 
 const HINTS: readonly Hint[] = [
-  { how: "Drag a point", what: "moves it; its neighbours follow" },
+  {
+    how: "Drag a point",
+    what: "moves it up or down, on a steep surface in or out, and where that points at you, across the screen; its neighbours follow",
+  },
+  { how: "[Alt] while dragging", what: "moves it freely in the plane of the screen" },
   {
     how: "Drag beside a point",
     what: "turns the view about the selected point, or the place pressed; right button or two fingers pan, the wheel zooms to the pointer",
