@@ -203,7 +203,11 @@ EMSCRIPTEN_BINDINGS(planish) {
       .field("engine", &HandleEditOptions::engine)
       .field("tolerance", &HandleEditOptions::tolerance)
       .field("maxIterations", &HandleEditOptions::max_iterations)
-      .field("keepShape", &HandleEditOptions::keep_shape);
+      .field("keepShape", &HandleEditOptions::keep_shape)
+      .field("reach", &HandleEditOptions::reach)
+      .field("reachLength", &HandleEditOptions::reach_length)
+      .field("keepBoundary", &HandleEditOptions::keep_boundary)
+      .field("softness", &HandleEditOptions::softness);
   emscripten::value_object<SubspaceOptions>("SubspaceOptions")
       .field("dimension", &SubspaceOptions::dimension)
       .field("fairnessWeight", &SubspaceOptions::fairness_weight)

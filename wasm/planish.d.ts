@@ -18,6 +18,10 @@ export interface HandleEditOptions {
   engine: EnumValue;
   tolerance: number;
   maxIterations: number;
+  reach: number;
+  reachLength: number;
+  keepBoundary: boolean;
+  softness: number;
 }
 
 export interface SubspaceOptions {

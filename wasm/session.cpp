@@ -153,7 +153,8 @@ Refusal Session::explore(const SubspaceOptions& options) {
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
-  Subspace found = compute_subspace(base_, current_, close, options, targets_.pins, progress_);
+  const std::vector<int> held = held_vertices(base_, targets_, options_);
+  Subspace found = compute_subspace(base_, current_, close, options, held, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   prepare_variation();
@@ -223,8 +224,9 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
 Refusal Session::project(Positions& positions, SolveReport& report) const {
   Mesh mesh = base_;
   mesh.positions = positions;
+  const std::vector<int> held = held_vertices(base_, targets_, options_);
   ProjectionResult result =
-      project_to_planar(mesh, base_.positions, exact_options(options_), targets_.pins, progress_);
+      project_to_planar(mesh, base_.positions, exact_options(options_), held, progress_);
   report = std::move(result.report);
   if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;

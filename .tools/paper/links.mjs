@@ -34,6 +34,10 @@ function toRecipe(design, camera) {
       hardHandles: options.hard,
       tolerance: options.tolerance,
       maxIterations: options.max_iterations,
+      reach: options.reach ?? 0,
+      reachLength: options.reach_length ?? 0,
+      keepBoundary: options.keep_boundary ?? false,
+      softness: options.softness ?? 0,
     },
     families: variation
       ? [

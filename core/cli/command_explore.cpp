@@ -55,11 +55,11 @@ Positions with_sliders(const Positions& edited, const Subspace& subspace,
 
 /// The exact mesh next to `explored`, unmoved vertices of the base staying where they are.
 ProjectionResult make_exact(const EditRun& run, const Positions& explored,
-                            const HandleEditOptions& edit) {
+                            const HandleEditOptions& edit, const std::vector<int>& held) {
   Mesh mesh = run.base.mesh;
   mesh.positions = explored;
-  ProjectionResult result = project_to_planar(mesh, run.base.mesh.positions, exact_options(edit),
-                                              run.targets.pins, progress_line());
+  ProjectionResult result =
+      project_to_planar(mesh, run.base.mesh.positions, exact_options(edit), held, progress_line());
   clear_progress_line();
   return result;
 }
@@ -93,16 +93,17 @@ ExitCode run_explore(const Arguments& arguments) {
   const SubspaceOptions basis_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, basis_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
+  const std::vector<int> held = held_vertices(run.base.mesh, run.targets, options);
   const Subspace subspace =
-      compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets), basis_options,
-                       run.targets.pins, progress_line());
+      compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets), basis_options, held,
+                       progress_line());
   clear_progress_line();
   Mesh result = run.base.mesh;
   result.positions = with_sliders(run.edited, subspace, values);
   ExitCode code = exit_code(run.report);
   Json exact;
   if (arguments.has("--exact")) {
-    const ProjectionResult projection = make_exact(run, result.positions, options);
+    const ProjectionResult projection = make_exact(run, result.positions, options, held);
     for (std::size_t k = 0; k < projection.moved.size(); ++k) {
       result.positions.col(projection.moved[k]) =
           projection.moved_positions.col(static_cast<Eigen::Index>(k));

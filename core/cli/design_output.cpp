@@ -15,6 +15,7 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
   design.source = run.source;
   if (auto* file = std::get_if<FileSource>(&design.source)) file->hash = mesh_hash(run.base.mesh);
   design.planarised = run.base.planarised.has_value();
+  design.unit = run.unit;
   design.targets = run.targets;
   design.options = options;
   design.variations = std::move(variations);

@@ -80,11 +80,56 @@ std::vector<OptionRow> edit_option_rows() {
            "turned over or collapsed that was not"},
           {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
           {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
+          {"--softness", "S", "1 … 10, in place of these two weights: higher is wider and gentler"},
+          {"--reach", "R", "nothing moves beyond R face rings, or a length such as 1.5m"},
+          {"--keep-boundary", "", "boundary points stay, handles excepted"},
+          {"--model-unit", "UNIT", "of the coordinates: mm, cm, m, km, in or ft; default m"},
           {"--attraction", "W", "weight ω_h, default 1000: higher meets the handles closer"},
           {"--fairness", "KIND", "laplacian, second or third; default second"},
           {"--sparsity", "KIND", "l21, l2 or none; default l21"},
           {"--solver", "NAME", "newton or alm; default newton"},
           {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+}
+
+namespace {
+
+constexpr std::pair<std::string_view, double> kUnits[] = {
+    {"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+
+/// "4" (face rings) or "1.5m" (a length).
+void set_reach(std::string_view text, std::string_view model_unit, HandleEditOptions& options) {
+  const std::size_t unit = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
+  if (unit == text.size()) {
+    options.reach = parse_whole(text, "--reach");
+    if (options.reach < 1) throw CommandError(kWrongUsage, "--reach must be at least 1 face ring");
+    return;
+  }
+  const double metres = parse_word<double>(text.substr(unit), "--reach", kUnits) *
+                        parse_finite(text.substr(0, unit), "--reach");
+  options.reach_length = metres / parse_word<double>(model_unit, "--model-unit", kUnits);
+  if (!(options.reach_length > 0.0)) {
+    throw CommandError(kWrongUsage, "--reach must be longer than 0");
+  }
+}
+
+void set_softness(const Arguments& arguments, HandleEditOptions& options) {
+  const auto text = arguments.value("--softness");
+  if (!text) return;
+  if (arguments.has("--locality") || arguments.has("--smoothness")) {
+    throw CommandError(kWrongUsage,
+                       "--softness takes the place of --locality and --smoothness: give one or the "
+                       "other");
+  }
+  options.softness = parse_finite(*text, "--softness");
+  if (options.softness == 0.0) throw CommandError(kWrongUsage, "--softness must be from 1 to 10");
+}
+
+}  // namespace
+
+std::string model_unit(const Arguments& arguments) {
+  const std::string unit = arguments.value("--model-unit").value_or("m");
+  static_cast<void>(parse_word<double>(unit, "--model-unit", kUnits));
+  return unit;
 }
 
 FairnessKind parse_fairness(std::string_view text) {
@@ -109,6 +154,11 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   set_bounds(arguments, options);
   if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
   if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
+  set_softness(arguments, options);
+  if (const auto text = arguments.value("--reach")) {
+    set_reach(*text, model_unit(arguments), options);
+  }
+  options.keep_boundary = arguments.has("--keep-boundary");
   if (const auto text = arguments.value("--sparsity")) {
     options.sparsity = parse_word<Sparsity>(
         *text, "--sparsity",
@@ -168,6 +218,7 @@ void print_planarised(const std::string& name, const ProjectionResult& result) {
 
 EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
   EditRun run;
+  run.unit = model_unit(arguments);
   LoadedSource loaded = load_source(arguments.only_positional("MESH"));
   run.given = std::move(loaded.mesh);
   run.source = std::move(loaded.source);
@@ -200,6 +251,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
                                 {"rms_move", run.base.planarised->rms_move}};
   }
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
+  json["sharpest_fold"] = fold_json(run.base.mesh, after);
   return json;
 }
 

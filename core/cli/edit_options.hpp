@@ -21,6 +21,9 @@ namespace planish::cli {
 
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
 
+/// Of the coordinates, m unless --model-unit says otherwise. Throws CommandError for another word.
+[[nodiscard]] std::string model_unit(const Arguments& arguments);
+
 /// Handles and pins; "V+=" counts from the positions of `base`. Throws CommandError.
 [[nodiscard]] EditTargets edit_targets(const Arguments& arguments, const Mesh& base);
 
@@ -40,7 +43,8 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  Mesh given;  ///< as in the file
+  std::string unit;  ///< of the model
+  Mesh given;        ///< as in the file
   DesignSource source;
   FlatBase base;
   EditTargets targets;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "files.hpp"
+#include "planish/adjacency.hpp"
+#include "planish/folds.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
@@ -59,6 +61,17 @@ Json damage_json(const Mesh& mesh, const Positions& before, const Positions& aft
     if (const auto panels = found.find(kind); panels != found.end()) json[name] = panels->second;
   }
   return json;
+}
+
+Json fold_json(const Mesh& base, const Positions& after) {
+  std::vector<int> moved;
+  for (int v = 0; v < base.vertex_count(); ++v) {
+    if (base.positions.col(v) != after.col(v)) moved.push_back(v);
+  }
+  const Adjacency adjacency = build_adjacency(base);
+  const std::vector<int> touched = faces_of(adjacency, moved);
+  return {{"before", sharpest_fold(base, adjacency, base.positions, touched).degrees},
+          {"after", sharpest_fold(base, adjacency, after, touched).degrees}};
 }
 
 void print_damage(const Json& damage) {

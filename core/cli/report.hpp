@@ -22,6 +22,9 @@ using Json = nlohmann::ordered_json;
 /// Panels that are flat but spoilt since `before`, by what became of them; indices from 0.
 [[nodiscard]] Json damage_json(const Mesh& mesh, const Positions& before, const Positions& after);
 
+/// The sharpest folds, in degrees, of the faces of `base` that `after` touches: here and there.
+[[nodiscard]] Json fold_json(const Mesh& base, const Positions& after);
+
 /// Says on standard error what `damage_json` found; nothing where it found nothing.
 void print_damage(const Json& damage);
 

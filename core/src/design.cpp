@@ -87,7 +87,9 @@ class Player {
       return "the mesh has panels that are not flat, and the design does not planarise it";
     }
     result_.shape = result_.base.positions;
-    return find_problem(design_.targets, result_.base);
+    if (auto problem = find_problem(design_.targets, result_.base)) return problem;
+    held_ = held_vertices(result_.base, design_.targets, design_.options);
+    return std::nullopt;
   }
 
   void edit() {
@@ -107,8 +109,8 @@ class Player {
     options.engine = design_.options.engine;
     std::vector<int> close;
     for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
-    Subspace found = compute_subspace(result_.base, result_.shape, close, options,
-                                      design_.targets.pins, progress_);
+    Subspace found =
+        compute_subspace(result_.base, result_.shape, close, options, held_, progress_);
     if (found.dimension() == 0) return false;
     Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
     const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());
@@ -142,9 +144,8 @@ class Player {
   bool make_exact() {
     Mesh mesh = result_.base;
     mesh.positions = result_.shape;
-    const ProjectionResult exact =
-        project_to_planar(mesh, result_.base.positions, exact_options(design_.options),
-                          design_.targets.pins, progress_);
+    const ProjectionResult exact = project_to_planar(
+        mesh, result_.base.positions, exact_options(design_.options), held_, progress_);
     if (!exact.report.usable()) {
       result_.report = exact.report;
       return false;
@@ -155,6 +156,7 @@ class Player {
 
   const Design& design_;
   const Progress& progress_;
+  std::vector<int> held_;  ///< what neither the edit nor a variation moves
   Replay result_;
 };
 

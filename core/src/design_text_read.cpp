@@ -158,7 +158,8 @@ HandleEditOptions options_before_bounds() {
 
 HandleEditOptions read_options(const Field& field) {
   field.only({"attraction", "locality", "smoothness", "fairness", "sparsity", "hard", "solver",
-              "tolerance", "max_iterations", "shape"});
+              "tolerance", "max_iterations", "shape", "reach", "reach_length", "keep_boundary",
+              "softness"});
   HandleEditOptions options = options_before_bounds();
   read_if(field, "attraction", options.attraction);
   read_if(field, "locality", options.locality);
@@ -170,6 +171,10 @@ HandleEditOptions read_options(const Field& field) {
   read_if(field, "tolerance", options.tolerance);
   if (field.has("max_iterations")) options.max_iterations = field.at("max_iterations").whole(0);
   read_if(field, "shape", options.keep_shape);
+  if (field.has("reach")) options.reach = field.at("reach").whole(0);
+  read_if(field, "reach_length", options.reach_length);
+  read_if(field, "keep_boundary", options.keep_boundary);
+  read_if(field, "softness", options.softness);
   return options;
 }
 

@@ -34,6 +34,8 @@ Json source_json(const DesignSource& source) {
   return json;
 }
 
+/// What was added to the format later is written only where it is not the default, so that older
+/// readers go on reading what they know.
 Json options_json(const HandleEditOptions& options) {
   Json json = {{"attraction", options.attraction},
                {"locality", options.locality},
@@ -45,6 +47,10 @@ Json options_json(const HandleEditOptions& options) {
                {"tolerance", options.tolerance},
                {"max_iterations", options.max_iterations}};
   if (options.keep_shape) json["shape"] = true;  // absent in designs from before the bounds
+  if (options.reach != 0) json["reach"] = options.reach;
+  if (options.reach_length != 0.0) json["reach_length"] = options.reach_length;
+  if (options.keep_boundary) json["keep_boundary"] = true;
+  if (options.softness != 0.0) json["softness"] = options.softness;
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "planish/index.hpp"
+#include "softness.hpp"
 
 namespace planish {
 namespace {
@@ -12,48 +13,96 @@ namespace {
 /// the price of a moved vertex.
 constexpr double kShapeWeight = 1e-2;
 
-/// What every vertex has that is neither a handle nor a pin.
-VertexTerm default_term(const HandleEditOptions& options) {
+/// What every vertex has that may move and is no handle.
+VertexTerm free_term(const HandleEditOptions& options, const EditWeights& weights) {
   VertexTerm term;
-  if (options.sparsity == Sparsity::kL21) term.norm_weight = options.locality;
-  if (options.sparsity == Sparsity::kL2) term.square_weight = options.locality;
+  if (options.sparsity == Sparsity::kL21) term.norm_weight = weights.locality;
+  if (options.sparsity == Sparsity::kL2) term.square_weight = weights.locality;
   return term;
+}
+
+VertexTerm fixed_term() {
+  VertexTerm term;
+  term.fixed = true;
+  return term;
+}
+
+/// What a vertex has before any handle or pin is known.
+VertexTerm default_term(int vertex, const VertexTerm& rest, const HandleEditOptions& options,
+                        const MeshModel& model) {
+  const bool kept = options.keep_boundary && model.adjacency.boundary[at(vertex)] != 0;
+  return kept || has_reach(options) ? fixed_term() : rest;
+}
+
+double largest_move(const EditTargets& targets, const MeshModel& model) {
+  double largest = 0.0;
+  for (const Handle& handle : targets.handles) {
+    const Eigen::Vector3d move = handle.target - model.mesh.positions.col(handle.vertex);
+    largest = std::max(largest, move.norm());
+  }
+  return largest / model.unit();
 }
 
 }  // namespace
 
 void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
-  const VertexTerm term = default_term(options);
-  problem.sparse = term.norm_weight > 0.0;
+  rest_ = free_term(options, edit_weights(options, 0.0, problem.model->unit()));
+  problem.sparse = rest_.norm_weight > 0.0;
+  const int count = problem.model->vertex_count();
+  problem.terms.resize(at(count));
+  for (int v = 0; v < count; ++v) {
+    problem.terms[at(v)] = default_term(v, rest_, options, *problem.model);
+  }
   problem.shape_weight = options.keep_shape ? kShapeWeight : 0.0;
-  problem.terms.assign(at(problem.model->vertex_count()), term);
   overridden_.clear();
+}
+
+void EditTerms::override_term(int vertex, const VertexTerm& term, EditProblem& problem) {
+  problem.terms[at(vertex)] = term;
+  overridden_.push_back(vertex);
+}
+
+/// Frees what is within the reach and not kept.
+void EditTerms::open_reach(const EditTargets& targets, const HandleEditOptions& options,
+                           EditProblem& problem) {
+  problem.region.clear();
+  if (!has_reach(options)) return;
+  rest_ = free_term(options, edit_weights(options, 0.0, problem.model->unit()));
+  problem.region = reach_.within(targets.handles, options);
+  std::sort(problem.region.begin(), problem.region.end());
+  const std::vector<char>& boundary = problem.model->adjacency.boundary;
+  for (const int v : problem.region) {
+    if (!options.keep_boundary || !boundary[at(v)]) override_term(v, rest_, problem);
+  }
+}
+
+void EditTerms::add_handles(const EditTargets& targets, const HandleEditOptions& options,
+                            EditProblem& problem) {
+  const MeshModel& model = *problem.model;
+  const EditWeights weights = edit_weights(options, largest_move(targets, model), model.unit());
+  problem.fairness_weight = weights.smoothness;
+  problem.handles.clear();
+  for (const Handle& handle : targets.handles) {
+    VertexTerm term;
+    term.square_weight = weights.attraction;
+    term.target = (handle.target - model.mesh.positions.col(handle.vertex)) / model.unit();
+    term.handle = true;
+    term.fixed = options.hard_handles;
+    override_term(handle.vertex, term, problem);
+    problem.handles.push_back(handle.vertex);
+  }
+  std::sort(problem.handles.begin(), problem.handles.end());
 }
 
 void EditTerms::assign(const EditTargets& targets, const HandleEditOptions& options,
                        EditProblem& problem) {
-  const VertexTerm rest = default_term(options);
-  for (const int v : overridden_) problem.terms[at(v)] = rest;
+  for (const int v : overridden_) {
+    problem.terms[at(v)] = default_term(v, rest_, options, *problem.model);
+  }
   overridden_.clear();
-  problem.handles.clear();
-  const MeshModel& model = *problem.model;
-  for (const Handle& handle : targets.handles) {
-    VertexTerm term;
-    term.square_weight = options.attraction;
-    term.target = (handle.target - model.mesh.positions.col(handle.vertex)) / model.unit();
-    term.handle = true;
-    term.fixed = options.hard_handles;
-    problem.terms[at(handle.vertex)] = term;
-    overridden_.push_back(handle.vertex);
-    problem.handles.push_back(handle.vertex);
-  }
-  std::sort(problem.handles.begin(), problem.handles.end());
-  for (const int v : targets.pins) {
-    VertexTerm term;
-    term.fixed = true;
-    problem.terms[at(v)] = term;
-    overridden_.push_back(v);
-  }
+  open_reach(targets, options, problem);
+  add_handles(targets, options, problem);
+  for (const int v : targets.pins) override_term(v, fixed_term(), problem);
 }
 
 }  // namespace planish

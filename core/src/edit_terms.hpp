@@ -4,16 +4,20 @@
 
 #include <vector>
 
+#include "edit_reach.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {
 
-/// Writes the terms of (3) into a problem: handles are drawn to their targets, pins are fixed, the
-/// rest stays where it is by ω_s. Remembers which terms are not the default, so that new targets
-/// cost what they and the last ones have, not the mesh.
+/// Writes the terms of (3) into a problem: handles are drawn to their targets; pins, a kept
+/// boundary and what is outside the reach are fixed; the rest stays where it is by ω_s. Remembers
+/// which terms are not the default, so that new targets cost what they, the last ones and their
+/// reaches hold, not the mesh.
 class EditTerms {
  public:
+  explicit EditTerms(const MeshModel& model) : reach_(model.mesh, model.adjacency) {}
+
   /// Every vertex its default. `problem.model` is set.
   void fill(const HandleEditOptions& options, EditProblem& problem);
 
@@ -21,6 +25,14 @@ class EditTerms {
   void assign(const EditTargets& targets, const HandleEditOptions& options, EditProblem& problem);
 
  private:
+  void open_reach(const EditTargets& targets, const HandleEditOptions& options,
+                  EditProblem& problem);
+  void add_handles(const EditTargets& targets, const HandleEditOptions& options,
+                   EditProblem& problem);
+  void override_term(int vertex, const VertexTerm& term, EditProblem& problem);
+
+  EditReach reach_;
+  VertexTerm rest_;              ///< of what may move and is no handle
   std::vector<int> overridden_;  ///< vertices whose term is not the default
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base_planarity.hpp"
+#include "edit_reach.hpp"
 #include "edit_terms.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/cold_search.hpp"
@@ -65,6 +66,7 @@ class HandleEditSolver::State {
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign settle(const NewtonOptions& options, const Interruption& interruption,
                      SolveReport& report);
+  NewtonOutcome soften(const NewtonOptions& options, const Interruption& interruption);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);
@@ -88,10 +90,12 @@ class HandleEditSolver::State {
   std::unique_ptr<ExactFinish> finish_;
   std::unique_ptr<PatchCutter> cutter_;
   EditProblem problem_;
-  EditTerms terms_;
+  std::unique_ptr<EditTerms> terms_;
+  EditTargets targets_;  ///< of the solve
   std::vector<int> drag_support_;
   std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
   std::vector<int> pins_;                  ///< ascending
+  std::vector<int> limited_to_;            ///< handles that what may move depends on, ascending
   double setup_seconds_ = 0.0;
 };
 
@@ -115,8 +119,8 @@ void HandleEditSolver::State::rebuild() {
                                           static_cast<int>(model_->fairness.rows()));
   problem_ = {};
   problem_.model = model_.get();
-  problem_.fairness_weight = options_.smoothness;
-  terms_.fill(options_, problem_);
+  terms_ = std::make_unique<EditTerms>(*model_);
+  terms_->fill(options_, problem_);
   drag_support_.clear();
   last_exact_.reset();
 }
@@ -134,12 +138,16 @@ void HandleEditSolver::State::set_options(const HandleEditOptions& options) {
 void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   std::vector<int> pins = targets.pins;
   std::sort(pins.begin(), pins.end());
-  if (pins != pins_) {  // what was exact before may have moved what is pinned now
-    pins_ = std::move(pins);
-    drag_support_.clear();
-    last_exact_.reset();
-  }
-  terms_.assign(targets, options_, problem_);
+  targets_ = targets;
+  terms_->assign(targets, options_, problem_);
+  const bool limited = options_.keep_boundary || has_reach(options_);
+  std::vector<int> limited_to = limited ? problem_.handles : std::vector<int>();
+  if (pins == pins_ && limited_to == limited_to_) return;
+  // What was exact before may have moved what is pinned, kept or out of reach now.
+  pins_ = std::move(pins);
+  limited_to_ = std::move(limited_to);
+  drag_support_.clear();
+  last_exact_.reset();
 }
 
 /// The base mesh as a design.
@@ -199,12 +207,43 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   const Interruption interruption = [&](const IterationRecord& record) {
     return progress && progress(record) == Flow::kStop;
   };
-  NewtonOutcome outcome = find_minimum(problem_, options, *newton_, *trial_, interruption);
+  const bool by_softness = options_.softness > 0.0 && has_reach(options_);
+  NewtonOutcome outcome = by_softness
+                              ? soften(options, interruption)
+                              : find_minimum(problem_, options, *newton_, *trial_, interruption);
   report.status = outcome.status;
   report.iterations += outcome.steps;
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
   return settle(options, interruption, report);
+}
+
+/// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
+/// step from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// cold start fell into. [SOF-2]
+NewtonOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
+                                              const Interruption& interruption) {
+  NewtonOptions coarse = options;
+  coarse.last_smoothing = 0.0045;
+  coarse.stop = 1e-3;
+  HandleEditOptions now = options_;
+  now.softness = kSoftest;
+  terms_->assign(targets_, now, problem_);
+  trial_->clear();
+  NewtonOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, interruption);
+  for (bool last = false; !last && outcome.status != SolveStatus::kCancelled;) {
+    now.softness = std::max(options_.softness, now.softness - 1.0);
+    last = now.softness == options_.softness;
+    terms_->assign(targets_, now, problem_);
+    NewtonOptions step = last ? options : coarse;
+    step.first_smoothing = 0.015;
+    NewtonOutcome next = newton_->run_warm(problem_, step, *trial_, interruption);
+    next.steps += outcome.steps;
+    next.factorizations += outcome.factorizations;
+    outcome = std::move(next);
+  }
+  terms_->assign(targets_, options_, problem_);
+  return outcome;
 }
 
 /// From the state that a search left to a certified design, or to the design of that state.

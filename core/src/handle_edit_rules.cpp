@@ -15,6 +15,10 @@ std::optional<std::string> find_problem(const HandleEditOptions& options) {
   }
   if (!weight(options.locality)) return "locality must be a number of at least 0";
   if (!weight(options.smoothness)) return "smoothness must be a number of at least 0";
+  if (options.reach < 0) return "reach must be at least 0 (face rings)";
+  if (!weight(options.reach_length)) return "reach_length must be a number of at least 0";
+  const bool on_scale = options.softness >= kHardest && options.softness <= kSoftest;
+  if (options.softness != 0.0 && !on_scale) return "softness must be 0 (off) or from 1 to 10";
   if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
     return "tolerance must be a number greater than 0 (mm/m)";
   }

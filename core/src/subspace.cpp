@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/subspace_splitting.hpp"
@@ -100,8 +99,9 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector
   }
   WorkingSetGrower grower(model_);
   std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
-  const std::set<int> pinned(pins.begin(), pins.end());
-  std::erase_if(reach, [&](int v) { return pinned.count(v) > 0; });
+  std::vector<char> pinned(at(model_.vertex_count()), 0);
+  for (const int v : pins) pinned[at(v)] = 1;
+  std::erase_if(reach, [&](int v) { return pinned[at(v)] != 0; });
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   cutter.cut(problem_, reach, patch_);

@@ -40,6 +40,10 @@ const defaults = () => ({
   engine: module.Engine.newton,
   tolerance: 1e-6,
   maxIterations: 0,
+  reach: 0,
+  reachLength: 0,
+  keepBoundary: false,
+  softness: 0,
 });
 
 /** Largest coordinate difference, relative to the size of the mesh. */

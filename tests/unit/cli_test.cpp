@@ -167,6 +167,16 @@ TEST_F(Cli, WrongUsageIsExitCodeTwoAndOneLine) {
                             "edit a.obj --handle 3=0,0,0 --pin 77",
                             "edit a.obj --handle 3=0,0,0 --locality -1",
                             "edit a.obj --handle 3=0,0,0 --fairness soft",
+                            "edit a.obj --handle 3=0,0,0 --reach 0",
+                            "edit a.obj --handle 3=0,0,0 --reach 1.5",
+                            "edit a.obj --handle 3=0,0,0 --reach 0m",
+                            "edit a.obj --handle 3=0,0,0 --reach 2furlongs",
+                            "edit a.obj --handle 3=0,0,0 --reach inf",
+                            "edit a.obj --handle 3=0,0,0 --model-unit yard",
+                            "edit a.obj --handle 3=0,0,0 --softness 0",
+                            "edit a.obj --handle 3=0,0,0 --softness 10.5",
+                            "edit a.obj --handle 3=0,0,0 --softness 5 --locality 1",
+                            "edit a.obj --handle 3=0,0,0 --softness 5 --smoothness 1",
                             "edit a.obj --handle 3=0,0,0 --hard=1",
                             "edit a.obj --handle 3=0,0,0 -o b.stl",
                             "edit a.obj b.obj --handle 3=0,0,0",
@@ -218,6 +228,82 @@ TEST_F(Cli, EditMovesTheHandleAndReports) {
   }
   EXPECT_EQ(json["moved_vertices"], moved);
   EXPECT_FALSE(json.contains("planarised_first"));
+}
+
+/// Vertex 65 of 12 × 12 is at column 5, row 5; a millimetre is the unit of the second model.
+TEST_F(Cli, NothingMovesBeyondTheReachOrOnAKeptBoundary) {
+  ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
+  Mesh millimetres = load("a.obj");
+  millimetres.positions *= 1000.0;
+  save("mm.obj", write_mesh(millimetres, MeshFormat::kObj));
+  const auto moved_at = [&](const std::string& words, const std::string& name) {
+    EXPECT_EQ(run("edit " + words + " -o b.obj --design d.json"), 0) << err();
+    const Positions before = load(name).positions, after = load("b.obj").positions;
+    std::vector<int> moved;
+    for (int v = 0; v < before.cols(); ++v) {
+      if (before.col(v) != after.col(v)) moved.push_back(v);
+    }
+    return moved;
+  };
+  const std::string soft = " --softness 8 --keep-boundary";
+  const auto rings = moved_at("a.obj --handle 65+=0,0,0.3 --reach 2" + soft, "a.obj");
+  EXPECT_GT(rings.size(), 9U);
+  for (const int v : rings) {
+    EXPECT_LE(std::abs(v % 12 - 5), 2) << v;
+    EXPECT_LE(std::abs(v / 12 - 5), 2) << v;
+  }
+  const auto length = moved_at("a.obj --handle 65+=0,0,0.3 --reach 250cm" + soft, "a.obj");
+  const Mesh mesh = load("a.obj");
+  EXPECT_GT(length.size(), 9U);
+  for (const int v : length) {
+    EXPECT_LE((mesh.positions.col(v) - mesh.positions.col(65)).norm(), 2.5) << v;
+  }
+  EXPECT_EQ(moved_at("mm.obj --handle 65+=0,0,300 --reach 2.5m --model-unit mm" + soft, "mm.obj"),
+            length);
+  const auto design = nlohmann::json::parse(contents(directory_ / "d.json"));
+  EXPECT_EQ(design["unit"], "mm");
+  EXPECT_EQ(design["options"]["reach_length"], 2500.0);
+  ASSERT_EQ(run("replay d.json --base mm.obj --report r.json"), 0) << err();
+  EXPECT_TRUE(nlohmann::json::parse(contents(directory_ / "r.json"))["verified"].get<bool>());
+  const auto near = moved_at("a.obj --handle 14+=0,0,0.3 --reach 4" + soft, "a.obj");
+  for (const int v : near) EXPECT_TRUE(v % 12 != 0 && v / 12 != 0) << v;
+}
+
+TEST_F(Cli, AVariationStaysWithinTheReachToo) {
+  ASSERT_EQ(run("sample dome --size 14 -o a.obj"), 0);
+  ASSERT_EQ(run("explore a.obj --handle 90+=0,0,0.3 --reach 3 --softness 6 --keep-boundary "
+                "--dimension 3 --coefficients 0.5,0.5,0.5 --exact -o b.obj --design d.json"),
+            0)
+      << err();
+  const Positions before = load("a.obj").positions, after = load("b.obj").positions;
+  int moved = 0;
+  for (int v = 0; v < before.cols(); ++v) {
+    if (before.col(v) == after.col(v)) continue;
+    ++moved;
+    EXPECT_LE(std::max(std::abs(v % 14 - 90 % 14), std::abs(v / 14 - 90 / 14)), 3) << v;
+  }
+  EXPECT_GT(moved, 20);
+  EXPECT_EQ(run("replay d.json"), 0) << err();
+}
+
+TEST_F(Cli, WeightsAndSoftnessTogetherAreRefusedByName) {
+  ASSERT_EQ(run("edit sample:dome:10 --handle 44+=0,0,0.4 --softness 5 --locality 2"), 2);
+  EXPECT_EQ(err(),
+            "planish: --softness takes the place of --locality and --smoothness: give one or the "
+            "other\n");
+  ASSERT_EQ(run("edit --help"), 0);
+  EXPECT_NE(out().find("1 … 10"), std::string::npos);
+}
+
+/// Two squares side by side: lifting the corner edge of one by its length folds them by 45 degrees.
+TEST_F(Cli, ReportsTheSharpestFold) {
+  save("two.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n");
+  ASSERT_EQ(run("edit two.obj --handle 2+=0,0,1 --handle 5+=0,0,1 --hard --pin 0,1,3,4 --report -"),
+            0)
+      << err();
+  const auto fold = nlohmann::json::parse(out())["sharpest_fold"];
+  EXPECT_EQ(fold["before"], 0.0);
+  EXPECT_NEAR(fold["after"].get<double>(), 45.0, 1e-6);
 }
 
 TEST_F(Cli, WhatIsAskedForNowhereElseGoesToStandardOutput) {

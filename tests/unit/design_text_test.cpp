@@ -50,6 +50,10 @@ Design any_design(unsigned seed) {
                     .fairness = static_cast<FairnessKind>(choose(3)),
                     .sparsity = static_cast<Sparsity>(choose(3)),
                     .hard_handles = choose(2) == 0,
+                    .reach = choose(9),
+                    .reach_length = choose(2) * std::abs(number()),
+                    .keep_boundary = choose(2) == 0,
+                    .softness = choose(2) * (1.0 + 0.1 * choose(90)),
                     .engine = static_cast<Engine>(choose(2)),
                     .tolerance = 1e-7 * (1 + choose(99)),
                     .max_iterations = choose(500)};
@@ -102,6 +106,11 @@ TEST(DesignTextFields, AnErrorNamesTheField) {
   };
   EXPECT_EQ(with("/options/locality", "much"), "options.locality must be a number");
   EXPECT_EQ(with("/options/locality", -1), "options: locality must be a number of at least 0");
+  EXPECT_EQ(with("/options/reach", 2.5), "options.reach must be a whole number of at least 0");
+  EXPECT_EQ(with("/options/reach_length", -1),
+            "options: reach_length must be a number of at least 0");
+  EXPECT_EQ(with("/options/keep_boundary", 1), "options.keep_boundary must be true or false");
+  EXPECT_EQ(with("/options/softness", 11), "options: softness must be 0 (off) or from 1 to 10");
   EXPECT_EQ(with("/options/solver", "magic"), "options.solver must be newton or alm");
   EXPECT_EQ(with("/options/colour", 1), "options.colour is not a field of a design");
   EXPECT_EQ(with("/planarised", 1), "planarised must be true or false");
@@ -126,12 +135,27 @@ TEST(DesignTextFields, WhatIsNoDesignIsRefused) {
   EXPECT_FALSE(is_design_text("v 0 0 0"));
 }
 
+/// Older readers refuse a field that they do not know.
+TEST(DesignTextFields, LimitsAreWrittenOnlyWhereThereAreAny) {
+  Design design;
+  design.source = SampleSource{"vault", 9};
+  for (const char* field : {"reach", "reach_length", "keep_boundary", "softness"}) {
+    EXPECT_EQ(write_design(design).find('"' + std::string(field) + '"'), std::string::npos);
+  }
+  design.options.reach = 4;
+  EXPECT_NE(write_design(design).find("\"reach\":4"), std::string::npos);
+}
+
 TEST(DesignTextFields, OptionsLeftOutHaveTheirDefaults) {
   const auto result = read_design(
       R"({"version":1,"format":"planish-design","source":{"sample":"vault","size":9}})");
   ASSERT_TRUE(std::holds_alternative<Design>(result));
   const auto& design = std::get<Design>(result);
   EXPECT_EQ(design.options.attraction, HandleEditOptions{}.attraction);
+  EXPECT_EQ(design.options.reach, 0);
+  EXPECT_EQ(design.options.reach_length, 0.0);
+  EXPECT_FALSE(design.options.keep_boundary);
+  EXPECT_EQ(design.options.softness, 0.0);
   EXPECT_EQ(design.unit, "m");
   EXPECT_FALSE(design.result.has_value());
 }

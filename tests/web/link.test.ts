@@ -75,6 +75,13 @@ describe("links", () => {
       "an ℓ2 edit",
       { ...recipe, settings: { ...recipe.settings, sparsity: "l2" } } satisfies Recipe,
     ],
+    [
+      "a reach and a softness",
+      {
+        ...recipe,
+        settings: { ...recipe.settings, reach: 4, keepBoundary: true, softness: 6.5 },
+      } satisfies Recipe,
+    ],
     ["families one after the other", inSteps],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);

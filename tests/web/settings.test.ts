@@ -14,8 +14,22 @@ it("another mesh starts with what the page has controls for, and with nothing un
     keepShape: false,
     tolerance: 0.001,
     maxIterations: 5,
+    reach: 3,
+    reachLength: 1.5,
+    keepBoundary: true,
+    softness: 4,
   } as const;
   const { attraction, sparsity, maxIterations } = DEFAULT_SETTINGS;
-  expect(settingsForNew(shown)).toEqual({ ...shown, attraction, sparsity, maxIterations });
+  const { reach, reachLength, keepBoundary, softness } = DEFAULT_SETTINGS;
+  const unseen = {
+    attraction,
+    sparsity,
+    maxIterations,
+    reach,
+    reachLength,
+    keepBoundary,
+    softness,
+  };
+  expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
 });

@@ -41,6 +41,17 @@ struct HandleEditOptions {
   /// No panel becomes concave, crossing, turned over or collapsed that was not. [SHP-1]
   bool keep_shape = true;
   bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
+  /// Face rings ≥ 0 around the handles that may move; 0 is no limit. Few: panels fold to follow the
+  /// handle, or it stops short. [RCH-1]
+  int reach = 0;
+  /// The same as a straight distance from a handle's base position, model units, ≥ 0; 0 is no
+  /// limit. Where both are given, both hold.
+  double reach_length = 0.0;
+  /// Points on a boundary stay, handles excepted.
+  bool keep_boundary = false;
+  /// 0, or kSoftest ≥ softness ≥ kHardest: derives the weights in place of `locality` and
+  /// `smoothness`. Higher: wider and gentler. [SOF-1]
+  double softness = 0.0;
   Engine engine = Engine::kNewton;
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
@@ -49,11 +60,19 @@ struct HandleEditOptions {
   int max_iterations = 0;
 };
 
+/// The scale of HandleEditOptions::softness.
+inline constexpr double kHardest = 1.0, kSoftest = 10.0;
+
 /// The first rule that `options` breaks, naming the field; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const HandleEditOptions& options);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh);
+
+/// Vertices that no edit of `targets` moves, whatever the handles do: the pins, with keep_boundary
+/// the boundary, with a reach everything outside it. Handles are never among them. Ascending; O(n).
+[[nodiscard]] std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
+                                             const HandleEditOptions& options);
 
 /// Only what moved: everything else is the base mesh, bit for bit.
 struct HandleEditResult {

@@ -59,6 +59,7 @@ struct EditProblem {
   std::vector<VertexTerm> terms;  ///< n
   std::vector<int> handles;       ///< vertices whose term is a handle's
   double fairness_weight = 0.0;   ///< ω_f ≥ 0
+  std::vector<int> region;        ///< ascending: where vertices may move; empty: anywhere
   /// Whether (almost) every vertex has a norm weight: then few move, and a working set finds them.
   bool sparse = true;
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape

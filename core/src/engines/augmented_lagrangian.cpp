@@ -39,10 +39,13 @@ AlmOutcome solve_edit_by_alm(const EditProblem& problem, const AlmOptions& optio
   AlmOutcome outcome;
   PatchCutter cutter(model.vertex_count(), model.mesh.face_count(),
                      static_cast<int>(model.fairness.rows()));
-  std::vector<int> everything(at(model.vertex_count()));
-  std::iota(everything.begin(), everything.end(), 0);
+  std::vector<int> anywhere = problem.region;
+  if (anywhere.empty()) {
+    anywhere.resize(at(model.vertex_count()));
+    std::iota(anywhere.begin(), anywhere.end(), 0);
+  }
   Patch patch;
-  cutter.cut(problem, everything, patch);
+  cutter.cut(problem, anywhere, patch);
   (void)run_on_patch(patch, options, progress, field, outcome);
   const bool finished =
       outcome.status == SolveStatus::kConverged || outcome.status == SolveStatus::kIterationLimit;

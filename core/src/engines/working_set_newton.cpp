@@ -86,7 +86,9 @@ NewtonOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span
 void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                                           double relative_smoothing, DisplacementField& field) {
   std::vector<int> next;
-  if (!sparse_) {
+  if (!sparse_ && !problem.region.empty()) {
+    next = problem.region;
+  } else if (!sparse_) {
     next.resize(at(model_.vertex_count()));
     std::iota(next.begin(), next.end(), 0);
   } else {

@@ -49,6 +49,10 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
       engine,
       tolerance: 1e-6,
       maxIterations: 0,
+      reach: 0,
+      reachLength: 0,
+      keepBoundary: false,
+      softness: 0,
     }),
   );
   const handles = Float64Array.from(recipe.handles.flat());

@@ -41,9 +41,20 @@ function sourceJson(source: Source, base: BaseMesh): Json {
 }
 
 function optionsJson(settings: EditSettings): Json {
-  const { hardHandles, keepShape, engine, maxIterations, ...rest } = settings;
-  const bounds = keepShape ? { shape: true } : {}; // absent in designs from before the bounds
-  return { ...rest, hard: hardHandles, solver: engine, max_iterations: maxIterations, ...bounds };
+  const { hardHandles, keepShape, engine, maxIterations, ...others } = settings;
+  const { reach, reachLength, keepBoundary, softness, ...rest } = others;
+  return {
+    ...rest,
+    hard: hardHandles,
+    solver: engine,
+    max_iterations: maxIterations,
+    ...(keepShape && { shape: true }), // absent in designs from before the bounds
+    // Added later: where they are as usual, older readers need not know them.
+    ...(reach !== 0 && { reach }),
+    ...(reachLength !== 0 && { reach_length: reachLength }),
+    ...(keepBoundary && { keep_boundary: true }),
+    ...(softness !== 0 && { softness }),
+  };
 }
 
 const variationJson = ({ coefficients, asked, eigenbasis }: Family): Json => ({
@@ -165,6 +176,7 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
 function readOptions(value: unknown): EditSettings {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
+  names.push("reach", "reach_length", "keep_boundary", "softness");
   const options = readObject(value ?? {}, "options", names);
   const usual = DEFAULT_SETTINGS;
   const number = (key: string, otherwise: number): number => {
@@ -183,6 +195,15 @@ function readOptions(value: unknown): EditSettings {
     keepShape: pick(options.shape, [true, false], false, "options.shape"),
     tolerance: number("tolerance", usual.tolerance),
     maxIterations: number("max_iterations", usual.maxIterations),
+    reach: number("reach", usual.reach),
+    reachLength: number("reach_length", usual.reachLength),
+    keepBoundary: pick(
+      options.keep_boundary,
+      [true, false],
+      usual.keepBoundary,
+      "options.keep_boundary",
+    ),
+    softness: number("softness", usual.softness),
   };
 }
 

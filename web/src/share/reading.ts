@@ -59,27 +59,43 @@ export function readHandles(value: unknown): HandleRow[] | null {
   return rows;
 }
 
-type Rest = Pick<EditSettings, "sparsity" | "hardHandles" | "tolerance" | "maxIterations">;
+type Rest = Omit<
+  EditSettings,
+  "attraction" | "locality" | "smoothness" | "fairness" | "engine" | "keepShape"
+>;
+
+/** How many numbers follow the sparsity: those of the first rest, and those with the limits. */
+const [FIRST_REST, LIMITED_REST] = [3, 7];
 
 /** What was added to the settings later: absent where it is all as usual. */
 function readRest(value: readonly unknown[]): Rest | null {
-  const { sparsity, hardHandles, tolerance, maxIterations } = DEFAULT_SETTINGS;
-  const usual = { sparsity, hardHandles, tolerance, maxIterations };
+  const { attraction, locality, smoothness, fairness, engine, keepShape, ...usual } =
+    DEFAULT_SETTINGS;
   if (value.length === 0) return usual;
   const named = SPARSITY.find((name) => name === value[0]);
   if (named && value.length === 1) return { ...usual, sparsity: named };
   const numbers: unknown = value.slice(1);
-  if (!named || !isNumbers(numbers, 3)) return null;
-  const [hard, given = 0, most = 0] = numbers;
-  return { sparsity: named, hardHandles: hard === 1, tolerance: given, maxIterations: most };
+  const counted = isNumbers(numbers, FIRST_REST) || isNumbers(numbers, LIMITED_REST);
+  if (!named || !counted) return null;
+  const [hard, given = 0, most = 0, rings = 0, length = 0, keep = 0, softness = 0] = numbers;
+  return {
+    sparsity: named,
+    hardHandles: hard === 1,
+    tolerance: given,
+    maxIterations: most,
+    reach: rings,
+    reachLength: length,
+    keepBoundary: keep === 1,
+    softness,
+  };
 }
 
 /** Last of the settings where panels keep their shape; absent in designs from before that bound. */
 const SHAPE = "shape";
 
 /**
- * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit; then
- * "shape".
+ * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
+ * then reach, its length, keep boundary, softness; then "shape".
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
@@ -89,7 +105,7 @@ export function readSettings(value: unknown): EditSettings | null {
 }
 
 function readWeightsAndRest(value: readonly unknown[]): Omit<EditSettings, "keepShape"> | null {
-  if (![5, 6, 9].includes(value.length)) return null;
+  if (value.length < 5) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
   const engine = ENGINES.find((name) => name === value[4]);
@@ -102,10 +118,13 @@ function readWeightsAndRest(value: readonly unknown[]): Omit<EditSettings, "keep
 export function writeSettings(settings: EditSettings): unknown[] {
   const { attraction, locality, smoothness, fairness, engine } = settings;
   const { sparsity, hardHandles, tolerance, maxIterations } = settings;
+  const { reach, reachLength, keepBoundary, softness } = settings;
   const first = [attraction, locality, smoothness, fairness, engine];
   const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
+  const limits = [reach, reachLength, keepBoundary ? 1 : 0, softness];
+  const limited = limits.some((number) => number !== 0);
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
-  const named = usual ? first : [...first, ...rest];
+  const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];
   return settings.keepShape ? [...named, SHAPE] : named;
 }
 

@@ -75,6 +75,10 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     engine: module.Engine[settings.engine],
     tolerance: settings.tolerance,
     maxIterations: settings.maxIterations,
+    reach: settings.reach,
+    reachLength: settings.reachLength,
+    keepBoundary: settings.keepBoundary,
+    softness: settings.softness,
   };
 }
 

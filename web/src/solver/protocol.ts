@@ -33,6 +33,14 @@ export interface EditSettings {
   readonly tolerance: number;
   /** 0: the engine's own limit. */
   readonly maxIterations: number;
+  /** Face rings around the handles that may move; 0: no limit. */
+  readonly reach: number;
+  /** The same as a distance from a handle, model units; 0: no limit. */
+  readonly reachLength: number;
+  /** Points on a boundary stay, handles excepted. */
+  readonly keepBoundary: boolean;
+  /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
+  readonly softness: number;
 }
 
 /** A finished design: where it differs from its base, in float64. */

@@ -54,6 +54,10 @@ export const DEFAULT_SETTINGS: EditSettings = {
   keepShape: true,
   tolerance: 1e-6,
   maxIterations: 0,
+  reach: 0,
+  reachLength: 0,
+  keepBoundary: false,
+  softness: 0,
 };
 
 /**

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "planish/folds.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "planish/index.hpp"
+#include "trigonometry.hpp"
+
+namespace planish {
+namespace {
+
+/// One side of one face.
+struct Side {
+  int low = 0, high = 0;  ///< vertices of the edge
+  std::size_t panel = 0;  ///< place of the face in the list of panels
+  bool forward = false;   ///< the face runs from low to high
+
+  friend bool operator<(const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.panel) < std::tie(b.low, b.high, b.panel);
+  }
+};
+
+/// Of length 1, or 0 for a panel without area.
+Eigen::Vector3d normal_of(const Positions& positions, std::span<const int> face) {
+  // Relative to a corner: far from the origin sums lose digits.
+  const Eigen::Vector3d origin = positions.col(face[0]);
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+    const Eigen::Vector3d a = positions.col(face[k]) - origin;
+    const Eigen::Vector3d b = positions.col(face[k + 1]) - origin;
+    area += a.cross(b);
+  }
+  return area.stableNormalized();
+}
+
+/// Of all panels, by edge.
+std::vector<Side> sides_of(const Mesh& mesh, std::span<const int> panels) {
+  std::vector<Side> sides;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const auto face = mesh.face(panels[p]);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int a = face[k];
+      const int b = face[(k + 1) % face.size()];
+      sides.push_back({std::min(a, b), std::max(a, b), p, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  if (a.isZero(0.0) || b.isZero(0.0)) return 0.0;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
+}
+
+}  // namespace
+
+std::vector<int> faces_of(const Adjacency& adjacency, std::span<const int> vertices) {
+  std::vector<int> faces;
+  for (const int v : vertices) {
+    const auto around = adjacency.faces[v];
+    faces.insert(faces.end(), around.begin(), around.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions& positions,
+                   std::span<const int> faces) {
+  std::vector<int> corners;
+  for (const int f : faces) {
+    const auto face = mesh.face(f);
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  const std::vector<int> panels = faces_of(adjacency, corners);
+  Positions normals(3, static_cast<Eigen::Index>(panels.size()));
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    normals.col(static_cast<Eigen::Index>(p)) = normal_of(positions, mesh.face(panels[p]));
+  }
+  const std::vector<Side> sides = sides_of(mesh, panels);
+  const auto asked = [&](const Side& side) {
+    return std::binary_search(faces.begin(), faces.end(), panels[side.panel]);
+  };
+  Fold sharpest;
+  for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
+    const Side& first = sides[k];
+    while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) {
+      ++end;
+    }
+    const Side& second = sides[end - 1];
+    if (end - k != 2 || !(asked(first) || asked(second))) continue;
+    const Eigen::Vector3d here = normals.col(static_cast<Eigen::Index>(first.panel));
+    Eigen::Vector3d there = normals.col(static_cast<Eigen::Index>(second.panel));
+    if (first.forward == second.forward) there = -there;  // the two are not oriented alike
+    const double degrees = degrees_between(here, there);
+    if (degrees > sharpest.degrees) {
+      sharpest = {degrees, panels[first.panel], panels[second.panel]};
+    }
+  }
+  return sharpest;
+}
+
+}  // namespace planish
