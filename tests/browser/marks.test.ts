@@ -155,7 +155,7 @@ it("every slider says its value with its unit", async () => {
   const all = await page.getByRole("slider").all();
   for (const slider of all)
     expect(await slider.getAttribute("aria-valuetext")).toMatch(
-      /^[+−]?[\d.]+ (mm|m|times|direction)/,
+      /^[+−]?[\d.]+ (mm|m|times|directions?|panels?|of 10)\b/,
     );
   await page.context().close();
 });

@@ -19,17 +19,8 @@ it("another mesh starts with what the page has controls for, and with nothing un
     keepBoundary: true,
     softness: 4,
   } as const;
-  const { attraction, sparsity, maxIterations } = DEFAULT_SETTINGS;
-  const { reach, reachLength, keepBoundary, softness } = DEFAULT_SETTINGS;
-  const unseen = {
-    attraction,
-    sparsity,
-    maxIterations,
-    reach,
-    reachLength,
-    keepBoundary,
-    softness,
-  };
+  const { attraction, sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  const unseen = { attraction, sparsity, maxIterations, reachLength };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
 });

@@ -66,9 +66,8 @@ export const DEFAULT_SETTINGS: EditSettings = {
  * a link or a file may have set it, and nobody could see that it is still there.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
-  const { locality, smoothness, fairness, engine, hardHandles, keepShape, tolerance } = shown;
-  const controlled = { locality, smoothness, fairness, engine, hardHandles, keepShape, tolerance };
-  return { ...DEFAULT_SETTINGS, ...controlled };
+  const { attraction, sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  return { ...shown, attraction, sparsity, maxIterations, reachLength };
 }
 
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };

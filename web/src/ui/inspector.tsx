@@ -7,6 +7,7 @@ import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
 import { later } from "./later.tsx";
+import { ReachAndSoftness } from "./reach-and-softness.tsx";
 import { Slider } from "./slider.tsx";
 
 function NotFlatNote() {
@@ -27,7 +28,8 @@ function NotFlatNote() {
 }
 
 function Weights() {
-  const { locality = 1, smoothness = 1 } = settings.value ?? {};
+  const { locality = 1, smoothness = 1, softness = 0 } = settings.value ?? {};
+  const disabled = !ready.value || softness > 0; // softness stands for both
   return (
     <>
       <Slider
@@ -38,7 +40,7 @@ function Weights() {
         step={0.1}
         shown={`${locality.toFixed(1)} ×`}
         spoken={`${locality.toFixed(1)} times the default weight`}
-        disabled={!ready.value}
+        disabled={disabled}
         ends={["more points follow", "fewer follow"]}
         onInput={(value) => previewSettings({ locality: value })}
         onCommit={(value, burst) => commitSettings({ locality: value }, burst)}
@@ -51,11 +53,12 @@ function Weights() {
         step={0.1}
         shown={`${smoothness.toFixed(1)} ×`}
         spoken={`${smoothness.toFixed(1)} times the default weight`}
-        disabled={!ready.value}
+        disabled={disabled}
         ends={["sharp, close by", "gentle, wider"]}
         onInput={(value) => previewSettings({ smoothness: value })}
         onCommit={(value, burst) => commitSettings({ smoothness: value }, burst)}
       />
+      {softness > 0 && <p class="quiet small">Softness stands for both weights.</p>}
     </>
   );
 }
@@ -81,6 +84,7 @@ export function Inspector() {
         </h2>
         <NotFlatNote />
         <HandlesTable />
+        <ReachAndSoftness />
         <Weights />
         <RefusedNote />
         <Advanced />
