@@ -60,6 +60,9 @@ it("says which panels an edit spoilt once it is finished, and goes to each in tu
   await typeTarget(page, "+40cm");
   await page.waitForTimeout(500);
   expect(await page.getByRole("button", { name: /: show$/ }).count()).toBe(0);
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();
+  await idle(page);
   const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "X" });
   await field.fill("+3m");
   await field.press("Enter");

@@ -37,7 +37,7 @@ async function openWith(hash: string): Promise<Page> {
 it("a result that is not the shared one opens with how far it is off", async () => {
   const { mark, handles } = shared;
   const probes = mark.probes.map((x, k) => (k === 3 ? x + 0.005 : x));
-  const moved = { ...shared, mark: { ...mark, hash: mark.hash ^ 1, probes } };
+  const moved = { ...shared, mark: { ...mark, hash: (mark.hash ^ 1) >>> 0, probes } };
   const page = await openWith(await encodeLink(moved));
   await expect
     .poll(() => page.getByRole("alert").textContent())
