@@ -236,7 +236,7 @@ def markdown(data):
                 ]
                 for label, name in (
                     ("nearest flat mesh (α_f = 0)", "ProjectNearest"),
-                    ("with fairness (α_f = 0.1)", "ProjectFair"),
+                    ("fair and sound (α_f = 10)", "ProjectFair"),
                     ("local/global, Anderson", "LocalGlobalAnderson"),
                     ("local/global, plain", "LocalGlobalPlain"),
                 )

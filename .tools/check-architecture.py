@@ -25,21 +25,28 @@ ARROWS = {
     "topology": {"mesh"},  # edge_table, disjoint_sets: what mesh_check needs
     "read_result": {"mesh"},  # io's result type and its sentences: mesh_check speaks the same
     "adjacency": {"mesh"},
-    "constraints": {"mesh", "trigonometry"},
+    "constraints": {"mesh", "adjacency", "trigonometry"},
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints", "trigonometry"},
+    "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
     "edit_freedom": {"mesh", "adjacency", "constraints"},
-    "folds": {"mesh", "adjacency", "trigonometry"},
+    "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
     "mesh_check": {"mesh", "topology", "read_result"},
-    "io": {"mesh", "mesh_check", "topology", "read_result"},
+    "checksum": {"mesh"},  # crc32, mesh_hash
+    "plane_meeting": set(),
+    "fabrication": GEOMETRY | {"plane_meeting", "topology", "trigonometry", "checksum", "io", "read_result"},
+    "io": {"mesh", "mesh_check", "topology", "read_result", "checksum"},
     "shapes": {"mesh", "trigonometry"},
     "problem": GEOMETRY,
     "engines": PROBLEM,
     "handle_edit": ENGINES,
     "subspace": ENGINES,
     "projection": ENGINES,
-    "design": ENGINES | {"handle_edit", "subspace", "projection", "shapes", "io", "read_result"},
-    "design_text": ENGINES | {"handle_edit", "subspace", "projection", "design", "io", "read_result"},
+    "slider_stops": GEOMETRY | {"subspace"},
+    "planarising": {"mesh", "report", "adjacency", "projection"},
+    "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
+    "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "planarising", "shapes", "io", "read_result"},
+    "design_text": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
     "wasm": None,
@@ -57,13 +64,24 @@ FILE_GROUPS = {
     "elimination_order": "engines",
     "edge_table": "topology",
     "disjoint_sets": "topology",
-    "base_planarity": "metrics",
+    "base_violations": "handle_edit",
+    "edit_verdict": "handle_edit",
+    "handle_edit_state": "handle_edit",
+    "handle_edit_search": "handle_edit",
+    "handle_edit_parts": "handle_edit",
+    "handle_edit_drag": "handle_edit",
+    "area_vector": "mesh",
+    "mesh_standing": "projection",
+    "sound_projection": "projection",
     "panel_health": "metrics",
-    "crc32": "design",
+    "crc32": "checksum",
+    "mesh_hash": "checksum",
     "handle_edit_rules": "handle_edit",
+    "edit_constraints": "handle_edit",
     "edit_terms": "handle_edit",
     "edit_reach": "handle_edit",
     "softness": "handle_edit",
+    "planarising_rules": "planarising",
     "subspace_rules": "subspace",
     "design_rules": "design",
     "design_text_read": "design_text",
@@ -75,7 +93,7 @@ FILE_GROUPS = {
     "held_boundary": "comparison",
     "tangent_space": "comparison",
 }
-DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "io", "shapes", "cli")
+DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "cli")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {

@@ -34,7 +34,7 @@ async function drag(page) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.keyboard.press("z");
-  for (let k = 1; k <= 12; ++k) await page.mouse.move(x, y - 3 * k);
+  for (let k = 1; k <= 12; ++k) await page.mouse.move(x, y - 2 * k);
   await settled(page);
   return page.screenshot();
 }
@@ -97,7 +97,7 @@ async function variations(page, { browser }) {
   await page.keyboard.press("+");
   const slider = page.getByRole("slider", { name: "Variation 1" });
   const pictures = [];
-  for (const value of ["-0.9", "0", "0.9"]) {
+  for (const value of ["-0.5", "0", "0.5"]) {
     await slider.fill(value);
     await settled(page);
     pictures.push(await model(page));

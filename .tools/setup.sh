@@ -3,9 +3,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev
+packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev libstb-dev
   nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
-  python3-numpy python3-scipy clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
+  python3-numpy python3-scipy python3-ezdxf python3-shapely clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
 
 has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
@@ -28,7 +28,7 @@ name_missing_tools() {
   for tool in g++ cmake ninja emcc clang-format clang-tidy; do
     command -v "$tool" >/dev/null || missing+=("$tool")
   done
-  for header in eigen3/Eigen/Core tiny_gltf.h nlohmann/json.hpp; do
+  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp; do
     [ -e "/usr/include/$header" ] || missing+=("/usr/include/$header")
   done
   [ -d /usr/src/googletest ] || missing+=(/usr/src/googletest)

@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PLANISH = ROOT / "build/native/planish"
 SAMPLES = ("vault", "dome", "freeform", "hex", "trihex")
 SCALE = range(1, 11)
-PAGE = {"reach": 6, "softness": 5}
+PAGE = {"reach": 6, "softness": 5, "attraction": 10_000}
 FLAT = (
     "pq_conical_saddle pq_six_planarized pq_gitter pq_botanic_bubble pq_lifted_small "
     "pq_wein99_diag pq_enneper_quads pq_static_roof"
@@ -107,11 +107,12 @@ class Mesh:
         return [x / length(total) * edges * self.edge for x in total]
 
 
-def edit(mesh, vertex, edges, reach, softness, folder):
+def edit(mesh, vertex, edges, reach, softness, folder, attraction=1000):
     """Figures of one edit, measured on the file that was written."""
     out = Path(folder) / f"{mesh.name}-{vertex}-{edges}-{reach}-{softness}.obj"
     move = ",".join(map(repr, mesh.lift(vertex, edges)))
     words = [PLANISH, "edit", mesh.path, "--handle", f"{vertex}+={move}", "--keep-boundary"]
+    words += ["--attraction", str(attraction)]
     words += ["--reach", str(reach), "--softness", str(softness), "-o", out, "--report", "-"]
     words[-1] = f"{out}.json"
     subprocess.run(words, capture_output=True)
@@ -182,7 +183,7 @@ def page(folder, meshes_from):
         meshes.append(Mesh(path))
     work = list(cases(meshes, 2, (0.25, 0.5), (PAGE["reach"],), 1))
     with ThreadPoolExecutor(2) as pool:
-        runs = list(pool.map(lambda c: edit(*c, PAGE["softness"], folder), work))
+        runs = list(pool.map(lambda c: edit(*c, PAGE["softness"], folder, PAGE["attraction"]), work))
     for edges in (0.25, 0.5):
         some = [run for case, run in zip(work, runs) if case[2] == edges]
         figures = ", ".join(f"{key} {middle(some, key):.3g}" for key in ("kink", "short", "moved", "ms"))

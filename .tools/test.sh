@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Every check but sanitize_all, which takes half an hour. With names, only those: format lint types architecture
-# native wasm unit parity browser tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and
-# regression tests under ASan and UBSan, sanitize_all all of them. The last line counts.
+# The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
+# npm run check. With names, only those: format lint types architecture native wasm unit parity browser
+# browser_first browser_rest tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
+# under ASan and UBSan, sanitize_all (half an hour) all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 bash .tools/setup.sh || exit 1
@@ -30,8 +31,18 @@ check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir t
 check_parity() {
   bash .tools/build.sh native wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/parity
 }
-check_browser() {
-  bash .tools/build.sh wasm site && npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser
+# What everybody does with the page; the other browser files are for `rest`.
+browser_first=(first-minute dragging exploring saving share links)
+in_browser() { # files, or options of vitest
+  bash .tools/build.sh wasm site &&
+    npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser "$@"
+}
+check_browser() { in_browser; }
+check_browser_first() { in_browser "${browser_first[@]/%/.test.ts}"; }
+check_browser_rest() {
+  local others=()
+  for name in "${browser_first[@]}"; do others+=(--exclude "**/$name.test.ts"); done
+  in_browser "${others[@]}"
 }
 check_tidy() { bash .tools/tidy.sh; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
@@ -84,9 +95,9 @@ run() { # name
 
 checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
-  checks=(format lint types)
-  [ -e .tools/check-architecture.py ] && checks+=(architecture)
-  checks+=(native wasm unit parity browser tidy cppcheck sanitize fuzz)
+  checks=(format lint types architecture native unit parity browser_first)
+elif [ "$*" = rest ]; then
+  checks=(wasm browser_rest tidy cppcheck sanitize fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

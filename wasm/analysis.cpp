@@ -7,6 +7,8 @@
 
 #include "json_text.hpp"
 #include "planish/edit_freedom.hpp"
+#include "planish/fabrication/remake.hpp"
+#include "planish/folds.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 
@@ -37,18 +39,16 @@ std::vector<float> Analysis::panel_figures() const {
 }
 
 std::vector<float> Analysis::panel_health() const {
-  std::vector<char> moved(static_cast<std::size_t>(base_.vertex_count()), 0);
-  for (const int v : moved_) moved[static_cast<std::size_t>(v)] = 1;
+  const auto changes = panels_to_remake(base_, adjacency_, current_, moved_);
   std::vector<float> health;
   health.reserve(4 * static_cast<std::size_t>(base_.face_count()));
   for (int f = 0; f < base_.face_count(); ++f) {
     const auto face = base_.face(f);
     const PanelHealth panel = planish::panel_health(current_, face);
-    const bool changed = std::any_of(
-        face.begin(), face.end(), [&](int v) { return moved[static_cast<std::size_t>(v)] != 0; });
     health.insert(health.end(),
                   {static_cast<float>(panel.outline), static_cast<float>(panel.shortest_edge),
-                   static_cast<float>(panel.smallest_angle), changed ? 1.0F : 0.0F});
+                   static_cast<float>(panel.smallest_angle),
+                   static_cast<float>(changes[static_cast<std::size_t>(f)])});
   }
   return health;
 }
@@ -65,6 +65,11 @@ std::vector<unsigned char> Analysis::panel_damage() const {
     damage.push_back(static_cast<unsigned char>(here));
   }
   return damage;
+}
+
+std::vector<float> Analysis::panel_folds() const {
+  const std::vector<double> folds = face_folds(base_, current_);
+  return {folds.begin(), folds.end()};
 }
 
 std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {

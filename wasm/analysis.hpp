@@ -27,10 +27,12 @@ class Analysis {
   /// Gap (model units), mm/m and excess (mm/m) of every face, interleaved, see FacePlanarity.
   [[nodiscard]] std::vector<float> panel_figures() const;
   /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
-  /// units), smallest angle (degrees), and 1 if one of its points moved.
+  /// units), smallest angle (degrees), and its PanelChange (0 unchanged, 1 outline, 2 bevel).
   [[nodiscard]] std::vector<float> panel_health() const;
   /// What became of every face since the mesh was opened: a PanelDamage for each.
   [[nodiscard]] std::vector<unsigned char> panel_damage() const;
+  /// The sharpest fold of every face with a neighbour, degrees, see face_folds().
+  [[nodiscard]] std::vector<float> panel_folds() const;
   /// How sharply the edit bends at each vertex, model units, see bending().
   [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
   /// JSON: points, equations, rank, freedom, borne, and the panels that hold the handles back, most

@@ -48,6 +48,7 @@ void show(Analysis& a, const val& moved, const val& positions) {
 val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
 val panel_health(const Analysis& a) { return copy(a.panel_health()); }
 val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
+val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
 /// `handles` holds vertex, x, y, z for each.
 std::string freedom(const Analysis& a, const val& handles, const val& pins) {
@@ -72,6 +73,7 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
       .function("panelFigures", &panel_figures)
       .function("panelHealth", &panel_health)
       .function("panelDamage", &panel_damage)
+      .function("panelFolds", &panel_folds)
       .function("vertexBending", &vertex_bending)
       .function("freedom", &freedom);
 }

@@ -79,8 +79,8 @@ std::string open_file(Session& s, const val& bytes, const std::string& format) {
     return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
   });
 }
-std::string planarise(Session& s) {
-  return attempt([&] { return s.planarise(); });
+std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_shape) {
+  return attempt([&] { return s.planarise({smooth, keep_boundary, keep_shape}); });
 }
 std::string set_options(Session& s, const HandleEditOptions& options) {
   return attempt([&] { return s.set_options(options); });

@@ -39,7 +39,7 @@ export interface SubspaceOptions {
 export interface Session {
   openSample(name: string, size: number): string;
   openFile(bytes: Uint8Array, format: string): string;
-  planarise(): string;
+  planarise(smooth: number, keepBoundary: boolean, keepShape: boolean): string;
   setOptions(options: HandleEditOptions): string;
   /** `handles`: vertex, x, y, z for each. */
   edit(mode: EnumValue, handles: Float64Array, pins: Int32Array, budgetSeconds: number): string;

@@ -7,10 +7,12 @@ export interface Analysis {
   show(moved: Int32Array, positions: Float64Array): void;
   /** Gap (model units) and mm/m of every panel. */
   panelFigures(): Float32Array;
-  /** Of every panel: outline, shortest edge, smallest angle (degrees), 1 if it changed. */
+  /** Of every panel: outline, shortest edge, smallest angle (degrees), a PanelChange. */
   panelHealth(): Float32Array;
   /** A PanelDamage for every panel: what became of it since the mesh was opened. */
   panelDamage(): Uint8Array;
+  /** The sharpest fold of every panel with a neighbour, degrees. */
+  panelFolds(): Float32Array;
   /** How sharply the edit bends at every vertex, model units. */
   vertexBending(kind: EnumValue): Float32Array;
   /** JSON; "{}" where too many points move. `handles`: vertex, x, y, z for each. */

@@ -54,9 +54,12 @@ Refusal Session::open_file(std::string_view bytes, const std::string& format) {
   return std::nullopt;
 }
 
-Refusal Session::planarise() {
-  const ProjectionResult result = project_to_planar(base_, ProjectionOptions{}, {}, progress_);
-  if (!result.report.usable()) {
+Refusal Session::planarise(const Planarising& how) {
+  if (const auto problem = find_problem(how)) return *problem;
+  const ProjectionResult result = planish::planarise(base_, how, progress_);
+  const bool sound = how.keep_shape && !result.moved.empty() &&
+                     result.report.status == SolveStatus::kToleranceNotMet;
+  if (!result.report.usable() && !sound) {
     return std::to_string(result.failing_faces.size()) +
            " panels cannot be made flat; the mesh is as it was.";
   }
@@ -113,9 +116,7 @@ Refusal Session::edit(EditMode mode, const EditTargets& targets, double budget_s
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
   const HandleEditResult result = mode == EditMode::kDrag ? solver_->drag(targets, budget_seconds)
-                                  : mode == EditMode::kRelease
-                                      ? solver_->release(targets, progress_)
-                                      : solver_->solve(targets, progress_);
+                                                          : solver_->solve(targets, progress_);
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
   subspace_.reset();
   targets_ = targets;

@@ -15,6 +15,7 @@
 #include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
+#include "planish/planarising.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
 
@@ -45,8 +46,9 @@ class Session {
   // Opening. A refused mesh leaves the session as it was.
   [[nodiscard]] Refusal open_sample(const std::string& name, int size);
   [[nodiscard]] Refusal open_file(std::string_view bytes, const std::string& format);
-  /// Replaces the base by its nearest flat mesh; an edit must be redone after it.
-  [[nodiscard]] Refusal planarise();
+  /// Replaces the base by a flat mesh; an edit must be redone after it. Where the panels' shape
+  /// does not allow that, the base becomes as flat as it does: see is_base_flat().
+  [[nodiscard]] Refusal planarise(const Planarising& how = {});
 
   // Editing. A refused operation leaves the design as it was.
   [[nodiscard]] Refusal set_options(const HandleEditOptions& options);

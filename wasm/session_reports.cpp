@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "json_text.hpp"
+#include "planish/folds.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "session.hpp"
@@ -42,6 +43,12 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
   for (const auto& [vertex, target] : targets_.handles) {
     handle_error = std::max(handle_error, (positions.col(vertex) - target).norm());
   }
+  const std::vector<int> touched = faces_of(adjacency_, moved);
+  const Fold sharpest = sharpest_fold(base_, adjacency_, positions, touched);
+  JsonText fold;
+  fold.add("before", sharpest_fold(base_, adjacency_, base_.positions, touched).degrees)
+      .add("after", sharpest.degrees)
+      .add("panels", std::vector<int>{sharpest.face, sharpest.neighbour});
   return JsonText()
       .add("status", status_name(solve.status))
       .add("movedVertices", moved.size())
@@ -49,6 +56,7 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
       .add("worstGap", worst.gap)
       .add("worstMmPerM", worst.mm_per_m)
       .add("worstExcess", worst.excess)
+      .add("sharpestFold", fold)
       .add("handleError", handle_error)
       .add("objective", solve.objective.total())
       .add("iterations", solve.iterations)

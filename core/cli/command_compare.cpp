@@ -90,6 +90,7 @@ Json projection_json(const EditTask& task, Mesh edited, const Subspace& subspace
   }
   ProjectionOptions options;
   options.engine = task.options.engine;
+  options.keep_shape = task.options.keep_shape;
   const double start = processor_seconds();
   const ProjectionResult result = project_to_planar(edited, task.mesh.positions, options);
   const double seconds = processor_seconds() - start;

@@ -24,6 +24,7 @@ ExitCode run_edit(const Arguments& arguments) {
   }
   const Json json = edit_json(run, run.edited, options.engine);
   print_damage(json["spoilt_faces"]);
+  print_outcome(run.report);
   save_report(arguments, json);
   return exit_code(run.report);
 }

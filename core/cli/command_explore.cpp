@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include "commands.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
+#include "planish/metrics.hpp"
 #include "planish/projection.hpp"
+#include "planish/slider_stops.hpp"
 #include "planish/subspace.hpp"
 
 namespace planish::cli {
@@ -70,6 +75,30 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
   return vertices;
 }
 
+/// A slider follows the flat meshes to first order only.
+void print_not_exact(const Mesh& base, const Positions& positions, double tolerance) {
+  const PlanaritySummary flatness = planarity_summary(base, positions);
+  if (flatness.max_excess <= tolerance) return;
+  std::array<char, 32> worst{};
+  std::snprintf(worst.data(), worst.size(), "%.3g", flatness.max_excess);
+  print_message(std::string("panels are up to ") + worst.data() +
+                " mm/m out of flat, as the sliders show them; --exact makes them flat");
+}
+
+Json stop_json(const SliderStop& stop) {
+  if (stop.face < 0) return nullptr;
+  return {{"value", stop.value}, {"face", stop.face}};
+}
+
+/// Of each slider: how far it goes either way, the others where they are, and what stops it there.
+Json stops_json(const std::vector<SliderRange>& ranges) {
+  Json json = Json::array();
+  for (const SliderRange& range : ranges) {
+    json.push_back({{"lower", stop_json(range.lower)}, {"upper", stop_json(range.upper)}});
+  }
+  return json;
+}
+
 /// The report's figures become those of the variation; the edit before it keeps its own.
 void add_variation(Json& json, const EditRun& run, const Positions& after) {
   for (const char* key : {"objective", "moved_vertices", "max_displacement", "handle_error"}) {
@@ -90,6 +119,13 @@ ExitCode run_explore(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const HandleEditOptions options = edit_options(arguments);
+  if (!options.bounds.empty()) {
+    throw CommandError(kWrongUsage,
+                       "--bound: variations keep no stated limits; limits are for edit");
+  }
+  if (!options.constraints.empty()) {
+    throw CommandError(kWrongUsage, "--constraint: variations keep panels flat and nothing else");
+  }
   const SubspaceOptions basis_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, basis_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
@@ -126,8 +162,12 @@ ExitCode run_explore(const Arguments& arguments) {
   }
   Json json = edit_json(run, result.positions, options.engine);
   print_damage(json["spoilt_faces"]);
+  print_outcome(run.report);
+  if (exact.is_null()) print_not_exact(run.base.mesh, result.positions, options.tolerance);
   add_variation(json, run, result.positions);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
+  json["subspace"]["stops"] = stops_json(
+      slider_ranges(run.base.mesh, run.edited, subspace, values.head(subspace.dimension())));
   if (!exact.is_null()) json["exact"] = exact;
   save_report(arguments, json);
   return code;

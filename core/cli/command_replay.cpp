@@ -6,45 +6,16 @@
 #include <variant>
 
 #include "commands.hpp"
+#include "design_input.hpp"
 #include "design_output.hpp"
 #include "files.hpp"
-#include "planish/design_text.hpp"
-#include "planish/io/gltf.hpp"
 #include "report.hpp"
 
 namespace planish::cli {
 namespace {
 
-/// A design and the mesh that came with it.
-struct Opened {
-  Design design;
-  std::optional<Mesh> base;
-};
-
-[[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
-  throw CommandError(kInvalidMesh, path + ": " + sentence);
-}
-
-Design parse(const std::string& path, std::string_view text) {
-  auto design = read_design(text);
-  if (const auto* sentence = std::get_if<std::string>(&design)) refuse(path, *sentence);
-  return std::get<Design>(std::move(design));
-}
-
-Opened open_glb(const std::string& path) {
-  auto read = read_glb_design(load_bytes(path));
-  if (auto* error = std::get_if<ReadError>(&read)) refuse(path, error->message);
-  auto& glb = std::get<GlbFile>(read);
-  if (glb.design.empty() || !glb.base) refuse(path, "there is no design in this GLB");
-  Opened opened{parse(path, glb.design), std::move(glb.file.mesh)};
-  opened.base->positions = std::move(*glb.base);
-  return opened;
-}
-
-Opened open_design(const Arguments& arguments) {
-  const std::string path = arguments.only_positional("DESIGN");
-  const bool is_glb = path.size() > 4 && path.substr(path.size() - 4) == ".glb";
-  Opened opened = is_glb ? open_glb(path) : Opened{parse(path, load_bytes(path)), std::nullopt};
+OpenedDesign design_and_base(const Arguments& arguments) {
+  OpenedDesign opened = open_design(arguments.only_positional("DESIGN"));
   if (const auto base = arguments.value("--base")) opened.base = load_mesh(*base).mesh;
   return opened;
 }
@@ -59,6 +30,7 @@ Json replay_json(const Design& design, const Replay& replayed) {
       planarity_json(replayed.base, replayed.base.positions, replayed.shape);
   json["moved_vertices"] = replayed.mark.moved;
   json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
+  json["remake"] = remake_json(replayed.base, replayed.shape);
   if (replayed.subspace) {
     json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
   }
@@ -88,11 +60,11 @@ void print_deviation(const Replay& replayed) {
 ExitCode run_replay(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
-  const Opened opened = open_design(arguments);
+  const OpenedDesign opened = design_and_base(arguments);
   auto result = replay(opened.design, opened.base ? &*opened.base : nullptr, progress_line());
   clear_progress_line();
   if (auto* sentence = std::get_if<std::string>(&result)) {
-    refuse(arguments.only_positional("DESIGN"), *sentence);
+    refuse_file(arguments.only_positional("DESIGN"), *sentence);
   }
   const Replay& replayed = std::get<Replay>(result);
   Design again = opened.design;

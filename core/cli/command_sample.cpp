@@ -29,7 +29,7 @@ ExitCode run_sample(const Arguments& arguments) {
 Command sample_command() {
   return {"sample",
           "NAME [--size N] -o OUT",
-          "a mesh to try: vault dome freeform hex trihex",
+          "a mesh to try: roof vault dome freeform hex trihex",
           {{"--size", "N", "about N × N vertices, 3 … 2000, default 32"}, kOutputRow},
           run_sample};
 }

@@ -23,6 +23,8 @@ struct Command {
 [[nodiscard]] Command project_command();
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command convert_command();
+[[nodiscard]] Command panels_command();
+[[nodiscard]] Command offset_command();
 [[nodiscard]] Command sample_command();
 [[nodiscard]] Command compare_command();
 

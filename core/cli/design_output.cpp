@@ -14,7 +14,7 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
   Design design;
   design.source = run.source;
   if (auto* file = std::get_if<FileSource>(&design.source)) file->hash = mesh_hash(run.base.mesh);
-  design.planarised = run.base.planarised.has_value();
+  if (run.base.planarised) design.planarised = run.base.how;
   design.unit = run.unit;
   design.targets = run.targets;
   design.options = options;

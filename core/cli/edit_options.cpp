@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "files.hpp"
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/metrics.hpp"
 
 namespace planish::cli {
@@ -29,14 +30,24 @@ void set_number(const Arguments& arguments, std::string_view option, double& val
   if (const auto text = arguments.value(option)) value = parse_finite(*text, option);
 }
 
-void set_bounds(const Arguments& arguments, HandleEditOptions& options) {
-  for (const std::string& bound : arguments.values("--bound")) {
-    if (bound != "shape=on" && bound != "shape=off") {
-      throw CommandError(kWrongUsage, "--bound: \"" + bound + "\" is none of shape=on, shape=off");
+}  // namespace
+
+Bounds parse_bounds(const Arguments& arguments) {
+  Bounds bounds;
+  for (const std::string& text : arguments.values("--bound")) {
+    if (text == "shape=on" || text == "shape=off") {
+      bounds.keep_shape = text == "shape=on";
+    } else if (auto limit = parse_stated_limit(text)) {
+      bounds.limits.push_back(std::move(*limit));
+    } else {
+      throw CommandError(kWrongUsage, "--bound: \"" + text + "\" is none of shape=on, shape=off, " +
+                                          known_limits());
     }
-    options.keep_shape = bound == "shape=on";
   }
+  return bounds;
 }
+
+namespace {
 
 int parse_vertex(std::string_view text, std::string_view what, const Mesh& mesh) {
   const int vertex = parse_whole(text, what);
@@ -77,7 +88,10 @@ std::vector<OptionRow> edit_option_rows() {
           {"--hard", "", "handles reach their targets exactly"},
           {"--bound", "NAME=VALUE",
            "shape=on|off, default on: no panel becomes concave, crossing,\n"
-           "turned over or collapsed that was not"},
+           "turned over or collapsed that was not; limits of panels, each at most\n"
+           "as broken as in MESH: fold=MAX degrees or fold=+MAX beyond what it was,\n"
+           "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH (repeatable)"},
+          kConstraintRow,
           {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
           {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
           {"--softness", "S", "1 … 10, in place of these two weights: higher is wider and gentler"},
@@ -126,6 +140,23 @@ void set_softness(const Arguments& arguments, HandleEditOptions& options) {
 
 }  // namespace
 
+std::vector<KeptConstraint> parse_constraints(const Arguments& arguments, double& planar) {
+  std::vector<KeptConstraint> constraints;
+  for (const std::string& text : arguments.values("--constraint")) {
+    const std::size_t colon = text.find(':');
+    const std::string kind = text.substr(0, colon);
+    const bool own = colon == std::string::npos;
+    const double tolerance = own ? own_tolerance(kind).value_or(1.0)
+                                 : parse_finite(text.substr(colon + 1), "--constraint");
+    if (kind != PlanarPolygon::kName) {
+      constraints.push_back({kind, tolerance});
+    } else if (!own) {
+      planar = tolerance;
+    }
+  }
+  return constraints;
+}
+
 std::string model_unit(const Arguments& arguments) {
   const std::string unit = arguments.value("--model-unit").value_or("m");
   static_cast<void>(parse_word<double>(unit, "--model-unit", kUnits));
@@ -151,7 +182,10 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   set_number(arguments, "--attraction", options.attraction);
   set_number(arguments, "--tolerance", options.tolerance);
   options.hard_handles = arguments.has("--hard");
-  set_bounds(arguments, options);
+  Bounds bounds = parse_bounds(arguments);
+  options.keep_shape = bounds.keep_shape;
+  options.bounds = std::move(bounds.limits);
+  options.constraints = parse_constraints(arguments, options.tolerance);
   if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
   if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
   set_softness(arguments, options);
@@ -192,9 +226,13 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
 }
 
 FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
-  FlatBase base{mesh, std::nullopt};
+  FlatBase base{mesh, {}, std::nullopt};
   if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
-  base.planarised = project_to_planar(mesh, {}, {}, progress_line());
+  base.planarised = planarise(mesh, base.how, progress_line());
+  if (base.planarised->report.status == SolveStatus::kToleranceNotMet) {
+    base.how = kNearestFlat;  // an edit needs a flat base: what this spoils is reported
+    base.planarised = planarise(mesh, base.how, progress_line());
+  }
   clear_progress_line();
   for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
     base.mesh.positions.col(base.planarised->moved[k]) =
@@ -233,6 +271,10 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
     run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
     return run;
   }
+  if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
+    throw CommandError(kInvalidMesh, arguments.only_positional("MESH") + ": " + *broken +
+                                         "; planish project --constraint makes it so");
+  }
   HandleEditSolver solver(run.base.mesh, options);
   const HandleEditResult result = solver.solve(run.targets, progress_line());
   clear_progress_line();
@@ -252,6 +294,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   }
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
+  json["remake"] = remake_json(run.base.mesh, after);
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
+#include "planish/planarising.hpp"
 #include "planish/projection.hpp"
 #include "report.hpp"
 
@@ -27,18 +28,40 @@ namespace planish::cli {
 /// Handles and pins; "V+=" counts from the positions of `base`. Throws CommandError.
 [[nodiscard]] EditTargets edit_targets(const Arguments& arguments, const Mesh& base);
 
+/// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
+/// @param planar mm/m; set by "planar:TOL"
+[[nodiscard]] std::vector<KeptConstraint> parse_constraints(const Arguments& arguments,
+                                                            double& planar);
+
+inline constexpr OptionRow kConstraintRow = {
+    "--constraint", "KIND[:TOL]",
+    "beside planar, which is always on: circular (opposite angles of a panel\n"
+    "add up to 180°) or conical (ω1 + ω3 = ω2 + ω4 around a point), to TOL\n"
+    "degrees, default 1e-9; repeatable"};
+
 [[nodiscard]] FairnessKind parse_fairness(std::string_view text);
 [[nodiscard]] Engine parse_engine(std::string_view text);
 [[nodiscard]] std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh);
 
+/// What --bound asks for.
+struct Bounds {
+  bool keep_shape = true;  ///< the last of shape=on|off; on without any
+  std::vector<StatedLimit> limits;
+};
+
+/// Throws CommandError for a text that is no bound.
+[[nodiscard]] Bounds parse_bounds(const Arguments& arguments);
+
 /// A mesh whose panels are flat to the tolerance.
 struct FlatBase {
   Mesh mesh;
+  Planarising how;                             ///< if it was not
   std::optional<ProjectionResult> planarised;  ///< set if the file's mesh was not flat
 };
 
-/// `mesh` itself if it is flat to the tolerance, else its nearest flat mesh, whatever the edit's
-/// engine: a base is the same for every edit of it.
+/// `mesh` itself if it is flat to the tolerance, else a fair flat mesh near it, or the nearest one
+/// where panels could not keep their shape in a fair one; whatever the edit's engine: a base is the
+/// same for every edit of it.
 [[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options);
 
 /// An edit with everything that the commands report about it.

@@ -12,6 +12,7 @@
 
 #include "files.hpp"
 #include "planish/adjacency.hpp"
+#include "planish/fabrication/remake.hpp"
 #include "planish/folds.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
@@ -74,6 +75,28 @@ Json fold_json(const Mesh& base, const Positions& after) {
           {"after", sharpest_fold(base, adjacency, after, touched).degrees}};
 }
 
+Json remake_json(const Mesh& base, const Positions& after) {
+  Mesh mesh = base;
+  mesh.positions = after;
+  const Remake remake = find_remake(base, mesh);
+  return {{"outline", remake.count(PanelChange::kOutline)},
+          {"bevel", remake.count(PanelChange::kBevel)}};
+}
+
+void print_outcome(const SolveReport& report) {
+  std::array<char, 32> short_of{};
+  std::snprintf(short_of.data(), short_of.size(), "%.3g", report.handle_error);
+  if (report.status == SolveStatus::kInfeasibleHandles) {
+    print_message(std::string("stopped ") + short_of.data() +
+                  " short of a target (units of the mesh): flat panels within the bounds were not "
+                  "found any nearer");
+  } else if (report.status == SolveStatus::kIterationLimit) {
+    print_message(
+        "not converged: every panel is as it should be, but the edit is not certified to be the "
+        "best one near");
+  }
+}
+
 void print_damage(const Json& damage) {
   std::string words;
   for (const auto& [name, panels] : damage.items()) {
@@ -93,6 +116,21 @@ Json subspace_json(const SubspaceReport& report, int dimension) {
           {"support_sizes", report.support_sizes}};
 }
 
+namespace {
+
+Json violations_json(const std::vector<KindViolation>& violations) {
+  Json json = Json::array();
+  for (const KindViolation& one : violations) {
+    json.push_back({{"kind", one.kind},
+                    {"unit", one.unit},
+                    {"before_max", one.before_max},
+                    {"after_max", one.after_max}});
+  }
+  return json;
+}
+
+}  // namespace
+
 void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["status"] = status_name(report.status);
   json["solver"] = engine == Engine::kNewton ? "newton" : "alm";
@@ -100,6 +138,10 @@ void add_solve(Json& json, const SolveReport& report, Engine engine) {
                        {"handle", report.objective.handle},
                        {"sparsity", report.objective.sparsity},
                        {"fairness", report.objective.fairness}};
+  if (!report.violations.empty()) json["violations"] = violations_json(report.violations);
+  for (const BoundStanding& bound : report.bounds) {
+    json["bounds"].push_back({{"name", bound.name}, {"binding", bound.binding}});
+  }
   json["moved_vertices"] = report.moved_vertices;
   json["max_displacement"] = report.max_displacement;
   json["handle_error"] = report.handle_error;

@@ -25,8 +25,15 @@ using Json = nlohmann::ordered_json;
 /// The sharpest folds, in degrees, of the faces of `base` that `after` touches: here and there.
 [[nodiscard]] Json fold_json(const Mesh& base, const Positions& after);
 
+/// How many panels of `base` the shop makes again for `after`: cut (`outline`) or only joined at
+/// another angle (`bevel`).
+[[nodiscard]] Json remake_json(const Mesh& base, const Positions& after);
+
 /// Says on standard error what `damage_json` found; nothing where it found nothing.
 void print_damage(const Json& damage);
+
+/// Says on standard error where an edit stopped short of a target or has no certificate.
+void print_outcome(const SolveReport& report);
 
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
 

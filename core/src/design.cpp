@@ -86,6 +86,7 @@ class Player {
     if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
       return "the mesh has panels that are not flat, and the design does not planarise it";
     }
+    if (auto broken = find_broken_constraint(result_.base, design_.options)) return broken;
     result_.shape = result_.base.positions;
     if (auto problem = find_problem(design_.targets, result_.base)) return problem;
     held_ = held_vertices(result_.base, design_.targets, design_.options);
@@ -136,9 +137,10 @@ class Player {
 
  private:
   bool planarise() {
-    const ProjectionResult flat = project_to_planar(result_.base, {}, {}, progress_);
+    const ProjectionResult flat = planish::planarise(result_.base, *design_.planarised, progress_);
     result_.base.positions(Eigen::all, flat.moved) = flat.moved_positions;
-    return flat.report.usable();
+    // Where shape leaves panels above the tolerance, the edit has its own.
+    return flat.report.usable() || design_.planarised->keep_shape;
   }
 
   bool make_exact() {
@@ -161,13 +163,6 @@ class Player {
 };
 
 }  // namespace
-
-std::uint32_t mesh_hash(const Mesh& mesh) {
-  const auto count = static_cast<std::size_t>(mesh.positions.size());
-  std::uint32_t hash = crc32(bytes_of(mesh.positions.data(), count));
-  hash = crc32(bytes_of(mesh.face_offsets.data(), mesh.face_offsets.size()), hash);
-  return crc32(bytes_of(mesh.face_vertices.data(), mesh.face_vertices.size()), hash);
-}
 
 DesignMark mark_of(const Mesh& base, const Positions& shape) {
   const Moved moved = moved_between(base, shape);
@@ -207,6 +202,7 @@ ProjectionOptions exact_options(const HandleEditOptions& edit) {
   options.fairness = edit.fairness;
   options.engine = edit.engine;
   options.tolerance = edit.tolerance;
+  options.keep_shape = edit.keep_shape;
   return options;
 }
 

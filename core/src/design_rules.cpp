@@ -27,7 +27,16 @@ std::optional<std::string> find_problem(const Design& design) {
   if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
     return "unit must be mm, cm, m, km, in or ft";
   }
+  if (design.planarised) {
+    if (auto problem = find_problem(*design.planarised)) return "planarised: " + *problem;
+  }
   if (auto problem = find_problem(design.options)) return "options: " + *problem;
+  if (!design.options.constraints.empty() && !design.variations.empty()) {
+    return "variations: they keep panels flat and nothing else; leave options.constraints out";
+  }
+  if (!design.options.bounds.empty() && !design.variations.empty()) {
+    return "variations: they keep no stated limits yet; leave options.bounds out";
+  }
   for (std::size_t k = 0; k < design.variations.size(); ++k) {
     if (const auto problem = find_problem(design.variations[k])) {
       return "variations[" + std::to_string(k) + "]: " + *problem;

@@ -20,7 +20,8 @@ using JsonValue = nlohmann::json;
 constexpr std::size_t kLongestText = std::size_t{256} << 20;
 constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
-                      kMostCoefficients = 64, kMostProbes = 64, kLongestName = 400;
+                      kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
+                      kMostBounds = 16, kLongestName = 400;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -61,6 +62,7 @@ class Field {
     return {(*value_)[k], path_ + "[" + std::to_string(k) + "]"};
   }
 
+  [[nodiscard]] bool is_object() const { return value_->is_object(); }
   [[nodiscard]] bool boolean() const {
     if (!value_->is_boolean()) refuse("true or false");
     return value_->get<bool>();
@@ -156,10 +158,30 @@ HandleEditOptions options_before_bounds() {
   return options;
 }
 
+std::vector<KeptConstraint> read_constraints(const Field& field) {
+  std::vector<KeptConstraint> constraints;
+  for (std::size_t k = 0; k < field.size(kMostConstraints); ++k) {
+    const Field one = field[k];
+    one.only({"kind", "tolerance"});
+    constraints.push_back({one.at("kind").text(kLongestName), one.at("tolerance").number()});
+  }
+  return constraints;
+}
+
+std::vector<StatedLimit> read_bounds(const Field& field) {
+  std::vector<StatedLimit> bounds;
+  for (std::size_t k = 0; k < field.size(kMostBounds); ++k) {
+    const auto limit = parse_stated_limit(field[k].text(kLongestName));
+    if (!limit) field[k].refuse("one of " + known_limits());
+    bounds.push_back(*limit);
+  }
+  return bounds;
+}
+
 HandleEditOptions read_options(const Field& field) {
   field.only({"attraction", "locality", "smoothness", "fairness", "sparsity", "hard", "solver",
               "tolerance", "max_iterations", "shape", "reach", "reach_length", "keep_boundary",
-              "softness"});
+              "softness", "constraints", "bounds"});
   HandleEditOptions options = options_before_bounds();
   read_if(field, "attraction", options.attraction);
   read_if(field, "locality", options.locality);
@@ -175,6 +197,8 @@ HandleEditOptions read_options(const Field& field) {
   read_if(field, "reach_length", options.reach_length);
   read_if(field, "keep_boundary", options.keep_boundary);
   read_if(field, "softness", options.softness);
+  if (field.has("constraints")) options.constraints = read_constraints(field.at("constraints"));
+  if (field.has("bounds")) options.bounds = read_bounds(field.at("bounds"));
   return options;
 }
 
@@ -225,6 +249,19 @@ EditTargets read_targets(const Field& root) {
   return targets;
 }
 
+/// true, false, or how it was done.
+std::optional<Planarising> read_planarised(const Field& root) {
+  if (!root.has("planarised")) return std::nullopt;
+  const Field field = root.at("planarised");
+  if (!field.is_object()) return field.boolean() ? std::optional(kNearestFlat) : std::nullopt;
+  field.only({"smooth", "keep_boundary", "shape"});
+  Planarising how = kNearestFlat;
+  read_if(field, "smooth", how.fairness_weight);
+  read_if(field, "keep_boundary", how.keep_boundary);
+  read_if(field, "shape", how.keep_shape);
+  return how;
+}
+
 Design read_root(const Field& root) {
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
              "options", "variations", "result"});
@@ -239,7 +276,7 @@ Design read_root(const Field& root) {
   Design design;
   if (root.has("title")) design.title = root.at("title").text(kLongestName);
   design.source = read_source(root.at("source"));
-  read_if(root, "planarised", design.planarised);
+  design.planarised = read_planarised(root);
   if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
   design.targets = read_targets(root);
   design.options = root.has("options") ? read_options(root.at("options")) : options_before_bounds();

@@ -50,6 +50,12 @@ Json options_json(const HandleEditOptions& options) {
   if (options.reach != 0) json["reach"] = options.reach;
   if (options.reach_length != 0.0) json["reach_length"] = options.reach_length;
   if (options.keep_boundary) json["keep_boundary"] = true;
+  for (const KeptConstraint& one : options.constraints) {
+    json["constraints"].push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
+  }
+  for (const StatedLimit& limit : options.bounds) {
+    json["bounds"].push_back(stated_limit_text(limit));
+  }
   if (options.softness != 0.0) json["softness"] = options.softness;
   return json;
 }
@@ -67,6 +73,14 @@ Json variation_json(const DesignVariation& variation) {
           {"exact", variation.exact}};
 }
 
+/// `true` is the nearest flat mesh, as designs of earlier versions say it.
+Json planarised_json(const std::optional<Planarising>& how) {
+  if (!how || *how == kNearestFlat) return how.has_value();
+  return {{"smooth", how->fairness_weight},
+          {"keep_boundary", how->keep_boundary},
+          {"shape", how->keep_shape}};
+}
+
 Json mark_json(const DesignMark& mark) {
   Json probes = Json::array();
   for (const DesignProbe& probe : mark.probes) {
@@ -81,7 +95,7 @@ std::string write_design(const Design& design) {
   Json json = {{"format", kDesignFormat}, {"version", kDesignVersion}};
   if (!design.title.empty()) json["title"] = design.title;
   json["source"] = source_json(design.source);
-  json["planarised"] = design.planarised;
+  json["planarised"] = planarised_json(design.planarised);
   json["unit"] = design.unit;
   json["handles"] = Json::array();
   for (const Handle& handle : design.targets.handles) {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "planish/constraints/registry.hpp"
+#include "planish/constraints/elements.hpp"
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -29,6 +30,17 @@ std::vector<int> faces_around(const Adjacency& adjacency, std::span<const int> f
   return faces;
 }
 
+/// Vertices of `free` and their neighbours, ascending.
+std::vector<int> stars_around(const Adjacency& adjacency, std::span<const int> free) {
+  std::vector<int> stars(free.begin(), free.end());
+  for (const int v : free) {
+    stars.insert(stars.end(), adjacency.neighbours[v].begin(), adjacency.neighbours[v].end());
+  }
+  std::sort(stars.begin(), stars.end());
+  stars.erase(std::unique(stars.begin(), stars.end()), stars.end());
+  return stars;
+}
+
 /// The place of a vertex in `free`, or −1.
 Eigen::Index place(std::span<const int> free, int vertex) {
   const auto found = std::lower_bound(free.begin(), free.end(), vertex);
@@ -37,19 +49,29 @@ Eigen::Index place(std::span<const int> free, int vertex) {
 
 /// The equations of some faces, and their derivatives by the free points.
 struct Linearised {
-  std::vector<int> faces;  ///< of each equation
+  std::vector<int> faces;  ///< of each equation; −1 where it hangs on none
   Eigen::MatrixXd slopes;  ///< 3·free × equations: the transposed Jacobian
 };
 
-Linearised linearise(const Mesh& mesh, const Positions& positions, const std::vector<int>& faces,
-                     std::span<const int> free) {
+Linearised linearise(const Mesh& mesh, const Adjacency& adjacency, const Positions& positions,
+                     const std::vector<int>& faces, std::span<const int> free,
+                     const KeptKinds& kept) {
   Linearised result;
   ConstraintRows equations;
-  ConstraintKinds::for_each([&](auto tag) {
+  MeshElements elements(mesh, adjacency);
+  const std::vector<int> stars = stars_around(adjacency, free);
+  kept.for_each([&](auto tag, std::size_t) {
     using Kind = typename decltype(tag)::type;
-    for (const int f : faces) {
-      Kind::append_rows(positions, mesh.face(f), equations.of<Kind>());
-      result.faces.resize(equations.size(), f);
+    if (Kind::kElement == Element::kFace) {
+      for (const int f : faces) {
+        Kind::append_rows(positions, mesh.face(f), equations.of<Kind>());
+        result.faces.resize(equations.size(), f);
+      }
+    } else {
+      for (const int v : stars) {
+        Kind::append_rows(positions, elements.of(Kind::kElement, v), equations.of<Kind>());
+      }
+      result.faces.resize(equations.size(), -1);
     }
   });
   const auto rows = 3 * static_cast<Eigen::Index>(free.size());
@@ -71,6 +93,7 @@ std::vector<HoldingPanel> by_panel(const Linearised& system, const Eigen::Vector
                                    double pull) {
   std::vector<HoldingPanel> panels;
   for (Eigen::Index e = 0; e < forces.size(); ++e) {
+    if (system.faces[at(e)] < 0) continue;
     const double share = std::abs(forces[e]) * system.slopes.col(e).norm() / pull;
     if (panels.empty() || panels.back().face != system.faces[at(e)]) {
       panels.push_back({system.faces[at(e)], 0.0});
@@ -88,14 +111,16 @@ std::vector<HoldingPanel> by_panel(const Linearised& system, const Eigen::Vector
 
 std::optional<EditFreedom> measure_freedom(const Mesh& mesh, const Adjacency& adjacency,
                                            const Positions& positions, std::span<const int> free,
-                                           std::span<const Pull> pulls) {
+                                           std::span<const Pull> pulls, const KeptKinds& kept) {
   const std::vector<int> faces = faces_around(adjacency, free);
   double equations = 0.0;
-  for (const int f : faces) equations += static_cast<double>(mesh.face(f).size() - 3);
+  kept.for_each([&](auto, std::size_t) {
+    for (const int f : faces) equations += static_cast<double>(mesh.face(f).size() - 3);
+  });
   const double rows = 3.0 * static_cast<double>(free.size());
   if (2.0 * rows * equations * std::min(rows, equations) > kMostWork) return std::nullopt;
 
-  const Linearised system = linearise(mesh, positions, faces, free);
+  const Linearised system = linearise(mesh, adjacency, positions, faces, free, kept);
   EditFreedom result;
   result.points = static_cast<int>(free.size());
   result.equations = static_cast<int>(system.slopes.cols());

@@ -9,10 +9,6 @@
 namespace planish {
 namespace {
 
-/// t of [SHP-3]: what the barrier costs where a corner has lost half of its size is then far below
-/// the price of a moved vertex.
-constexpr double kShapeWeight = 1e-2;
-
 /// What every vertex has that may move and is no handle.
 VertexTerm free_term(const HandleEditOptions& options, const EditWeights& weights) {
   VertexTerm term;

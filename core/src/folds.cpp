@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "planish/index.hpp"
+#include "planish/panel_health.hpp"
 #include "trigonometry.hpp"
 
 namespace planish {
@@ -25,15 +27,7 @@ struct Side {
 
 /// Of length 1, or 0 for a panel without area.
 Eigen::Vector3d normal_of(const Positions& positions, std::span<const int> face) {
-  // Relative to a corner: far from the origin sums lose digits.
-  const Eigen::Vector3d origin = positions.col(face[0]);
-  Eigen::Vector3d area = Eigen::Vector3d::Zero();
-  for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-    const Eigen::Vector3d a = positions.col(face[k]) - origin;
-    const Eigen::Vector3d b = positions.col(face[k + 1]) - origin;
-    area += a.cross(b);
-  }
-  return area.stableNormalized();
+  return area_vector(positions, face).stableNormalized();
 }
 
 /// Of all panels, by edge.
@@ -54,6 +48,29 @@ std::vector<Side> sides_of(const Mesh& mesh, std::span<const int> panels) {
 double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   if (a.isZero(0.0) || b.isZero(0.0)) return 0.0;
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
+}
+
+/// Calls visit(degrees, p, q) for each two of `panels`, by place, that share an edge with no third.
+template <class Visit>
+void for_each_fold(const Mesh& mesh, const Positions& positions, std::span<const int> panels,
+                   const Visit& visit) {
+  Positions normals(3, static_cast<Eigen::Index>(panels.size()));
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    normals.col(static_cast<Eigen::Index>(p)) = normal_of(positions, mesh.face(panels[p]));
+  }
+  const std::vector<Side> sides = sides_of(mesh, panels);
+  for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
+    const Side& first = sides[k];
+    while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) {
+      ++end;
+    }
+    const Side& second = sides[end - 1];
+    if (end - k != 2) continue;
+    const Eigen::Vector3d here = normals.col(static_cast<Eigen::Index>(first.panel));
+    Eigen::Vector3d there = normals.col(static_cast<Eigen::Index>(second.panel));
+    if (first.forward == second.forward) there = -there;  // the two are not oriented alike
+    visit(degrees_between(here, there), first.panel, second.panel);
+  }
 }
 
 }  // namespace
@@ -79,31 +96,27 @@ Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   const std::vector<int> panels = faces_of(adjacency, corners);
-  Positions normals(3, static_cast<Eigen::Index>(panels.size()));
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    normals.col(static_cast<Eigen::Index>(p)) = normal_of(positions, mesh.face(panels[p]));
-  }
-  const std::vector<Side> sides = sides_of(mesh, panels);
-  const auto asked = [&](const Side& side) {
-    return std::binary_search(faces.begin(), faces.end(), panels[side.panel]);
+  const auto asked = [&](std::size_t panel) {
+    return std::binary_search(faces.begin(), faces.end(), panels[panel]);
   };
   Fold sharpest;
-  for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
-    const Side& first = sides[k];
-    while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) {
-      ++end;
+  for_each_fold(mesh, positions, panels, [&](double degrees, std::size_t p, std::size_t q) {
+    if (degrees > sharpest.degrees && (asked(p) || asked(q))) {
+      sharpest = {degrees, panels[p], panels[q]};
     }
-    const Side& second = sides[end - 1];
-    if (end - k != 2 || !(asked(first) || asked(second))) continue;
-    const Eigen::Vector3d here = normals.col(static_cast<Eigen::Index>(first.panel));
-    Eigen::Vector3d there = normals.col(static_cast<Eigen::Index>(second.panel));
-    if (first.forward == second.forward) there = -there;  // the two are not oriented alike
-    const double degrees = degrees_between(here, there);
-    if (degrees > sharpest.degrees) {
-      sharpest = {degrees, panels[first.panel], panels[second.panel]};
-    }
-  }
+  });
   return sharpest;
+}
+
+std::vector<double> face_folds(const Mesh& mesh, const Positions& positions) {
+  std::vector<int> panels(static_cast<std::size_t>(mesh.face_count()));
+  std::iota(panels.begin(), panels.end(), 0);
+  std::vector<double> folds(panels.size(), 0.0);
+  for_each_fold(mesh, positions, panels, [&](double degrees, std::size_t p, std::size_t q) {
+    folds[p] = std::max(folds[p], degrees);
+    folds[q] = std::max(folds[q], degrees);
+  });
+  return folds;
 }
 
 }  // namespace planish

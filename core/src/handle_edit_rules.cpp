@@ -3,11 +3,12 @@
 /// designs needs no solver.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "planish/handle_edit.hpp"
 
 namespace planish {
-
 std::optional<std::string> find_problem(const HandleEditOptions& options) {
   const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!weight(options.attraction) || options.attraction == 0.0) {
@@ -22,6 +23,11 @@ std::optional<std::string> find_problem(const HandleEditOptions& options) {
   if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
     return "tolerance must be a number greater than 0 (mm/m)";
   }
+  if (auto problem = find_problem(options.constraints)) return problem;
+  if (!options.constraints.empty() && options.engine != Engine::kNewton) {
+    return "constraints: the engine alm knows planarity alone; others need newton";
+  }
+  if (auto problem = find_problem(options.bounds)) return problem;
   if (options.max_iterations < 0) return "max_iterations must be at least 0";
   return std::nullopt;
 }

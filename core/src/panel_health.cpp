@@ -21,18 +21,6 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Twice the area, along the normal (Newell).
-Eigen::Vector3d area_vector(const Positions& positions, std::span<const int> face) {
-  const Eigen::Vector3d origin = positions.col(face[0]);
-  Eigen::Vector3d area = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < face.size(); ++k) {
-    const Eigen::Vector3d a = positions.col(face[k]) - origin;
-    const Eigen::Vector3d b = positions.col(face[(k + 1) % face.size()]) - origin;
-    area += a.cross(b);
-  }
-  return area;
-}
-
 /// The corners in the plane across the area vector.
 Outline flatten(const Positions& positions, std::span<const int> face) {
   const Eigen::Vector3d origin = positions.col(face[0]);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
+#include "planish/constraints/elements.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
-MeshModel::MeshModel(const Mesh& given, FairnessKind kind)
-    : mesh(given), adjacency(build_adjacency(given)) {
+MeshModel::MeshModel(const Mesh& given, FairnessKind kind, const KeptKinds& kinds)
+    : mesh(given), adjacency(build_adjacency(given)), kept(kinds) {
   const double edge = mean_edge_length(mesh);
   unit_ = edge > 0.0 ? edge : 1.0;
   // Relative to a vertex first: the mean of coordinates far from the origin loses digits.
@@ -19,16 +21,30 @@ MeshModel::MeshModel(const Mesh& given, FairnessKind kind)
   points /= unit_;
   fairness = fairness_operator(mesh, adjacency, kind);
   fairness_columns = fairness.transpose();
-  ConstraintKinds::for_each([&](auto tag) {
+  MeshElements elements(mesh, adjacency);
+  kept.for_each([&](auto tag, std::size_t index) {
     using Kind = typename decltype(tag)::type;
-    static_assert(Kind::kElement == Element::kFace, "patches cut rows face by face");
-    std::vector<int>& offsets = face_offsets[ConstraintKinds::index_of<Kind>()];
+    constexpr Element kElement = Kind::kElement;
+    static_assert(kElement == Element::kFace || kElement == Element::kVertex,
+                  "patches cut rows face by face and star by star");
+    std::vector<int>& offsets = element_offsets[index];
     offsets.assign(1, 0);
-    for (int f = 0; f < mesh.face_count(); ++f) {
-      Kind::append_rows(points, mesh.face(f), equations.of<Kind>());
+    for (int e = 0; e < elements.count(kElement); ++e) {
+      Kind::append_rows(points, elements.of(kElement, e), equations.of<Kind>());
       offsets.push_back(static_cast<int>(equations.of<Kind>().size()));
     }
   });
+}
+
+bool MeshModel::has_star_rows(int vertex) const {
+  bool any = false;
+  kept.for_each([&](auto tag, std::size_t index) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kElement != Element::kVertex) return;
+    const std::vector<int>& offsets = element_offsets[index];
+    any = any || offsets[at(vertex) + 1] > offsets[at(vertex)];
+  });
+  return any;
 }
 
 std::span<const int> MeshModel::face(int f) const { return mesh.face(f); }
@@ -47,15 +63,15 @@ int PatchCutter::local(int vertex, Patch& patch) {
   return found;
 }
 
-/// The rows of the patch's faces that touch a free vertex, kind by kind.
+/// The rows of the patch's faces and stars that touch a free vertex, kind by kind.
 void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
   int first = 0;
-  ConstraintKinds::for_each([&](auto tag) {
+  model.kept.for_each([&](auto tag, std::size_t index) {
     using Kind = typename decltype(tag)::type;
     const auto& rows = model.equations.of<Kind>();
-    const std::vector<int>& offsets = model.face_offsets[ConstraintKinds::index_of<Kind>()];
-    for (const int f : patch.face_ids) {
-      for (int e = offsets[at(f)]; e < offsets[at(f) + 1]; ++e) {
+    const std::vector<int>& offsets = model.element_offsets[index];
+    for (const int id : Kind::kElement == Element::kFace ? patch.face_ids : patch.star_ids) {
+      for (int e = offsets[at(id)]; e < offsets[at(id) + 1]; ++e) {
         typename Kind::Row row = rows[at(e)];
         if (!localise(row, local_of_, patch.free_count)) continue;
         patch.equations.of<Kind>().push_back(row);
@@ -71,14 +87,17 @@ void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, P
   patch.equations.clear();
   patch.equation_ids.clear();
   patch.face_ids.clear();
+  patch.star_ids.clear();
   patch.faces.offsets.assign(1, 0);
   patch.faces.values.clear();
   patch.fairness_vertices.offsets.assign(1, 0);
   patch.fairness_vertices.values.clear();
   patch.fairness_values.clear();
   patch.corners.clear();
+  patch.limits.clear();
   patch.fairness_weight = problem.fairness_weight;
   patch.shape_weight = problem.shape_weight;
+  patch.limit_weight = problem.limit_weight;
   ++stamp_;
   for (const int v : free) {
     if (!problem.terms[at(v)].fixed) (void)local(v, patch);
@@ -94,7 +113,12 @@ void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
     for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
     patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
   }
-  if (problem.shape_weight <= 0.0) return;
+  if (problem.shape_weight > 0.0) add_corners(model, f, patch);
+  if (problem.limits != nullptr) add_limits(*problem.limits, f, patch);
+}
+
+/// The shape bound's rows of one face.
+void PatchCutter::add_corners(const MeshModel& model, int f, Patch& patch) {
   std::size_t kept = patch.corners.size();
   append_corner_shapes(model.points, model.face(f), patch.corners);
   for (std::size_t k = kept; k < patch.corners.size(); ++k) {
@@ -105,6 +129,33 @@ void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
     if (touches) patch.corners[kept++] = corner;
   }
   patch.corners.resize(kept);
+}
+
+/// The stated limits' rows of one face. Those of two panels come with the first of the two.
+void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
+  limits.for_each_row(f, [&](auto tag, const auto& row, int other) {
+    using Kind = typename decltype(tag)::type;
+    if (other >= 0 && face_mark_[at(other)] == stamp_) return;
+    typename Kind::Row here = row;
+    for (int& w : here.vertices) w = local(w, patch);
+    const bool touches = std::any_of(here.vertices.begin(), here.vertices.end(),
+                                     [&](int w) { return w < patch.free_count; });
+    if (touches) patch.limits.of<Kind>().push_back(std::move(here));
+  });
+}
+
+/// The stars with rows that a vertex is part of: its own and its neighbours'.
+void PatchCutter::add_stars(const MeshModel& model, int vertex, Patch& patch) {
+  star_mark_.resize(local_of_.size(), 0);
+  const auto add = [&](int centre) {
+    if (star_mark_[at(centre)] == stamp_ || !model.has_star_rows(centre)) return;
+    star_mark_[at(centre)] = stamp_;
+    patch.star_ids.push_back(centre);
+    (void)local(centre, patch);
+    for (const int w : model.adjacency.neighbours[centre]) (void)local(w, patch);
+  };
+  add(vertex);
+  for (const int w : model.adjacency.neighbours[vertex]) add(w);
 }
 
 void PatchCutter::add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch) {
@@ -129,11 +180,13 @@ void PatchCutter::add_rows(const EditProblem& problem, int owners, Patch& patch)
   for (int k = 0; k < owners; ++k) {
     const int v = patch.vertices[at(k)];
     for (const int f : model.adjacency.faces[v]) {
-      const bool bare = model.face(f).size() < 4 && problem.shape_weight <= 0.0;
+      const bool bare =
+          model.face(f).size() < 4 && problem.shape_weight <= 0.0 && problem.limits == nullptr;
       if (face_mark_[at(f)] == stamp_ || bare) continue;
       face_mark_[at(f)] = stamp_;
       add_face(problem, f, patch);
     }
+    if (model.kept.has_element(Element::kVertex)) add_stars(model, v, patch);
     if (problem.fairness_weight > 0.0) add_fairness_rows(problem, v, patch);
   }
   cut_equations(model, patch);

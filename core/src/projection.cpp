@@ -5,13 +5,15 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh_standing.hpp"
+#include "planish/adjacency.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/nearest_flat.hpp"
 #include "planish/engines/working_set_newton.hpp"
 #include "planish/index.hpp"
-#include "planish/metrics.hpp"
 #include "planish/stopwatch.hpp"
+#include "sound_projection.hpp"
 
 namespace planish {
 namespace {
@@ -19,33 +21,13 @@ namespace {
 constexpr int kNewtonLimit = 100;
 constexpr int kRounds = 3;  ///< how often planes may be carried by other vertices
 
-/// How flat a mesh is, measured once per attempt.
-struct Flatness {
-  double worst = 0.0;        ///< mm/m
-  std::vector<int> failing;  ///< faces above the tolerance, worst first
-};
-
-Flatness measure_flatness(const Mesh& mesh, double tolerance) {
-  Flatness flatness;
-  std::vector<std::pair<double, int>> found;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const FacePlanarity face = face_planarity(mesh.positions, mesh.face(f));
-    const double gap = face.excess;
-    if (!(face.mm_per_m <= flatness.worst)) flatness.worst = face.mm_per_m;
-    if (!(gap <= tolerance)) found.emplace_back(-gap, f);
-  }
-  std::sort(found.begin(), found.end());
-  flatness.failing.reserve(found.size());
-  for (const auto& [gap, face] : found) flatness.failing.push_back(face);
-  return flatness;
-}
-
 /// One projection: the problem, the engine that suits it, and the result.
 class Projector {
  public:
   Projector(const Mesh& mesh, const ProjectionOptions& options, const std::vector<int>& pins)
       : options_(options),
-        model_(mesh, options.fairness),
+        kept_(kept_kinds(options.tolerance, options.constraints)),
+        model_(mesh, options.fairness, kept_),
         field_(model_.vertex_count(), static_cast<int>(model_.equations.size())) {
     problem_.model = &model_;
     problem_.fairness_weight = 2.0 * options.fairness_weight;
@@ -76,11 +58,10 @@ class Projector {
   /// Only vertices within `rings` face rings of the failing faces may move.
   void confine(const std::vector<int>& failing, int rings) {
     WorkingSetGrower grower(model_);
-    free_ = grower.grow(vertices_of(failing), rings);
+    free_ = grower.grow(vertices_of(model_.mesh, failing), rings);
   }
 
  private:
-  [[nodiscard]] std::vector<int> vertices_of(const std::vector<int>& faces) const;
   void solve_nearest(const Progress& progress);
   void solve_newton(const std::vector<int>& failing, const Progress& progress);
   void solve_augmented_lagrangian(const Progress& progress);
@@ -91,6 +72,7 @@ class Projector {
   }
 
   ProjectionOptions options_;
+  KeptKinds kept_;
   MeshModel model_;
   EditProblem problem_;
   DisplacementField field_;
@@ -98,17 +80,6 @@ class Projector {
   std::vector<int> support_;
   SolveReport report_;
 };
-
-std::vector<int> Projector::vertices_of(const std::vector<int>& faces) const {
-  std::vector<int> vertices;
-  for (const int f : faces) {
-    const auto face = model_.face(f);
-    vertices.insert(vertices.end(), face.begin(), face.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
 
 void Projector::solve_nearest(const Progress& progress) {
   support_ = free_.empty() ? everything() : free_;
@@ -138,7 +109,7 @@ void Projector::solve_newton(const std::vector<int>& failing, const Progress& pr
   const Interruption interrupted = [&](const IterationRecord& record) {
     return progress && progress(record) == Flow::kStop;
   };
-  const std::vector<int> seeds = vertices_of(failing);
+  const std::vector<int> seeds = vertices_of(model_.mesh, failing);
   double gap = 0.0;
   for (const int f : failing)
     gap = std::max(gap, face_planarity(model_.points, model_.face(f)).gap);
@@ -172,7 +143,7 @@ ProjectionResult Projector::run(const std::vector<int>& failing, const Progress&
     solve_newton(failing, progress);
   }
   ExactFinish finish(model_);
-  ExactDesign design = finish.finish(problem_, support_, field_, options_.tolerance);
+  ExactDesign design = finish.finish(problem_, support_, field_, kept_);
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
   result.report = std::move(report_);
@@ -211,28 +182,42 @@ void record_moves(const Mesh& mesh, const Positions& after, ProjectionResult& re
   result.report.max_displacement = result.max_move;
 }
 
+void add_violations(const KeptKinds& kept, const Violations& before, const Violations& after,
+                    SolveReport& report) {
+  report.violations.clear();
+  kept.for_each([&](auto tag, std::size_t kind) {
+    using Kind = typename decltype(tag)::type;
+    report.violations.push_back(
+        {Kind::kName, Kind::kUnit, before[kind].measure, after[kind].measure});
+  });
+  report.planarity_before = report.violations.front().before_max;
+  report.planarity_after = report.violations.front().after_max;
+}
+
 /// How one attempt is made.
 enum class Attempt { kNearest, kConfined, kWeighted };
 
 /// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
 /// the vertices that carry a panel's plane collinear; the next round chooses them anew.
-ProjectionResult attempt(Mesh& current, Flatness& flatness, Attempt kind, int rings,
-                         const Positions* reference, const ProjectionOptions& options,
-                         const std::vector<int>& pins, const Progress& progress) {
+ProjectionResult attempt(Mesh& current, MeshStanding& standing, Attempt kind, int rings,
+                         const Positions* reference, const Adjacency& adjacency,
+                         const ProjectionOptions& options, const std::vector<int>& pins,
+                         const Progress& progress) {
   ProjectionResult result;
-  for (int round = 0; round < kRounds && !flatness.failing.empty(); ++round) {
+  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
+  for (int round = 0; round < kRounds && !standing.failing.empty(); ++round) {
     Projector projector(current, options, pins);
     if (kind == Attempt::kWeighted) {
       projector.penalise_unmoved(*reference);
     } else {
       projector.penalise_squares();
     }
-    if (kind == Attempt::kConfined) projector.confine(flatness.failing, rings);
-    ProjectionResult step = projector.run(flatness.failing, progress);
+    if (kind == Attempt::kConfined) projector.confine(standing.failing, rings);
+    ProjectionResult step = projector.run(standing.failing, progress);
     for (std::size_t k = 0; k < step.moved.size(); ++k) {
       current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
     }
-    flatness = measure_flatness(current, options.tolerance);
+    standing = measure_standing(current, adjacency, kept);
     step.report.iterations += result.report.iterations;
     step.report.factorizations += result.report.factorizations;
     step.report.solve_seconds += result.report.solve_seconds;
@@ -242,20 +227,37 @@ ProjectionResult attempt(Mesh& current, Flatness& flatness, Attempt kind, int ri
   return result;
 }
 
-ProjectionResult project(const Mesh& mesh, const Positions* reference,
-                         const ProjectionOptions& options, const std::vector<int>& pins,
-                         const Progress& progress) {
-  ProjectionResult result;
-  result.moved_positions.resize(3, 0);
-  const Flatness before = measure_flatness(mesh, options.tolerance);
-  result.report.planarity_before = before.worst;
-  result.report.planarity_after = before.worst;
-  result.report.status = SolveStatus::kConverged;
-  if (before.failing.empty()) return result;  // flat already: the same bits
-  Mesh current = mesh;
-  Flatness after = before;
+/// One projection: what was given, and how flat it was.
+struct Task {
+  const Mesh& mesh;
+  const Positions* reference;  ///< null without a history
+  const ProjectionOptions& options;
+  const std::vector<int>& pins;
+  const KeptKinds& kept;
+  const Adjacency& adjacency;  ///< empty unless a kept kind hangs on stars
+  MeshStanding before;
+};
+
+/// What a projection came to; `positions` are 3 × n.
+void conclude(const Task& task, const Positions& positions, MeshStanding after,
+              ProjectionResult& result) {
+  record_moves(task.mesh, positions, result);
+  add_violations(task.kept, task.before.worst, after.worst, result.report);
+  result.failing_faces = std::move(after.failing);
+  if (!result.failing_faces.empty() && result.report.usable()) {
+    result.report.status = SolveStatus::kToleranceNotMet;
+  } else if (result.failing_faces.empty() && result.report.status == SolveStatus::kSingularSystem) {
+    result.report.status = SolveStatus::kIterationLimit;
+  }
+}
+
+/// Whatever becomes of the panels' shape.
+Positions project_freely(const Task& task, const Progress& progress, ProjectionResult& result) {
+  Mesh current = task.mesh;
+  MeshStanding after = task.before;
+  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
   const Attempt first = reference != nullptr ? Attempt::kWeighted : Attempt::kNearest;
-  result = attempt(current, after, first, 0, reference, options, pins, progress);
+  result = attempt(current, after, first, 0, reference, adjacency, options, pins, progress);
   // Where the weighted problem does not close, the nearest flat mesh in growing surroundings does,
   // and still leaves the rest alone.
   for (const int rings : {2, 4, 8, 16}) {
@@ -264,24 +266,85 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
       break;
     }
     Mesh again = mesh;
-    Flatness left = before;
-    ProjectionResult next =
-        attempt(again, left, Attempt::kConfined, rings, reference, options, pins, progress);
+    MeshStanding left = before;
+    ProjectionResult next = attempt(again, left, Attempt::kConfined, rings, reference, adjacency,
+                                    options, pins, progress);
     if (left.failing.size() > after.failing.size()) continue;
     result = std::move(next);
     current = std::move(again);
     after = std::move(left);
   }
-  record_moves(mesh, current.positions, result);
-  result.report.planarity_before = before.worst;
-  result.report.planarity_after = after.worst;
-  result.failing_faces = std::move(after.failing);
-  if (!result.failing_faces.empty() && result.report.usable()) {
-    result.report.status = SolveStatus::kToleranceNotMet;
-  } else if (result.failing_faces.empty() && result.report.status == SolveStatus::kSingularSystem) {
-    result.report.status = SolveStatus::kIterationLimit;
+  result.fairness_weight = options.fairness_weight;
+  conclude(task, current.positions, std::move(after), result);
+  return std::move(current.positions);
+}
+
+/// The vertices within `rings` face rings of the failing panels, pins left out.
+std::vector<int> surroundings(const Task& task, const MeshModel& model, int rings) {
+  WorkingSetGrower grower(model);
+  std::vector<int> pins = task.pins;
+  std::sort(pins.begin(), pins.end());
+  std::vector<int> free;
+  for (const int v : grower.grow(vertices_of(task.mesh, task.before.failing), rings)) {
+    if (!std::binary_search(pins.begin(), pins.end(), v)) free.push_back(v);
   }
+  return free;
+}
+
+/// With every panel's shape kept, in growing surroundings of the panels that fail. With a history,
+/// what does not become flat stays as it is: a variation half made exact is of no use.
+ProjectionResult project_within_bounds(const Task& task, const Progress& progress) {
+  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
+  const MeshModel model(mesh, options.fairness);
+  const int everything = mesh.vertex_count();
+  std::vector<int> last;
+  SoundProjection best;
+  for (const int rings : {8, 32, reference != nullptr ? 32 : everything}) {
+    std::vector<int> free = surroundings(task, model, rings);
+    if (free.size() == last.size()) continue;
+    SoundProjection next = project_soundly(mesh, reference != nullptr ? *reference : mesh.positions,
+                                           options, free, progress);
+    const bool cancelled = next.report.status == SolveStatus::kCancelled;
+    if (next.is_better_than(best)) best = std::move(next);
+    if (cancelled || best.is_flat()) break;
+    last = std::move(free);
+  }
+  ProjectionResult result;
+  result.report = std::move(best.report);
+  result.fairness_weight = best.fairness_weight;
+  const bool useful = reference == nullptr ? best.found() : best.is_flat();
+  Mesh after = mesh;
+  if (useful) after.positions = std::move(best.positions);
+  conclude(task, after.positions, measure_standing(after, adjacency, kept), result);
   return result;
+}
+
+ProjectionResult project(const Mesh& mesh, const Positions* reference,
+                         const ProjectionOptions& options, const std::vector<int>& pins,
+                         const Progress& progress) {
+  ProjectionResult result;
+  result.moved_positions.resize(3, 0);
+  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
+  const bool stars = kept.has_element(Element::kVertex);
+  const Adjacency adjacency = stars ? build_adjacency(mesh) : Adjacency();
+  const Task task{
+      mesh, reference, options, pins, kept, adjacency, measure_standing(mesh, adjacency, kept)};
+  add_violations(kept, task.before.worst, task.before.worst, result.report);
+  result.report.status = SolveStatus::kConverged;
+  if (task.before.failing.empty()) return result;  // flat already: the same bits
+  // Fair meshes seldom need the bound, but the engine that knows it is the faster one as well.
+  const bool fair = options.keep_shape && reference == nullptr && options.fairness_weight > 0.0 &&
+                    options.engine == Engine::kNewton;
+  if (fair) return project_within_bounds(task, progress);
+  const Positions after = project_freely(task, progress, result);
+  const Positions& shape_before = reference != nullptr ? *reference : mesh.positions;
+  if (!options.keep_shape || result.report.status == SolveStatus::kCancelled ||
+      spoilt_faces(mesh, shape_before, after).empty()) {
+    return result;
+  }
+  ProjectionResult sound = project_within_bounds(task, progress);
+  // A variation must become flat; what that spoils is reported.
+  return reference != nullptr && !sound.report.usable() ? result : sound;
 }
 
 }  // namespace
@@ -294,6 +357,10 @@ std::optional<std::string> find_problem(const ProjectionOptions& options) {
   }
   if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
     return "tolerance must be a number greater than 0 (mm/m)";
+  }
+  if (auto problem = find_problem(options.constraints)) return problem;
+  if (!options.constraints.empty() && options.engine != Engine::kNewton) {
+    return "constraints: the engine alm knows planarity alone; others need newton";
   }
   if (options.max_iterations < 0) return "max_iterations must be at least 0";
   return std::nullopt;

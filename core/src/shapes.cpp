@@ -12,11 +12,9 @@ struct Sample {
   Mesh (*make)(int size);
 };
 
-constexpr Sample kSamples[] = {{"vault", make_vault},
-                               {"dome", make_dome},
-                               {"freeform", make_freeform},
-                               {"hex", make_hex_shell},
-                               {"trihex", make_trihex_shell}};
+constexpr Sample kSamples[] = {{"roof", make_roof},     {"vault", make_vault},
+                               {"dome", make_dome},     {"freeform", make_freeform},
+                               {"hex", make_hex_shell}, {"trihex", make_trihex_shell}};
 constexpr int kSmallest = 3, kLargest = 2000;
 
 }  // namespace

@@ -65,10 +65,50 @@ double shifted_sine(double angle, int shift) {
   return quadrant >= 2 ? -value : value;
 }
 
+/// atan(t) for 0 ≤ t ≤ 7/16, minimax polynomial of fdlibm.
+double arctangent_kernel(double t) {
+  constexpr double kEven[] = {3.33333333333329318027e-01, 1.42857142725034663711e-01,
+                              9.09088713343650656196e-02, 6.66107313738753120669e-02,
+                              4.97687799461593236017e-02, 1.62858201153657823623e-02};
+  constexpr double kOdd[] = {-1.99999999998764832476e-01, -1.11111104054623557880e-01,
+                             -7.69187620504482999495e-02, -5.83357013379057348645e-02,
+                             -3.65315727442169155270e-02};
+  const double z = t * t;
+  const double w = z * z;
+  double even = kEven[5];
+  for (int k = 4; k >= 0; --k) even = kEven[k] + w * even;
+  double odd = kOdd[4];
+  for (int k = 3; k >= 0; --k) odd = kOdd[k] + w * odd;
+  return t - t * (z * even + w * odd);
+}
+
+/// atan(t) for 0 ≤ t ≤ 1: the kernel about 0, or about atan(1/2) or atan(1).
+double arctangent_below_one(double t) {
+  constexpr double kHalf = 4.63647609000806093515e-01, kHalfRest = 2.26987774529616870924e-17;
+  constexpr double kOne = 7.85398163397448278999e-01, kOneRest = 3.06161699786838301793e-17;
+  const auto signed_kernel = [](double u) {
+    return u < 0.0 ? -arctangent_kernel(-u) : arctangent_kernel(u);
+  };
+  if (t < 0.4375) return arctangent_kernel(t);
+  if (t < 0.6875) return kHalf + (signed_kernel((2.0 * t - 1.0) / (2.0 + t)) + kHalfRest);
+  return kOne + (signed_kernel((t - 1.0) / (t + 1.0)) + kOneRest);
+}
+
 }  // namespace
 
 double sine(double angle) { return shifted_sine(angle, 0); }
 
 double cosine(double angle) { return shifted_sine(angle, 1); }
+
+double arctangent(double y, double x) {
+  const double height = std::abs(y);
+  const double width = std::abs(x);
+  if (height == 0.0 && width == 0.0) return 0.0;
+  const bool steep = height > width;
+  double angle = arctangent_below_one(steep ? width / height : height / width);
+  if (steep) angle = 0.5 * kPi - angle;
+  if (x < 0.0) angle = kPi - angle;
+  return y < 0.0 ? -angle : angle;
+}
 
 }  // namespace planish

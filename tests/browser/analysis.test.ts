@@ -23,7 +23,7 @@ const degrees = async (page: Page): Promise<number[]> =>
   (await column(page, 3)).map(Number.parseFloat);
 
 it("lists panels by any figure, by keyboard, and says which must be made again", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   await expect.poll(() => page.getByText(/^[1-9]\d* panels must be made again/).count()).toBe(1);
   const angle = page.getByRole("columnheader", { name: "Angle" });
@@ -52,7 +52,7 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
 });
 
 it("colours by every figure, with a legend in mm or mm/m and a histogram", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   const moved = await movedCount(page);
   const histogram = page.getByRole("img", { name: /^Histogram: / });
@@ -85,7 +85,7 @@ const bent = (by: number): string =>
   `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 ${by}\nf 1 2 3 4\nf 2 5 6 3\n`;
 
 it("the scale of planarity grows by decades to hold the worst panel, and leads to it", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
   const named = async (): Promise<string[]> => {
     const legend = page.getByRole("group", { name: "Legend", exact: true });
@@ -121,7 +121,7 @@ it("the scale of planarity grows by decades to hold the worst panel, and leads t
 });
 
 it("says why a target is refused: how far short, which panels hold it; each can be seen", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+10cm");
   // Everything around the point is held: nothing can follow it.
   const why = page.getByRole("region", { name: "Why the target is not reached" });
@@ -151,7 +151,7 @@ it("says why a target is refused: how far short, which panels hold it; each can 
 });
 
 it("marks panels that cross themselves, in words too", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   const bowTie = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
   await pickFile(page, "bow.obj", bowTie);
   await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
@@ -165,7 +165,7 @@ it("marks panels that cross themselves, in words too", async () => {
 
 it("shows how the solve went and changes it behind a fold; axe finds nothing", async () => {
   for (const colorScheme of ["light", "dark"] as const) {
-    const page = await site.open({ viewport: { width: 1280, height: 900 }, colorScheme });
+    const page = await site.openVault({ viewport: { width: 1280, height: 900 }, colorScheme });
     await typeTarget(page, "+40cm");
     const before = await movedCount(page);
     await page.getByText("Last solve", { exact: true }).click();

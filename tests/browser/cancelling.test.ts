@@ -40,7 +40,7 @@ const letGo = (page: Page): Promise<void> =>
 const cancelButton = (page: Page) => page.getByRole("button", { name: "Cancel" });
 
 it("is idle with the last design before the next solver has begun, which then knows it", async () => {
-  const page = await site.open({}, "", async (context) => void (await holdMessages(context)));
+  const page = await site.openVault({}, async (context) => void (await holdMessages(context)));
   await typeTarget(page, "+40cm");
   const [numbers, before] = [await status(page), await exportAs(page, "OBJ")];
   await hold(page);
@@ -69,7 +69,7 @@ it("is idle with the last design before the next solver has begun, which then kn
 });
 
 it("can be pressed again while the next solver is still being told", async () => {
-  const page = await site.open({}, "", async (context) => void (await holdMessages(context)));
+  const page = await site.openVault({}, async (context) => void (await holdMessages(context)));
   await typeTarget(page, "+40cm");
   const [numbers, before] = [await status(page), await exportAs(page, "OBJ")];
   await hold(page);

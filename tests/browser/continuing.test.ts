@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { idle, movedCount, obj, typeTarget, usable } from "./support/page.ts";
+import { idle, movedCount, obj, openAdvanced, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -32,7 +32,7 @@ const leftBehind = (page: Page): Promise<number> =>
     .count();
 
 it("the shape becomes the base: its own bits, no handles, one step back", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await vary(page, "0.6");
   const varied = await obj(page);
   await press(page, "Continue from this shape");
@@ -55,7 +55,7 @@ it("the shape becomes the base: its own bits, no handles, one step back", async 
 });
 
 it("a link and a reload hold the new base", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await vary(page, "-0.4");
   await press(page, "Continue from this shape");
   await typeTarget(page, "+30cm");
@@ -76,7 +76,8 @@ it("a link and a reload hold the new base", async () => {
 });
 
 it("an edit says that it leaves a variation behind, and only then", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
+  await openAdvanced(page);
   await vary(page, "0");
   await slide(page, "Locality", "2");
   expect(await leftBehind(page)).toBe(0);

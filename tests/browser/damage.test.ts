@@ -21,8 +21,11 @@ const points = (obj: string): number[][] =>
   [...obj.matchAll(/^v (\S+) (\S+) (\S+)/gm)].map((line) => line.slice(1, 4).map(Number));
 
 it("says by how much planarising moved the points, and which panels it spoilt", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();
   await pickFile(page, "twisted.obj", TWISTED);
+  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
   await page.getByRole("button", { name: "Planarise" }).first().click();
   await expect.poll(() => status(page)).toContain("planarised first");
   await idle(page);
@@ -55,8 +58,19 @@ it("says by how much planarising moved the points, and which panels it spoilt", 
   await page.context().close();
 });
 
+it("planarises without spoiling a panel, unless that is asked for", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await pickFile(page, "twisted.obj", TWISTED);
+  await page.getByRole("button", { name: "Planarise" }).first().click();
+  await idle(page);
+  await expect.poll(() => status(page)).toContain("planarised first");
+  await page.waitForTimeout(500);
+  expect(await status(page)).not.toMatch(/collapsed|concave|crossing|turned over/);
+  await page.context().close();
+});
+
 it("says which panels an edit spoilt once it is finished, and goes to each in turn", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
   await page.waitForTimeout(500);
   expect(await page.getByRole("button", { name: /: show$/ }).count()).toBe(0);

@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import { idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { idle, movedCount, obj, openAdvanced, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const scene = (name: string): string =>
@@ -30,10 +30,11 @@ it("opens recipes of the paper as the same designs, as one step", async () => {
 });
 
 it("opens a design whose mesh rides along, and what it does not name has its default", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await openFile(page, "roof.json", given(WHOLE, { handles: [[14, 2, 2, 0.4]] }));
   await page.getByText(/^Opened: the design holds no result/).waitFor();
   expect(await movedCount(page)).toBeGreaterThan(0);
+  await openAdvanced(page);
   expect(await page.getByRole("slider", { name: "Locality" }).inputValue()).toBe("1");
   const table = page.getByRole("table", { name: "Handles" });
   expect(await table.getByRole("spinbutton").count()).toBe(3);
@@ -55,7 +56,7 @@ describe("says in one sentence what is wrong, and nothing has changed", () => {
     ["mesh.json", given({ ...WHOLE, bytes: btoa("v 0 0\n") }), /line 1/],
   ];
   it.each(cases)("%s", async (name, text, sentence) => {
-    const page = await site.open();
+    const page = await site.openVault();
     await typeTarget(page, "+40cm");
     const before = await obj(page);
     await openFile(page, name, text);

@@ -3,7 +3,15 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
-import { idle, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import {
+  idle,
+  movedCount,
+  obj,
+  openAdvanced,
+  openFile,
+  status,
+  typeTarget,
+} from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -27,13 +35,14 @@ async function slide(page: Page, name: string, value: string): Promise<void> {
 const BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nv 4 0 0\nv 4 2 0\nf 1 2 3 4\nf 2 5 6 3\n";
 
 it("undoes and redoes every kind of step to the same bits", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   const seen: string[] = [await obj(page)];
   const step = async (act: () => Promise<unknown>): Promise<void> => {
     await act();
     await idle(page);
     seen.push(await obj(page));
   };
+  await openAdvanced(page);
   await step(() => typeTarget(page, "+60cm"));
   await step(() => slide(page, "Locality", "3"));
   await step(() => page.getByRole("checkbox", { name: "Pinned" }).check());
@@ -59,7 +68,7 @@ it("undoes and redoes every kind of step to the same bits", async () => {
 });
 
 it("shows exact designs in a gallery; Enter adopts one as one step", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+80cm");
   await findVariations(page);
   const centre = await obj(page);
@@ -81,7 +90,7 @@ it("shows exact designs in a gallery; Enter adopts one as one step", async () =>
 });
 
 it("keeps the sliders through undo, redo and a reload", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+70cm");
   await findVariations(page);
   const slider = page.getByRole("slider", { name: "Variation 1", exact: true });
@@ -109,7 +118,7 @@ it("keeps the sliders through undo, redo and a reload", async () => {
 });
 
 it("takes, renames, adopts and deletes snapshots by keyboard", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+50cm");
   const first = await obj(page);
   const take = page.getByRole("button", { name: "Take snapshot" });

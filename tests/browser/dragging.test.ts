@@ -20,9 +20,11 @@ beforeAll(async () => {
 });
 afterAll(() => site.close());
 
+const ROOMY = { width: 1280, height: 800 };
+
 /** A fresh page; the first time also reads its mesh, by export. */
-async function openPage(): Promise<Page> {
-  const page = await site.open();
+async function openPage(viewport = { width: 900, height: 640 }): Promise<Page> {
+  const page = await site.openVault({ viewport });
   base ??= readObj((await exportAs(page, "OBJ")).toString());
   return page;
 }
@@ -85,7 +87,7 @@ describe("a drag without a lock", () => {
   });
 
   it("goes out of a wall, and along it where that points at the viewer", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await openFile(page, "wall.obj", wall());
     await page.getByRole("button", { name: "Start editing" }).click();
     const pull = async (): Promise<readonly number[]> => {
@@ -193,10 +195,10 @@ describe("a drag", () => {
 
 describe("several points", () => {
   it("are chosen in a box and move together, as one step", async () => {
-    const page = await openPage();
+    const page = await openPage(ROOMY);
     const { x, y } = await hintedPoint(page);
     await page.getByRole("button", { name: "Select in a box" }).click();
-    await press(page, { x: x - 26, y: y - 22 }, { x: x + 26, y: y + 22 });
+    await press(page, { x: x - 44, y: y - 38 }, { x: x + 44, y: y + 38 });
     await page.mouse.up();
     expect(await movedCount(page)).toBe(0);
     await page.getByRole("button", { name: "Lock to Z" }).click();
@@ -218,7 +220,7 @@ describe("several points", () => {
   });
 
   it("are those in the last box; with Shift a box adds, and an empty one clears", async () => {
-    const page = await openPage();
+    const page = await openPage(ROOMY);
     const { x, y } = await hintedPoint(page);
     const pins = page.getByRole("button", { name: "Pin selected points" });
     const rows = async (): Promise<number[]> => {

@@ -30,7 +30,7 @@ const worst = async (page: Page): Promise<number> =>
   Number(/worst panel ([\d.]+) mm/.exec(await status(page))?.[1]);
 
 it("a slider shows the worst panel while it moves, and is exact when let go", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+80cm");
   const edited = await obj(page);
   await findVariations(page);
@@ -58,7 +58,7 @@ it("a slider shows the worst panel while it moves, and is exact when let go", as
 });
 
 it("offers as many directions as asked for, and the smoothest first if wanted", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+80cm");
   await page.getByRole("slider", { name: "Dimension" }).fill("3");
   await findVariations(page);

@@ -40,7 +40,7 @@ async function reload(page: Page): Promise<void> {
 
 describe("the solver", () => {
   it("killed during a solve is replaced; the last design is back", async () => {
-    const page = await site.open({}, "", holdSolvers);
+    const page = await site.openVault({}, holdSolvers);
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     const numbers = await status(page);
@@ -63,7 +63,7 @@ describe("the solver", () => {
   });
 
   it("killed while nothing runs is replaced too", async () => {
-    const page = await site.open({}, "", holdSolvers);
+    const page = await site.openVault({}, holdSolvers);
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     await killNow(page);
@@ -74,7 +74,7 @@ describe("the solver", () => {
   });
 
   it("out of memory says so and keeps the design", async () => {
-    const page = await site.open({ serviceWorkers: "block" }, "", insideSolver(NO_MORE_MEMORY));
+    const page = await site.openVault({ serviceWorkers: "block" }, insideSolver(NO_MORE_MEMORY));
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     // More than the memory that the solver starts with, together with its copy.
@@ -97,7 +97,7 @@ describe("a slow file", () => {
   const slow = insideSolver(SLOW_DISK);
 
   it("shows how far it is, and Cancel keeps the design", async () => {
-    const page = await site.open({ serviceWorkers: "block" }, "", slow);
+    const page = await site.openVault({ serviceWorkers: "block" }, slow);
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     const comments = Buffer.alloc(12_000_000, "# slow\n");
@@ -115,7 +115,7 @@ describe("a slow file", () => {
   });
 
   it("arrives whole", async () => {
-    const page = await site.open({ serviceWorkers: "block" }, "", slow);
+    const page = await site.openVault({ serviceWorkers: "block" }, slow);
     await openFile(page, "roof.obj", flatRoof(40));
     await expect.poll(() => status(page), { timeout: 20_000 }).toMatch(/0 of 1681 points/);
     await page.context().close();
@@ -124,7 +124,7 @@ describe("a slow file", () => {
 
 describe("the picture", () => {
   it("comes back after the graphics context was lost", async () => {
-    const page = await site.open({ reducedMotion: "reduce" });
+    const page = await site.openVault({ reducedMotion: "reduce" });
     await typeTarget(page, "+1m");
     const canvas = page.getByLabel("3D view");
     await page.waitForTimeout(600);
@@ -154,7 +154,7 @@ describe("storage", () => {
     ["denied", denyStorage],
     ["full", fillStorage],
   ])("that is %s is one quiet sentence; the page works", async (_, prepare) => {
-    const page = await site.open({}, "", prepare);
+    const page = await site.openVault({}, prepare);
     await typeTarget(page, "+60cm");
     await expect
       .poll(() => page.getByText(/does not let the page keep your design/).count())
@@ -166,18 +166,18 @@ describe("storage", () => {
   });
 
   it("with a damaged record is one sentence and the sample", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await typeTarget(page, "+60cm");
     await kept(page);
     expect(await damageRecords(page)).toBe(1);
     await reload(page);
     expect(await alertText(page)).toMatch(/damaged/);
-    expect(await status(page)).toMatch(/0 of 441 points move/);
+    expect(await status(page)).toMatch(/0 of 425 points move/);
     await page.context().close();
   });
 
   it("gives the old design or the new one, whenever the tab closes", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await typeTarget(page, "+10cm");
     await kept(page);
     let old = await obj(page);
@@ -197,7 +197,7 @@ describe("storage", () => {
   });
 
   it("of a file comes back with its edit, its unit, its snapshots and its name", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await openFile(page, "my roof.obj", flatRoof(12));
     await page.getByRole("combobox", { name: "Unit of the file" }).selectOption("mm");
     await page.getByRole("button", { name: "Start editing" }).click();
@@ -217,7 +217,7 @@ describe("storage", () => {
 
 describe("two tabs", () => {
   it("keep a design each, and neither writes over the other", async () => {
-    const first = await site.open();
+    const first = await site.openVault();
     await typeTarget(first, "+60cm");
     await kept(first);
     const ofFirst = await obj(first);

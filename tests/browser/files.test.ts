@@ -21,7 +21,7 @@ async function reportOf(page: Page, name: string): Promise<string> {
 
 describe("a mesh opens", () => {
   it("by dropping it on the page", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     const dropped = await page.evaluateHandle((text) => {
       const transfer = new DataTransfer();
       transfer.items.add(new File([text], "dropped.obj"));
@@ -36,7 +36,7 @@ describe("a mesh opens", () => {
   });
 
   it("by keyboard alone, also in OFF", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     const off = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
     await pickFile(page, "one.off", off, () => page.keyboard.press("Control+o"));
     await expect.poll(() => status(page)).toMatch(/0 of 4 points/);
@@ -47,7 +47,7 @@ describe("a mesh opens", () => {
   });
 
   it("with a report of what it is, in the unit that its numbers are in", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await openFile(page, "mixed.obj", MIXED);
     const report = await reportOf(page, "mixed.obj");
     expect(report).toMatch(/Points 12/);
@@ -71,7 +71,7 @@ describe("a mesh opens", () => {
   });
 
   it("not if three panels share an edge: the sentence names the line and the panels", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await openFile(page, "fan.obj", `${MIXED}v 500 500 900\nf 1 2 13\n`);
     expect(await page.getByRole("alert").textContent()).toMatch(
       /line \d+: the edge between vertices 1 and 2 is shared by 3 faces, among them \d+ and \d+ \(from 1\)/,
@@ -81,7 +81,7 @@ describe("a mesh opens", () => {
   });
 
   it("of sixty thousand points, while the page goes on answering", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await pickFile(page, "large.obj", flatRoof(249));
     await page.getByRole("button", { name: "Help" }).click();
     expect(await page.getByRole("dialog", { name: "How it works" }).isVisible()).toBe(true);
@@ -92,7 +92,7 @@ describe("a mesh opens", () => {
 });
 
 it("the picture out of the page is the view, in its own size", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+60cm");
   const png = await exportAs(page, "PNG");
   expect(png.subarray(1, 4).toString()).toBe("PNG");

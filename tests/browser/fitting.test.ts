@@ -79,7 +79,7 @@ it("a mesh with as many points as the one before is fitted all the same", async 
 });
 
 it("one that is made flat is seen from where it was", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await openFile(page, "bumpy.obj", sheet(0, 0.01));
   await page.getByLabel("3D view").focus();
   for (let k = 0; k < 4; ++k) await page.keyboard.press("-");
@@ -104,7 +104,7 @@ for (const [width, height] of [
   [740, 360],
 ] as const)
   it(`the legend and the views are beside the model at ${width} × ${height}`, async () => {
-    const page = await site.open({ viewport: { width, height } });
+    const page = await site.openVault({ viewport: { width, height } });
     await page.waitForTimeout(500);
     const colours = page.getByRole("combobox", { name: "Colour by" });
     expect(await edgesUnder(page, "Legend")).toBe(0);
@@ -117,8 +117,10 @@ for (const [width, height] of [
       expect([name, await edgesUnder(page, "Views")]).toEqual([name, 0]);
     }
     // The picture can tell: nearer, the model is under them.
-    await page.getByLabel("3D view").focus();
-    for (let k = 0; k < 8; ++k) await page.keyboard.press("+");
+    const middle = await page.locator(".marker").first().boundingBox();
+    if (!middle) throw new Error("no handle");
+    await page.mouse.move(middle.x + middle.width / 2, middle.y + middle.height / 2);
+    for (let k = 0; k < 20; ++k) await page.mouse.wheel(0, -120);
     await expect.poll(() => edgesUnder(page, "Legend")).toBeGreaterThan(0);
     await page.context().close();
   });

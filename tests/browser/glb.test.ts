@@ -79,7 +79,7 @@ async function slide(page: Page, name: string, value: string): Promise<void> {
 
 describe("a GLB from the page", () => {
   it("is valid and holds the panels: no edit, an edit, variations", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     for (const sample of ["Dome", "Hexagonal shell"]) {
       await chooseSample(page, sample);
       const plain = await exportAs(page, "GLB");
@@ -105,7 +105,7 @@ describe("a GLB from the page", () => {
   });
 
   it("opens again as the editable design", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await chooseSample(page, "Dome");
     await typeTarget(page, "+20cm");
     await findVariations(page);
@@ -115,7 +115,7 @@ describe("a GLB from the page", () => {
       await exportObj(page),
       await movedCount(page),
     ];
-    const fresh = await site.open();
+    const fresh = await site.open(); // no link, whose own "Verified" would answer at once
     await openFile(fresh, "design.glb", glb);
     await expect.poll(() => fresh.getByText(/^Verified/).count()).toBe(1);
     expect(await exportObj(fresh)).toEqual(obj);
@@ -133,7 +133,7 @@ describe("a GLB from the page", () => {
   });
 
   it("of a file opens again, edited, with the base's own bits", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await chooseSample(page, "Freeform roof");
     const base = (await exportAs(page, "OBJ")).toString();
     await openFile(page, "roof.obj", base);
@@ -150,7 +150,7 @@ describe("a GLB from the page", () => {
   });
 
   it("whose recipe cannot be read opens with the shape that was stored", async () => {
-    const page = await site.open();
+    const page = await site.openVault();
     await chooseSample(page, "Dome");
     await typeTarget(page, "+20cm");
     const [glb, obj] = [await exportAs(page, "GLB"), await exportObj(page)];
@@ -167,7 +167,7 @@ describe("a GLB from the page", () => {
 });
 
 it("a GLB from the page can be shown as glass or as a heat map: each variant has its material", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await chooseSample(page, "Dome");
   await typeTarget(page, "+20cm");
   const document = await readGlb(await exportAs(page, "GLB"));
@@ -197,7 +197,7 @@ it("a GLB from the page can be shown as glass or as a heat map: each variant has
 });
 
 it("OBJ and PLY out of the page hold the same bits", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await chooseSample(page, "Hexagonal shell");
   await typeTarget(page, "+10cm");
   const obj = (await exportAs(page, "OBJ")).toString();

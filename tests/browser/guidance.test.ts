@@ -77,7 +77,7 @@ it("a lock chosen in a drag ends with it, one chosen before ends with the mesh",
   await idle(page);
   expect(await held("Lock to Z")).toBe("false");
   await page.getByRole("button", { name: "Lock to X", exact: true }).click();
-  await page.getByRole("slider", { name: "Locality" }).fill("2");
+  await page.getByRole("slider", { name: "Reach" }).fill("4");
   await idle(page);
   expect(await held("Lock to X")).toBe("true");
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
@@ -99,7 +99,7 @@ it("says why a drag towards the viewer moves nothing", async () => {
   await expect.poll(() => said.count()).toBe(0);
   await page.mouse.up();
   await idle(page);
-  expect(await status(page)).not.toContain("0 of 441 points move");
+  expect(await status(page)).not.toContain("0 of 425 points move");
   await page.context().close();
 });
 

@@ -45,7 +45,7 @@ it.each([
   [1280, 800],
   [320, 568],
 ])("shows every digit of far coordinates and high numbers at %d × %d", async (width, height) => {
-  const page = await site.open({ viewport: { width, height } });
+  const page = await site.openVault({ viewport: { width, height } });
   const { text, points } = farRoof();
   await openFile(page, "far.obj", text);
   await page.getByRole("button", { name: "Start editing" }).click();
@@ -71,7 +71,7 @@ it.each([
 });
 
 it("shows every digit of what fits into one line", async () => {
-  const page = await site.open({ viewport: { width: 320, height: 568 } });
+  const page = await site.openVault({ viewport: { width: 320, height: 568 } });
   await page.getByRole("button", { name: "Add handle" }).click();
   await idle(page);
   for (const field of await table(page).getByRole("spinbutton").all()) {
@@ -93,7 +93,7 @@ async function selectMany(page: Page, { x, y }: Place): Promise<void> {
 }
 
 it("many pins are one row, which selects, lists and removes them; P leaves no handles", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await selectMany(page, await hintedPoint(page));
   await page.keyboard.press("p");
   await idle(page);
@@ -123,7 +123,7 @@ it("many pins are one row, which selects, lists and removes them; P leaves no ha
 });
 
 it("Add handle takes one of many, a drag of many is one row, and all can be removed", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   const at = await hintedPoint(page);
   await selectMany(page, at);
   await page.getByRole("button", { name: "Add handle" }).click();

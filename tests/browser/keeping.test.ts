@@ -33,7 +33,7 @@ it("storage that answers late costs neither the page nor what is kept", async ()
   await kept(page);
   const records = await keptRecords(page);
   await visit(page, "?slow");
-  expect(await status(page)).toMatch(/0 of 441 points move/);
+  expect(await status(page)).toMatch(/0 of 425 points move/);
   expect(await page.getByText(/does not let the page keep your design/).count()).toBe(1);
   await typeTarget(page, "+10cm");
   // The storage arrives meanwhile.
@@ -52,7 +52,7 @@ it("a record of a newer version is left alone; the tab keeps its own beside it",
   await kept(page);
   const newer = await keptRecords(page, { at: 4, bits: 2 });
   await visit(page);
-  expect(await status(page)).toMatch(/0 of 441 points move/);
+  expect(await status(page)).toMatch(/0 of 425 points move/);
   expect(await page.getByRole("alert").count()).toBe(0);
   await typeTarget(page, "+10cm");
   const own = await obj(page);

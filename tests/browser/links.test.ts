@@ -81,7 +81,7 @@ describe("a link that cannot be opened says why, and the page still works", () =
   it.each(cases)("%s", async (_, make, sentence) => {
     const page = await openWith(await make());
     expect(await page.getByRole("alert").textContent()).toMatch(sentence);
-    expect(await status(page)).toMatch(/0 of 441 points move/);
+    expect(await status(page)).toMatch(/0 of 425 points move/);
     await typeTarget(page, "+10cm");
     expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
     await page.context().close();

@@ -2,7 +2,7 @@
 // What the view says about points: under the pointer, chosen, and where a handle came from.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { idle, movedCount, status, typeTarget } from "./support/page.ts";
+import { idle, movedCount, openAdvanced, status, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
@@ -21,7 +21,7 @@ async function pixels(page: Page, { x, y }: Place, size = 24): Promise<string> {
 
 describe("the pointer on a point", () => {
   it("marks it and says its figure; beside the model neither", async () => {
-    const page = await site.open({ reducedMotion: "reduce" });
+    const page = await site.openVault({ reducedMotion: "reduce" });
     const at = await hintedPoint(page);
     const { x, y, height } = await viewBox(page);
     const beside = { x: x + 20, y: y + height / 2 };
@@ -39,7 +39,7 @@ describe("the pointer on a point", () => {
   });
 
   it("draws a ring about it", async () => {
-    const page = await site.open({ reducedMotion: "reduce" });
+    const page = await site.openVault({ reducedMotion: "reduce" });
     await typeTarget(page, "+60cm");
     await page.getByRole("button", { name: "Top", exact: true }).click();
     const { x, y, width, height } = await viewBox(page);
@@ -58,7 +58,7 @@ describe("the pointer on a point", () => {
   });
 
   it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
-    const page = await site.open({ reducedMotion: "reduce" });
+    const page = await site.openVault({ reducedMotion: "reduce" });
     const at = await hintedPoint(page);
     await press(page, at, { x: at.x, y: at.y - 50 });
     const largest = async (): Promise<string> =>
@@ -107,7 +107,7 @@ it("a line goes from where a handle was to where it is pulled, and hides with Be
 });
 
 it("a ticked box in the table of handles shows a tick", async () => {
-  const page = await site.open({ deviceScaleFactor: 4 });
+  const page = await site.openVault({ deviceScaleFactor: 4 });
   await typeTarget(page, "+10cm");
   const pin = page.getByRole("checkbox", { name: "Pinned" });
   await pin.check();
@@ -127,7 +127,8 @@ it("a ticked box in the table of handles shows a tick", async () => {
 });
 
 it("every slider says its value with its unit", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
+  await openAdvanced(page);
   const spoken = (name: string) =>
     page.getByRole("slider", { name, exact: true }).getAttribute("aria-valuetext");
   expect(await spoken("Locality")).toBe(
@@ -155,13 +156,13 @@ it("every slider says its value with its unit", async () => {
   const all = await page.getByRole("slider").all();
   for (const slider of all)
     expect(await slider.getAttribute("aria-valuetext")).toMatch(
-      /^[+−]?[\d.]+ (mm|m|times|directions?|panels?|of 10)\b/,
+      /^(?:[+−]?[\d.]+ (mm|m|times|directions?|panels?|of 10)|no limit|by the raw weights)\b/,
     );
   await page.context().close();
 });
 
 it("Share puts the link itself on the clipboard", async () => {
-  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  const page = await site.openVault({ permissions: ["clipboard-read", "clipboard-write"] });
   await typeTarget(page, "+40cm");
   await page.getByRole("button", { name: "Share" }).click();
   const link = await page.getByRole("textbox", { name: "Link" }).inputValue();

@@ -17,6 +17,9 @@ import { site } from "./support/site.ts";
 /** Points along one side. */
 const SIDE = 71;
 
+/** Updates that the share of one is taken over: how long they take is the machine's affair. */
+const UPDATES = 30;
+
 /** A doubly curved roof of parallelograms: every panel is flat. */
 function curvedRoof(): string {
   const lines: string[] = [];
@@ -79,15 +82,21 @@ it("a drag on 5041 points: every frame's script stays far below a long task", as
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(x, y - 4);
-  await expect.poll(() => movedCount(page), { timeout: 20_000 }).toBeGreaterThan(0);
+  // As a hand does: a frame that finds no way in its time is followed by the next.
+  let moves = 0;
+  const nudged = async (): Promise<number> => {
+    await page.mouse.move(x, y - 4 - (moves++ % 4));
+    return movedCount(page);
+  };
+  await expect.poll(nudged, { timeout: 20_000 }).toBeGreaterThan(0);
   const before = await page.evaluate(() => {
     const window_ = window as unknown as PacedWindow;
     window_.longTasks = [];
     return window_.answers;
   });
   const [begun, scriptBefore] = [Date.now(), await spent()];
-  for (let k = 0; k < 120; ++k) {
+  const answered = () => page.evaluate(() => (window as unknown as PacedWindow).answers);
+  for (let k = 0; k < 120 || (await answered()) - before <= UPDATES; ++k) {
     await page.mouse.move(x + 12 * Math.sin(k / 9), y - 6 - 12 * Math.sin(k / 19) ** 2);
     await page.waitForTimeout(8);
   }
@@ -105,7 +114,6 @@ it("a drag on 5041 points: every frame's script stays far below a long task", as
       `${perUpdate.toFixed(1)} ms of script each, ${longTasks.length} long tasks` +
       (longTasks.length > 0 ? ` (longest ${Math.max(...longTasks).toFixed(0)} ms)` : ""),
   );
-  expect(updates).toBeGreaterThan(20);
   expect(perUpdate).toBeLessThan(50);
   await page.context().close();
 });

@@ -36,7 +36,7 @@ it("has a head that fits and is explained, at a desk and on a telephone", async 
     { width: 1440, height: 900 },
     { width: 360, height: 740 },
   ]) {
-    const page = await site.open({ viewport });
+    const page = await site.openVault({ viewport });
     await typeTarget(page, "+40cm");
     await expect.poll(() => shows(page).count()).toBe(8);
     expect(await collisions(page)).toEqual([]);
@@ -53,7 +53,7 @@ it("has a head that fits and is explained, at a desk and on a telephone", async 
 });
 
 it("goes on by keyboard, and lists those alone that must be made again", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
   await expect.poll(() => shows(page).count()).toBe(8);
   await page.getByRole("button", { name: "Show 50 more" }).focus();
@@ -64,6 +64,7 @@ it("goes on by keyboard, and lists those alone that must be made again", async (
   const summary = await page.getByText(/panels must be made again after this edit/).textContent();
   const changed = Number.parseInt(summary ?? "", 10);
   expect(changed).toBeGreaterThan(0);
+  expect(summary).toMatch(/, \d+ of them with a new bevel only; /);
   await page.getByRole("checkbox", { name: "Only panels that must be made again" }).check();
   expect(await shows(page).count()).toBe(Math.min(108, changed));
   expect(await page.getByText(new RegExp(`of ${changed} panels`)).count()).toBe(1);
@@ -73,8 +74,37 @@ it("goes on by keyboard, and lists those alone that must be made again", async (
   await page.context().close();
 });
 
+it("says and colours how many panels must be made again after the edit", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const note = page.getByRole("button", { name: /^\d+ panels to make again$/ });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => note.count()).toBe(1);
+  const total = Number.parseInt((await note.textContent()) ?? "", 10);
+  const view = page.getByLabel("3D view");
+  const before = await view.screenshot();
+  await note.press("Enter");
+  expect(await page.getByRole("combobox", { name: "Colour by" }).inputValue()).toBe("remake");
+  const legend = page.getByRole("group", { name: "Legend", exact: true });
+  const countOf = async (word: string): Promise<number> => {
+    const text = await legend.getByRole("button", { name: new RegExp(`^${word}`) }).textContent();
+    return Number(/\d+$/.exec(text ?? "")?.[0]);
+  };
+  await expect.poll(() => countOf("cut again")).toBeGreaterThan(0);
+  const [cut, bevel] = [await countOf("cut again"), await countOf("new bevel only")];
+  expect(bevel).toBeGreaterThan(0);
+  expect(cut + bevel).toBe(total);
+  expect(await countOf("unchanged")).toBe(400 - total);
+  expect((await view.screenshot()).equals(before)).toBe(false);
+  await legend.getByRole("button", { name: /^new bevel only/ }).click();
+  await page.getByText(/^Panel \d+ 4 corners/).waitFor();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => note.count()).toBe(0);
+  await expect.poll(() => countOf("unchanged")).toBe(400);
+  await page.context().close();
+});
+
 it("says that the planarity scale is logarithmic, with ticks ten times apart", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
   await page.getByText(/mm\/m, logarithmic/).waitFor();
   const named = page.locator(".decades").getByText(/^(0\.0*1|10*)$/);
@@ -104,7 +134,7 @@ it("says that the planarity scale is logarithmic, with ticks ten times apart", a
 });
 
 it("goes to the next panel of a class of the legend", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await pickFile(page, "bow.obj", BOW_TIE);
   await page.getByRole("button", { name: "Start editing" }).click();
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
@@ -119,7 +149,7 @@ it("goes to the next panel of a class of the legend", async () => {
 });
 
 it("names the figure that was chosen, until another mesh is opened", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   const sample = page.getByRole("combobox", { name: "Sample" });
   const chosen = (): Promise<string> =>
     sample.evaluate((select: HTMLSelectElement) => select.selectedOptions[0]?.textContent ?? "");
@@ -145,7 +175,7 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
 });
 
 it("speaks of millimetres, and of flat panels only where they are flat", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
   await page.getByText("Last solve", { exact: true }).click();
   const curve = page.getByRole("img", { name: /^Residual of \d+ steps/ });
@@ -182,7 +212,7 @@ function farPlane(offset: number): string {
 }
 
 it("calls flat what the coordinates cannot hold flatter, and says so", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   const verdict = page.getByText(/^(Every|Worst) panel/).last();
   const colour = (): Promise<string> => verdict.evaluate((at) => getComputedStyle(at).color);
   await expect.poll(() => verdict.textContent()).toBe("Every panel is flat (< 0.000001 mm/m).");

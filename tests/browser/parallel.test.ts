@@ -64,7 +64,7 @@ it("a wall is a line from above, until Perspective; turning keeps the lens", asy
 });
 
 it("what is kept comes back in parallel, at its size", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   const at = await hintedPoint(page);
   await press(page, at, { x: at.x, y: at.y - 40 });
   await page.mouse.up();
@@ -91,7 +91,7 @@ it("what is kept comes back in parallel, at its size", async () => {
 });
 
 it("a point dragged in the plan follows the pointer, wherever it is high", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await view(page, "Top");
   const { left, right } = await edges(page);
   const from = await hintedPoint(page);

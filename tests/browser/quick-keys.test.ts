@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/share/link.ts";
-import { exportAs, idle, typeTarget } from "./support/page.ts";
+import { exportAs, idle, openAdvanced, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -23,7 +23,7 @@ async function twentyKeys(page: Page, name: string, after: () => Promise<void>):
 }
 
 it("a snapshot, a link and a file hold where twenty quick keys went", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+80cm");
   await press(page, "Find variations");
   await twentyKeys(page, "Variation 1", () =>
@@ -51,7 +51,7 @@ it("a snapshot, a link and a file hold where twenty quick keys went", async () =
 });
 
 it("twenty quick keys in a coordinate are twenty steps of it and one of the history", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+60cm");
   const field = page.getByRole("spinbutton", { name: "Z", exact: true });
   const before = Number(await field.getAttribute("aria-valuenow"));
@@ -72,9 +72,10 @@ it("twenty quick keys in a coordinate are twenty steps of it and one of the hist
 });
 
 it("all keys until the slider is left are one step", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+60cm");
   const edited = (await exportAs(page, "OBJ")).toString();
+  await openAdvanced(page);
   await slider(page, "Locality").focus();
   for (let k = 0; k < 3; ++k) {
     await page.keyboard.press("ArrowRight");

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What the edit's limits promise: nothing beyond the reach moves, and a kept boundary stays.
+// What the edit's limits promise: nothing beyond the reach moves, a kept boundary stays, and a drag is
+// held back before panels fold sharply. A new visitor has them.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, typeTarget } from "./support/page.ts";
+import { exportAs, idle, movedCount, openAdvanced, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { handleRows } from "./support/view.ts";
-
-const REACH = 4;
+import { handleRows, hintedPoint, press } from "./support/view.ts";
 
 async function slide(page: Page, name: string, value: string): Promise<void> {
   await page.getByRole("slider", { name }).fill(value);
   await idle(page);
 }
+
+const exported = async (page: Page): Promise<ObjMesh> =>
+  readObj((await exportAs(page, "OBJ")).toString());
 
 /** Points on edges that one panel alone uses. */
 function boundaryOf({ faces }: ObjMesh): Set<number> {
@@ -32,32 +34,120 @@ function within({ faces }: ObjMesh, from: number, rings: number): Set<number> {
   return inside;
 }
 
-it("nothing beyond the reach moves, and a kept boundary stays, to the last digit", async () => {
+const movedIn = (edited: ObjMesh, base: ObjMesh): number[] =>
+  edited.lines.flatMap((line, v) => (line === base.lines[v] ? [] : [v]));
+
+async function handle(page: Page): Promise<number> {
+  const [row] = await handleRows(page);
+  if (!row) throw new Error("no handle");
+  return row.vertex;
+}
+
+it("a new visitor's edit stays in its reach, and the boundary stays, to the last digit", async () => {
   const page = await site.open();
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
-  const base = readObj((await exportAs(page, "OBJ")).toString());
+  expect(await page.getByRole("slider", { name: "Reach" }).inputValue()).toBe("6");
+  expect(await page.getByRole("slider", { name: "Softness" }).inputValue()).toBe("5");
+  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(true);
+  const base = await exported(page);
   await typeTarget(page, "+50cm");
-  const weights = await movedCount(page);
+  const boundary = boundaryOf(base);
+  // Whatever the sliders say.
+  for (const [reach, softness] of [
+    ["6", "5"],
+    ["4", "10"],
+    ["2", "1"],
+  ] as const) {
+    await slide(page, "Reach", reach);
+    await slide(page, "Softness", softness);
+    const moved = movedIn(await exported(page), base);
+    const near = within(base, await handle(page), Number(reach));
+    expect(moved.length).toBeGreaterThan(2);
+    expect(moved.filter((v) => !near.has(v))).toEqual([]);
+    expect(moved.filter((v) => boundary.has(v))).toEqual([]);
+    const effect = moved.length === 1 ? "1 point moves" : `${moved.length} points move`;
+    await page.getByText(effect, { exact: true }).waitFor();
+    await page
+      .getByText(/^sharpest fold [\d.]+° \(was [\d.]+°\)$/)
+      .first()
+      .waitFor();
+  }
+  expect(await status(page)).toMatch(/ · sharpest fold [\d.]+° \(was [\d.]+°\) · /);
+  await page.context().close();
+});
 
-  await slide(page, "Reach", String(REACH));
-  await slide(page, "Softness", "5");
-  await page.getByRole("checkbox", { name: "Keep boundary" }).check();
+it("a point on a kept boundary moves where it is dragged, alone of the boundary", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
-  expect(await page.getByRole("slider", { name: "Locality" }).isDisabled()).toBe(true);
-  const edited = readObj((await exportAs(page, "OBJ")).toString());
-  const moved = edited.points.flatMap((p, v) => (p.join() === base.points[v]?.join() ? [] : [v]));
-  const [handle = { vertex: -1 }] = await handleRows(page);
-  const [near, boundary] = [within(base, handle.vertex, REACH), boundaryOf(base)];
-  expect(moved.length).toBeGreaterThan(20);
-  expect(moved.filter((v) => !near.has(v))).toEqual([]);
-  expect(moved.filter((v) => boundary.has(v))).toEqual([]);
+  const base = await exported(page);
+  const boundary = boundaryOf(base);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  for (let k = 0; k < 12; ++k) await page.keyboard.press("ArrowLeft");
+  await typeTarget(page, "+10cm");
+  const vertex = await handle(page);
+  expect(boundary.has(vertex)).toBe(true);
+  const moved = movedIn(await exported(page), base);
+  expect(moved.filter((v) => boundary.has(v))).toEqual([vertex]);
+  await page.context().close();
+});
 
-  // Back to the weights: the edit that they give.
-  await slide(page, "Softness", "0");
-  await slide(page, "Reach", "0");
-  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
+it("raw weights are the command line's, in Advanced; Softness takes over again", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
-  expect(await movedCount(page)).toBe(weights);
+  await typeTarget(page, "+50cm");
+  const soft = await movedCount(page);
+  await openAdvanced(page);
+  const locality = page.getByRole("slider", { name: "Locality" });
+  expect(await locality.isDisabled()).toBe(true);
+  const choice = page.getByRole("combobox", { name: "Bends by" });
+  await choice.selectOption("Raw weights");
+  await idle(page);
+  expect(await locality.isDisabled()).toBe(false);
+  expect(await locality.inputValue()).toBe("1");
+  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(false);
+  await page.getByText("no limit", { exact: true }).first().waitFor();
+  const raw = await movedCount(page);
+  expect(raw).not.toBe(soft);
+  const vault = await site.openVault();
+  await typeTarget(vault, "+50cm");
+  expect(await movedCount(vault)).toBe(raw);
+  await vault.context().close();
+  await choice.selectOption("Reach and softness");
+  await idle(page);
+  expect(await movedCount(page)).toBe(soft);
+  await page.context().close();
+});
+
+it("a long drag is held back before panels fold sharply; Shift goes through", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  const fold = async (): Promise<number> =>
+    Number(/sharpest fold ([\d.]+)°/.exec(await status(page))?.[1]);
+  const before = async (): Promise<number> =>
+    Number(/\(was ([\d.]+)°\)/.exec(await status(page))?.[1]);
+  const said = page.getByText(/^Held back: /);
+  await press(page, at, { x: at.x, y: at.y - 140 });
+  await said.waitFor();
+  await page.mouse.up();
+  await idle(page);
+  expect(await said.count()).toBe(1);
+  expect(await fold()).toBeLessThanOrEqual((await before()) + 11);
+  const [held] = await handleRows(page);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await press(page, at, { x: at.x, y: at.y - 60 });
+  await page.keyboard.down("Shift");
+  await page.mouse.move(at.x, at.y - 140);
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  await idle(page);
+  expect(await said.count()).toBe(0);
+  expect(await fold()).toBeGreaterThan((await before()) + 11);
+  const [through] = await handleRows(page);
+  expect(through?.target[2]).toBeGreaterThan((held?.target[2] ?? Number.NaN) + 0.5);
   await page.context().close();
 });

@@ -40,7 +40,7 @@ const FOUR = `${[0, 1, 2].flatMap((y) => [0, 1, 2].map((x) => `v ${x} ${y} 0`)).
 f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n`;
 
 it("a click in the view selects the panel under it, and beside the model none", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await openFile(page, "four.obj", FOUR);
   await page.getByRole("button", { name: "Start editing" }).click();
   await page.getByRole("button", { name: "Top", exact: true }).click();
@@ -65,7 +65,7 @@ const BOX = `v 0 0 0\nv 6 0 0\nv 6 4 0\nv 0 4 0\nv 0 0 3\nv 6 0 3\nv 6 4 3\nv 0 
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n`;
 
 it("a panel chosen in the table can be seen: a click on it in the view selects it", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await openFile(page, "box.obj", BOX);
   await page.getByRole("button", { name: "Start editing" }).click();
   const { x, y, width, height } = await viewBox(page);
@@ -84,7 +84,7 @@ it("a panel chosen in the table can be seen: a click on it in the view selects i
 });
 
 it("the arrows stand at the selected point, before it is moved and after", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Top", exact: true }).click();
   await page.waitForTimeout(500);
   const point = await hintedPoint(page);

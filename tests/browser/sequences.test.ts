@@ -183,7 +183,7 @@ class Visitor {
       const remove = buttons.find((name) => /^Remove/.test(name));
       if (remove) actions.push(...this.#pressing(remove, "step"));
     }
-    actions.push(this.#weight("Locality"), this.#weight("Smoothness"));
+    actions.push(this.#slider("Reach", 12), this.#slider("Softness", 10));
     if (buttons.includes("Find variations")) actions.push(...this.#exploring(buttons));
     if (buttons.includes("Continue from this shape"))
       actions.push(...this.#pressing("Continue from this shape", "opened"));
@@ -198,8 +198,8 @@ class Visitor {
     return { name: `${axis} ${text}`, records: "step", act };
   }
 
-  #weight(name: string): Action {
-    const value = String((5 + this.#below(60)) / 10);
+  #slider(name: string, most: number): Action {
+    const value = String(1 + this.#below(most));
     const act = () => this.#hands.fill("slider", name, value);
     return { name: `${name} ${value}`, records: "step", act };
   }

@@ -5,7 +5,7 @@ import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
 import { idle, movedCount, obj } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { handleRows, hintedPoint, type Place } from "./support/view.ts";
+import { handleRows, hintedPoint, type Place, viewBox } from "./support/view.ts";
 
 /** Points along and across the first sample. */
 const SIDE = 21;
@@ -24,27 +24,31 @@ const selected = async (page: Page): Promise<number> =>
 const expectSelected = (page: Page, count: number): Promise<void> =>
   expect.poll(() => selected(page)).toBe(count);
 
+/** Where the selected points are on screen. */
+const marked = (page: Page): Promise<Place[]> =>
+  page.locator(".marker.selected").evaluateAll((all) =>
+    all.map((mark) => {
+      const { x, y, width, height } = mark.getBoundingClientRect();
+      return { x: x + width / 2, y: y + height / 2 };
+    }),
+  );
+
 /** Selects the first visit's point and its neighbour to the right; gives the middle of their edge. */
 async function selectEdge(page: Page): Promise<Place> {
   const at = await hintedPoint(page);
   await page.mouse.click(at.x, at.y);
   await page.keyboard.press("Control+ArrowRight");
   await expectSelected(page, 2);
-  const places = async (): Promise<Place[]> =>
-    page.locator(".marker.selected").evaluateAll((all) =>
-      all.map((mark) => {
-        const { x, y, width, height } = mark.getBoundingClientRect();
-        return { x: x + width / 2, y: y + height / 2 };
-      }),
-    );
   // A mark lies at the corner of the view until it is drawn.
-  await expect.poll(async () => Math.abs(((await places())[1]?.x ?? 0) - at.x)).toBeLessThan(60);
-  const [a = at, b = at] = await places();
+  await expect
+    .poll(async () => Math.abs(((await marked(page))[1]?.x ?? 0) - at.x))
+    .toBeLessThan(60);
+  const [a = at, b = at] = await marked(page);
   return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
 }
 
 it("a double click on an edge selects its line, with Alt its strip; the strip's buttons too", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   const middle = await selectEdge(page);
   await page.mouse.dblclick(middle.x, middle.y);
   await expectSelected(page, SIDE);
@@ -63,7 +67,7 @@ it("a double click on an edge selects its line, with Alt its strip; the strip's 
 });
 
 it("a selection grows, shrinks and is turned round", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await selectEdge(page);
   await press(page, "Grow");
   await expectSelected(page, 8);
@@ -81,7 +85,7 @@ it("a selection grows, shrinks and is turned round", async () => {
 });
 
 it("the boundary is pinned and a line raised by an amount, in twelve actions; both are let go", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   const base = readObj(await obj(page));
   const middle = await selectEdge(page);
   await page.keyboard.press("Escape");
@@ -130,3 +134,25 @@ it("the boundary is pinned and a line raised by an amount, in twelve actions; bo
   await expect.poll(() => table.getByRole("row").count()).toBe(1);
   await page.context().close();
 });
+
+for (const [width, height] of [
+  [900, 640],
+  [390, 844],
+] as const)
+  it(`what can be done with several points covers none of them at ${width} × ${height}`, async () => {
+    const page = await site.open({ viewport: { width, height } });
+    await selectEdge(page);
+    const [view, box] = [await viewBox(page), await strip(page).boundingBox()];
+    if (!box) throw new Error("no strip");
+    const beside = box.x >= view.x + view.width || box.y >= view.y + view.height;
+    expect(beside).toBe(true);
+    // Both points can still be pressed.
+    for (const { x, y } of await marked(page)) {
+      const hit = await page.evaluate(
+        ([px = 0, py = 0]) => document.elementFromPoint(px, py)?.tagName,
+        [x, y],
+      );
+      expect(hit).toBe("CANVAS");
+    }
+    await page.context().close();
+  });

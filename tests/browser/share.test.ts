@@ -20,7 +20,7 @@ const figures = async (page: Page): Promise<string> =>
   /^.*worst panel [^·]*/.exec(await status(page))?.[0].trim() ?? "none";
 
 it("a shared link opens as the same design, to the last bit", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await page.getByRole("button", { name: "Add handle" }).click();
   const z = page.getByRole("spinbutton", { name: "Z" });
   await z.fill("+40cm");
@@ -57,7 +57,7 @@ async function vary(page: Page, slider: string, value: string): Promise<void> {
 }
 
 it("a link holds file, unit, families and camera: shared again it is the same link", async () => {
-  const page = await site.open({ reducedMotion: "reduce" });
+  const page = await site.openVault({ reducedMotion: "reduce" });
   await openFile(page, "roof.obj", flatRoof(10));
   await page.getByRole("combobox", { name: "Unit of the file" }).selectOption("cm");
   await page.getByRole("button", { name: "Start editing" }).click();
@@ -90,7 +90,7 @@ function noise(triangles: number): string {
 }
 
 it("warns of long links and offers a file instead of longer ones", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await openFile(page, "noise.obj", noise(100));
   await page.getByRole("button", { name: "Start editing" }).click();
   expect((await linkOf(page)).length).toBeGreaterThan(8_000);
@@ -110,7 +110,7 @@ it("warns of long links and offers a file instead of longer ones", async () => {
 });
 
 it("a link opened over a kept design keeps that one; after an edit a reload keeps the edit", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+30cm");
   const link = await linkOf(page);
   await typeTarget(page, "+20cm");

@@ -42,7 +42,7 @@ async function expectTruth(page: Page, words: string): Promise<void> {
 }
 
 it("says how far a point stops short, and can do away with it", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+50mm");
   await page.getByText("Last solve", { exact: true }).click();
   expect(await away(page)).toBeGreaterThan(1);
@@ -57,7 +57,7 @@ it("says how far a point stops short, and can do away with it", async () => {
 });
 
 it("speaks of the variation that is shown, not of the edit before it", async () => {
-  const page = await site.open();
+  const page = await site.openVault();
   await typeTarget(page, "+80cm");
   await page.getByText("Last solve", { exact: true }).click();
   await press(page, "Find variations");

@@ -66,7 +66,7 @@ void add_designs(Corpus& corpus) {
   design.source = SampleSource{"vault", 8};
   corpus.add("design", write_design(design));
   design.source = FileSource{"a.obj", 0xdeadbeef, "obj", "v 0 0 0\n"};
-  design.planarised = true;
+  design.planarised = kNearestFlat;
   design.targets = {{{4, {1.0, 2.0, 3.5}}, {7, {-1e-9, 1e9, 0.1}}}, {1, 2}};
   design.variations.push_back({{.dimension = 2}, {0.5, -0.25}, true});
   design.result = DesignMark{0x12345678, 1, {{4, {1.0, 2.0, 3.5}}}};

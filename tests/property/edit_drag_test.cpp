@@ -62,8 +62,8 @@ TEST_P(DragOn, ReleaseDoesNotDependOnThePath) {
   for (const double share : {0.2, -1.0, 2.0, 0.5}) {
     (void)winding.drag(at(share, {0.7, -0.4, 1.0}), kAmpleSeconds);
   }
-  const Positions first = apply(mesh, straight.release(at(1.0)));
-  const Positions second = apply(mesh, winding.release(at(1.0)));
+  const Positions first = apply(mesh, straight.solve(at(1.0)));
+  const Positions second = apply(mesh, winding.solve(at(1.0)));
   const Positions alone = apply(mesh, solve_handle_edit(mesh, at(1.0)));
   EXPECT_TRUE(testing::same_bits(first, second));
   EXPECT_TRUE(testing::same_bits(first, alone));
@@ -98,7 +98,7 @@ TEST_P(DragOn, JumpsAndNewHandlesStayExact) {
   solver.set_options({.smoothness = 10.0});
   expect_exact(solver.drag(other, kAmpleSeconds));
   EXPECT_TRUE(
-      testing::same_bits(apply(mesh, solver.release(at(1.0))),
+      testing::same_bits(apply(mesh, solver.solve(at(1.0))),
                          apply(mesh, solve_handle_edit(mesh, at(1.0), {.smoothness = 10.0}))));
 }
 

@@ -155,7 +155,7 @@ TEST_P(ReachOn, MoreSoftnessNeverMakesTheSharpestFoldSharper) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, ReachOn,
-                         ::testing::Values("vault", "dome", "freeform", "hex", "trihex"));
+                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex"));
 
 /// A length measures straight from the handle, and never jumps over what is farther.
 TEST(Reach, OfALengthIsABallAroundTheHandles) {

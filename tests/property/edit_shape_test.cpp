@@ -93,7 +93,7 @@ TEST(EditShapeOff, SpoilsPanels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, EditShape,
-                         ::testing::Values("vault", "dome", "freeform", "hex", "trihex"),
+                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex"),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

@@ -121,6 +121,21 @@ TEST_P(EditOn, EverythingElsePinnedLeavesTheMeshAlone) {
   EXPECT_GT(result.report.handle_error, 0.1);
 }
 
+/// The base is exact and sound, but it is no answer to a hard handle.
+TEST_P(EditOn, AHardHandleThatNothingCanFollowIsReported) {
+  EditTargets targets = testing::pull(mesh, middle, {0.0, 0.0, 3.0});
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (v != middle) targets.pins.push_back(v);
+  }
+  for (const Engine engine : {Engine::kNewton, Engine::kAugmentedLagrangian}) {
+    const HandleEditResult result =
+        solve_handle_edit(mesh, targets, {.hard_handles = true, .engine = engine});
+    expect_exact(mesh, result);
+    EXPECT_EQ(result.report.status, SolveStatus::kInfeasibleHandles);
+    EXPECT_GT(result.report.handle_error, 1.0);
+  }
+}
+
 TEST_P(EditOn, HandlesOnTheBoundaryAndInTheCorners) {
   const Adjacency adjacency = build_adjacency(mesh);
   int tried = 0;
@@ -209,7 +224,7 @@ TEST_P(EditOn, ReportedTermsAreTheWeightedTermsOfTheProblem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, EditOn,
-                         ::testing::Values("vault", "dome", "freeform", "hex", "trihex"));
+                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex"));
 
 TEST(EditTargets, NameWhatIsWrong) {
   const Mesh mesh = testing::quad_grid(4, 4);

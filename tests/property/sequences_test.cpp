@@ -117,7 +117,7 @@ class Designer {
       }
       take(targets, solver_.drag(targets, kUnhurried), "drag");
     }
-    const HandleEditResult released = solver_.release(end);
+    const HandleEditResult released = solver_.solve(end);
     take(end, released, "release");
     const HandleEditResult fresh = solve_handle_edit(base_, end, options_);
     EXPECT_TRUE(same_bits(released.moved_positions, fresh.moved_positions))

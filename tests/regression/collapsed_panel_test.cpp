@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "planish/planarising.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 
@@ -12,7 +13,7 @@ TEST(CollapsedPanel, DoesNotHoldTheRestOfTheMesh) {
   Mesh mesh =
       testing::quad_grid(5, 5, [](double i, double j) { return 0.1 * i * i + 0.05 * i * j; });
   for (const int v : {19, 23, 24}) mesh.positions.col(v) = mesh.positions.col(18);
-  const ProjectionResult flat = project_to_planar(mesh);
+  const ProjectionResult flat = planarise(mesh, kNearestFlat);
   EXPECT_TRUE(testing::is_valid_projection(mesh, {}, flat));
   EXPECT_TRUE(flat.report.usable()) << status_name(flat.report.status);
   mesh.positions = testing::apply(mesh, flat);

@@ -27,13 +27,16 @@ class ConstraintCheck {
   using Flat = Eigen::Matrix<double, kUnknowns, 1>;
   using Square = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-  /// An uneven convex ring of `size` points, about 0.2 away from flat and round.
+  /// An uneven convex ring of `size` points, about 0.2 away from round, and from flat unless the
+  /// kind presumes flat faces.
   ConstraintCheck(int size, unsigned seed) : points_(3, size), element_(at(size)) {
     const Eigen::Matrix3Xd noise = random_points(seed, size);
     for (int k = 0; k < size; ++k) {
       const double angle = 2.0 * std::acos(-1.0) * k / size;
       points_.col(k) = Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0) + 0.2 * noise.col(k);
     }
+    if constexpr (requires { Kind::kPresumesFlat; }) points_.row(2).setConstant(0.5);
+    if (Kind::kElement == Element::kVertex) points_.col(0) = Eigen::Vector3d(0.1, 0.0, 0.6);
     std::iota(element_.begin(), element_.end(), 0);
     Kind::append_rows(points_, element_, rows_);
   }

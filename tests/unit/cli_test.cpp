@@ -118,10 +118,33 @@ TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {
   EXPECT_TRUE(report["spoilt_faces"].empty());
   EXPECT_EQ(err(), "");
   save("cross.obj", "v 0 0 0\nv 1 0 1.5\nv 1 1 0\nv 0 1 1.5\nf 1 2 3 4\n");
-  ASSERT_EQ(run("project cross.obj -o flat.obj --report r.json"), 0) << err();
+  const std::string nearest = "project cross.obj --smooth 0 --bound shape=off -o flat.obj";
+  ASSERT_EQ(run(nearest + " --report r.json"), 0) << err();
   report = nlohmann::json::parse(contents(directory_ / "r.json"));
   EXPECT_EQ(report["spoilt_faces"].size(), 1U) << report;
   EXPECT_NE(err().find("flat, but spoilt: 1 "), std::string::npos) << err();
+}
+
+TEST_F(Cli, PlanarisingGoesFromCloseToFairAndKeepsTheBoundary) {
+  ASSERT_EQ(run("sample dome --size 9 -o dome.obj"), 0) << err();
+  Mesh bumpy = load("dome.obj");
+  for (int v = 0; v < bumpy.vertex_count(); ++v) bumpy.positions(2, v) += 0.03 * (v % 3);
+  save("bumpy.obj", write_mesh(bumpy, MeshFormat::kObj));
+  const auto moved = [&](const std::string& options) {
+    EXPECT_EQ(run("project bumpy.obj -o flat.obj --report r.json " + options), 0) << err();
+    const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+    EXPECT_LT(report["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
+    return report["rms_move"].get<double>();
+  };
+  const double nearest = moved("--smooth 0");
+  const double fair = moved("");
+  const double fairest = moved("--smooth 1000");
+  EXPECT_LT(nearest, fair);
+  EXPECT_LT(fair, fairest);
+  moved("--keep-boundary");
+  const Mesh kept = load("flat.obj");
+  for (int v = 0; v < 9; ++v) EXPECT_EQ(kept.positions.col(v), bumpy.positions.col(v)) << v;
+  EXPECT_EQ(run("project bumpy.obj --smooth -1 -o flat.obj"), 2);
 }
 
 TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
@@ -295,6 +318,102 @@ TEST_F(Cli, WeightsAndSoftnessTogetherAreRefusedByName) {
   EXPECT_NE(out().find("1 … 10"), std::string::npos);
 }
 
+TEST_F(Cli, KeepsPanelsCircularAndReplaysIt) {
+  const auto json = [&](const char* name) {
+    return nlohmann::json::parse(contents(directory_ / name));
+  };
+  const std::string edit =
+      "edit sample:dome:12 --handle 66+=0,0,0.3 --constraint circular --report r.json ";
+  ASSERT_EQ(run(edit + "-o edited.glb --design d.json"), 0) << err();
+  const auto violations = json("r.json")["violations"];
+  ASSERT_EQ(violations.size(), 2u);
+  EXPECT_EQ(violations[0]["kind"], "planar");
+  EXPECT_EQ(violations[0]["unit"], "mm/m");
+  EXPECT_EQ(violations[1]["kind"], "circular");
+  EXPECT_EQ(violations[1]["unit"], "deg");
+  EXPECT_LE(violations[1]["before_max"].get<double>(), 1e-9);
+  EXPECT_LE(violations[1]["after_max"].get<double>(), 1e-9);
+  for (const std::string design : {"d.json", "edited.glb"}) {
+    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
+    EXPECT_EQ(json("again.json")["verified"], true);
+    EXPECT_EQ(json("again.json")["violations"], violations);
+  }
+}
+
+TEST_F(Cli, KeepsALimitAndReplaysIt) {
+  const auto json = [&](const char* name) {
+    return nlohmann::json::parse(contents(directory_ / name));
+  };
+  const std::string edit =
+      "edit sample:vault:24 --handle 300+=0,0,1 --reach 4 --softness 5 --report r.json ";
+  ASSERT_EQ(run(edit), 0) << err();
+  const double sharp = json("r.json")["sharpest_fold"]["after"];
+  ASSERT_GT(sharp, 15.0);
+  ASSERT_EQ(run(edit + "--bound fold=15 --bound area=2 -o edited.glb --design d.json"), 0) << err();
+  const auto report = json("r.json");
+  EXPECT_LE(report["sharpest_fold"]["after"].get<double>(), 15.0);
+  ASSERT_EQ(report["bounds"].size(), 2u);
+  EXPECT_EQ(report["bounds"][0]["name"], "fold");
+  EXPECT_FALSE(report["bounds"][0]["binding"].empty());
+  EXPECT_EQ(report["bounds"][1]["name"], "area");
+  for (const std::string design : {"d.json", "edited.glb"}) {
+    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
+    EXPECT_EQ(json("again.json")["verified"], true);
+  }
+}
+
+TEST_F(Cli, SaysWhatAnEditDidNotReach) {
+  const std::string edit = "edit sample:vault:12 --handle 66+=0,0,1.5 --report - ";
+  ASSERT_EQ(run(edit), 0) << err();
+  EXPECT_EQ(err(), "");
+  ASSERT_EQ(run(edit + "--hard --pin 53,54,55,65,67,77,78,79"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(out())["status"], "infeasible_handles");
+  EXPECT_NE(err().find("stopped 1.5 short of a target"), std::string::npos) << err();
+  const std::string explore =
+      "explore sample:vault:12 --handle 66+=0,0,0.6 --dimension 2 --coefficients 0.4,0 --report - ";
+  ASSERT_EQ(run(explore), 0) << err();
+  EXPECT_NE(err().find("out of flat, as the sliders show them; --exact"), std::string::npos)
+      << err();
+  ASSERT_EQ(run(explore + "--exact"), 0) << err();
+  EXPECT_EQ(err().find("out of flat"), std::string::npos) << err();
+}
+
+TEST_F(Cli, SaysWhereEachSliderStops) {
+  ASSERT_EQ(run("explore sample:vault:12 --handle 66+=0,0,0.3 --dimension 3 --report r.json"), 0)
+      << err();
+  const auto stops = nlohmann::json::parse(contents(directory_ / "r.json"))["subspace"]["stops"];
+  ASSERT_EQ(stops.size(), 3u);
+  for (const auto& stop : stops) {
+    EXPECT_LT(stop["lower"]["value"].get<double>(), 0.0);
+    EXPECT_GT(stop["upper"]["value"].get<double>(), 0.0);
+    EXPECT_GE(stop["upper"]["face"].get<int>(), 0);
+  }
+}
+
+TEST_F(Cli, ALimitThatIsNoneIsRefused) {
+  const std::string edit = "edit sample:vault:12 --handle 66+=0,0,0.6 --bound ";
+  EXPECT_EQ(run(edit + "bend=3"), 2);
+  EXPECT_NE(err().find("none of shape=on, shape=off, fold=MAX or +MAX, angle=MIN:MAX"),
+            std::string::npos)
+      << err();
+  EXPECT_EQ(run(edit + "fold=0"), 2);
+  EXPECT_NE(err().find("fold must be greater than 0"), std::string::npos) << err();
+  EXPECT_EQ(run("project sample:vault:12 --bound fold=20"), 2);
+  EXPECT_EQ(run("explore sample:vault:12 --handle 66+=0,0,0.1 --dimension 2 --bound fold=20"), 2);
+}
+
+TEST_F(Cli, AnEditThatCannotKeepItsConstraintSaysWhy) {
+  const std::string constraint = " --handle 66+=0,0,0.3 --constraint ";
+  EXPECT_EQ(run("edit sample:vault:12" + constraint + "circular"), 3);
+  EXPECT_NE(err().find("not circular: panel "), std::string::npos) << err();
+  EXPECT_EQ(run("edit sample:dome:12" + constraint + "round"), 2);
+  EXPECT_NE(err().find("one of circular"), std::string::npos) << err();
+  EXPECT_EQ(run("edit sample:dome:12" + constraint + "circular:0"), 2);
+  EXPECT_EQ(run("edit sample:dome:12 --solver alm" + constraint + "circular"), 2);
+  EXPECT_EQ(run("explore sample:dome:12 --dimension 2" + constraint + "circular"), 2);
+  EXPECT_EQ(run("edit sample:vault:12" + constraint + "planar:1e-3 --report -"), 0) << err();
+}
+
 /// Two squares side by side: lifting the corner edge of one by its length folds them by 45 degrees.
 TEST_F(Cli, ReportsTheSharpestFold) {
   save("two.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n");
@@ -304,6 +423,67 @@ TEST_F(Cli, ReportsTheSharpestFold) {
   const auto fold = nlohmann::json::parse(out())["sharpest_fold"];
   EXPECT_EQ(fold["before"], 0.0);
   EXPECT_NEAR(fold["after"].get<double>(), 45.0, 1e-6);
+}
+
+/// Three squares in a row: the last one turns, the middle one only meets it at another angle.
+TEST_F(Cli, EveryCommandThatEditsSaysWhatMustBeMadeAgain) {
+  save("three.obj",
+       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
+       "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n");
+  const std::string edit =
+      " three.obj --handle 3+=0,0,1 --handle 7+=0,0,1 --hard --pin 0,1,2,4,5,6 --report r.json";
+  const auto remake = [&](const std::string& words) {
+    EXPECT_EQ(run(words), 0) << err();
+    return nlohmann::ordered_json::parse(contents(directory_ / "r.json"))["remake"].dump();
+  };
+  const std::string expected = R"({"outline":1,"bevel":1})";
+  EXPECT_EQ(remake("edit" + edit + " --design d.json -o b.obj"), expected);
+  EXPECT_EQ(remake("explore" + edit + " --dimension 1 --exact"), expected);
+  EXPECT_EQ(remake("replay d.json --report r.json"), expected);
+  EXPECT_EQ(remake("project b.obj --report r.json"), R"({"outline":0,"bevel":0})");
+}
+
+TEST_F(Cli, AWorkshopReadsACuttingPackage) {
+  ASSERT_EQ(run("edit sample:dome:12 --handle 78+=0,0,0.4 --design d.json -o d.glb"), 0) << err();
+  ASSERT_EQ(run("panels d.json -o a.zip --sheet 4000x3000 --thickness 8 --report r.json"), 0)
+      << err();
+  ASSERT_EQ(run("panels d.glb -o b.zip --sheet 4000x3000 --thickness 8"), 0) << err();
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_GT(report["remake"]["outline"].get<int>(), 0);
+  EXPECT_EQ(report["counts"]["drawn"], 121);
+  ASSERT_EQ(run("panels d.json -o c.zip --gap 12 --scope remake --unit in --report r.json"), 0);
+  const auto remade = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(remade["counts"]["drawn"],
+            report["remake"]["outline"].get<int>() + report["remake"]["bevel"].get<int>());
+  ASSERT_EQ(run("panels sample:trihex:9 -o d.zip --gap 20 --sheet 6000x3000 --scope 0,1,2,7"), 0);
+  const std::string check = std::string(PLANISH_REFERENCE_DATA) + "/../check_package.py";
+  const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
+                           "' a.zip b.zip c.zip d.zip 2>err";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "skipped: no ezdxf or shapely";
+  EXPECT_EQ(WEXITSTATUS(status), 0) << err();
+}
+
+TEST_F(Cli, APackageThatLacksSomethingIsExitCodeFourAndSaysWhat) {
+  save("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(run("panels bent.obj -o a.zip"), 4);
+  EXPECT_NE(err().find("not flat"), std::string::npos) << err();
+  EXPECT_TRUE(fs::exists(directory_ / "a.zip"));
+  EXPECT_EQ(run("panels bent.obj -o a.zip --tolerance 100"), 0) << err();
+  EXPECT_EQ(run("panels sample:vault:4 -o a.zip --gap 99999"), 4);
+  EXPECT_NE(err().find("9 panels are not drawn"), std::string::npos) << err();
+  EXPECT_EQ(run("panels sample:vault:4 -o a.zip --sheet 10x20"), 4);
+  EXPECT_NE(err().find("9 panels are larger than a sheet"), std::string::npos) << err();
+  for (const char* words :
+       {"panels sample:vault:4", "panels sample:vault:4 -o b.zip --unit yard",
+        "panels sample:vault:4 -o b.zip --gap -1", "panels sample:vault:4 -o b.zip --sheet 100",
+        "panels sample:vault:4 -o b.zip --sheet 0x100",
+        "panels sample:vault:4 -o b.zip --scope remake", "panels sample:vault:4 -o b.zip --scope 9",
+        "panels sample:vault:4 -o b.zip --scope x"}) {
+    EXPECT_EQ(run(words), 2) << words;
+  }
+  EXPECT_FALSE(fs::exists(directory_ / "b.zip"));
 }
 
 TEST_F(Cli, WhatIsAskedForNowhereElseGoesToStandardOutput) {
@@ -348,9 +528,60 @@ TEST_F(Cli, ExploreReportsItsSubspace) {
 }
 
 TEST_F(Cli, EveryCommandHasHelp) {
-  for (const char* name : {"info", "edit", "explore", "project", "convert", "sample"}) {
+  for (const char* name : {"info", "edit", "explore", "project", "panels", "convert", "sample"}) {
     EXPECT_EQ(run(std::string(name) + " --help"), 0);
     EXPECT_NE(out().find(name), std::string::npos);
+  }
+}
+
+TEST_F(Cli, OffsetsAMeshAndSaysOfWhichKind) {
+  ASSERT_EQ(run("offset sample:hex:9 --distance 0.25 -o out.ply --report r.json"), 0) << err();
+  auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(report.at("kind"), "face");
+  EXPECT_LT(report.at("deviation"), 1e-9);
+  EXPECT_LT(report.at("edge_residual"), 1e-12);
+  EXPECT_EQ(report.at("turned_edges"), 0);
+  EXPECT_LT(report.at("planarity_mm_per_m").at("after_max"), 1e-6);
+  EXPECT_TRUE(report.at("spoilt_faces").empty());
+  EXPECT_EQ(load("out.ply").vertex_count(), report.at("mesh").at("vertices"));
+  ASSERT_EQ(run("offset sample:vault:9 --distance -0.25"), 0) << err();
+  report = nlohmann::json::parse(out());
+  EXPECT_EQ(report.at("kind"), "parallel");
+  EXPECT_TRUE(report.at("deviation").is_null());
+  EXPECT_LT(report.at("heights").at("min"), report.at("heights").at("max"));
+  EXPECT_LT(report.at("heights").at("max"), 0.0);
+  ASSERT_EQ(run("offset sample:dome:9 --distance 0.25 --kind vertex --report -"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(out()).at("kind"), "vertex");
+}
+
+TEST_F(Cli, OffsetsToZeroAreTheMesh) {
+  ASSERT_EQ(run("sample hex --size 9 -o hex.obj"), 0);
+  ASSERT_EQ(run("offset hex.obj --distance 0 -o zero.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "zero.obj"), contents(directory_ / "hex.obj"));
+}
+
+TEST_F(Cli, OffsetsSayWhatTheySpoil) {
+  save("box.off",
+       "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+       "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  ASSERT_EQ(run("offset box.off --distance -1.5 -o out.obj"), 0) << err();
+  EXPECT_NE(err().find("12 edges run the other way"), std::string::npos) << err();
+  ASSERT_EQ(run("offset sample:freeform:9 --distance -40 --report r.json"), 0) << err();
+  EXPECT_NE(err().find("flat, but spoilt: "), std::string::npos) << err();
+}
+
+TEST_F(Cli, OffsetsThatAMeshHasNotAreRefused) {
+  EXPECT_EQ(run("offset sample:vault:9 --distance 0.1 --kind face -o no.obj"), 3);
+  EXPECT_NE(err().find("sample:vault:9: the planes at one distance do not meet: point "),
+            std::string::npos);
+  EXPECT_NE(err().find("planish project --constraint conical"), std::string::npos);
+  EXPECT_EQ(run("offset sample:vault:9 --distance 0.1 --kind vertex -o no.obj"), 3);
+  EXPECT_NE(err().find("planish project --constraint circular"), std::string::npos);
+  EXPECT_FALSE(fs::exists(directory_ / "no.obj"));
+  for (const std::string words : {"", "--distance nan", "--distance 1e101", "--distance 1m",
+                                  "--distance 1 --kind edge", "--distance 1 -o out.stl"}) {
+    EXPECT_EQ(run("offset sample:vault:9 " + words), 2) << words;
+    EXPECT_FALSE(err().empty()) << words;
   }
 }
 

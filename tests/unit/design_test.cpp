@@ -78,7 +78,7 @@ TEST(Design, PlanarisesItsFileAndKnowsIt) {
   Mesh bumpy = *make_sample("dome", kSize);
   for (int v = 0; v < bumpy.vertex_count(); ++v) bumpy.positions(2, v) += 0.02 * (v % 3);
   Design design;
-  design.planarised = true;
+  design.planarised = kNearestFlat;
   design.source = FileSource{"bumpy.obj", 0, "obj", write_mesh(bumpy, MeshFormat::kObj)};
   Replay opened = replay_or_fail(design);
   const Eigen::Vector3d up(0.0, 0.0, 0.3);
@@ -111,6 +111,22 @@ TEST(Design, RefusesInWords) {
   design = lifted_vault(0.6);
   design.source = FileSource{"broken.obj", 0, "obj", "v 0 0 0\nf 1 2 3\n"};
   EXPECT_NE(refusal_of(design).find("line 2"), std::string::npos);
+}
+
+TEST(Design, KeepsItsConstraintsWhenReplayed) {
+  Design design = lifted_vault(0.3);
+  design.options.constraints = {{"circular", 1e-9}};
+  EXPECT_NE(refusal_of(design).find("not circular"), std::string::npos) << refusal_of(design);
+  design.source = SampleSource{"dome", kSize};
+  design.targets.handles[0].target = make_sample("dome", kSize)->positions.col(kLifted);
+  design.targets.handles[0].target.z() += 0.3;
+  const Replay first = replay_or_fail(design);
+  ASSERT_EQ(first.report.violations.size(), 2u);
+  EXPECT_LE(first.report.violations[1].after_max, 1e-9);
+  design.result = first.mark;
+  EXPECT_TRUE(replay_or_fail(design).verified);
+  design.options.constraints.clear();
+  EXPECT_FALSE(replay_or_fail(design).verified);
 }
 
 TEST(Design, WithoutAnEditIsItsBase) {

@@ -38,7 +38,8 @@ Design any_design(unsigned seed) {
     auto& file = std::get<FileSource>(design.source);
     if (file.bytes.empty()) file.format.clear();
   }
-  design.planarised = choose(2) == 0;
+  if (choose(2) == 0)
+    design.planarised = Planarising{std::abs(number()), choose(2) == 0, choose(2) == 0};
   design.unit = choose(2) == 0 ? "mm" : "ft";
   for (int k = choose(4); k > 0; --k) {
     design.targets.handles.push_back({10 * k, {number(), 1e9 * number(), 1e-9 * number()}});
@@ -56,12 +57,21 @@ Design any_design(unsigned seed) {
                     .softness = choose(2) * (1.0 + 0.1 * choose(90)),
                     .engine = static_cast<Engine>(choose(2)),
                     .tolerance = 1e-7 * (1 + choose(99)),
+                    .constraints = {},
                     .max_iterations = choose(500)};
   for (int k = choose(3); k > 0; --k) {
     SubspaceOptions options{.dimension = 1 + choose(8), .eigenbasis = choose(2) == 0};
     options.fairness = design.options.fairness;
     options.engine = design.options.engine;
     design.variations.push_back({options, {number()}, choose(2) == 0});
+  }
+  const bool plain = design.variations.empty() && design.options.engine == Engine::kNewton;
+  if (plain && choose(2) == 0) {
+    design.options.constraints = {{"circular", std::abs(number())}};
+  }
+  if (design.variations.empty() && choose(2) == 0) {
+    design.options.bounds = {{"fold", 0.0, 1.0 + 100.0 * std::abs(number()) / 1e9, choose(2) == 0},
+                             {"edge", 0.1, 0.1 + 1.0 / 3.0}};
   }
   if (choose(2) == 0) design.result = DesignMark{bits(), choose(99), {{7, {number(), 0.1, -0.0}}}};
   return design;
@@ -78,6 +88,65 @@ TEST_P(DesignText, WhatIsWrittenReadsBackToTheSameText) {
   EXPECT_EQ(std::get<Design>(read).targets.handles.size(), design.targets.handles.size());
   EXPECT_EQ(std::get<Design>(read).options.locality, design.options.locality);
   EXPECT_TRUE(is_design_text(text));
+}
+
+TEST(DesignTextConstraints, AreWrittenOnlyWhereThereAreAny) {
+  Design design;
+  design.source = SampleSource{"dome", 12};
+  EXPECT_EQ(write_design(design).find("constraints"), std::string::npos);
+  design.options.constraints = {{"circular", 1e-7}};
+  const std::string text = write_design(design);
+  EXPECT_NE(text.find(R"("constraints":[{"kind":"circular","tolerance":1e-07}])"),
+            std::string::npos);
+  const auto read = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
+  ASSERT_EQ(std::get<Design>(read).options.constraints.size(), 1u);
+  EXPECT_EQ(std::get<Design>(read).options.constraints[0].kind, "circular");
+  EXPECT_EQ(std::get<Design>(read).options.constraints[0].tolerance, 1e-7);
+}
+
+TEST(DesignTextBounds, AreWrittenAsTheCommandLineSaysThem) {
+  Design design;
+  design.source = SampleSource{"dome", 12};
+  EXPECT_EQ(write_design(design).find("bounds"), std::string::npos);
+  design.options.bounds = {{"fold", 0.0, 5.5, true}, {"sheet", 1.25, 2.5}};
+  const std::string text = write_design(design);
+  EXPECT_NE(text.find(R"("bounds":["fold=+5.5","sheet=1.25x2.5"])"), std::string::npos) << text;
+  const auto read = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
+  EXPECT_EQ(write_design(std::get<Design>(read)), text);
+}
+
+TEST(DesignTextBounds, AreRefusedByName) {
+  const auto with = [](const std::string& bounds, const std::string& more = "") {
+    return sentence_of(
+        R"({"version":1,"format":"planish-design","source":{"sample":"dome","size":9},)"
+        R"("options":{"bounds":)" +
+        bounds + "}" + more + "}");
+  };
+  EXPECT_NE(with(R"(["bend=3"])").find("options.bounds[0]"), std::string::npos);
+  EXPECT_NE(with(R"(["bend=3"])").find("sheet=WxH"), std::string::npos);
+  EXPECT_EQ(with(R"(["fold=200"])"), "options: bounds: fold must be at most 180 degrees");
+  EXPECT_NE(with(R"(["fold=20"])", R"(,"variations":[{"dimension":2,"coefficients":[]}])")
+                .find("they keep no stated limits"),
+            std::string::npos);
+}
+
+TEST(DesignTextConstraints, OfAnUnknownKindAreRefusedByName) {
+  const auto with = [](const std::string& constraints, const std::string& more = "") {
+    return sentence_of(
+        R"({"version":1,"format":"planish-design","source":{"sample":"dome","size":9},)"
+        R"("options":{"constraints":)" +
+        constraints + "}" + more + "}");
+  };
+  EXPECT_EQ(with(R"([{"kind":"round","tolerance":1}])"),
+            "options: constraints: a kind must be one of circular, conical");
+  EXPECT_EQ(with(R"([{"kind":"circular"}])"), "options.constraints[0].tolerance is missing");
+  EXPECT_EQ(with(R"([{"kind":"circular","tolerance":1e-9}])"), "");
+  EXPECT_NE(with(R"([{"kind":"circular","tolerance":1e-9}])",
+                 R"(,"variations":[{"dimension":2,"coefficients":[0.1]}])")
+                .find("leave options.constraints out"),
+            std::string::npos);
 }
 
 TEST_P(DesignText, AnyDamageGivesADesignOrASentence) {
@@ -114,6 +183,9 @@ TEST(DesignTextFields, AnErrorNamesTheField) {
   EXPECT_EQ(with("/options/solver", "magic"), "options.solver must be newton or alm");
   EXPECT_EQ(with("/options/colour", 1), "options.colour is not a field of a design");
   EXPECT_EQ(with("/planarised", 1), "planarised must be true or false");
+  EXPECT_EQ(with("/planarised", {{"smooth", -1}}),
+            "planarised: smooth must be a number of at least 0");
+  EXPECT_EQ(with("/planarised", {{"fair", 1}}), "planarised.fair is not a field of a design");
   EXPECT_EQ(with("/handles", {{1, 2, 3}}), "handles[0] must be [point, x, y, z]");
   EXPECT_EQ(with("/handles", {{1.5, 2, 3, 4}}),
             "handles[0][0] must be a whole number of at least 0");

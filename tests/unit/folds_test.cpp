@@ -44,6 +44,14 @@ TEST(SharpestFold, IsOfTheFacesAskedForAndTheirNeighbours) {
   EXPECT_EQ(fold_of(mesh, {}).face, -1);
 }
 
+TEST(FaceFolds, AreTheSharpestOfEachFaceWithItsNeighbours) {
+  const std::vector<double> folds = face_folds(strip(30.0), strip(30.0).positions);
+  ASSERT_EQ(folds.size(), 3u);
+  EXPECT_EQ(folds[0], 0.0);
+  EXPECT_NEAR(folds[1], 30.0, 1e-7);
+  EXPECT_EQ(folds[2], folds[1]);
+}
+
 TEST(SharpestFold, DoesNotDependOnOrientationOrPlace) {
   Mesh mesh = strip(30.0);
   std::reverse(mesh.face_vertices.begin() + mesh.face_offsets[2],

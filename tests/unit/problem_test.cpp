@@ -25,14 +25,14 @@ TEST(MeshModel, IsCentredWithMeanEdgeOne) {
   EXPECT_LT(model.points.rowwise().mean().norm(), 1e-9);
   EXPECT_NEAR(model.unit(), mean_edge_length(mesh), 1e-9 * model.unit());
   EXPECT_EQ(model.equations.size(), 121u);
-  EXPECT_EQ(model.face_offsets[ConstraintKinds::index_of<PlanarPolygon>()].size(), 122u);
+  EXPECT_EQ(model.element_offsets[ConstraintKinds::index_of<PlanarPolygon>()].size(), 122u);
 }
 
 TEST(MeshModel, HasOneEquationPerVertexBeyondThreeInEachFace) {
   for (const char* name : {"vault", "hex", "trihex"}) {
     const Mesh mesh = testing::sample(name, 12);
     const MeshModel model(mesh, FairnessKind::kLaplacian);
-    const auto& offsets = model.face_offsets[ConstraintKinds::index_of<PlanarPolygon>()];
+    const auto& offsets = model.element_offsets[ConstraintKinds::index_of<PlanarPolygon>()];
     for (int f = 0; f < mesh.face_count(); ++f) {
       const auto k = static_cast<std::size_t>(f);
       EXPECT_EQ(offsets[k + 1] - offsets[k], static_cast<int>(mesh.face(f).size()) - 3);

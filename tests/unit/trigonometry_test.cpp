@@ -37,6 +37,23 @@ TEST(Trigonometry, IsAccurateNextToItsZeros) {
   }
 }
 
+TEST(Trigonometry, ArctangentAgreesWithTheLibraryInEveryQuadrant) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int k = 0; k < 100000; ++k) {
+    const double y = number(random) * std::pow(10.0, 3.0 * number(random));
+    const double x = number(random) * std::pow(10.0, 3.0 * number(random));
+    EXPECT_LE(std::abs(arctangent(y, x) - std::atan2(y, x)), 1e-15) << y << " " << x;
+  }
+  for (double small = 1e-300; small < 1.0; small *= 17.0) {
+    EXPECT_LE(ulps(arctangent(small, 1.0), std::atan2(small, 1.0)), 2.0) << small;
+  }
+  EXPECT_EQ(arctangent(0.0, 0.0), 0.0);
+  EXPECT_EQ(arctangent(0.0, -1.0), kPi);
+  EXPECT_EQ(arctangent(2.0, 0.0), kPi / 2);
+  EXPECT_EQ(arctangent(-1.0, 1.0), -kPi / 4);
+}
+
 TEST(Trigonometry, IsOddAndEvenToTheBit) {
   for (double x = 0.01; x < 30.0; x += 0.37) {
     EXPECT_EQ(sine(-x), -sine(x));

@@ -31,8 +31,24 @@ it("takes what may be left out as it is documented", () => {
   const read = readDesign(text({}));
   if (!read.ok) throw new Error(read.reason);
   const { mark, handles, families, unit, planarised, settings } = read.value;
-  expect([mark, handles, families, unit, planarised]).toEqual([null, [], [], "m", false]);
+  expect([mark, handles, families, unit, planarised]).toEqual([null, [], [], "m", null]);
   expect([settings.attraction, settings.sparsity, settings.tolerance]).toEqual([1000, "l21", 1e-6]);
+});
+
+it("reads how a mesh became flat, and what older designs mean by true", () => {
+  const how = (planarised: unknown) => {
+    const read = readDesign(text({ planarised }));
+    return read.ok ? read.value.planarised : read.reason;
+  };
+  expect(how(false)).toBe(null);
+  expect(how(true)).toEqual({ smooth: 0, keepBoundary: false, keepShape: false });
+  expect(how({ smooth: 10, shape: true })).toEqual({
+    smooth: 10,
+    keepBoundary: false,
+    keepShape: true,
+  });
+  expect(how({ smooth: -1 })).toMatch(/smooth must be a number of at least 0/);
+  expect(how({ fair: 1 })).toMatch(/fair is not a field/);
 });
 
 it("takes the mesh that rides along", async () => {
@@ -54,6 +70,10 @@ describe("names the field that is wrong", () => {
     [text({ version: 7 }), /version 7/],
     [text({ version: { toString: null } }), /version/],
     [text({ handel: [] }), /handel is not a field/],
+    [
+      text({ options: { constraints: [{ kind: "circular", tolerance: 1e-9 }] } }),
+      /^options\.constraints: this page keeps panels flat and nothing else/,
+    ],
     [text({ handles: [[1, 2, 3]] }), /handles\[0\]/],
     [text({ handles: {} }), /handles/],
     [text({ pins: [-1] }), /pins/],

@@ -14,7 +14,7 @@ const shape = {
 
 const recipe: Recipe = {
   source: { kind: "sample", name: "vault", size: 21 },
-  planarised: false,
+  planarised: null,
   handles: [
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
@@ -28,7 +28,7 @@ const recipe: Recipe = {
 
 const withFile: Recipe = {
   ...recipe,
-  planarised: true,
+  planarised: { smooth: 0, keepBoundary: false, keepShape: false },
   families: [],
   source: {
     kind: "file",
@@ -39,6 +39,8 @@ const withFile: Recipe = {
   },
   camera: { position: [1.5, -2, 0.125], target: [0, 0, 1] },
 };
+
+const FAIR = { smooth: 100, keepBoundary: true, keepShape: true };
 
 const inSteps: Recipe = {
   ...recipe,
@@ -71,6 +73,7 @@ describe("links", () => {
   it.each([
     ["a sample", recipe],
     ["a file", withFile],
+    ["a file made fair", { ...withFile, planarised: FAIR }],
     [
       "an ℓ2 edit",
       { ...recipe, settings: { ...recipe.settings, sparsity: "l2" } } satisfies Recipe,

@@ -9,7 +9,8 @@ const files: Files = new Map([[fileKey(FILE), FILE.bytes]]);
 
 describe("a saved record", () => {
   it("comes back to the same bits", () => {
-    const report = { ...RECORD.present.report, worstExcess: 0 };
+    const sharpestFold = { before: 3.5, after: 14.25 };
+    const report = { ...RECORD.present.report, worstExcess: 0, sharpestFold };
     const record = { ...RECORD, figure: "figure-1", present: { ...RECORD.present, report } };
     const read = decodeRecord(encodeRecord(record), files);
     expect(read).toEqual({ kind: "record", record });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { DEFAULT_SETTINGS, settingsForNew } from "../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/state/design.ts";
 
 it("another mesh starts with what the page has controls for, and with nothing unseen", () => {
   const shown = {
@@ -19,8 +19,11 @@ it("another mesh starts with what the page has controls for, and with nothing un
     keepBoundary: true,
     softness: 4,
   } as const;
-  const { attraction, sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
-  const unseen = { attraction, sparsity, maxIterations, reachLength };
+  const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  const unseen = { attraction: FIRST_SETTINGS.attraction, sparsity, maxIterations, reachLength };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
+  const raw = { ...shown, softness: 0 };
+  expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
+  expect(settingsForNew(FIRST_SETTINGS)).toEqual(FIRST_SETTINGS);
 });

@@ -13,6 +13,8 @@
 #include "planish/handle_edit.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh.hpp"
+#include "planish/mesh_hash.hpp"
+#include "planish/planarising.hpp"
 #include "planish/projection.hpp"
 #include "planish/solve_report.hpp"
 #include "planish/subspace.hpp"
@@ -61,8 +63,8 @@ struct DesignMark {
 struct Design {
   std::string title;
   DesignSource source;
-  bool planarised = false;  ///< the source's nearest flat mesh is the base
-  std::string unit = "m";   ///< of the model: mm, cm, m, km, in or ft
+  std::optional<Planarising> planarised;  ///< how the source became the flat base; absent: it was
+  std::string unit = "m";                 ///< of the model: mm, cm, m, km, in or ft
   EditTargets targets;
   HandleEditOptions options;
   std::vector<DesignVariation> variations;  ///< one after the other
@@ -71,9 +73,6 @@ struct Design {
 
 /// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const Design& design);
-
-/// CRC-32 of positions (float64), face offsets and face vertices (int32), all little endian.
-[[nodiscard]] std::uint32_t mesh_hash(const Mesh& mesh);
 
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What an edit leaves free, and which panels hold a point back: rank and forces of the flatness
-/// equations at the points that move.
+/// What an edit leaves free, and which panels hold a point back: rank and forces of the
+/// constraints' equations at the points that move.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish {
@@ -28,23 +29,22 @@ struct HoldingPanel {
 /// Everything else is taken to stay where it is.
 struct EditFreedom {
   int points = 0;     ///< that may move
-  int equations = 0;  ///< flatness equations with at least one of them
+  int equations = 0;  ///< of the kept kinds, with at least one of them
   int rank = 0;       ///< numerical rank of the equations' Jacobian at these points [FR-1]
   /// Share of the pull that the panels bear; what is left would still lead nearer. 0 … 1 [FR-2]
   double borne = 0.0;
   std::vector<HoldingPanel> holding;  ///< largest share first; those without one are left out
 
-  /// Directions in which the points can move together with every panel flat, to first order.
+  /// Directions in which the points can move together with every constraint kept, to first order.
   [[nodiscard]] int freedom() const { return 3 * points - rank; }
 };
 
 /// @param positions 3 × n of the whole mesh, flat
+/// @param kept the kinds whose equations count
 /// @param free ascending vertices; those of `pulls` that are not among them count as held
 /// @return nullopt where a dense factorization would be too large (some 500 points)
-[[nodiscard]] std::optional<EditFreedom> measure_freedom(const Mesh& mesh,
-                                                         const Adjacency& adjacency,
-                                                         const Positions& positions,
-                                                         std::span<const int> free,
-                                                         std::span<const Pull> pulls);
+[[nodiscard]] std::optional<EditFreedom> measure_freedom(
+    const Mesh& mesh, const Adjacency& adjacency, const Positions& positions,
+    std::span<const int> free, std::span<const Pull> pulls, const KeptKinds& kept = KeptKinds());
 
 }  // namespace planish

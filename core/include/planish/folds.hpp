@@ -26,4 +26,8 @@ struct Fold {
 [[nodiscard]] Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency,
                                  const Positions& positions, std::span<const int> faces);
 
+/// The sharpest fold of every face with any neighbour, degrees; 0 for one without. [MET-4]
+/// @param positions 3 × n of the whole mesh
+[[nodiscard]] std::vector<double> face_folds(const Mesh& mesh, const Positions& positions);
+
 }  // namespace planish

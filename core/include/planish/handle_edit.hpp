@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "planish/constraints/kept_constraint.hpp"
+#include "planish/constraints/stated_limit.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
@@ -40,6 +42,8 @@ struct HandleEditOptions {
   Sparsity sparsity = Sparsity::kL21;
   /// No panel becomes concave, crossing, turned over or collapsed that was not. [SHP-1]
   bool keep_shape = true;
+  /// Limits on folds, angles, edges, areas and sizes of panels. [LIM-1]
+  std::vector<StatedLimit> bounds = {};
   bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
   /// Face rings ≥ 0 around the handles that may move; 0 is no limit. Few: panels fold to follow the
   /// handle, or it stops short. [RCH-1]
@@ -56,6 +60,8 @@ struct HandleEditOptions {
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
   double tolerance = 1e-6;
+  /// At most one of each kind. They hold in absolute terms: see find_broken_constraint().
+  std::vector<KeptConstraint> constraints = {};
   /// Outer steps ≥ 1; 0 picks the engine's own limit.
   int max_iterations = 0;
 };
@@ -65,6 +71,11 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 
 /// The first rule that `options` breaks, naming the field; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const HandleEditOptions& options);
+
+/// Why `mesh` is no base for an edit with these constraints: the constraint beside planarity that
+/// it breaks itself, and its worst panel; nullopt if it keeps them all. O(n).
+[[nodiscard]] std::optional<std::string> find_broken_constraint(const Mesh& mesh,
+                                                                const HandleEditOptions& options);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh);
@@ -103,9 +114,6 @@ class HandleEditSolver {
   /// From the last result: for a drag frame. Exact like solve(), but may follow the path.
   /// Stops early, with the last exact state, once `budget_seconds` is spent.
   [[nodiscard]] HandleEditResult drag(const EditTargets& targets, double budget_seconds);
-
-  /// On release: solve() and the drag's last state compared by objective, from handles alone.
-  [[nodiscard]] HandleEditResult release(const EditTargets& targets, const Progress& progress = {});
 
  private:
   class State;

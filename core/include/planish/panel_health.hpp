@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "planish/area_vector.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish {

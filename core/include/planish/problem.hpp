@@ -14,6 +14,8 @@
 
 #include "planish/adjacency.hpp"
 #include "planish/constraints/corner_shape.hpp"
+#include "planish/constraints/kept_kinds.hpp"
+#include "planish/constraints/mesh_limits.hpp"
 #include "planish/constraints/registry.hpp"
 #include "planish/energies.hpp"
 #include "planish/mesh.hpp"
@@ -24,7 +26,8 @@ namespace planish {
 /// What does not change while a mesh is edited, in solver units. Built once, O(n).
 class MeshModel {
  public:
-  MeshModel(const Mesh& mesh, FairnessKind fairness);
+  /// @param kept the kinds that have rows
+  MeshModel(const Mesh& mesh, FairnessKind fairness, const KeptKinds& kept = KeptKinds());
 
   [[nodiscard]] int vertex_count() const { return static_cast<int>(points.cols()); }
   /// Solver units → model units, for displacements.
@@ -36,9 +39,13 @@ class MeshModel {
   Adjacency adjacency;
   FairnessOperator fairness;          ///< rows × n
   FairnessOperator fairness_columns;  ///< its transpose: n × rows
-  ConstraintRows equations;           ///< of all faces; a kind's, face by face
-  /// Of each kind, n_faces + 1 offsets into its batch of `equations`.
-  std::array<std::vector<int>, ConstraintKinds::kCount> face_offsets;
+  KeptKinds kept;
+  ConstraintRows equations;  ///< of all elements; a kept kind's, element by element
+  /// Of each kept kind, n_elements + 1 offsets into its batch of `equations`; of the others none.
+  std::array<std::vector<int>, ConstraintKinds::kCount> element_offsets;
+
+  /// Whether rows of a kind that hangs on vertices hang on this one's star.
+  [[nodiscard]] bool has_star_rows(int vertex) const;
 
  private:
   double unit_ = 1.0;
@@ -53,6 +60,14 @@ struct VertexTerm {
   bool handle = false;  ///< reported under ObjectiveTerms::handle; always part of the support
 };
 
+/// t of [SHP-3] and [LIM-2]: what the barrier costs where a corner has lost half of its size is
+/// then far below the price of a moved vertex.
+inline constexpr double kShapeWeight = 1e-2;
+
+/// t of the stated limits [LIM-2]. A search keeps clear of them by the first, so that its steps are
+/// long; a finished edit comes as close as the last lets it.
+inline constexpr double kFirstLimitWeight = 1e-1, kLastLimitWeight = 1e-3;
+
 /// (3) or (8) on a mesh.
 struct EditProblem {
   const MeshModel* model = nullptr;
@@ -63,6 +78,8 @@ struct EditProblem {
   /// Whether (almost) every vertex has a norm weight: then few move, and a working set finds them.
   bool sparse = true;
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
+  const MeshLimits* limits = nullptr;       ///< of `model`, in solver units; null: none are stated
+  double limit_weight = kFirstLimitWeight;  ///< t > 0 of the barrier on their rows
 };
 
 /// One row of E: what it adds up.
@@ -91,10 +108,13 @@ struct Patch {
   std::vector<int> equation_ids;        ///< the same in MeshModel::equations
   RaggedRows faces;                     ///< local vertices of the same faces
   std::vector<int> face_ids;            ///< mesh face of each row of `faces`
+  std::vector<int> star_ids;            ///< mesh vertices whose stars have rows here
   RaggedRows fairness_vertices;         ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
   std::vector<CornerShape> corners;     ///< local vertices; each touches a free one
   double shape_weight = 0.0;
+  LimitRows limits;  ///< local vertices; each touches a free one
+  double limit_weight = 0.0;
   double fairness_weight = 0.0;
 
   [[nodiscard]] int local_count() const { return static_cast<int>(vertices.size()); }
@@ -128,12 +148,15 @@ class PatchCutter {
   void begin(const EditProblem& problem, std::span<const int> free, Patch& patch);
   void add_rows(const EditProblem& problem, int owners, Patch& patch);
   void add_face(const EditProblem& problem, int face, Patch& patch);
+  void add_corners(const MeshModel& model, int face, Patch& patch);
+  void add_limits(const MeshLimits& limits, int face, Patch& patch);
+  void add_stars(const MeshModel& model, int vertex, Patch& patch);
   void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
   void place(const EditProblem& problem, Patch& patch);
   void cut_equations(const MeshModel& model, Patch& patch);
 
   std::vector<int> local_of_;  ///< −1 outside the patch being cut
-  std::vector<int> face_mark_, row_mark_;
+  std::vector<int> face_mark_, row_mark_, star_mark_;
   int stamp_ = 0;
 };
 
@@ -142,7 +165,7 @@ class PatchCutter {
 
 /// Renames the vertices of a row. @param local new name by old one
 /// @returns whether one of them is free: less than `free_count`
-template <ConstraintRow Row>
+template <class Row>
 [[nodiscard]] bool localise(Row& row, const std::vector<int>& local, int free_count) {
   bool touches = false;
   for (int& v : row.vertices) {
@@ -153,12 +176,13 @@ template <ConstraintRow Row>
 }
 
 /// The corners of a row, displaced; the free ones by `displacement` (3 × free, or 3 × local).
-template <ConstraintRow Row>
+template <class Row>
 [[nodiscard]] RowPoints<Row::kArity> corners_at(const Patch& patch,
                                                 const Eigen::Matrix3Xd& displacement,
                                                 const Row& row) {
-  RowPoints<Row::kArity> result;
-  for (int k = 0; k < Row::kArity; ++k) {
+  const auto arity = static_cast<Eigen::Index>(row.vertices.size());
+  RowPoints<Row::kArity> result(3, arity);
+  for (Eigen::Index k = 0; k < arity; ++k) {
     const int v = row.vertices[static_cast<std::size_t>(k)];
     result.col(k) = patch.points.col(v);
     if (v < patch.free_count) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planish/constraints/kept_constraint.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
@@ -19,8 +20,14 @@ struct ProjectionOptions {
   double distance_weight = 1.0;  ///< α_d > 0; higher: closer to the given mesh [PRO-2]
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Engine engine = Engine::kNewton;
+  /// No panel becomes concave, crossing, turned over or collapsed that was not [SHP-1]; where that
+  /// and flatness cannot both be had, shape wins and the panels that are not flat are named; with a
+  /// history, flatness wins.
+  bool keep_shape = true;
   double tolerance = 1e-6;  ///< of every panel's FacePlanarity::excess, mm/m, > 0
-  int max_iterations = 0;   ///< 0 picks the engine's own limit
+  /// Kept beside planarity; needs the Newton engine.
+  std::vector<KeptConstraint> constraints = {};
+  int max_iterations = 0;  ///< 0 picks the engine's own limit
 };
 
 [[nodiscard]] std::optional<std::string> find_problem(const ProjectionOptions& options);
@@ -30,13 +37,15 @@ struct ProjectionResult {
   Positions moved_positions;  ///< 3 × |moved|, model units
   double rms_move = 0.0;      ///< over all vertices, model units
   double max_move = 0.0;      ///< model units
-  /// Faces still above the tolerance (empty when exact), worst first.
+  /// α_f of the problem solved: more than asked for where the panels' shape needs it.
+  double fairness_weight = 0.0;
+  /// Faces still above a tolerance, or around a point that is (empty when exact), worst first.
   std::vector<int> failing_faces;
   SolveReport report;
 };
 
-/// Makes every panel flat, moving as little as possible: ‖t̃‖². A mesh that is flat already comes
-/// back as it is, bit for bit.
+/// Makes every panel flat, and keep the other constraints asked for, moving as little as possible:
+/// ‖t̃‖². A mesh that keeps them already comes back as it is, bit for bit.
 /// @param pins vertices that must not move
 [[nodiscard]] ProjectionResult project_to_planar(const Mesh& mesh,
                                                  const ProjectionOptions& options = {},

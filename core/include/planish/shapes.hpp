@@ -12,7 +12,7 @@
 namespace planish {
 
 /// Names for make_sample(), in the order a chooser should show them:
-/// vault, dome, freeform, hex, trihex.
+/// roof, vault, dome, freeform, hex, trihex.
 [[nodiscard]] std::vector<std::string_view> sample_names();
 
 /// The sample `name` at `size`. vault and dome have size × size vertices by the formulas of

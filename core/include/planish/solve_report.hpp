@@ -57,15 +57,31 @@ struct Optimality {
   [[nodiscard]] bool met() const { return stationarity <= 1e-4 && outside <= 1e-4; }
 };
 
+/// How far a mesh is from one kind of constraint that was kept, before and after.
+struct KindViolation {
+  std::string_view kind;    ///< its name, for example "circular"
+  std::string_view unit;    ///< of the measure, for example "deg"
+  double before_max = 0.0;  ///< worst element
+  double after_max = 0.0;
+};
+
+/// A stated limit and the panels that it holds back.
+struct BoundStanding {
+  std::string_view name;     ///< for example "fold"
+  std::vector<int> binding;  ///< faces, ascending
+};
+
 /// What every solve reports.
 struct SolveReport {
   SolveStatus status = SolveStatus::kIterationLimit;
   ObjectiveTerms objective;
-  double planarity_before = 0.0;  ///< worst panel before, mm/m
-  double planarity_after = 0.0;   ///< worst panel after, mm/m
-  int moved_vertices = 0;         ///< coordinates not bit-identical to the input's
-  double max_displacement = 0.0;  ///< model units
-  double handle_error = 0.0;      ///< largest distance of a handle from its target, model units
+  double planarity_before = 0.0;          ///< worst panel before, mm/m
+  double planarity_after = 0.0;           ///< worst panel after, mm/m
+  std::vector<KindViolation> violations;  ///< every kept kind, planarity first
+  std::vector<BoundStanding> bounds;      ///< every stated limit that rows hang on
+  int moved_vertices = 0;                 ///< coordinates not bit-identical to the input's
+  double max_displacement = 0.0;          ///< model units
+  double handle_error = 0.0;  ///< largest distance of a handle from its target, model units
   int iterations = 0;
   int factorizations = 0;
   double setup_seconds = 0.0;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "logarithm.hpp"
+#include "planish/constraints/vector_pair.hpp"
 
 namespace planish {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 constexpr double kKeep = 0.05;       ///< κ: the share of g⁰ that no corner goes below
 constexpr double kClamp = 0.5;       ///< ŝ: where the barrier begins
 constexpr double kAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d result;
-  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return result;
-}
 
 }  // namespace
 
@@ -38,7 +33,7 @@ RowPoints<3> gradient(const CornerShape& corner, const RowPoints<3>& points) {
 }
 
 CurvatureBlocks<3, false> hessian(const CornerShape& corner, const RowPoints<3>& /*points*/) {
-  const Eigen::Matrix3d twist = skew(corner.normal);
+  const Eigen::Matrix3d twist = cross_matrix(corner.normal);
   return {twist, -twist, twist};
 }
 

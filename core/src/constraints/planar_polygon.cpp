@@ -173,13 +173,7 @@ FlatnessEquation quad_equation(const Positions& positions, std::span<const int> 
 
 }  // namespace
 
-void append_flatness_equations(const Positions& positions, std::span<const int> face,
-                               std::vector<FlatnessEquation>& out) {
-  if (face.size() < 4) return;
-  if (face.size() == 4) {
-    out.push_back(quad_equation(positions, face));
-    return;
-  }
+std::array<std::size_t, 3> spread_corners(const Positions& positions, std::span<const int> face) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const int v : face) mean += positions.col(v) / static_cast<double>(face.size());
   const auto point = [&](std::size_t k) -> Eigen::Vector3d { return positions.col(face[k]); };
@@ -194,7 +188,19 @@ void append_flatness_equations(const Positions& positions, std::span<const int> 
     const Eigen::Vector3d arm = positions.col(v) - point(a);
     return v == face[a] || v == face[b] ? -1.0 : side.cross(arm).squaredNorm();
   });
-  const Eigen::Vector3d arm = point(c) - point(a);
+  return {a, b, c};
+}
+
+void append_flatness_equations(const Positions& positions, std::span<const int> face,
+                               std::vector<FlatnessEquation>& out) {
+  if (face.size() < 4) return;
+  if (face.size() == 4) {
+    out.push_back(quad_equation(positions, face));
+    return;
+  }
+  const auto [a, b, c] = spread_corners(positions, face);
+  const Eigen::Vector3d side = positions.col(face[b]) - positions.col(face[a]);
+  const Eigen::Vector3d arm = positions.col(face[c]) - positions.col(face[a]);
   const double scale = bounded_scale(side.cross(arm).norm(), side.norm());
   constexpr double kLeastShare = 1e-3;  // of the carrying triangle, before the scale stops growing
   for (std::size_t k = 0; k < face.size(); ++k) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "planish/constraints/elements.hpp"
 #include "planish/engines/constraint_correction.hpp"
 #include "planish/index.hpp"
 #include "planish/metrics.hpp"
@@ -76,46 +77,61 @@ void ExactFinish::measure(ExactDesign& design) {
   for (std::size_t k = 0; k < design.vertices.size(); ++k) {
     local_of_[at(design.vertices[k])] = static_cast<int>(k);
   }
-  Positions corners;
-  std::vector<int> order;
   for (const int v : design.vertices) {
     for (const int f : model_.adjacency.faces[v]) {
       if (face_mark_[at(f)] == stamp_) continue;
       face_mark_[at(f)] = stamp_;
       design.faces.push_back(f);
-      const auto face = model_.face(f);
-      corners.resize(3, static_cast<Eigen::Index>(face.size()));
-      order.resize(face.size());
-      for (std::size_t c = 0; c < face.size(); ++c) {
-        const int local = local_of_[at(face[c])];
-        order[c] = static_cast<int>(c);
-        if (local >= 0) {
-          corners.col(static_cast<Eigen::Index>(c)) = design.positions.col(local);
-        } else {
-          corners.col(static_cast<Eigen::Index>(c)) = model_.mesh.positions.col(face[c]);
-        }
-      }
-      const FacePlanarity flatness = face_planarity(corners, order);
-      // Negated, so that a NaN is the worst of all.
-      if (!(flatness.mm_per_m <= design.worst_mm_per_m)) design.worst_mm_per_m = flatness.mm_per_m;
-      if (!(flatness.excess <= design.worst_excess)) design.worst_excess = flatness.excess;
+      measure_element(Element::kFace, model_.face(f), design);
     }
   }
   std::sort(design.faces.begin(), design.faces.end());
+  if (model_.kept.has_element(Element::kVertex)) find_stars(design);
   for (const int v : design.vertices) local_of_[at(v)] = -1;
 }
 
+/// The stars that a moved vertex is part of, measured.
+void ExactFinish::find_stars(ExactDesign& design) {
+  design.stars = grower_.neighbourhood(design.vertices);
+  MeshElements elements(model_.mesh, model_.adjacency);
+  for (const int v : design.stars) {
+    measure_element(Element::kVertex, elements.of(Element::kVertex, v), design);
+  }
+}
+
+/// Raises the worst of each kept kind that hangs on such elements to that of one of them.
+void ExactFinish::measure_element(Element element, std::span<const int> vertices,
+                                  ExactDesign& design) {
+  corners_.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  order_.resize(vertices.size());
+  for (std::size_t c = 0; c < vertices.size(); ++c) {
+    const int local = local_of_[at(vertices[c])];
+    order_[c] = static_cast<int>(c);
+    if (local >= 0) {
+      corners_.col(order_[c]) = design.positions.col(local);
+    } else {
+      corners_.col(order_[c]) = model_.mesh.positions.col(vertices[c]);
+    }
+  }
+  model_.kept.for_each([&](auto tag, std::size_t kind) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kElement != element) return;
+    design.worst[kind].raise_to(violation_of<Kind>(corners_, order_));
+  });
+}
+
 ExactDesign ExactFinish::finish(const EditProblem& problem, std::span<const int> support,
-                                const DisplacementField& field, double tolerance) {
+                                const DisplacementField& field, const KeptKinds& kept) {
   constexpr int kMostRings = 3;
   ExactDesign best = attempt(problem, support, field, true);
   int factorizations = best.factorizations;
   std::vector<int> wider(support.begin(), support.end());
-  for (int ring = 0; ring <= kMostRings && !(best.worst_excess <= tolerance); ++ring) {
+  for (int ring = 0; ring <= kMostRings && !is_within(best.worst, kept); ++ring) {
     if (ring > 0) wider = grower_.grow(wider, 1);
     ExactDesign next = attempt(problem, wider, field, ring > 0 && ring < kMostRings);
     factorizations += next.factorizations;
-    if (next.worst_mm_per_m < best.worst_mm_per_m || std::isnan(best.worst_mm_per_m)) {
+    if (strain(next.worst, kept) < strain(best.worst, kept) ||
+        std::isnan(strain(best.worst, kept))) {
       best = std::move(next);
     }
   }

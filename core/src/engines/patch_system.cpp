@@ -9,6 +9,7 @@
 #include "planish/index.hpp"
 
 namespace planish {
+
 namespace {
 
 /// Adds a 3 × 3 block to the panels.
@@ -57,8 +58,9 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   diagonal_.resize(at(patch.free_count));
   for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
   place_edges();
-  place_equations();
+  place_rows(patch_->equations, equation_places_);
   place_shapes();
+  place_rows(patch_->limits, limit_places_);
   fill_constant_part();
   jacobian_.attach(patch);
 }
@@ -67,6 +69,7 @@ void PatchSystem::build_graph() {
   graph_ = coupling_graph(patch_->free_count, [&](const auto& join) {
     patch_->equations.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
     for (const CornerShape& corner : patch_->corners) join_all(corner.vertices, join);
+    patch_->limits.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
     for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
       join_all(patch_->fairness_vertices[r], join);
     }
@@ -93,29 +96,31 @@ std::size_t PatchSystem::edge(int row, int column) const {
   return at(graph_.offsets[at(row)]) + static_cast<std::size_t>(found - around.begin());
 }
 
-void PatchSystem::place_equations() {
+/// Where the blocks of each row of a batch go.
+template <class Batches>
+void PatchSystem::place_rows(const Batches& rows, RowPlaces& places) const {
   const int n = patch_->free_count;
-  free_corners_.clear();
-  corner_order_.clear();
-  corner_slots_.clear();
-  patch_->equations.for_each([&](int, const auto& equation) {
-    const auto& vertices = equation.vertices;
-    const std::size_t first = corner_order_.size();
+  places.free.clear();
+  places.order.clear();
+  places.slots.clear();
+  rows.for_each([&](int, const auto& row) {
+    const auto& vertices = row.vertices;
+    const std::size_t first = places.order.size();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
-      if (vertices[k] < n) corner_order_.push_back(static_cast<int>(k));
+      if (vertices[k] < n) places.order.push_back(static_cast<int>(k));
     }
-    const auto order = corner_order_.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(order, corner_order_.end(), [&](int a, int b) {
+    const auto order = places.order.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(order, places.order.end(), [&](int a, int b) {
       return cholesky_.position(vertices[at(a)]) > cholesky_.position(vertices[at(b)]);
     });
-    free_corners_.push_back(static_cast<int>(corner_order_.size() - first));
-    for (auto late = order; late != corner_order_.end(); ++late) {
+    places.free.push_back(static_cast<int>(places.order.size() - first));
+    for (auto late = order; late != places.order.end(); ++late) {
       const int column = vertices[at(*late)];
       for (auto early = order; early != late; ++early) {
         // *early is eliminated later than *late: it is the row.
-        corner_slots_.push_back(edge_slots_[edge(vertices[at(*early)], column)]);
+        places.slots.push_back(edge_slots_[edge(vertices[at(*early)], column)]);
       }
-      corner_slots_.push_back(diagonal_[at(column)]);
+      places.slots.push_back(diagonal_[at(column)]);
     }
   });
 }
@@ -182,15 +187,15 @@ RowPoints<Row::kArity> PatchSystem::points_of(const Row& row,
 
 void PatchSystem::add_equations(const PatchState& state, double penalty) {
   std::vector<double>& values = cholesky_.values();
-  const int* order = corner_order_.data();
-  const BlockSlot* slot = corner_slots_.data();
+  const int* order = equation_places_.order.data();
+  const BlockSlot* slot = equation_places_.slots.data();
   patch_->equations.for_each([&]<class Row>(int e, const Row& row) {
     const RowPoints<Row::kArity> points = points_of(row, state.displacement);
     const RowPoints<Row::kArity> g = gradient(row, points);
     const auto curvature = hessian(row, points);
     jacobian_.set(e, g);
     const double lambda = constraints_ == Constraints::kExact ? state.multipliers[e] : 0.0;
-    const int free = free_corners_[at(e)];
+    const int free = equation_places_.free[at(e)];
     for (int late = 0; late < free; ++late) {
       for (int early = 0; early <= late; ++early) {
         Eigen::Matrix3d sum = (penalty * g.col(order[early])) * g.col(order[late]).transpose();
@@ -244,6 +249,50 @@ void PatchSystem::shape_gradient(const Eigen::Matrix3Xd& displacement,
   }
 }
 
+/// t (B'' ∇s ∇sᵀ + B' ∇²s) of the limits that the barrier reaches.
+void PatchSystem::add_limits(const PatchState& state) {
+  std::vector<double>& values = cholesky_.values();
+  const int* order = limit_places_.order.data();
+  const BlockSlot* slot = limit_places_.slots.data();
+  patch_->limits.for_each([&](int number, const auto& row) {
+    const int free = limit_places_.free[at(number)];
+    const auto points = corners_at(*patch_, state.displacement, row);
+    const Barrier barrier = clamped_barrier(row.scale.share(value(row, points)));
+    if (barrier.curvature == 0.0) {
+      slot += free * (free + 1) / 2;
+    } else {
+      const auto g = gradient(row, points);
+      const auto curvature = hessian(row, points);
+      const double slope = patch_->limit_weight * barrier.slope * row.scale.slope;
+      const double bend =
+          patch_->limit_weight * barrier.curvature * row.scale.slope * row.scale.slope;
+      for (int late = 0; late < free; ++late) {
+        for (int early = 0; early <= late; ++early) {
+          const int k = order[early], l = order[late];
+          const Eigen::Matrix3d own = curvature.template block<3, 3>(3 * k, 3 * l);
+          add_block(values, *slot++, bend * g.col(k) * g.col(l).transpose() + slope * own);
+        }
+      }
+    }
+    order += free;
+  });
+}
+
+void PatchSystem::limit_gradient(const Eigen::Matrix3Xd& displacement,
+                                 Eigen::Matrix3Xd& out) const {
+  patch_->limits.for_each([&](int, const auto& row) {
+    const auto points = corners_at(*patch_, displacement, row);
+    const Barrier barrier = clamped_barrier(row.scale.share(value(row, points)));
+    if (barrier.slope == 0.0) return;
+    const auto g = gradient(row, points);
+    const double slope = patch_->limit_weight * barrier.slope * row.scale.slope;
+    for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+      const int v = row.vertices[k];
+      if (v < patch_->free_count) out.col(v) += slope * g.col(static_cast<Eigen::Index>(k));
+    }
+  });
+}
+
 void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {
   std::vector<double>& values = cholesky_.values();
   for (int v = 0; v < patch_->free_count; ++v) {
@@ -266,6 +315,7 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
   add_norms(state, smoothing, shift);
   add_equations(state, penalty);
   add_shapes(state);
+  add_limits(state);
   return cholesky_.factorize();
 }
 
@@ -286,6 +336,7 @@ void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
   out.setZero(3, patch_->free_count);
   fairness_gradient(state.displacement, out);
   shape_gradient(state.displacement, out);
+  limit_gradient(state.displacement, out);
   for (int v = 0; v < patch_->free_count; ++v) {
     const VertexTerm& term = patch_->terms[at(v)];
     const Eigen::Vector3d d = state.displacement.col(v);
@@ -337,6 +388,10 @@ double PatchSystem::energy(const Eigen::Matrix3Xd& displacement, double smoothin
     const double share = residual(corner, corners_at(*patch_, displacement, corner));
     sum += patch_->shape_weight * clamped_barrier(share).value;
   }
+  patch_->limits.for_each([&](int, const auto& row) {
+    const double share = row.scale.share(value(row, corners_at(*patch_, displacement, row)));
+    sum += patch_->limit_weight * clamped_barrier(share).value;
+  });
   return sum;
 }
 

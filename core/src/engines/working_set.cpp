@@ -9,14 +9,16 @@ namespace planish {
 WorkingSetGrower::WorkingSetGrower(const MeshModel& model)
     : model_(model), mark_(at(model.vertex_count()), 0) {}
 
+void WorkingSetGrower::add_once(int vertex, std::vector<int>& set) {
+  if (mark_[at(vertex)] == stamp_) return;
+  mark_[at(vertex)] = stamp_;
+  set.push_back(vertex);
+}
+
 std::vector<int> WorkingSetGrower::grow(std::span<const int> seeds, int rings) {
   ++stamp_;
   std::vector<int> set;
-  const auto add = [&](int v) {
-    if (mark_[at(v)] == stamp_) return;
-    mark_[at(v)] = stamp_;
-    set.push_back(v);
-  };
+  const auto add = [&](int v) { add_once(v, set); };
   for (const int v : seeds) add(v);
   std::size_t begin = 0;
   for (int ring = 0; ring < rings && begin < set.size(); ++ring) {
@@ -27,6 +29,18 @@ std::vector<int> WorkingSetGrower::grow(std::span<const int> seeds, int rings) {
       }
     }
     begin = end;
+  }
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+std::vector<int> WorkingSetGrower::neighbourhood(std::span<const int> seeds) {
+  ++stamp_;
+  std::vector<int> set;
+  const auto add = [&](int v) { add_once(v, set); };
+  for (const int v : seeds) {
+    add(v);
+    for (const int w : model_.adjacency.neighbours[v]) add(w);
   }
   std::sort(set.begin(), set.end());
   return set;

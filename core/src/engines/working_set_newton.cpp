@@ -31,7 +31,7 @@ WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
 
 void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start) {
   const std::vector<int>& handles = problem.handles;
-  start_ = grower_.grow(handles, start.rings);
+  start_ = grower_.grow(handles, std::max(start.rings, model_.kept.start_rings()));
   std::vector<int> lines;
   for (const int v : handles) {
     const std::vector<int> through = grower_.lines_through(v, start.line_length);

@@ -61,6 +61,22 @@ Mesh make_dome(int size) {
   });
 }
 
+Mesh make_roof(int size) {
+  // Odd numbers: a point is in the middle.
+  const int columns = 1 + 2 * std::max(1, static_cast<int>(size * 0.59));
+  const int rows = 1 + 2 * std::max(1, static_cast<int>(0.5 * size * size / columns));
+  constexpr double kHalfSpan = 1.1, kHalfWidth = 0.8;  // radians: of the two arcs
+  const double around = 0.5 * (columns - 1) / kHalfSpan, across = 0.5 * (rows - 1) / kHalfWidth;
+  Mesh mesh = make_grid(columns, rows, [&](int i, int j) {
+    const double u = kHalfSpan * (2.0 * i / (columns - 1) - 1.0);
+    const double v = kHalfWidth * (2.0 * j / (rows - 1) - 1.0);
+    const double radius = around - across * (1.0 - cosine(v));
+    return Eigen::Vector3d(radius * sine(u), across * sine(v), radius * cosine(u));
+  });
+  place_with_unit_edges(mesh);
+  return mesh;
+}
+
 Mesh make_freeform(int size) {
   // The profiles are 2.9 and 1.95 long: points in that proportion give edges of one length.
   const int columns = std::max(3, static_cast<int>(size * 1.22 + 0.5));

@@ -16,4 +16,8 @@ namespace planish {
 /// which keeps planes planes. About size² points.
 [[nodiscard]] Mesh make_freeform(int size);
 
+/// A canopy curved both ways like a shell, a piece of a torus: every quad is a trapezium. About
+/// size² points, in the proportion of 3 to 2.
+[[nodiscard]] Mesh make_roof(int size);
+
 }  // namespace planish

@@ -5,6 +5,9 @@ import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playw
 import { expect } from "vitest";
 import { launch } from "../../../.tools/browser.mjs";
 import { serve } from "../../../.tools/serve.mjs";
+import { encodeLink } from "../../../web/src/share/link.ts";
+import { DEFAULT_SETTINGS, NO_SHAPE } from "../../../web/src/state/design.ts";
+import { markOf, type Recipe } from "../../../web/src/state/recipe.ts";
 
 export type Prepare = (context: BrowserContext) => Promise<void>;
 
@@ -12,6 +15,8 @@ export interface Site {
   readonly url: string;
   /** A new visitor; `prepare` runs before the page loads. */
   open(options?: BrowserContextOptions, hash?: string, prepare?: Prepare): Promise<Page>;
+  /** A visitor who opens a link to the vault under the raw weights, which nobody has edited. */
+  openVault(options?: BrowserContextOptions, prepare?: Prepare): Promise<Page>;
   /** One more tab of the same visitor. */
   openTab(page: Page): Promise<Page>;
   close(): Promise<void>;
@@ -30,6 +35,17 @@ function watch(page: Page, origin: string, complaints: string[]): void {
   });
 }
 
+const VAULT: Recipe = {
+  source: { kind: "sample", name: "vault", size: 21 },
+  planarised: null,
+  handles: [],
+  settings: DEFAULT_SETTINGS,
+  families: [],
+  unit: "m",
+  camera: null,
+  mark: markOf(NO_SHAPE),
+};
+
 /** Waits until the page can be used. */
 export const usable = (page: Page): Promise<void> =>
   expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
@@ -46,15 +62,17 @@ export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): 
     await usable(page);
     return page;
   };
+  const open: Site["open"] = async (options = {}, hash = "", prepare = async () => {}) => {
+    const viewport = { width: 900, height: 640 };
+    // What pulses is drawn without a graphics card here, and takes half a core from the solver.
+    const context = await browser.newContext({ viewport, reducedMotion: "reduce", ...options });
+    await prepare(context);
+    return tabIn(context, hash);
+  };
   return {
     url,
-    async open(options = {}, hash = "", prepare = async () => {}) {
-      const viewport = { width: 900, height: 640 };
-      // What pulses is drawn without a graphics card here, and takes half a core from the solver.
-      const context = await browser.newContext({ viewport, reducedMotion: "reduce", ...options });
-      await prepare(context);
-      return tabIn(context, hash);
-    },
+    open,
+    openVault: async (options, prepare) => open(options, await encodeLink(VAULT), prepare),
     openTab: (page) => tabIn(page.context(), ""),
     async close() {
       await browser.close();
@@ -75,6 +93,12 @@ export const idle = (page: Page): Promise<void> =>
   expect
     .poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled(), { timeout: 30_000 })
     .toBe(true);
+
+/** Unfolds what few need: there the raw weights are. */
+export async function openAdvanced(page: Page): Promise<void> {
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("slider", { name: "Locality" }).waitFor();
+}
 
 /** Adds a handle if there is none and moves it: "+40cm" raises it. */
 export async function typeTarget(page: Page, z: string): Promise<void> {

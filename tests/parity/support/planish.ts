@@ -2,6 +2,7 @@
 import { readFile } from "node:fs/promises";
 import type { PlanishModule } from "@wasm/planish.mjs";
 import type { AnalysisModule } from "@wasm/planish_analysis.mjs";
+import type { ShopModule } from "@wasm/planish_shop.mjs";
 
 const BUILT = new URL("../../../build/wasm/wasm/", import.meta.url);
 
@@ -15,4 +16,10 @@ export async function loadPlanish(): Promise<PlanishModule> {
 export async function loadAnalysis(): Promise<AnalysisModule> {
   const { default: create } = await import(new URL("planish_analysis.mjs", BUILT).href);
   return create({ wasmBinary: await readFile(new URL("planish_analysis.wasm", BUILT)) });
+}
+
+/** The module that writes cutting packages, in node. */
+export async function loadShop(): Promise<ShopModule> {
+  const { default: create } = await import(new URL("planish_shop.mjs", BUILT).href);
+  return create({ wasmBinary: await readFile(new URL("planish_shop.wasm", BUILT)) });
 }

@@ -33,7 +33,7 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
   const session = new module.Session();
   if ("obj" in source) {
     done(session.openFile(new TextEncoder().encode(source.obj), "obj"));
-    done(session.planarise());
+    done(session.planarise(10, false, true));
   } else {
     done(session.openSample(source.sample, source.size));
   }
@@ -87,7 +87,7 @@ export function designText(recipe: Recipe): string {
     format: "planish-design",
     version: 1,
     source: file ? { file: "given.obj", format: "obj", bytes: btoa(source.obj) } : source,
-    planarised: file,
+    planarised: file && { smooth: 10, keep_boundary: false, shape: true },
     handles: recipe.handles,
     pins: recipe.pins,
     options,

@@ -22,7 +22,7 @@ const shape = {
 
 export const EDITED: Design = {
   source: { kind: "sample", name: "vault", size: 21 },
-  planarised: false,
+  planarised: null,
   handles: [
     { vertex: 220, target: [10.1, 9.9, 1 / 3], pinned: false },
     { vertex: 5, target: [0, 0, 0], pinned: true },
@@ -36,6 +36,7 @@ export const EDITED: Design = {
     worstGap: 1e-16,
     worstMmPerM: 1e-12,
     worstExcess: 1e-12,
+    sharpestFold: null,
     handleError: 0.5,
     objective: 12.5,
     iterations: 7,
@@ -56,7 +57,7 @@ export const EDITED: Design = {
 export const OPENED: Design = {
   ...EDITED,
   source: FILE,
-  planarised: true,
+  planarised: { smooth: 0, keepBoundary: false, keepShape: false },
   handles: [],
   shape: { moved: new Int32Array(0), positions: new Float64Array(0) },
   report: { ...EDITED.report, movedVertices: 0 },

@@ -13,6 +13,9 @@ const COLUMNS = [
   "must_be_made_again",
 ] as const;
 
+/** By the core's PanelChange. */
+const REMAKE = ["no", "yes", "bevel"] as const;
+
 /** As many digits as were measured. */
 const digits = (value: number): string => String(Number(value.toPrecision(7)));
 
@@ -22,7 +25,7 @@ export function panelList(figures: Float32Array, health: Float32Array, unit: Uni
   const lines = Array.from({ length: panelCount(figures) }, (_, panel) => {
     const row = rowOf(panel, figures, health);
     const shape = OUTLINES[row.outline] ?? "";
-    const again = row.changed === 1 ? "yes" : "no";
+    const again = REMAKE[row.changed] ?? "";
     return [panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge), shape, again];
   });
   return [COLUMNS, ...lines].map((line) => `${line.join(",")}\r\n`).join("");

@@ -31,6 +31,16 @@ export interface Snap {
   readonly reach: number;
 }
 
+/** What holds a drag, and what does not. */
+export interface HeldDrag {
+  readonly lock: Lock | null;
+  readonly snap: Snap | null;
+  /** Of the usual line. */
+  readonly free: boolean;
+  /** The limit on folds. */
+  readonly through: boolean;
+}
+
 export class DragSession {
   readonly #drag: Drag;
   readonly #at: DragStart;
@@ -45,8 +55,8 @@ export class DragSession {
     this.#local = [along, across, normal].map((vector) => new Vector3(...vector));
   }
 
-  /** The pointer moved, or (without a ray) the lock or the snapping changed; `free` of the usual line. */
-  move(lock: Lock | null, snap: Snap | null, free: boolean, ray: Ray = this.#ray): void {
+  /** The pointer moved, or (without a ray) the lock or the snapping changed. */
+  move({ lock, snap, free, through }: HeldDrag, ray: Ray = this.#ray): void {
     this.#ray = ray;
     const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, this.#at.view);
     const held = lock ? this.#heldBy(lock) : (this.#at.arrow ?? usual);
@@ -58,7 +68,9 @@ export class DragSession {
       return;
     }
     const offset = to.sub(from);
-    this.#drag.by(this.#toModel(snap ? this.#snapped(offset, held, snap) : offset));
+    // A step is asked for by name: no fold takes it back.
+    if (snap) this.#drag.by(this.#toModel(this.#snapped(offset, held, snap)), true);
+    else this.#drag.by(this.#toModel(offset), through);
   }
 
   end(): void {

@@ -122,7 +122,8 @@ export class Overlay {
   }
 }
 
-function putAt(element: HTMLElement, at: Place | null): void {
+/** Hides an element, or puts it somewhere, in pixels of the view. */
+export function putAt(element: HTMLElement, at: Place | null): void {
   element.hidden = at === null;
   if (at) element.style.transform = `translate(${at.x.toFixed(0)}px, ${at.y.toFixed(0)}px)`;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the colours of the panels mean: how far points moved, how sharply the edit bends, how far
-// panels are out of flat, or whether they can be made.
+// panels are out of flat, whether they can be made, or must be made again.
 import { BufferAttribute, DynamicDrawUsage } from "three";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
@@ -8,7 +8,18 @@ import { PER_PANEL } from "../solver/protocol.ts";
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
-import { makeRamp, planarityEnd, planarityShare, type Ramp, writeRamp } from "./ramp.ts";
+import {
+  foldEnd,
+  makeRamp,
+  planarityEnd,
+  planarityShare,
+  type Ramp,
+  remakePlace,
+  writeRamp,
+} from "./ramp.ts";
+
+/** Where a panel's PanelChange is among its figures of health. */
+const CHANGE = 3;
 
 export class PanelColours {
   readonly attribute: BufferAttribute;
@@ -77,17 +88,24 @@ export class PanelColours {
   }
 
   /**
-   * Flatness: neutral where flat, then logarithmic up to planarityEnd(). Health: convex neutral,
-   * concave in the middle of the ramp, self-crossing at its end.
+   * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
+   * Folds: in proportion, up to foldEnd(). Health: convex neutral, concave in the middle of the ramp,
+   * self-crossing at its end. What must be made again: see remakePlace().
    */
+  #placeOf(figures: Float32Array): (panel: number) => number {
+    if (this.#kind === "health") return (f) => (figures[PER_PANEL.health * f] ?? 0) / 2;
+    if (this.#kind === "remake")
+      return (f) => remakePlace(figures[PER_PANEL.health * f + CHANGE] ?? 0);
+    const end = this.#kind === "fold" ? foldEnd(figures) : planarityEnd(figures);
+    if (this.#kind === "fold") return (f) => (figures[f] ?? 0) / end;
+    return (f) => planarityShare(figures[PER_PANEL.figures * f + 2] ?? 0, end);
+  }
+
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
-    const health = this.#kind === "health";
-    const end = health ? 0 : planarityEnd(figures);
+    const place = this.#placeOf(figures);
     for (let f = 0; f + 1 < offsets.length; ++f) {
-      const t = health
-        ? (figures[PER_PANEL.health * f] ?? 0) / 2
-        : planarityShare(figures[PER_PANEL.figures * f + 2] ?? 0, end);
+      const t = place(f);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
       }

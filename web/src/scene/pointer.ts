@@ -23,6 +23,16 @@ export interface Click {
   readonly coarse: boolean;
 }
 
+/** The keys held during a drag. */
+export interface DragKeys {
+  /** Ctrl. */
+  readonly snap: boolean;
+  /** Alt: free of the usual line. */
+  readonly free: boolean;
+  /** Shift: through the limit on folds. */
+  readonly through: boolean;
+}
+
 export interface PointerEvents {
   readonly find: (x: number, y: number, coarse: boolean) => Hold | null;
   /** Whether every drag is to draw a box. */
@@ -36,8 +46,7 @@ export interface PointerEvents {
   readonly turn: (x: number, y: number) => void;
   /** The wheel is about to bring the camera nearer to what is here. */
   readonly zoom: (x: number, y: number) => void;
-  /** `snap` with Ctrl; `free` of the usual line, with Alt. */
-  readonly drag: (session: DragSession, how: { snap: boolean; free: boolean }, ray?: Ray) => void;
+  readonly drag: (session: DragSession, how: DragKeys, ray?: Ray) => void;
   readonly box: (box: Box | null) => void;
   /** `also` adds what it holds to the selection. */
   readonly choose: (box: Box, also: boolean) => void;
@@ -60,7 +69,7 @@ export class PointerTool {
   readonly #off = new AbortController();
   #press: Press | null = null;
   /** The keys held at the last move of a drag. */
-  #how = { snap: false, free: false };
+  #how: DragKeys = { snap: false, free: false, through: false };
   /** A press that is being given to the camera controls. */
   #handedOver: Event | null = null;
 
@@ -165,7 +174,8 @@ export class PointerTool {
       return;
     }
     const { x, y } = this.#place(event);
-    this.#how = { snap: event.ctrlKey || event.metaKey, free: event.altKey };
+    const { altKey: free, shiftKey: through } = event;
+    this.#how = { snap: event.ctrlKey || event.metaKey, free, through };
     this.#events.drag(press.session, this.#how, this.#rayAt(x, y));
   }
 

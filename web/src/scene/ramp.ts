@@ -41,6 +41,16 @@ export function planarityShare(mmPerM: number, end: number): number {
   return 0.15 + (0.85 * Math.log10(mmPerM / FLAT)) / Math.log10(end / FLAT);
 }
 
+/** Degrees at the end of the ramp of folds, at least: where a crease begins to be seen as one. */
+const CREASE = 30;
+
+/** Degrees at the end of the ramp of folds: those of a crease, or the sharpest fold. */
+export const foldEnd = (folds: Float32Array): number =>
+  folds.reduce((sharpest, fold) => Math.max(sharpest, fold), CREASE);
+
+/** Place on the ramp by the core's PanelChange: unchanged, cut again at the end, a new bevel between. */
+export const remakePlace = (change: number): number => [0, 1, 0.5][change] ?? 0;
+
 /** The same ramp for a legend. */
 export const cssGradient = (stops: readonly string[]): string =>
   `linear-gradient(to right in oklab, ${stops.join(", ")})`;

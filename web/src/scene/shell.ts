@@ -54,6 +54,8 @@ export class Shell {
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
   #outlined: number | null = null;
+  /** Display units: the displacement at the ramp's end is at least this. */
+  #scale = 0;
 
   constructor(mesh: DisplayMesh, palette: Palette) {
     this.base = mesh.display;
@@ -129,6 +131,17 @@ export class Shell {
     this.#uploadPositions();
     this.#drawGhost();
     if (this.#outlined !== null) this.outlinePanel(this.#outlined);
+  }
+
+  /** Gives several structures one scale of displacement, display units. */
+  scaleTo(largest: number): void {
+    this.#scale = largest;
+    this.#colourAll();
+  }
+
+  /** The largest displacement shown, display units. */
+  get largest(): number {
+    return this.#largest;
   }
 
   colourBy(kind: ColourBy, figures: Float32Array | null): void {
@@ -232,7 +245,7 @@ export class Shell {
   }
 
   #colourMoved(): void {
-    this.#largest = 0;
+    this.#largest = this.#scale;
     for (const v of this.#moved) this.#largest = Math.max(this.#largest, this.#displacement(v));
     for (const v of this.#moved) {
       this.#colours.paintVertex(v, this.#displacement(v) / this.#largest);

@@ -6,7 +6,7 @@ import { row } from "../mesh/topology.ts";
 import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
-import { handleOf } from "../state/editing.ts";
+import { commitSettings, handleOf, previewSettings } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
 import {
   deselect,
@@ -18,6 +18,7 @@ import {
 } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import {
+  baseFlat,
   bending,
   boxTool,
   type ColourBy,
@@ -29,11 +30,13 @@ import {
   lock,
   mesh,
   panelFigures,
+  panelFolds,
   panelHealth,
   ready,
   selected,
   selectedPanel,
   selection,
+  settings,
   showBefore,
   snapDistance,
   snapping,
@@ -44,11 +47,13 @@ import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
 import { neighbourTowards } from "./neighbour.ts";
-import { Overlay, type OverlayParts } from "./overlay.ts";
+import { Overlay, type OverlayParts, putAt } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
 import { type Box, type Place, pickVertex, project, type View, verticesIn } from "./picking.ts";
 import { type Click, type Hold, PointerTool } from "./pointer.ts";
 import type { Pull } from "./pull-lines.ts";
+import { followKnob } from "./reach-knob.ts";
+import { ReachLine } from "./reach-line.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";
 import { surfaceHit } from "./surface-hit.ts";
@@ -58,6 +63,8 @@ export interface ViewportParts extends OverlayParts {
   /** What lies over the lower corners of the view; a fitted model is not under it. */
   readonly legend: HTMLElement;
   readonly views: HTMLElement;
+  /** On the line of the reach. */
+  readonly knob: HTMLElement;
 }
 
 /** Pixels about a selected point that are its own, even where arrows begin. */
@@ -76,8 +83,9 @@ const palette = (): Palette => (dark.matches ? DARK : LIGHT);
 
 /** What the colours show, where it is not how far points moved. */
 function figuresOf(kind: ColourBy): Float32Array | null {
-  if (kind === "health") return panelHealth.value;
+  if (kind === "health" || kind === "remake") return panelHealth.value;
   if (kind === "fairness") return bending.value;
+  if (kind === "fold") return panelFolds.value;
   return kind === "planarity" ? panelFigures.value : null;
 }
 
@@ -104,6 +112,7 @@ export class Viewport {
   readonly #pointer: PointerTool;
   readonly #overlay: Overlay;
   readonly #stop: (() => void)[] = [];
+  readonly #reach = new ReachLine();
   #shell: Shell | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
@@ -238,6 +247,7 @@ export class Viewport {
 
   dispose(): void {
     for (const stop of this.#stop) stop();
+    this.#reach.dispose();
     this.#pointer.dispose();
     this.#gizmo.dispose();
     this.#shell?.dispose();
@@ -258,7 +268,8 @@ export class Viewport {
         const at = this.#surfaceAt({ x, y });
         if (at) this.stage.aim(at);
       },
-      drag: (session, { snap, free }, ray) => session.move(lock.value, this.#snap(snap), free, ray),
+      drag: (session, { snap, free, through }, ray) =>
+        session.move({ lock: lock.value, snap: this.#snap(snap), free, through }, ray),
       box: (box) => this.#overlay.drawBox(box),
       choose: (box, also) => this.#choose(box, also),
     });
@@ -368,6 +379,7 @@ export class Viewport {
     const recolour = (): void => {
       this.stage.setPalette(palette());
       this.#shell?.setPalette(palette());
+      this.#reach.setColour(palette().ghost);
     };
     dark.addEventListener("change", recolour);
     const observer = new ResizeObserver(() => this.#resize());
@@ -382,6 +394,11 @@ export class Viewport {
         const kind = colourBy.value;
         this.#shell?.colourBy(kind, figuresOf(kind));
         this.stage.invalidate();
+      }),
+      effect(() => this.#drawReach()),
+      followKnob(this.#parts.knob, this.#canvas, {
+        move: (place) => this.#dragReach(place),
+        end: () => void commitSettings({ reach: settings.value?.reach ?? 0, reachLength: 0 }),
       }),
       effect(() => this.#outline(selectedPanel.value)),
       effect(() => {
@@ -404,6 +421,25 @@ export class Viewport {
     recolour();
   }
 
+  /** Around what is pulled, or about to be. */
+  #drawReach(): void {
+    const [shell, limits, opened] = [this.#shell, settings.value, mesh.value];
+    if (!shell || !limits || !opened || displayMesh.value !== opened) return;
+    const pulled = handles.value.flatMap(({ vertex, pinned }) => (pinned ? [] : [vertex]));
+    const next = selected.value === null || !baseFlat.value ? [] : [selected.value];
+    const length = limits.reachLength * opened.report.scale;
+    const seeds = pulled.length > 0 ? pulled : next;
+    this.#reach.draw(shell, seeds, { rings: limits.reach, length });
+    this.stage.invalidate();
+  }
+
+  #dragReach(place: Place): void {
+    const shell = this.#shell;
+    if (!shell) return;
+    const reach = this.#reach.ringsAt(shell, place, this.#view());
+    if (reach !== settings.peek()?.reach) previewSettings({ reach, reachLength: 0 });
+  }
+
   #outline(panel: number | null): void {
     const corners = this.#shell?.outlinePanel(panel) ?? null;
     this.#overlay.setPanel(corners);
@@ -417,6 +453,9 @@ export class Viewport {
     const kept = this.#shell?.showsMuchTheSame(shown) ?? false;
     this.#shell?.dispose();
     this.#shell = new Shell(shown, palette());
+    this.#shell.group.add(this.#reach.object);
+    this.#reach.forget();
+    untracked(() => this.#drawReach());
     this.#overlay.setPanel(null);
     this.#resize();
     this.stage.setSubject(this.#shell.group, this.#shell.bounds());
@@ -445,6 +484,7 @@ export class Viewport {
     const { width, height } = this.#canvas.getBoundingClientRect();
     this.stage.resize(width, height);
     this.#shell?.setSize(width, height);
+    this.#reach.setSize(width, height);
     this.#gizmo.resize(height);
   }
 
@@ -460,6 +500,9 @@ export class Viewport {
   }
 
   #placeOverlay(): void {
-    if (this.#shell) this.#overlay.place(this.#shell.current, this.#shell.base, this.#view());
+    if (!this.#shell) return;
+    const view = this.#view();
+    this.#overlay.place(this.#shell.current, this.#shell.base, view);
+    putAt(this.#parts.knob, this.#reach.knob(this.#shell, view));
   }
 }

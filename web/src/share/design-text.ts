@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A design as the JSON of docs/formats.md, which the command line and GLB files hold too. What can
 // be wrong with it is said in one sentence that names the field.
-import type { EditSettings, Source } from "../solver/protocol.ts";
+import type { EditSettings, Planarising, Source } from "../solver/protocol.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
+import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark, Steps } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
@@ -57,6 +58,14 @@ function optionsJson(settings: EditSettings): Json {
   };
 }
 
+/** `true` is the nearest flat mesh, as designs of earlier versions say it. */
+function planarisedJson(how: Planarising | null): Json | boolean {
+  if (!how) return false;
+  const { smooth, keepBoundary, keepShape } = how;
+  if (smooth === 0 && !keepBoundary && !keepShape) return true;
+  return { smooth, keep_boundary: keepBoundary, shape: keepShape };
+}
+
 const variationJson = ({ coefficients, asked, eigenbasis }: Family): Json => ({
   dimension: asked,
   eigen: eigenbasis,
@@ -97,7 +106,7 @@ export function writeDesign(
     format: "planish-design",
     version: 1,
     source: { ...sourceJson(recipe.source, base), ...bytesJson(recipe.source, bytes) },
-    planarised: recipe.planarised,
+    planarised: planarisedJson(recipe.planarised),
     unit: recipe.unit,
     handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
     pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
@@ -176,8 +185,16 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
 function readOptions(value: unknown): EditSettings {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
-  names.push("reach", "reach_length", "keep_boundary", "softness");
+  names.push("reach", "reach_length", "keep_boundary", "softness", "constraints", "bounds");
   const options = readObject(value ?? {}, "options", names);
+  check(
+    options.constraints === undefined,
+    "options.constraints: this page keeps panels flat and nothing else; “planish replay” does.",
+  );
+  check(
+    options.bounds === undefined,
+    "options.bounds: this page keeps panels flat and sound and knows no limits yet; “planish replay” does.",
+  );
   const usual = DEFAULT_SETTINGS;
   const number = (key: string, otherwise: number): number => {
     const given = options[key] ?? otherwise;
@@ -253,6 +270,18 @@ function readMark(value: unknown): ResultMark | null {
   return { hash: digits, moved, probes: (probes as number[][]).flat() };
 }
 
+function readPlanarised(value: unknown): Planarising | null {
+  if (!isRecord(value)) return value === true ? NEAREST_FLAT : null;
+  const {
+    smooth = 0,
+    keep_boundary,
+    shape,
+  } = readObject(value, "planarised", ["smooth", "keep_boundary", "shape"]);
+  const isWeight = typeof smooth === "number" && smooth >= 0;
+  check(isWeight, "planarised: smooth must be a number of at least 0.");
+  return { smooth, keepBoundary: keep_boundary === true, keepShape: shape === true };
+}
+
 const FIELDS = "format version title source planarised unit handles pins options variations result";
 
 function readRoot(value: unknown): DesignText {
@@ -270,7 +299,7 @@ function readRoot(value: unknown): DesignText {
   check(variations.length <= MOST.variations, `variations must be at most ${MOST.variations}.`);
   return {
     ...readSource(root.source),
-    planarised: root.planarised === true,
+    planarised: readPlanarised(root.planarised),
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
     settings: readOptions(root.options),

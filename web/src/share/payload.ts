@@ -3,8 +3,9 @@
 //   CRC-32 of the rest (4 bytes) | length of the JSON (4 bytes) | JSON | the file, if any
 // little-endian. Links are kept readable for ever: what is added may be missing, and a change of
 // layout is a new version.
-import type { EngineName, Fairness, FileFormat, Source } from "../solver/protocol.ts";
+import type { EngineName, Fairness, FileFormat, Planarising, Source } from "../solver/protocol.ts";
 import type { Family } from "../state/design.ts";
+import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
@@ -32,7 +33,8 @@ const MOST_FAMILIES = 100;
 interface Payload {
   /** Sample name and size, or file name and format. */
   s: [string, number] | [string, FileFormat];
-  p: 0 | 1;
+  /** Whether its mesh was planarised; then the weight of fairness, the boundary and the shape kept. */
+  p: 0 | 1 | [number, 0 | 1, 0 | 1];
   h: [number, number, number, number, 0 | 1][];
   w: [number, number, number, Fairness, EngineName];
   x: readonly number[] | null;
@@ -58,7 +60,7 @@ function toPayload(recipe: Recipe): Payload {
   const earlier = families.slice(0, -1);
   return {
     s: source.kind === "sample" ? [source.name, source.size] : [source.name, source.format],
-    p: recipe.planarised ? 1 : 0,
+    p: writePlanarising(recipe.planarised),
     h: handles.map(({ vertex, target, pinned }) => [vertex, ...target, pinned ? 1 : 0]),
     w: writeSettings(recipe.settings) as Payload["w"],
     x: variation?.coefficients ?? null,
@@ -68,6 +70,24 @@ function toPayload(recipe: Recipe): Payload {
     ...(camera && { c: writeCamera(camera) }),
     r: [mark.hash, mark.moved, mark.probes],
   };
+}
+
+/** 1 is the nearest flat mesh, which links of earlier versions mean by it. */
+function writePlanarising(how: Planarising | null): Payload["p"] {
+  if (!how) return 0;
+  const { smooth, keepBoundary, keepShape } = how;
+  if (smooth === 0 && !keepBoundary && !keepShape) return 1;
+  return [smooth, keepBoundary ? 1 : 0, keepShape ? 1 : 0];
+}
+
+/** undefined if it is neither. */
+function readPlanarising(value: unknown): Planarising | null | undefined {
+  if (!Array.isArray(value)) return value === 1 ? NEAREST_FLAT : null;
+  const [smooth, boundary, shape] = value as unknown[];
+  const whole = isNumbers(value) && value.length === 3 && Number(smooth) >= 0;
+  return whole
+    ? { smooth: Number(smooth), keepBoundary: boundary === 1, keepShape: shape === 1 }
+    : undefined;
 }
 
 export async function encodePayload(recipe: Recipe): Promise<Uint8Array> {
@@ -134,11 +154,12 @@ function readPayload(payload: Json, file: Uint8Array): Recipe | null {
   const families = readFamilies(payload);
   const mark = readMark(payload.r);
   const camera = readCamera(payload.c);
-  const { u: unit, p } = payload;
+  const planarised = readPlanarising(payload.p);
+  const { u: unit } = payload;
   if (!source || !handles || !settings || !mark) return null;
-  if (!families || camera === undefined) return null;
+  if (!families || camera === undefined || planarised === undefined) return null;
   if (typeof unit !== "string" || !isUnit(unit)) return null;
-  return { source, planarised: p === 1, handles, settings, families, unit, camera, mark };
+  return { source, planarised, handles, settings, families, unit, camera, mark };
 }
 
 /** null if the bytes are not a whole, unchanged recipe. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One design inside a saved record: words in JSON, every number that must come back in float64.
-import type { Shape, ShapeReport, Source } from "../solver/protocol.ts";
+import type { Planarising, Shape, ShapeReport, Source } from "../solver/protocol.ts";
 import type { Design, Family, HandleRow, Variation } from "../state/design.ts";
+import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { PoolReader, PoolWriter } from "./number-pool.ts";
 import {
   isIndex,
@@ -97,6 +98,12 @@ function readShape(value: unknown, pool: PoolReader): Shape | null {
 /** A figure may be unknown, which JSON writes as null. */
 const readFigure = (value: unknown): number => (isNumber(value) ? value : Number.NaN);
 
+function readFold(value: unknown): ShapeReport["sharpestFold"] {
+  if (!isRecord(value)) return null;
+  const { before, after } = value;
+  return isNumber(before) && isNumber(after) ? { before, after } : null;
+}
+
 function readReport(value: unknown): ShapeReport | null {
   if (!isRecord(value)) return null;
   const { status, movedVertices } = value;
@@ -109,6 +116,7 @@ function readReport(value: unknown): ShapeReport | null {
     worstMmPerM: readFigure(value.worstMmPerM),
     // Records from before this figure was kept.
     worstExcess: readFigure(value.worstExcess ?? value.worstMmPerM),
+    sharpestFold: readFold(value.sharpestFold),
     handleError: readFigure(value.handleError),
     objective: readFigure(value.objective),
     iterations: readFigure(value.iterations),
@@ -151,6 +159,16 @@ function rowsOf(numbers: Float64Array | null): number[][] | null {
   );
 }
 
+/** undefined if it is neither; older ones only say whether. */
+function readPlanarising(value: unknown): Planarising | null | undefined {
+  if (value === null || value === false) return null;
+  if (value === true) return NEAREST_FLAT;
+  if (!isRecord(value)) return undefined;
+  const { smooth, keepBoundary, keepShape } = value;
+  if (typeof smooth !== "number" || !(smooth >= 0)) return undefined;
+  return { smooth, keepBoundary: keepBoundary === true, keepShape: keepShape === true };
+}
+
 /** null if it is not a whole design, or if its file is not there. */
 export function readDesign(value: unknown, pool: PoolReader, files: Files): Design | null {
   if (!isRecord(value)) return null;
@@ -160,9 +178,9 @@ export function readDesign(value: unknown, pool: PoolReader, files: Files): Desi
   const shape = readShape(value.shape, pool);
   const report = readReport(value.report);
   const variation = readVariation(value.variation, pool);
-  const { planarised } = value;
+  const planarised = readPlanarising(value.planarised);
   if (!source || !handles || !settings || !shape || !report) return null;
-  if (variation === undefined || typeof planarised !== "boolean") return null;
+  if (variation === undefined || planarised === undefined) return null;
   if (report.movedVertices !== shape.moved.length) return null;
   return { source, planarised, handles, settings, shape, report, variation };
 }

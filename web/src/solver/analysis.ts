@@ -3,7 +3,7 @@
 import type { Session } from "@wasm/planish.mjs";
 import type { Analysis, AnalysisModule } from "@wasm/planish_analysis.mjs";
 import analysisUrl from "@wasm/planish_analysis.wasm?url";
-import type { Fairness, FreedomReport, PanelMeasures, Targets } from "./protocol.ts";
+import type { Fairness, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
 
 async function load(): Promise<AnalysisModule> {
   const { default: create } = await import("@wasm/planish_analysis.mjs");
@@ -30,14 +30,29 @@ export class DesignAnalysis {
     this.#analysis = null;
   }
 
-  panels(fairness: Fairness | null): PanelMeasures | null {
+  panels(fairness: Fairness | null, folds: boolean): PanelMeasures | null {
     const [module, analysis] = this.#current();
     if (!module || !analysis) return null;
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
       damage: analysis.panelDamage(),
+      folds: folds ? analysis.panelFolds() : null,
       bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
+    };
+  }
+
+  /** Of a shape that need not be shown. */
+  measure({ moved, positions }: Shape): PanelMeasures | null {
+    const [, analysis] = this.#current();
+    if (!analysis) return null;
+    analysis.show(moved, positions);
+    return {
+      figures: analysis.panelFigures(),
+      health: analysis.panelHealth(),
+      damage: analysis.panelDamage(),
+      folds: analysis.panelFolds(),
+      bending: null,
     };
   }
 

@@ -3,25 +3,30 @@
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { DesignAnalysis } from "./analysis.ts";
+import { FoldHold, type HandleList } from "./fold-limit.ts";
 import { openGlb, writeGlb } from "./glb.ts";
 import type {
+  EditMode,
   EditSettings,
   Fairness,
   FileFormat,
   OpenedMesh,
+  Planarising,
   Reply,
   Request,
+  ShapeReport,
   Source,
   StoredDesign,
 } from "./protocol.ts";
 import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
+import { writePackage } from "./shop.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
 type Job = Exclude<Request, { kind: "start" }>;
 
 /** Jobs that wait for something: a file, a module. */
-type Waited = "open" | "read" | "export";
+type Waited = "open" | "read" | "export" | "package";
 
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
@@ -31,6 +36,11 @@ const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
 function insist(refusal: string): void {
   if (refusal) throw new Refused(refusal);
 }
+
+const planariseBase = (
+  session: Session,
+  { smooth, keepBoundary, keepShape }: Planarising,
+): string => session.planarise(smooth, keepBoundary, keepShape);
 
 function insistReadable(name: string, refusal: string): void {
   insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
@@ -82,6 +92,15 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
   };
 }
 
+/** That a drag may wait for the limit on folds. */
+const SEARCH_MS = 2000;
+
+/** Degrees by which an edit sharpened the sharpest fold; one that found no way to move has no fold to tell. */
+function growthOf({ status, movedVertices, sharpestFold }: ShapeReport): number {
+  if (status === "iteration_limit" && movedVertices === 0) return Number.POSITIVE_INFINITY;
+  return sharpestFold ? sharpestFold.after - sharpestFold.before : 0;
+}
+
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
@@ -90,6 +109,7 @@ export class Dispatcher {
   readonly #session: Session;
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
+  #hold = new FoldHold();
   #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
@@ -115,6 +135,7 @@ export class Dispatcher {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "export") await this.#export(request);
+      else if (request.kind === "package") await this.#package(request);
       else this.#run(request);
     } catch (error) {
       this.#post({ kind: "failed", job, message: sentence(error), fatal: isFatal(error) }, []);
@@ -134,7 +155,7 @@ export class Dispatcher {
         source.format === "glb" ? await openGlb(name, bytes) : asIs(bytes, source);
       insistReadable(name, session.openFile(mesh, format));
     }
-    if (planarise) insist(session.planarise());
+    if (planarise) insist(planariseBase(session, planarise));
     this.#postOpened(job, null, null);
   }
 
@@ -157,12 +178,18 @@ export class Dispatcher {
     this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
   }
 
+  async #package({ job, options }: Extract<Request, { kind: "package" }>): Promise<void> {
+    const { zip, header } = await writePackage(this.#session, options);
+    const reply: Reply = { kind: "packaged", job, zip, header: JSON.parse(header) };
+    this.#post(reply, [zip.buffer]);
+  }
+
   #run(request: Exclude<Job, { kind: Waited }>): void {
     const session = this.#session;
     const { job } = request;
     switch (request.kind) {
       case "planarise":
-        insist(session.planarise());
+        insist(planariseBase(session, request.how));
         this.#postOpened(job, null, null);
         return;
       case "edit":
@@ -189,7 +216,10 @@ export class Dispatcher {
         this.#postProjected(job);
         return;
       case "panels":
-        this.#postMeasures(job, request.fairness);
+        this.#postMeasures(job, request.fairness, request.folds);
+        return;
+      case "measure":
+        this.#post({ kind: "panels", job, measures: this.#analysis.measure(request.shape) }, []);
         return;
       case "freedom":
         this.#post({ kind: "freedom", job, freedom: this.#analysis.freedom(request.targets) }, []);
@@ -197,21 +227,36 @@ export class Dispatcher {
     }
   }
 
-  #postMeasures(job: number, fairness: Fairness | null): void {
-    const measures = this.#analysis.panels(fairness);
+  #postMeasures(job: number, fairness: Fairness | null, folds: boolean): void {
+    const measures = this.#analysis.panels(fairness, folds);
     const arrays = measures
-      ? [measures.figures, measures.health, measures.damage, measures.bending]
+      ? [measures.figures, measures.health, measures.damage, measures.folds, measures.bending]
       : [];
     const buffers = arrays.flatMap((array) => (array ? [array.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);
   }
 
-  #edit({ job, mode, targets, settings, budget }: Extract<Request, { kind: "edit" }>): void {
+  #edit(request: Extract<Request, { kind: "edit" }>): void {
+    const { job, mode, targets, settings, budget, limit } = request;
     this.#setOptions(settings);
-    const handles = Float64Array.from(targets.handles);
+    const session = this.#session;
     const pins = Int32Array.from(targets.pins);
-    insist(this.#session.edit(this.#module.EditMode[mode], handles, pins, budget));
-    this.#postShown(job, mode !== "drag");
+    const attempt = (handles: HandleList, how: EditMode): void =>
+      insist(session.edit(this.#module.EditMode[how], Float64Array.from(handles), pins, budget));
+    if (!limit) {
+      this.#hold = new FoldHold();
+      attempt(targets.handles, mode);
+      this.#postShown(job, mode !== "drag");
+      return;
+    }
+    if (mode !== "drag") this.#hold = new FoldHold();
+    const once = (handles: HandleList, settled: boolean): number => {
+      attempt(handles, settled ? "release" : mode);
+      return growthOf(JSON.parse(session.report()) as ShapeReport);
+    };
+    const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
+    const taken = this.#hold.take(limit, targets.handles, once, patience);
+    this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
   }
 
   /** Options that stay the same keep the solver's warm start; each message is a copy. */
@@ -222,6 +267,7 @@ export class Dispatcher {
   }
 
   #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
+    this.#hold = new FoldHold();
     this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
@@ -257,7 +303,7 @@ export class Dispatcher {
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(job: number, withShape: boolean): void {
+  #postShown(job: number, withShape: boolean, taken: HandleList | null = null): void {
     const session = this.#session;
     const changes = session.takeChanges();
     const report = JSON.parse(session.report());
@@ -266,6 +312,6 @@ export class Dispatcher {
       : null;
     const buffers: Transferable[] = [changes.buffer];
     if (shape) buffers.push(shape.moved.buffer, shape.positions.buffer);
-    this.#post({ kind: "shown", job, changes, report, shape }, buffers);
+    this.#post({ kind: "shown", job, changes, report, shape, taken }, buffers);
   }
 }

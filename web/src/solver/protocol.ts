@@ -3,7 +3,11 @@
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
 // Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
+import type { CuttingOptions } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { FoldLimit, HandleList } from "./fold-limit.ts";
+
+export type { CuttingOptions } from "@wasm/planish_shop.mjs";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
@@ -61,13 +65,22 @@ export type Source =
       readonly crc: number;
     };
 
+/** How an opened mesh is made flat. */
+export interface Planarising {
+  /** Weight of fairness, at least 0; 0: the nearest flat mesh. */
+  readonly smooth: number;
+  readonly keepBoundary: boolean;
+  /** No panel becomes concave, crossing, turned over or collapsed that was not. */
+  readonly keepShape: boolean;
+}
+
 export type Request =
   /** The worker holds the lock named `alive` for as long as it lives. */
   | { kind: "start"; job: 0; module: WebAssembly.Module; alive: string }
-  | { kind: "open"; job: number; source: Source; planarise: boolean } // → opened
+  | { kind: "open"; job: number; source: Source; planarise: Planarising | null } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
-  | { kind: "planarise"; job: number } // → opened
+  | { kind: "planarise"; job: number; how: Planarising } // → opened
   | {
       kind: "edit";
       job: number;
@@ -75,6 +88,8 @@ export type Request =
       targets: Targets;
       settings: EditSettings;
       budget: number;
+      /** Takes the handles back where panels would fold too sharply; null: never. */
+      limit: FoldLimit | null;
     } // → shown
   /** `keep`: the design is one of the family that was found last, or its centre. */
   | {
@@ -91,9 +106,12 @@ export type Request =
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   /** `fairness`: also how sharply the edit bends at each point, by this operator. */
-  | { kind: "panels"; job: number; fairness: Fairness | null } // → panels
+  | { kind: "panels"; job: number; fairness: Fairness | null; folds: boolean } // → panels
+  /** The same of any shape of the mesh that is open, with folds; the design shown stays. */
+  | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
-  | { kind: "export"; job: number; format: FileFormat; design: string }; // → exported
+  | { kind: "export"; job: number; format: FileFormat; design: string } // → exported
+  | { kind: "package"; job: number; options: CuttingOptions }; // → packaged
 
 export interface MeshReport {
   readonly vertices: number;
@@ -116,6 +134,14 @@ export interface MeshReport {
   readonly warnings: readonly string[];
 }
 
+/** Degrees between neighbouring panels. */
+export interface SharpestFold {
+  readonly before: number;
+  readonly after: number;
+  /** The two that meet so now; absent where nobody measured them. */
+  readonly panels?: readonly number[];
+}
+
 export interface ShapeReport {
   readonly status: string;
   readonly movedVertices: number;
@@ -124,6 +150,8 @@ export interface ShapeReport {
   readonly worstMmPerM: number;
   /** mm/m: of the panel for which the rounding of its coordinates accounts least; often 0. */
   readonly worstExcess: number;
+  /** Degrees between neighbouring panels that the edit touches; null in records from before it. */
+  readonly sharpestFold: SharpestFold | null;
   readonly handleError: number;
   readonly objective: number;
   readonly iterations: number;
@@ -157,10 +185,12 @@ export const PER_PANEL = { figures: 3, health: 4 } as const;
 export interface PanelMeasures {
   /** Gap in model units, mm/m, and mm/m or 0 where rounding accounts for it, for every panel. */
   readonly figures: Float32Array;
-  /** Outline, shortest edge, smallest angle and 1 if it changed, for every panel. */
+  /** Outline, shortest edge, smallest angle and the core's PanelChange, for every panel. */
   readonly health: Float32Array;
   /** What became of every panel since the mesh was opened: a place in DAMAGES. */
   readonly damage: Uint8Array;
+  /** The sharpest fold of every panel with a neighbour, degrees; null if not asked for. */
+  readonly folds: Float32Array | null;
   /** How sharply the edit bends at every vertex, model units; null if not asked for. */
   readonly bending: Float32Array | null;
 }
@@ -177,6 +207,19 @@ export interface FreedomReport {
   readonly borne: number;
   /** Panels that hold the handles back, most first. */
   readonly holding: readonly number[];
+}
+
+/** What of a cutting package's header is said on the page, see docs/fabrication.md. */
+export interface CuttingHeader {
+  readonly counts: { readonly panels: number; readonly drawn: number };
+  readonly remake: { readonly outline: number; readonly bevel: number } | null;
+  readonly flatness_mm_per_m: number;
+  readonly vanished: readonly string[];
+  readonly sheets: {
+    readonly count: number;
+    readonly used_fraction: number;
+    readonly oversize: readonly string[];
+  } | null;
 }
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
@@ -206,8 +249,18 @@ export type Reply =
       mesh: OpenedMesh;
       stored: StoredDesign | null;
     }
-  /** `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. */
-  | { kind: "shown"; job: number; changes: Float32Array; report: ShapeReport; shape: Shape | null }
+  /**
+   * `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. `taken`: the
+   * handles that were edited, where a limit held them back; null: those that were asked for.
+   */
+  | {
+      kind: "shown";
+      job: number;
+      changes: Float32Array;
+      report: ShapeReport;
+      shape: Shape | null;
+      taken: HandleList | null;
+    }
   | { kind: "explored"; job: number; report: ExploreReport }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** null until `measurable`. */
@@ -217,5 +270,6 @@ export type Reply =
   /** null until `measurable`, and where too many points move to count. */
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
+  | { kind: "packaged"; job: number; zip: Uint8Array; header: CuttingHeader }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };

@@ -14,6 +14,7 @@ import {
   mesh,
   panelDamage,
   panelFigures,
+  panelFolds,
   panelHealth,
   ready,
   selectedPanel,
@@ -31,7 +32,8 @@ export function keepPanelFigures(): () => void {
     if (!design || !ready.value) return;
     panelDamage.value = null;
     const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
-    client.ask({ kind: "panels", fairness }).then(
+    const folds = colourBy.value === "fold";
+    client.ask({ kind: "panels", fairness, folds }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
         if (!measures || panelCount(measures.figures) > EAGER) return;
@@ -40,6 +42,7 @@ export function keepPanelFigures(): () => void {
           panelHealth.value = measures.health;
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
+          panelFolds.value = measures.folds;
         });
         if ((selectedPanel.peek() ?? 0) >= panelCount(measures.figures)) selectedPanel.value = null;
       },

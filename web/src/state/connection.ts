@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one solver of the page, and what its answers do to the state.
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
-import type { Shape, Source } from "../solver/protocol.ts";
+import type { Planarising, Shape, Source } from "../solver/protocol.ts";
 import { spawnSolver } from "../solver/spawn.ts";
 import { activity, figures, measurable, problem } from "./store.ts";
 
@@ -22,7 +22,7 @@ export function announceChanges(changes: Float32Array): void {
 /** A mesh as the solver has it open. */
 export interface Base {
   readonly source: Source;
-  readonly planarised: boolean;
+  readonly planarised: Planarising | null;
 }
 
 /** What the solver holds; null where it would have to be told again. */
@@ -80,7 +80,7 @@ function account(question: Question, done: boolean): void {
       held.centre = null;
       return;
     case "planarise":
-      if (done && held.base) held.base = { ...held.base, planarised: true };
+      if (done && held.base) held.base = { ...held.base, planarised: question.how };
       if (done) held.centre = null;
       return;
     case "restore":
@@ -97,7 +97,7 @@ async function ask(question: Question): Promise<Answer> {
     const answer = await client.ask(question);
     account(question, true);
     if (answer.kind === "opened" && answer.source)
-      held.base = { source: answer.source, planarised: false };
+      held.base = { source: answer.source, planarised: null };
     return answer;
   } catch (error) {
     account(question, false);
@@ -169,14 +169,15 @@ export async function tell(...questions: readonly Question[]): Promise<boolean> 
  * A frame of a drag or a slider. Overtaken frames are dropped; a refused one keeps the frame
  * before it on screen, and what ends the drag says why if it is refused too.
  */
-export async function frame(question: Question): Promise<void> {
+export async function frame(question: Question): Promise<Answer | null> {
   try {
     const answer = await client.stream(question);
     account(question, true);
     show(answer);
     problem.value = null;
+    return answer;
   } catch {
-    // The last good frame stays.
+    return null; // The last good frame stays.
   }
 }
 

@@ -26,6 +26,6 @@ export const continueFromShape = (): Promise<void> =>
       await showPresent();
       return;
     }
-    adopt(read.source, false, read.mesh);
+    adopt(read.source, null, read.mesh);
     notice.value = SAID;
   });

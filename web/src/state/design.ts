@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A design is data: a source, a recipe, and the shape that the recipe gave.
-import type { EditSettings, Shape, ShapeReport, Source, Targets } from "../solver/protocol.ts";
+import type {
+  EditSettings,
+  Planarising,
+  Shape,
+  ShapeReport,
+  Source,
+  Targets,
+} from "../solver/protocol.ts";
 import { SAMPLES } from "./samples.ts";
 
 export type Point = readonly [number, number, number];
@@ -34,7 +41,7 @@ export interface Variation extends Family {
 
 export interface Design {
   readonly source: Source;
-  readonly planarised: boolean;
+  readonly planarised: Planarising | null;
   readonly handles: readonly HandleRow[];
   readonly settings: EditSettings;
   readonly shape: Shape;
@@ -42,7 +49,7 @@ export interface Design {
   readonly variation: Variation | null;
 }
 
-/** The command line's defaults. */
+/** The command line's defaults; what a link or a file does not say. */
 export const DEFAULT_SETTINGS: EditSettings = {
   attraction: 1000,
   locality: 1,
@@ -60,13 +67,43 @@ export const DEFAULT_SETTINGS: EditSettings = {
   softness: 0,
 };
 
+/** What a new visitor's page starts with, see docs/decisions/0009-reach-and-softness.md. */
+export const FIRST_SETTINGS: EditSettings = {
+  ...DEFAULT_SETTINGS,
+  attraction: 10_000,
+  reach: 6,
+  keepBoundary: true,
+  softness: 5,
+};
+
+/** The raw weights, without limits, as on the command line. */
+export const RAW_WEIGHTS: Partial<EditSettings> = {
+  attraction: DEFAULT_SETTINGS.attraction,
+  locality: DEFAULT_SETTINGS.locality,
+  smoothness: DEFAULT_SETTINGS.smoothness,
+  reach: 0,
+  reachLength: 0,
+  keepBoundary: false,
+  softness: 0,
+};
+
+/** Reach and softness in their place. */
+export const SOFT_LIMITS: Partial<EditSettings> = {
+  attraction: FIRST_SETTINGS.attraction,
+  reach: FIRST_SETTINGS.reach,
+  reachLength: 0,
+  keepBoundary: FIRST_SETTINGS.keepBoundary,
+  softness: FIRST_SETTINGS.softness,
+};
+
 /**
  * What another mesh starts with: everything that the page has a control for stays as the controls
  * show it, so that nothing changes behind the user's back. What has none goes back to its default:
  * a link or a file may have set it, and nobody could see that it is still there.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
-  const { attraction, sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  const { attraction } = shown.softness > 0 ? FIRST_SETTINGS : DEFAULT_SETTINGS;
   return { ...shown, attraction, sparsity, maxIterations, reachLength };
 }
 
@@ -79,6 +116,7 @@ export const NO_REPORT: ShapeReport = {
   worstGap: 0,
   worstMmPerM: 0,
   worstExcess: 0,
+  sharpestFold: null,
   handleError: 0,
   objective: 0,
   iterations: 0,
@@ -106,6 +144,17 @@ export function toTargets(handles: readonly HandleRow[]): Targets {
 
 /** A link writes −0 as 0, so that a target never is −0. */
 const plain = ([x, y, z]: Point): Point => [x + 0, y + 0, z + 0];
+
+/** Targets as the solver took them: vertex, x, y, z for each that is not pinned. */
+export function withTaken(rows: readonly HandleRow[], taken: readonly number[]): HandleRow[] {
+  let k = -1;
+  return rows.map((row) => {
+    if (row.pinned) return row;
+    k += 1;
+    const [x = 0, y = 0, z = 0] = taken.slice(4 * k + 1, 4 * k + 4);
+    return { ...row, target: plain([x, y, z]) };
+  });
+}
 
 export function withHandle(rows: readonly HandleRow[], given: HandleRow): HandleRow[] {
   const row = { ...given, target: plain(given.target) };

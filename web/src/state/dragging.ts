@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
+import type { Question } from "../solver/client.ts";
+import type { FoldLimit, HandleList } from "../solver/fold-limit.ts";
 import { client, frame } from "./connection.ts";
-import { type HandleRow, leftBehind, type Point, withHandle } from "./design.ts";
+import {
+  type Design,
+  type HandleRow,
+  leftBehind,
+  type Point,
+  toTargets,
+  withHandle,
+  withTaken,
+} from "./design.ts";
 import {
   commitEdit,
   edit,
@@ -16,12 +26,14 @@ import { showPresent } from "./showing.ts";
 import {
   baseFlat,
   draft,
+  figures,
   hintVertex,
   history,
   type Lock,
   lock,
   mesh,
   notice,
+  problem,
   ready,
   selection,
 } from "./store.ts";
@@ -53,26 +65,75 @@ interface Grip {
   readonly from: Point;
 }
 
+const scale = ([x, y, z]: Point, by: number): Point => [by * x, by * y, by * z];
+
 const END_ON = "This direction points at you: turn the view, or type the coordinate.";
+
+/** Degrees by which a drag may sharpen the sharpest fold. */
+const FOLD_GROWTH = 10;
+
+const HELD_BACK = `Held back: further, panels would fold more than ${FOLD_GROWTH}° sharper. More reach or softness gets further; Shift goes through.`;
+
+/**
+ * What holds a drag back: nothing where the raw weights hold. One that starts with sharper folds may
+ * keep them.
+ */
+function foldLimit(grips: readonly Grip[]): FoldLimit | null {
+  if ((draft.value?.settings.softness ?? 0) === 0) return null;
+  const { before, after } = figures.value.sharpestFold ?? { before: 0, after: 0 };
+  const from = toTargets(withTargets(grips, [0, 0, 0])).handles;
+  return { degrees: Math.max(FOLD_GROWTH, after - before), from };
+}
 
 /** One drag; model units. An offset of exactly 0 along an axis keeps that coordinate's bits. */
 export class Drag {
   readonly #grips: readonly Grip[];
   /** What the drag began with; a lock chosen while it lasts ends with it. */
   readonly #lock = lock.value;
+  readonly #limit: FoldLimit | null;
+  #through = false;
+  #over = false;
+  /** Model units: a pull this long was held back. */
+  #furthest = Number.POSITIVE_INFINITY;
 
   constructor(vertices: readonly number[]) {
     this.#grips = vertices.map((vertex) => ({ vertex, from: askedPoint(vertex) }));
+    this.#limit = foldLimit(this.#grips);
   }
 
-  by(offset: Point): void {
+  /** `through` the limit on folds. */
+  by(offset: Point, through = false): void {
     const design = draft.value;
     if (!design) return;
     hintVertex.value = null;
     if (notice.value === END_ON) notice.value = null;
-    const next = { ...design, handles: withTargets(this.#grips, offset) };
-    draft.value = next;
-    void frame(editQuestion(next, "drag"));
+    this.#through = through;
+    const asked = { ...design, handles: withTargets(this.#grips, offset) };
+    void this.#show(asked, editQuestion(asked, "drag", through ? null : this.#limit));
+    const share = through ? 1 : Math.min(1, this.#furthest / Math.hypot(...offset));
+    const handles = share < 1 ? withTargets(this.#grips, scale(offset, share)) : asked.handles;
+    draft.value = { ...asked, handles };
+  }
+
+  /** The targets go back to where the solver took them. */
+  async #show(asked: Design, question: Question): Promise<void> {
+    const answer = await frame(question);
+    if (answer?.kind !== "shown" || this.#over || !draft.value) return;
+    const { taken } = answer;
+    this.#furthest = taken ? this.#pull(taken) : Number.POSITIVE_INFINITY;
+    if (taken) draft.value = { ...draft.value, handles: withTaken(asked.handles, taken) };
+    if (taken) notice.value = HELD_BACK;
+    else if (notice.value === HELD_BACK) notice.value = null;
+  }
+
+  /** How far the leading point is pulled. */
+  #pull(taken: HandleList): number {
+    const { vertex, from } = this.#grips.at(-1) ?? { vertex: -1, from: [0, 0, 0] };
+    for (let k = 0; k < taken.length; k += 4) {
+      if (taken[k] !== vertex) continue;
+      return Math.hypot(...from.map((x, axis) => (taken[k + 1 + axis] ?? x) - x));
+    }
+    return Number.POSITIVE_INFINITY;
   }
 
   /** The line that it is held to points at the viewer: no place on screen says how far along. */
@@ -81,16 +142,23 @@ export class Drag {
   }
 
   async end(): Promise<void> {
+    this.#over = true;
     lock.value = this.#lock;
     client.dropStreams();
     await inTurn(async () => {
       const design = draft.value;
-      if (design && design !== history.value?.present) await commitEdit(design, "release");
+      if (!design || design === history.value?.present) return;
+      const said = notice.value;
+      await commitEdit(design, "release", null, this.#through ? null : this.#limit);
+      const takenBack = !problem.value && draft.value?.handles !== design.handles;
+      if ((said === HELD_BACK && !this.#through) || takenBack) notice.value = HELD_BACK;
     });
   }
 
   /** Escape: the design goes back to where it was. */
   async abandon(): Promise<void> {
+    this.#over = true;
+    if (notice.value === HELD_BACK) notice.value = null;
     lock.value = this.#lock;
     client.dropStreams();
     await inTurn(showPresent);

@@ -2,6 +2,7 @@
 // Every way to change an edit. Each ends as one step of the history.
 
 import type { Question } from "../solver/client.ts";
+import type { FoldLimit } from "../solver/fold-limit.ts";
 import type { EditMode, EditSettings } from "../solver/protocol.ts";
 import { client, frame, run } from "./connection.ts";
 import {
@@ -13,6 +14,7 @@ import {
   toTargets,
   withHandle,
   withoutHandle,
+  withTaken,
 } from "./design.ts";
 import * as steps from "./history.ts";
 import { selectOnly } from "./selection.ts";
@@ -33,11 +35,15 @@ export const handleOf = (vertex: number): HandleRow | undefined =>
   draft.value?.handles.find((row) => row.vertex === vertex);
 
 /** What makes the solver compute the edit of `design`. */
-export function editQuestion(design: Design, mode: EditMode): Question {
+export function editQuestion(
+  design: Design,
+  mode: EditMode,
+  limit: FoldLimit | null = null,
+): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0)
     return { kind: "restore", targets, settings: design.settings, shape: NO_SHAPE, keep: false };
-  return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS };
+  return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS, limit };
 }
 
 /** The last burst of keys on a slider and what it gave. */
@@ -72,7 +78,8 @@ export async function commit(
     await showPresent();
     return;
   }
-  const done: Design = { ...next, shape: answer.shape, report: answer.report };
+  const handles = answer.taken ? withTaken(next.handles, answer.taken) : next.handles;
+  const done: Design = { ...next, handles, shape: answer.shape, report: answer.report };
   recordStep(steady, done, burst);
   if (draft.value === next) draft.value = done;
   if (leftBehind(steady.present) && !done.variation) notice.value = LEFT_BEHIND;
@@ -86,8 +93,9 @@ export const commitEdit = (
   next: Design,
   mode: EditMode,
   burst: string | null = null,
+  limit: FoldLimit | null = null,
 ): Promise<void> =>
-  commit({ ...next, variation: null }, editQuestion(next, mode), "computing", burst);
+  commit({ ...next, variation: null }, editQuestion(next, mode, limit), "computing", burst);
 
 function changed(rows: readonly HandleRow[]): Design | null {
   return draft.value ? { ...draft.value, handles: rows } : null;

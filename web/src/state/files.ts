@@ -42,7 +42,7 @@ async function asStored(design: Design, { shape }: StoredDesign, why: string): P
 async function reopen(source: Source, opened: OpenedMesh, stored: StoredDesign): Promise<void> {
   const text = readDesign(stored.design);
   if (!text.ok) {
-    const plain = freshDesign(source, false, opened);
+    const plain = freshDesign(source, null, opened);
     takeMesh(plain, opened);
     return asStored(plain, stored, text.reason);
   }
@@ -103,7 +103,7 @@ async function openNow(file: File): Promise<void> {
   const answer = await run(`reading ${name}`, question, "opened");
   if (!answer?.source) return;
   if (answer.stored?.design) return reopen(answer.source, answer.mesh, answer.stored);
-  adopt(answer.source, false, answer.mesh);
+  adopt(answer.source, null, answer.mesh);
   importReport.value = true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
-import { planarityEnd, planarityShare } from "../scene/ramp.ts";
+import { foldEnd, planarityEnd, planarityShare } from "../scene/ramp.ts";
 import { type OpenedMesh, PER_PANEL, type Shape } from "../solver/protocol.ts";
 
 export interface Histogram {
@@ -13,6 +13,8 @@ export interface Histogram {
 }
 
 const BINS = 16;
+/** Degrees: below is rounding. */
+const LEAST_FOLD = 1e-4;
 
 /** @param share place on the ramp, 0 for what is at rest */
 function count(values: ArrayLike<number>, end: number, share: (x: number) => number): Histogram {
@@ -56,6 +58,12 @@ export function ofMoves(lengths: Iterable<number>, total: number): Histogram {
 
 /** How sharply the edit bends at points, model units. */
 export const ofBending = (bending: Float32Array): Histogram => linear(bending);
+
+/** Degrees at panels, up to the legend's end. */
+export function ofFolds(folds: Float32Array): Histogram {
+  const end = foldEnd(folds);
+  return count(folds, end, (fold) => (fold < LEAST_FOLD ? 0 : fold / end));
+}
 
 /** mm/m of panels, on the legend's logarithmic scale. @param figures gap, mm/m, excess for each */
 export function ofPlanarity(figures: Float32Array): Histogram {

@@ -1,24 +1,38 @@
 // SPDX-License-Identifier: MIT
 // Opening samples, planarising what is not flat. Each is one step of the history.
-import type { OpenedMesh, Source } from "../solver/protocol.ts";
+import type { OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
-import { DEFAULT_SETTINGS, type Design, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
+import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
-import { draft, hintVertex, history, mesh, notice, refusedTolerance, settings } from "./store.ts";
+import {
+  baseFlat,
+  draft,
+  hintVertex,
+  history,
+  mesh,
+  notice,
+  planarising,
+  refusedTolerance,
+  settings,
+} from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 /** The unedited mesh as a design. */
-export function freshDesign(source: Source, planarised: boolean, opened: OpenedMesh): Design {
+export function freshDesign(
+  source: Source,
+  planarised: Planarising | null,
+  opened: OpenedMesh,
+): Design {
   const { worstGap, worstMmPerM, worstExcess } = opened.report;
   return {
     source,
     planarised,
     handles: [],
-    settings: settingsForNew(settings.value ?? DEFAULT_SETTINGS),
+    settings: settingsForNew(settings.value ?? FIRST_SETTINGS),
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,
@@ -26,7 +40,7 @@ export function freshDesign(source: Source, planarised: boolean, opened: OpenedM
 }
 
 /** Shows what the solver has opened, as one more step of the history. */
-export function adopt(source: Source, planarised: boolean, opened: OpenedMesh): void {
+export function adopt(source: Source, planarised: Planarising | null, opened: OpenedMesh): void {
   const design = freshDesign(source, planarised, opened);
   takeMesh(design, opened);
   notice.value = null;
@@ -38,11 +52,14 @@ export const openSample = (name: string): Promise<void> =>
     const sample = SAMPLES.find((s) => s.name === name);
     if (!sample) return;
     const source: Source = { kind: "sample", name, size: sample.size };
-    const question = { kind: "open", source, planarise: false } as const;
+    const question = { kind: "open", source, planarise: null } as const;
     const answer = await run(`opening ${sample.label}`, question, "opened");
-    if (answer) adopt(source, false, answer.mesh);
+    if (answer) adopt(source, null, answer.mesh);
     else await showPresent();
   });
+
+const NOT_FLAT =
+  "Some panels cannot become flat and keep their shape. Fairer reaches further; the nearest flat mesh comes without “Panels keep their shape” under Advanced.";
 
 /** Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step. */
 export async function planariseNow(): Promise<void> {
@@ -50,11 +67,13 @@ export async function planariseNow(): Promise<void> {
   if (!design) return;
   const { handles, settings } = design;
   const tolerance = refusedTolerance.value ?? settings.tolerance;
-  const answer = await run("making every panel flat", { kind: "planarise" }, "opened");
+  const how = { ...planarising.value, keepShape: settings.keepShape };
+  const answer = await run("making every panel flat", { kind: "planarise", how }, "opened");
   if (!answer) return;
   draft.value = { ...design, settings: { ...settings, tolerance } };
-  adopt(design.source, true, answer.mesh);
-  if (handles.length > 0) await commitEdit({ ...draft.value, handles }, "solve");
+  adopt(design.source, how, answer.mesh);
+  if (!baseFlat.value) notice.value = NOT_FLAT;
+  if (handles.length > 0 && baseFlat.value) await commitEdit({ ...draft.value, handles }, "solve");
 }
 
 export const planarise = (): Promise<void> => inTurn(planariseNow);

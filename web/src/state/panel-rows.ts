@@ -18,7 +18,7 @@ export interface PanelRow {
   readonly edge: number;
   /** The smallest inside the panel, degrees. */
   readonly angle: number;
-  /** 1 if it must be made again, 0 if no point of it moved. */
+  /** The core's PanelChange: 0 unchanged, 1 to be cut again, 2 only a new bevel. */
   readonly changed: number;
 }
 
@@ -68,7 +68,7 @@ export function firstPanels(
     descending ? value(a) > value(b) : value(a) < value(b);
   const first: number[] = [];
   for (let panel = 0; panel < panelCount(figures); ++panel) {
-    if (changedOnly && health[HEALTH * panel + 3] !== 1) continue;
+    if (changedOnly && health[HEALTH * panel + 3] === 0) continue;
     const last = first.at(-1);
     if (first.length === count && last !== undefined && !before(panel, last)) continue;
     const at = first.findIndex((other) => before(panel, other));
@@ -78,27 +78,36 @@ export function firstPanels(
   return first.map((panel) => rowOf(panel, figures, health));
 }
 
-/** Panels whose outline is `outline`, by number. */
-export function panelsOfOutline(health: Float32Array, outline: number): number[] {
+/** Panels of one class, by number: `outline` a place in OUTLINES, `changed` the core's PanelChange. */
+export function panelsOf(
+  health: Float32Array,
+  column: "outline" | "changed",
+  value: number,
+): number[] {
+  const [, place] = PLACES[column];
   const found: number[] = [];
-  for (let k = 0; k < health.length; k += HEALTH) if (health[k] === outline) found.push(k / HEALTH);
+  for (let k = 0; k < health.length; k += HEALTH)
+    if (health[k + place] === value) found.push(k / HEALTH);
   return found;
 }
 
 export interface HealthCounts {
   readonly convex: number;
+  /** Must be made again; `bevel` of them keep their outline. */
   readonly changed: number;
+  readonly bevel: number;
   readonly concave: number;
   readonly crossing: number;
 }
 
 export function countHealth(health: Float32Array): HealthCounts {
-  let [convex, changed, concave, crossing] = [0, 0, 0, 0];
+  let [convex, changed, bevel, concave, crossing] = [0, 0, 0, 0, 0];
   for (let k = 0; k + 3 < health.length; k += HEALTH) {
     if (health[k] === 0) convex += 1;
     if (health[k] === 1) concave += 1;
     if (health[k] === 2) crossing += 1;
-    if (health[k + 3] === 1) changed += 1;
+    if (health[k + 3] !== 0) changed += 1;
+    if (health[k + 3] === 2) bevel += 1;
   }
-  return { convex, changed, concave, crossing };
+  return { convex, changed, bevel, concave, crossing };
 }

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What making the opened mesh flat did to it, before any edit.
-import type { MeshReport } from "../solver/protocol.ts";
+import type { MeshReport, Planarising } from "../solver/protocol.ts";
 import { formatLength, type Unit } from "./units.ts";
+
+/** What links and designs mean that only say that a mesh was planarised. */
+export const NEAREST_FLAT: Planarising = { smooth: 0, keepBoundary: false, keepShape: false };
+
+/** The command line's default. */
+export const FAIR_FLAT: Planarising = { smooth: 10, keepBoundary: false, keepShape: true };
 
 /** "2570 points moved by up to 1675 mm"; "" where nothing had to be made flat. */
 export function planarisingWords({ planarising }: MeshReport, unit: Unit): string {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What makes a design again: its source and what was done to it, with a mark of the result.
 import { crc32 } from "../share/crc32.ts";
-import type { EditSettings, Source } from "../solver/protocol.ts";
+import type { EditSettings, Planarising, Source } from "../solver/protocol.ts";
 import type { Camera } from "./camera.ts";
 import type { Design, Family, HandleRow } from "./design.ts";
 import type { Unit } from "./units.ts";
@@ -17,7 +17,7 @@ export interface ResultMark {
 
 export interface Recipe {
   readonly source: Source;
-  readonly planarised: boolean;
+  readonly planarised: Planarising | null;
   readonly handles: readonly HandleRow[];
   readonly settings: EditSettings;
   /** Families of variations, each around what the one before it gave; the last has the sliders. */

@@ -70,7 +70,7 @@ export async function compute(recipe: Steps, opened: OpenedMesh): Promise<Step> 
   const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
   takeMesh(fresh, opened);
   // Making a mesh flat may round differently elsewhere.
-  if (baseHash !== null && !planarised && meshHash(opened) !== baseHash)
+  if (baseHash !== null && planarised === null && meshHash(opened) !== baseHash)
     return {
       reason: "The mesh in the design is not the one that was edited (source.hash differs).",
     };

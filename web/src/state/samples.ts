@@ -7,6 +7,7 @@ export interface Sample {
 }
 
 export const SAMPLES: readonly Sample[] = [
+  { name: "roof", label: "Roof", size: 21 },
   { name: "vault", label: "Vault", size: 21 },
   { name: "dome", label: "Dome", size: 24 },
   { name: "freeform", label: "Freeform roof", size: 24 },
@@ -14,5 +15,6 @@ export const SAMPLES: readonly Sample[] = [
   { name: "trihex", label: "Tri-hex shell", size: 24 },
 ];
 
-/** Opened on the first visit; painted before the solver is there. */
-export const FIRST_SAMPLE: Sample = { name: "vault", label: "Vault", size: 21 };
+/** Opened on the first visit; painted before the solver is there. Curved both ways, so that a point
+ * pulled anywhere gives a soft bump. */
+export const FIRST_SAMPLE: Sample = { name: "roof", label: "Roof", size: 21 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Puts a known design on the screen and into the solver without solving anything.
 import { batch } from "@preact/signals";
-import type { OpenedMesh, Source } from "../solver/protocol.ts";
+import type { OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import {
   announceChanges,
   type Base,
@@ -25,6 +25,7 @@ import {
   mesh,
   panelDamage,
   panelFigures,
+  panelFolds,
   panelHealth,
   problem,
   refusedTolerance,
@@ -41,8 +42,11 @@ const sameSource = (a: Source, b: Source): boolean => {
   return a.crc === b.crc && a.bytes.size === b.bytes.size;
 };
 
+const samePlanarising = (a: Planarising | null, b: Planarising | null): boolean =>
+  a?.smooth === b?.smooth && a?.keepBoundary === b?.keepBoundary && a?.keepShape === b?.keepShape;
+
 export const sameBase = (a: Base, b: Base): boolean =>
-  a.planarised === b.planarised && sameSource(a.source, b.source);
+  samePlanarising(a.planarised, b.planarised) && sameSource(a.source, b.source);
 
 /** The base of the mesh on screen; null before the first. */
 let shown: Base | null = null;
@@ -64,6 +68,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     panelHealth.value = null;
     panelDamage.value = null;
     bending.value = null;
+    panelFolds.value = null;
     freedom.value = null;
     hintVertex.value = null;
     importReport.value = false;

@@ -6,6 +6,7 @@ import type { Snapshot } from "../share/saved-record.ts";
 import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
+import { FAIR_FLAT } from "./planarising.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
 import { turnsLeft } from "./turns.ts";
 import { niceStep, type Unit } from "./units.ts";
@@ -24,7 +25,14 @@ export interface Lock {
   readonly plane: boolean;
 }
 
-export type ColourBy = "displacement" | "planarity" | "fairness" | "health" | "none";
+export type ColourBy =
+  | "displacement"
+  | "planarity"
+  | "fold"
+  | "fairness"
+  | "health"
+  | "remake"
+  | "none";
 
 /** False until the page can be used. */
 export const ready = signal(false);
@@ -42,6 +50,8 @@ export const problem = signal<string | null>(null);
 export const keeping = signal<string | null>(null);
 /** Designs kept under a name, oldest first. */
 export const snapshots = signal<readonly Snapshot[]>([]);
+/** How a mesh that is not flat becomes so; whether panels keep their shape is the edit's setting. */
+export const planarising = signal(FAIR_FLAT);
 export const notice = signal<string | null>(null);
 /** Changes to a newer version of the page; null while there is none. */
 export const update = signal<(() => void) | null>(null);
@@ -71,6 +81,8 @@ export const panelFigures = signal<Float32Array | null>(null);
 export const panelHealth = signal<Float32Array | null>(null);
 /** What became of every panel since the mesh was opened: places in DAMAGES. */
 export const panelDamage = signal<Uint8Array | null>(null);
+/** The sharpest fold of every panel with a neighbour, degrees; null while nobody looks. */
+export const panelFolds = signal<Float32Array | null>(null);
 /** How sharply the edit bends at every point, model units; null while nobody looks. */
 export const bending = signal<Float32Array | null>(null);
 /** Whether someone looks at what the edit leaves free. */

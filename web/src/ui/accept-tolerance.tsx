@@ -10,7 +10,7 @@ export function AcceptTolerance() {
   return (
     <div class="accept-tolerance">
       <p>
-        {`Or count up to ${tolerance} mm/m as flat: points stay as they are (Advanced, Tolerance).`}
+        {`Or edit it as it is: points stay where the file has them, and up to ${tolerance} mm/m counts as flat (Advanced, Tolerance).`}
       </p>
       <button
         type="button"
@@ -18,7 +18,7 @@ export function AcceptTolerance() {
         disabled={!ready.value}
         onClick={() => void acceptTolerance(tolerance)}
       >
-        Accept {tolerance} mm/m
+        Edit as it is
       </button>
     </div>
   );

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 import type { EditSettings } from "../solver/protocol.ts";
-import { DEFAULT_SETTINGS } from "../state/design.ts";
+import { FIRST_SETTINGS, SOFT_LIMITS } from "../state/design.ts";
 import { commitSettings } from "../state/editing.ts";
 import { decimal } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
 import { TOLERANCES } from "../state/tolerance.ts";
+import { RawWeights } from "./raw-weights.tsx";
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
@@ -61,20 +62,22 @@ const choose = (change: Partial<EditSettings>): void => void commitSettings(chan
 
 /** What differs from the defaults, so that it is seen while folded: it stays for the next mesh. */
 function differences(shown: EditSettings): string[] {
-  const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
+  const { fairness, engine, hardHandles, keepShape, tolerance, softness } = shown;
   const different: string[] = [];
-  if (fairness !== DEFAULT_SETTINGS.fairness) different.push(wordOf(FAIRNESS, fairness));
-  if (engine !== DEFAULT_SETTINGS.engine) different.push(wordOf(ENGINES, engine));
-  if (tolerance !== DEFAULT_SETTINGS.tolerance) different.push(`${tolerance} mm/m`);
-  if (hardHandles !== DEFAULT_SETTINGS.hardHandles) different.push("exact targets");
-  if (keepShape !== DEFAULT_SETTINGS.keepShape) different.push("panels may lose their shape");
+  if (softness === 0) different.push("raw weights");
+  if (fairness !== FIRST_SETTINGS.fairness) different.push(wordOf(FAIRNESS, fairness));
+  if (engine !== FIRST_SETTINGS.engine) different.push(wordOf(ENGINES, engine));
+  if (tolerance !== FIRST_SETTINGS.tolerance) different.push(`${tolerance} mm/m`);
+  if (hardHandles !== FIRST_SETTINGS.hardHandles) different.push("exact targets");
+  if (keepShape !== FIRST_SETTINGS.keepShape) different.push("panels may lose their shape");
   return different;
 }
 
 function Differences({ of }: { of: EditSettings }) {
   const words = differences(of).join(", ");
   if (words === "") return null;
-  const { fairness, engine, hardHandles, keepShape, tolerance } = DEFAULT_SETTINGS;
+  const { fairness, engine, hardHandles, keepShape, tolerance } = FIRST_SETTINGS;
+  const back = { fairness, engine, hardHandles, keepShape, tolerance };
   return (
     <div class="differences">
       <p class="quiet small">{`Not the default: ${words}. It stays when you open another mesh.`}</p>
@@ -82,7 +85,7 @@ function Differences({ of }: { of: EditSettings }) {
         type="button"
         class="button small"
         disabled={!ready.value}
-        onClick={() => choose({ fairness, engine, hardHandles, keepShape, tolerance })}
+        onClick={() => choose(of.softness === 0 ? { ...back, ...SOFT_LIMITS } : back)}
       >
         Defaults
       </button>
@@ -107,9 +110,9 @@ function RefusedTolerance() {
   );
 }
 
-/** The settings that few need; the defaults are the command line's. */
+/** The settings that few need. */
 export function Advanced() {
-  const shown = settings.value ?? DEFAULT_SETTINGS;
+  const shown = settings.value ?? FIRST_SETTINGS;
   const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
   // The chooser goes back to what holds.
   refusedTolerance.value;
@@ -120,6 +123,7 @@ export function Advanced() {
     <div class="disclosure">
       <details>
         <summary>Advanced</summary>
+        <RawWeights />
         <Choice
           label="Fairness"
           value={fairness}

@@ -7,13 +7,21 @@ interface DialogProps {
   readonly dialog: RefObject<HTMLDialogElement | null>;
   readonly id: string;
   readonly title: string;
+  /** Takes the width of the window. */
+  readonly wide?: boolean;
+  readonly onClose?: () => void;
   readonly children: ComponentChildren;
 }
 
 /** A modal dialog with its title and a button to close it. */
-export function Dialog({ dialog, id, title, children }: DialogProps) {
+export function Dialog({ dialog, id, title, wide = false, onClose, children }: DialogProps) {
   return (
-    <dialog ref={dialog} class="dialog" aria-labelledby={`${id}-title`}>
+    <dialog
+      ref={dialog}
+      class={wide ? "dialog wide" : "dialog"}
+      aria-labelledby={`${id}-title`}
+      onClose={onClose}
+    >
       <div class="dialog-head">
         <h2 id={`${id}-title`}>{title}</h2>
         <button

@@ -2,6 +2,7 @@
 import { useRef } from "preact/hooks";
 import { exportDesign, exportMesh, exportPicture } from "../export/exporting.ts";
 import { ready } from "../state/store.ts";
+import { useCuttingDialog } from "./cutting-dialog.tsx";
 import { Icon } from "./icon.tsx";
 
 const CHOICES = [
@@ -14,6 +15,11 @@ const CHOICES = [
 
 export function ExportMenu() {
   const menu = useRef<HTMLDivElement>(null);
+  const { open, element } = useCuttingDialog();
+  const choices = [
+    ...CHOICES,
+    { name: "Cutting package…", about: "DXF and tables (zip)", run: open },
+  ];
   return (
     <div class="menu-anchor">
       <button
@@ -27,7 +33,7 @@ export function ExportMenu() {
         <span class="bar-label">Export</span>
       </button>
       <div id="export-menu" class="menu" popover="auto" ref={menu}>
-        {CHOICES.map(({ name, about, run }) => (
+        {choices.map(({ name, about, run }) => (
           <div key={name} class="menu-item">
             <button
               type="button"
@@ -45,6 +51,7 @@ export function ExportMenu() {
           </div>
         ))}
       </div>
+      {element}
     </div>
   );
 }

@@ -19,6 +19,10 @@ const HINTS: readonly Hint[] = [
     how: "[X] [Y] [Z] [N]",
     what: "hold drags to an axis or to the normal until pressed again; pressed during a drag, that drag alone; with Shift, to the plane across",
   },
+  {
+    how: "[Shift] while dragging",
+    what: "goes through where folds hold the drag back",
+  },
   { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
   {
     how: "[Ctrl] click, [Shift] drag",

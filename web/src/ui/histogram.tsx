@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 import type { Histogram as Counts } from "../state/histogram.ts";
-import { ofBending, ofDisplacement, ofMoves, ofPlanarity } from "../state/histogram.ts";
+import { ofBending, ofDisplacement, ofFolds, ofMoves, ofPlanarity } from "../state/histogram.ts";
 import { movesOn } from "../state/moves.ts";
-import { bending, colourBy, draft, figures, mesh, panelFigures } from "../state/store.ts";
+import {
+  bending,
+  colourBy,
+  draft,
+  figures,
+  mesh,
+  panelFigures,
+  panelFolds,
+} from "../state/store.ts";
 
 const WIDTH = 160;
 const HEIGHT = 28;
@@ -33,6 +41,12 @@ function shown(): Shown | null {
       counts: ofPlanarity(panelFigures.value),
       what: ["panel out of flat", "panels out of flat"],
       rest: "flat",
+    };
+  if (kind === "fold" && panelFolds.value)
+    return {
+      counts: ofFolds(panelFolds.value),
+      what: ["panel folds", "panels fold"],
+      rest: "flat with their neighbours",
     };
   if (kind === "fairness" && bending.value)
     return {

@@ -10,6 +10,7 @@ import { planarisingWords } from "../state/planarising.ts";
 import { baseFlat, designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
+import { PlanariseChoice } from "./planarise-choice.tsx";
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
   3: "triangles",
@@ -100,10 +101,10 @@ export function ImportReport() {
       <h2 id="import-title">{designName.value}</h2>
       {report && !baseFlat.value && (
         <p>
-          <strong>Planarise first?</strong> Points can be moved once every panel is flat. Each point
-          then moves as little as possible.
+          <strong>Planarise first?</strong> Points can be moved once every panel is flat.
         </p>
       )}
+      {report && !baseFlat.value && <PlanariseChoice />}
       <AcceptTolerance />
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
-import { cssGradient } from "../scene/ramp.ts";
-import { bending, type ColourBy, colourBy, figures, unit } from "../state/store.ts";
+import { cssGradient, foldEnd } from "../scene/ramp.ts";
+import { formatDegrees } from "../state/fold.ts";
+import { bending, type ColourBy, colourBy, figures, panelFolds, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
 
@@ -12,12 +13,15 @@ const HealthScale = later(() => import("./health-scale.tsx").then((part) => part
 const PlanarityScale = later(() =>
   import("./planarity-scale.tsx").then((part) => part.PlanarityScale),
 );
+const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
 
 const CHOICES: readonly (readonly [ColourBy, string])[] = [
   ["displacement", "Displacement"],
   ["planarity", "Planarity"],
+  ["fold", "Folds"],
   ["fairness", "Fairness"],
   ["health", "Panel health"],
+  ["remake", "Make again"],
   ["none", "Nothing"],
 ];
 
@@ -30,15 +34,19 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   );
 }
 
-function ends(kind: "displacement" | "fairness"): readonly [string, string] {
+function ends(kind: "displacement" | "fairness" | "fold"): readonly [string, string] {
   const { maxDisplacement } = figures.value;
   if (kind === "displacement")
     return ["0 mm, untouched", formatLength(maxDisplacement, unit.value)];
+  if (kind === "fold") {
+    const end = panelFolds.value ? foldEnd(panelFolds.value) : 0;
+    return ["0°, flat", formatDegrees(end)];
+  }
   const sharpest = bending.value?.reduce((most, bend) => Math.max(most, bend), 0) ?? 0;
   return ["0 mm, smooth", formatLength(sharpest, unit.value)];
 }
 
-function Ends({ of }: { of: "displacement" | "fairness" }) {
+function Ends({ of }: { of: "displacement" | "fairness" | "fold" }) {
   const [low, high] = ends(of);
   return (
     <div class="legend-ends">
@@ -52,6 +60,7 @@ function Scale() {
   const kind = colourBy.value;
   if (kind === "none") return null;
   if (kind === "health") return <HealthScale />;
+  if (kind === "remake") return <RemakeScale />;
   return (
     <>
       <Histogram />
@@ -60,6 +69,7 @@ function Scale() {
       />
       {kind === "planarity" ? <PlanarityScale /> : <Ends of={kind} />}
       {kind === "fairness" && <p class="legend-note">Difference between neighbours' moves</p>}
+      {kind === "fold" && <p class="legend-note">Each panel's sharpest with a neighbour</p>}
     </>
   );
 }

@@ -68,10 +68,11 @@ const COLUMNS: readonly Column[] = [
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
 function Summary({ health }: { health: Float32Array }) {
-  const { changed, concave, crossing } = countHealth(health);
+  const { changed, bevel, concave, crossing } = countHealth(health);
+  const only = bevel > 0 ? `, ${bevel} of them with a new bevel only` : "";
   return (
     <p class="quiet">
-      {`${panels(changed)} must be made again after this edit; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
+      {`${panels(changed)} must be made again after this edit${only}; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
     </p>
   );
 }

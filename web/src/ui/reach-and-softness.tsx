@@ -1,67 +1,85 @@
 // SPDX-License-Identifier: MIT
-// How far an edit may reach and how softly it bends: in place of weights, for most.
-import { DEFAULT_SETTINGS } from "../state/design.ts";
+// How far an edit may reach and how softly it bends, with what each of them does at once.
+
+import { FIRST_SETTINGS } from "../state/design.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
-import { ready, settings, unit } from "../state/store.ts";
+import { foldWords } from "../state/fold.ts";
+import { figures, ready, settings, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { Slider } from "./slider.tsx";
 
 const MOST_RINGS = 12;
-/** The core's kSoftest; below 1 the two weights hold. */
-const SOFTEST = 10;
+/** One step beyond the most rings. */
+const NO_LIMIT = MOST_RINGS + 1;
+/** The core's kHardest and kSoftest; at 0 the raw weights hold. */
+const [HARDEST, SOFTEST] = [1, 10];
 
 const ringWords = (rings: number): string => (rings === 1 ? "1 panel" : `${rings} panels`);
 
+/** What a slider does to the design on screen; "" without an edit. */
+function Effect({ words }: { words: string }) {
+  return <p class="quiet small effect">{words}</p>;
+}
+
+const movedWords = (moved: number): string => {
+  if (moved === 0) return "";
+  return moved === 1 ? "1 point moves" : `${moved} points move`;
+};
+
 function Reach() {
-  const { reach, reachLength } = settings.value ?? DEFAULT_SETTINGS;
+  const { reach, reachLength } = settings.value ?? FIRST_SETTINGS;
   const limits = [
     ...(reach > 0 ? [ringWords(reach)] : []),
     ...(reachLength > 0 ? [formatLength(reachLength, unit.value)] : []),
   ];
   const shown = limits.join(", ") || "no limit";
+  const change = (value: number) => ({
+    reach: value === NO_LIMIT ? 0 : value,
+    reachLength: 0,
+  });
   return (
     <Slider
       label="Reach"
-      value={Math.min(reach, MOST_RINGS)}
-      min={0}
-      max={MOST_RINGS}
+      value={reach === 0 ? NO_LIMIT : Math.min(reach, MOST_RINGS)}
+      min={1}
+      max={NO_LIMIT}
       step={1}
       shown={shown}
-      spoken={reach > 0 ? shown : `0 panels: ${shown}`}
       disabled={!ready.value}
-      ends={["no limit", "up to 12 panels away"]}
-      onInput={(value) => previewSettings({ reach: value, reachLength: 0 })}
-      onCommit={(value, burst) => commitSettings({ reach: value, reachLength: 0 }, burst)}
+      ends={["next panels only", "no limit"]}
+      onInput={(value) => previewSettings(change(value))}
+      onCommit={(value, burst) => commitSettings(change(value), burst)}
     />
   );
 }
 
 function Softness() {
-  const { softness } = settings.value ?? DEFAULT_SETTINGS;
-  const shown = softness > 0 ? softness.toFixed(0) : "by the weights";
+  const { softness } = settings.value ?? FIRST_SETTINGS;
+  const shown = softness > 0 ? softness.toFixed(0) : "by the raw weights";
+  const { attraction } = FIRST_SETTINGS;
+  const change = (value: number) =>
+    softness > 0 ? { softness: value } : { softness: value, attraction };
   return (
     <Slider
       label="Softness"
-      value={softness}
-      min={0}
+      value={Math.max(softness, HARDEST)}
+      min={HARDEST}
       max={SOFTEST}
       step={1}
       shown={shown}
-      spoken={softness > 0 ? `${shown} of ${SOFTEST}` : `0 of ${SOFTEST}: ${shown}`}
+      spoken={softness > 0 ? `${shown} of ${SOFTEST}` : shown}
       disabled={!ready.value}
-      ends={["by the weights below", "wide and gentle"]}
-      onInput={(value) => previewSettings({ softness: value })}
-      onCommit={(value, burst) => commitSettings({ softness: value }, burst)}
+      ends={["close and firm", "wide and gentle"]}
+      onInput={(value) => previewSettings(change(value))}
+      onCommit={(value, burst) => commitSettings(change(value), burst)}
     />
   );
 }
 
-export function ReachAndSoftness() {
-  const { keepBoundary } = settings.value ?? DEFAULT_SETTINGS;
+function KeepBoundary() {
+  const { keepBoundary } = settings.value ?? FIRST_SETTINGS;
   return (
     <>
-      <Reach />
-      <Softness />
       <label class="check">
         <input
           type="checkbox"
@@ -73,6 +91,19 @@ export function ReachAndSoftness() {
         />
         <span>Keep boundary</span>
       </label>
+      <p class="quiet small">The points that you drag move all the same.</p>
+    </>
+  );
+}
+
+export function ReachAndSoftness() {
+  return (
+    <>
+      <Reach />
+      <Effect words={movedWords(figures.value.movedVertices)} />
+      <Softness />
+      <Effect words={foldWords(figures.value)} />
+      <KeepBoundary />
     </>
   );
 }

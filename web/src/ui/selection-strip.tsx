@@ -130,10 +130,8 @@ export function SelectionStrip() {
       title={baseFlat.value ? undefined : FLAT_FIRST}
     >
       <span class="strip-count">{length === 1 ? "1 point" : `${length} points`}</span>
-      <MoveFields disabled={fixed} />
-      <span class="tool-gap" />
       <DoTools disabled={fixed} />
-      <span class="tool-gap" />
+      <MoveFields disabled={fixed} />
       <SelectTools none={length === 0} />
     </div>
   );

@@ -13,6 +13,7 @@ import {
 } from "../state/snapshots.ts";
 import { ready, snapshots, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+import { CompareDialog } from "./compare-dialog.tsx";
 import { Icon } from "./icon.tsx";
 import { snapshotPicture } from "./snapshot-picture.ts";
 
@@ -90,6 +91,7 @@ export function SnapshotsSection() {
       >
         Take snapshot
       </button>
+      {snapshots.value.length > 0 && <CompareDialog />}
       {snapshots.value.length > 0 && (
         <ul class="snapshots" aria-labelledby="snapshots">
           {snapshots.value.map((snapshot) => (

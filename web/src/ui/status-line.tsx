@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Fragment } from "preact";
 import { flatnessWords } from "../state/flatness.ts";
+import { foldWords } from "../state/fold.ts";
 import { planarisingWords } from "../state/planarising.ts";
 import { cancel } from "../state/showing.ts";
 import {
@@ -21,6 +22,7 @@ import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
 
 const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
+const RemakeNote = later(() => import("./remake-note.tsx").then((part) => part.RemakeNote));
 
 function numbers(): readonly string[] {
   if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
@@ -31,6 +33,8 @@ function numbers(): readonly string[] {
     `largest ${formatLength(maxDisplacement, unit.value)}`,
     `worst panel ${flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).short}`,
   ];
+  const fold = foldWords(figures.value);
+  if (fold) parts.push(fold);
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
   const report = mesh.value?.report;
@@ -69,6 +73,7 @@ export function StatusLine() {
       <div role="status" class="figures">
         <Numbers /> <DamageNote />
       </div>
+      <RemakeNote />
       {problem.value && (
         <div role="alert" class="alert">
           {problem.value}

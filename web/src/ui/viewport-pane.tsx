@@ -6,7 +6,7 @@ import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
 import { isFlat } from "../state/flatness.ts";
-import { boxTool, figures, mesh, problem, selection, showBefore } from "../state/store.ts";
+import { figures, mesh, problem, showBefore } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
@@ -14,9 +14,6 @@ import { ViewKeys } from "./view-keys.ts";
 
 const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
 const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
-const SelectionStrip = later(() =>
-  import("./selection-strip.tsx").then((part) => part.SelectionStrip),
-);
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
@@ -35,11 +32,6 @@ function Summary() {
         : "The model is being prepared."}
     </p>
   );
-}
-
-/** Where several points are selected, or about to be. */
-function Several() {
-  return selection.value.length > 1 || boxTool.value ? <SelectionStrip /> : null;
 }
 
 /** What is seen while B or Before is held. */
@@ -85,12 +77,24 @@ export function ViewportPane() {
   const hint = useRef<HTMLDivElement>(null);
   const figure = useRef<HTMLDivElement>(null);
   const point = useRef<HTMLDivElement>(null);
+  const knob = useRef<HTMLDivElement>(null);
   const box = useRef<HTMLDivElement>(null);
   const legend = useRef<HTMLFieldSetElement>(null);
   const views = useRef<HTMLFieldSetElement>(null);
   const viewport = useRef<Viewport | null>(null);
   useEffect(() => {
-    const parts = partsOf({ canvas, markers, pulls, hint, figure, point, box, legend, views });
+    const parts = partsOf({
+      canvas,
+      markers,
+      pulls,
+      hint,
+      figure,
+      point,
+      box,
+      legend,
+      views,
+      knob,
+    });
     const view = parts && mount(parts);
     viewport.current = view;
     if (!parts || !view) return;
@@ -128,10 +132,10 @@ export function ViewportPane() {
       <div ref={point} class="point-figure" hidden>
         <PointFigure />
       </div>
+      <div ref={knob} class="reach-knob" title="Drag: how far the edit reaches" hidden />
       <div ref={box} class="selection-box" hidden />
       <BeforeNote />
       <DragTools />
-      <Several />
       <Legend element={legend} />
       <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>

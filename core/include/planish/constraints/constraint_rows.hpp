@@ -10,12 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "planish/constraints/kind.hpp"
-
 namespace planish {
 
-/// Kinds as a type.
-template <ConstraintKind... Kinds>
+/// Kinds of rows as a type: of constraints, or of limits.
+template <class... Kinds>
 struct KindList {
   static constexpr std::size_t kCount = sizeof...(Kinds);
 
@@ -23,6 +21,12 @@ struct KindList {
   template <class Visit>
   static constexpr void for_each(const Visit& visit) {
     (visit(std::type_identity<Kinds>()), ...);
+  }
+
+  /// Whether test(std::type_identity<Kind>()) is true of every kind.
+  template <class Test>
+  static constexpr bool all(const Test& test) {
+    return (test(std::type_identity<Kinds>()) && ...);
   }
 
   /// The place of a kind in the list.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,11 @@ using FourPoints = RowPoints<FlatnessEquation::kArity>;
 /// of c and of ∇c, which do not change a Newton step on the constraints.
 [[nodiscard]] CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation,
                                                 const FourPoints& points);
+
+/// Places in `face` of three vertices that are far apart: they carry the plane of a larger polygon,
+/// and its circle. @param face at least three vertices
+[[nodiscard]] std::array<std::size_t, 3> spread_corners(const Positions& positions,
+                                                        std::span<const int> face);
 
 /// The n − 3 equations of `face`. Three well-spread vertices carry the plane; every other vertex
 /// gives one equation. Appends nothing for a triangle.

@@ -2,14 +2,21 @@
 /// All kinds of constraints. A new one is its own file and one line here.
 #pragma once
 
+#include "planish/constraints/circular_polygon.hpp"
+#include "planish/constraints/conical_vertex.hpp"
 #include "planish/constraints/constraint_rows.hpp"
 #include "planish/constraints/planar_polygon.hpp"
 
 namespace planish {
 
 using ConstraintKinds = KindList<  //
-    PlanarPolygon                  //
+    PlanarPolygon,                 //
+    CircularPolygon,               //
+    ConicalVertex                  //
     >;
+static_assert(ConstraintKinds::all([](auto tag) {
+  return ConstraintKind<typename decltype(tag)::type>;
+}));
 
 /// The rows of a mesh or of a patch.
 using ConstraintRows = RowBatches<ConstraintKinds>;

@@ -17,8 +17,14 @@ struct ExactDesign {
   Positions displacement;     ///< 3 × |vertices|, solver units
   Positions positions;        ///< 3 × |vertices|, model units, as they will be written
   std::vector<int> faces;     ///< ascending: faces with a moved vertex
-  double worst_mm_per_m = 0;  ///< over `faces`, measured on `positions` [MET-1]
-  double worst_excess = 0;    ///< the same for FacePlanarity::excess: what a tolerance bounds
+  std::vector<int> stars;     ///< ascending: inner vertices that moved or have a moved neighbour,
+                              ///< where a kept kind hangs on vertices
+  Violations worst;           ///< over `faces` and `stars`, measured on `positions`
+
+  /// The elements of a sort that the design touches.
+  [[nodiscard]] const std::vector<int>& touched(Element element) const {
+    return element == Element::kFace ? faces : stars;
+  }
   int factorizations = 0;
 };
 
@@ -27,15 +33,17 @@ class ExactFinish {
   explicit ExactFinish(const MeshModel& model);
 
   /// Corrects `field` on `support` with the handles held, then free, then on a wider support, until
-  /// the excess of every touched panel is within `tolerance` (mm/m); the best attempt is returned
-  /// in any case.
+  /// every touched panel is within the tolerances of `kept`; the best attempt is returned in any
+  /// case.
   [[nodiscard]] ExactDesign finish(const EditProblem& problem, std::span<const int> support,
-                                   const DisplacementField& field, double tolerance);
+                                   const DisplacementField& field, const KeptKinds& kept);
 
  private:
   ExactDesign attempt(const EditProblem& problem, std::span<const int> support,
                       const DisplacementField& field, bool hold_handles);
   void measure(ExactDesign& design);
+  void find_stars(ExactDesign& design);
+  void measure_element(Element element, std::span<const int> vertices, ExactDesign& design);
 
   const MeshModel& model_;
   PatchCutter cutter_;
@@ -44,6 +52,8 @@ class ExactFinish {
   std::vector<int> local_of_;  ///< mesh vertex → column of the design being measured, or −1
   std::vector<int> face_mark_;
   int stamp_ = 0;
+  Positions corners_;       ///< of the element being measured
+  std::vector<int> order_;  ///< 0, 1, 2 …
 };
 
 /// [PB-1] of a design: everything it leaves unmoved contributes nothing.

@@ -62,6 +62,13 @@ class PatchSystem {
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
  private:
+  /// Where the blocks of rows go.
+  struct RowPlaces {
+    std::vector<int> free;         ///< free vertices of each row
+    std::vector<int> order;        ///< row by row: their places in it, latest eliminated first
+    std::vector<BlockSlot> slots;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
+  };
+
   /// The three diagonal blocks of a corner's shape and the blocks of (k, k + 1), modulo 3.
   struct ShapeSlots {
     std::array<BlockSlot, 3> own{};
@@ -72,12 +79,15 @@ class PatchSystem {
   void build_graph();
   void place_edges();
   [[nodiscard]] std::size_t edge(int row, int column) const;
-  void place_equations();
+  template <class Batches>
+  void place_rows(const Batches& rows, RowPlaces& places) const;
   void place_shapes();
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
   void add_shapes(const PatchState& state);
   void shape_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
+  void add_limits(const PatchState& state);
+  void limit_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   void add_norms(const PatchState& state, double smoothing, double shift);
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   template <ConstraintRow Row>
@@ -92,10 +102,9 @@ class PatchSystem {
   std::vector<BlockSlot> diagonal_;
   std::vector<BlockSlot> edge_slots_;  ///< layout of graph_.values; set where the row is the later
   std::vector<double> edge_weights_;   ///< ω_f EᵀE, same layout
-  std::vector<int> free_corners_;      ///< of each row
-  std::vector<int> corner_order_;      ///< row by row: its free corners, latest eliminated first
-  std::vector<BlockSlot> corner_slots_;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
+  RowPlaces equation_places_;
   std::vector<ShapeSlots> shape_slots_;
+  RowPlaces limit_places_;
   std::vector<double> constant_;  ///< panel values of ω_f EᵀE + q I
   RowJacobian jacobian_;          ///< of the last factorization
   double penalty_ = 0.0;

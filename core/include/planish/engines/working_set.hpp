@@ -16,11 +16,16 @@ class WorkingSetGrower {
   /// `seeds` and everything within `rings` face rings of them, ascending, no duplicates.
   [[nodiscard]] std::vector<int> grow(std::span<const int> seeds, int rings);
 
+  /// `seeds` and their neighbours along edges, ascending, no duplicates.
+  [[nodiscard]] std::vector<int> neighbourhood(std::span<const int> seeds);
+
   /// The edge polylines through `vertex`, at most `length` edges each way, `vertex` included. Empty
   /// where no line goes straight (odd interior valence).
   [[nodiscard]] std::vector<int> lines_through(int vertex, int length) const;
 
  private:
+  /// Unless it has the stamp already.
+  void add_once(int vertex, std::vector<int>& set);
   void follow(int from, int vertex, int length, std::vector<int>& out) const;
 
   const MeshModel& model_;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// The limits' rows of a whole mesh, panel by panel. Built once, O(n).
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "planish/constraints/limit_kinds.hpp"
+#include "planish/constraints/stated_limit.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+class MeshLimits {
+ public:
+  /// @param limits that break no rule; of several with one name all hold
+  MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& limits);
+
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+  /// Whether a limit of the kind at `index` of LimitKinds holds something back.
+  [[nodiscard]] bool has(std::size_t index) const { return rows_of_[index].size() > 0; }
+
+  /// Calls visit(std::type_identity<Kind>(), row, other) for every row that hangs on `face`;
+  /// `other` is the second panel of a row that has two, −1 else.
+  template <class Visit>
+  void for_each_row(int face, const Visit& visit) const {
+    LimitKinds::for_each([&](auto tag) {
+      using Kind = typename decltype(tag)::type;
+      const RaggedRows& places = rows_of_[LimitKinds::index_of<Kind>()];
+      if (places.size() == 0) return;
+      for (const int place : places[face]) {
+        const typename Kind::Row& row = rows_.of<Kind>()[static_cast<std::size_t>(place)];
+        visit(tag, row, other_panel(row, face));
+      }
+    });
+  }
+
+ private:
+  template <LimitRow Row>
+  [[nodiscard]] static int other_panel(const Row& row, int face) {
+    if constexpr (requires { row.panels; }) {
+      return row.panels[0] == face ? row.panels[1] : row.panels[0];
+    } else {
+      return -1;
+    }
+  }
+
+  LimitRows rows_;
+  std::array<RaggedRows, LimitKinds::kCount> rows_of_;  ///< by face; empty: nothing is stated
+};
+
+/// How near panels are to one limit.
+struct LimitStanding {
+  double least_share = std::numeric_limits<double>::infinity();  ///< ≥ 0: it holds [LIM-2]
+  std::vector<int> binding;  ///< panels that it holds back, ascending
+};
+
+/// Of `faces` (ascending). @param point a vertex's place, in the unit that the limits were made in
+template <class Point>
+[[nodiscard]] std::array<LimitStanding, LimitKinds::kCount> limit_standing(
+    const MeshLimits& limits, std::span<const int> faces, const Point& point) {
+  constexpr double kBinding =
+      0.1;  // share: there the barrier's force is 5 to 1 of what it is at 1/4
+  std::array<LimitStanding, LimitKinds::kCount> standing;
+  for (const int face : faces) {
+    limits.for_each_row(face, [&](auto tag, const auto& row, int) {
+      using Kind = typename decltype(tag)::type;
+      RowPoints<Kind::Row::kArity> points(3, static_cast<Eigen::Index>(row.vertices.size()));
+      for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+        points.col(static_cast<Eigen::Index>(k)) = point(row.vertices[k]);
+      }
+      const double share = row.scale.share(value(row, points));
+      LimitStanding& kind = standing[LimitKinds::index_of<Kind>()];
+      // Not a number is no share that holds.
+      if (!(share >= kind.least_share)) kind.least_share = share;
+      const bool listed = !kind.binding.empty() && kind.binding.back() == face;
+      if (!(share >= kBinding) && !listed) kind.binding.push_back(face);
+    });
+  }
+  return standing;
+}
+
+}  // namespace planish

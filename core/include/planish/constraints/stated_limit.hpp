@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// Limits that someone states for the panels of an edit: folds, angles, lengths, sizes. [LIM-1]
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planish {
+
+/// One limit. It is relative to the base: what exceeds it there may not get worse, and blocks
+/// nothing else.
+struct StatedLimit {
+  std::string name;       ///< of constraints/limit_kinds.hpp, for example "fold"
+  double least = 0.0;     ///< of a range; the shorter side of a sheet; 0 where a limit has none
+  double most = 0.0;      ///< > 0; degrees, model units or their square
+  bool relative = false;  ///< `most` is what may be added to the base's own value
+};
+
+/// The first rule that `limits` break, naming the limit; nullopt if none.
+[[nodiscard]] std::optional<std::string> find_problem(const std::vector<StatedLimit>& limits);
+
+/// "fold=MAX", "fold=+MAX", "angle=MIN:MAX", "edge=MIN:MAX", "area=MAX" or "sheet=WxH".
+/// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s
+[[nodiscard]] std::optional<StatedLimit> parse_stated_limit(std::string_view text);
+
+/// The text that parse_stated_limit() reads, with the same bits.
+[[nodiscard]] std::string stated_limit_text(const StatedLimit& limit);
+
+/// The names and forms of all limits, for messages.
+[[nodiscard]] std::string known_limits();
+
+}  // namespace planish

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// What a cutting package is written from: every panel flat, every edge and node numbered.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planish/fabrication/flat_panel.hpp"
+#include "planish/fabrication/joints.hpp"
+#include "planish/fabrication/remake.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// Lengths are in `unit`, which everything in the package is written in.
+struct CuttingOptions {
+  std::string name = "panels";   ///< for people; what was cut
+  std::string model_unit = "m";  ///< of the mesh: mm, cm, m, km, in or ft
+  std::string unit = "mm";       ///< of the package: the same words
+  double gap = 0.0;              ///< joint between panels, ≥ 0: every edge goes in by half of it
+  double thickness = 0.0;        ///< ≥ 0; 0: not known, no volume is given
+  double sheet_width = 0.0;      ///< both > 0, or both 0: no sheets
+  double sheet_height = 0.0;
+  bool remake_only = false;  ///< draws what must be made again against a base
+  std::vector<int> panels;   ///< draws these faces only; empty: no such limit
+};
+
+/// The first rule that `options` breaks, naming its field; nullopt if none.
+/// @param has_base whether there is a mesh to compare with
+[[nodiscard]] std::optional<std::string> find_problem(const CuttingOptions& options,
+                                                      const Mesh& mesh, bool has_base);
+
+/// Metres in one `unit`; nullopt for another word.
+[[nodiscard]] std::optional<double> metres_in(const std::string& unit);
+
+struct CuttingPlan {
+  CuttingOptions options;
+  Mesh mesh;               ///< positions in options.unit
+  std::uint32_t hash = 0;  ///< mesh_hash() of the mesh as given
+  double scale = 1.0;      ///< options.unit in one model unit
+  JointTable joints;
+  std::vector<FlatPanel> panels;    ///< one a face, in options.unit
+  std::vector<int> vertex_of_node;  ///< nodes in the order in which the faces first use them
+  std::vector<int> node_of_vertex;  ///< −1 for a vertex without faces
+  std::optional<Remake> remake;     ///< against the base, if there is one
+  std::vector<char> drawn;          ///< 1 for each face that the drawings show
+};
+
+/// @param mesh must have passed check_mesh(); @param base the same, or nullptr; its panels also say
+/// which side x runs along; @param options must have no problem
+[[nodiscard]] CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base,
+                                            const CuttingOptions& options);
+
+/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0.
+[[nodiscard]] std::string panel_name(int face);
+[[nodiscard]] std::string edge_name(int joint);
+[[nodiscard]] std::string node_name(int node);
+
+}  // namespace planish

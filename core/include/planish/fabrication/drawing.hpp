@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/// A drawing of closed outlines and centred texts, written as DXF or SVG.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "planish/fabrication/flat_panel.hpp"
+
+namespace planish {
+
+/// What a machine does with a line.
+enum class DrawingLayer {
+  kCut,    ///< cuts it
+  kMark,   ///< marks it: the notch at corner 0
+  kText,   ///< writes it
+  kGap,    ///< nothing: the panel without its joints
+  kSheet,  ///< nothing: the edge of the sheet
+};
+
+struct DrawnLoop {
+  DrawingLayer layer = DrawingLayer::kCut;
+  Outline points;
+};
+
+/// A text on layer kText, centred on its position.
+struct DrawnText {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double height = 1.0;
+  double degrees = 0.0;  ///< of its baseline, anticlockwise from x
+  std::string text;      ///< ASCII
+};
+
+struct Drawing {
+  std::vector<DrawnLoop> loops;
+  std::vector<DrawnText> texts;
+};
+
+/// A rotation, then a shift: nothing here is ever mirrored.
+struct PlanarMotion {
+  Eigen::Vector2d x_axis = Eigen::Vector2d::UnitX();  ///< unit, where the x axis goes
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+
+  [[nodiscard]] Eigen::Vector2d apply(const Eigen::Vector2d& p) const {
+    return {x_axis.x() * p.x() - x_axis.y() * p.y() + shift.x(),
+            x_axis.y() * p.x() + x_axis.x() * p.y() + shift.y()};
+  }
+};
+
+/// Adds `part`, moved.
+void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion);
+
+/// DXF R12 (AC1009), ASCII: closed polylines and texts, coordinates with 6 decimals.
+[[nodiscard]] std::string write_dxf(const Drawing& drawing);
+
+/// An SVG of the area from (0, 0) to (width, height), y up; `unit` is the unit of all lengths.
+[[nodiscard]] std::string write_svg(const Drawing& drawing, double width, double height,
+                                    const std::string& unit);
+
+/// Appends `value` with 6 decimals, as printf's %.6f but without zeros at the end and never "-0".
+void append_decimals(std::string& text, double value);
+
+}  // namespace planish

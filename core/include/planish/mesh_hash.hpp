@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+/// A mesh's fingerprint.
+#pragma once
+
+#include <cstdint>
+
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// CRC-32 of positions (float64), face offsets and face vertices (int32), all little endian.
+[[nodiscard]] std::uint32_t mesh_hash(const Mesh& mesh);
+
+}  // namespace planish

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// How an opened mesh becomes flat: (8) without a history, between the nearest flat mesh and a fair
+/// one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+
+namespace planish {
+
+struct Planarising {
+  /// α_f ≥ 0. 0: as close as possible, which crumples smooth meshes. Higher: smoother, and farther
+  /// away; from 1 to 100 little changes on most meshes.
+  double fairness_weight = 10.0;
+  bool keep_boundary = false;  ///< points on boundary edges stay
+  bool keep_shape = true;      ///< ProjectionOptions::keep_shape
+
+  friend bool operator==(const Planarising&, const Planarising&) = default;
+};
+
+/// What designs of the time before there was a choice mean.
+inline constexpr Planarising kNearestFlat{0.0, false, false};
+
+[[nodiscard]] std::optional<std::string> find_problem(const Planarising& how);
+
+/// Vertices on boundary edges, ascending.
+[[nodiscard]] std::vector<int> boundary_vertices(const Mesh& mesh);
+
+/// kToleranceNotMet with keep_shape: the panels' shape does not allow more; the positions are sound
+/// and as flat as was found.
+[[nodiscard]] ProjectionResult planarise(const Mesh& mesh, const Planarising& how,
+                                         const Progress& progress = {});
+
+}  // namespace planish

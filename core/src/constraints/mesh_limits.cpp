@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "planish/constraints/mesh_limits.hpp"
+
+#include <utility>
+
+#include "planish/index.hpp"
+
+namespace planish {
+namespace {
+
+/// Which rows hang on a face, from which faces hang on a row.
+RaggedRows rows_by_face(int face_count, const std::vector<std::pair<int, int>>& uses) {
+  RaggedRows rows;
+  rows.offsets.assign(at(face_count) + 1, 0);
+  for (const auto& [face, row] : uses) ++rows.offsets[at(face) + 1];
+  for (std::size_t f = 1; f < rows.offsets.size(); ++f) rows.offsets[f] += rows.offsets[f - 1];
+  std::vector<int> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  rows.values.resize(uses.size());
+  for (const auto& [face, row] : uses) rows.values[at(next[at(face)]++)] = row;
+  return rows;
+}
+
+}  // namespace
+
+MeshLimits::MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& limits) {
+  const int faces = base.mesh.face_count();
+  LimitKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    auto& rows = rows_.of<Kind>();
+    std::vector<std::pair<int, int>> uses;
+    for (const StatedLimit& limit : limits) {
+      if (limit.name != Kind::kName) continue;
+      for (int f = 0; f < faces; ++f) {
+        std::size_t row = rows.size();
+        Kind::append_rows(base, f, limit, rows);
+        for (; row < rows.size(); ++row) {
+          uses.emplace_back(f, static_cast<int>(row));
+          const int other = other_panel(rows[row], f);
+          if (other >= 0) uses.emplace_back(other, static_cast<int>(row));
+        }
+      }
+    }
+    if (!rows.empty()) rows_of_[LimitKinds::index_of<Kind>()] = rows_by_face(faces, uses);
+  });
+}
+
+}  // namespace planish

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdio>
+
+#include "planish/constraints/elements.hpp"
+#include "planish/handle_edit.hpp"
+
+namespace planish {
+
+std::optional<std::string> find_broken_constraint(const Mesh& mesh,
+                                                  const HandleEditOptions& options) {
+  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
+  if (options.constraints.empty()) return std::nullopt;
+  std::optional<std::string> broken;
+  const Adjacency adjacency = build_adjacency(mesh);
+  MeshElements elements(mesh, adjacency);
+  kept.for_each([&](auto tag, std::size_t kind) {
+    using Kind = typename decltype(tag)::type;
+    if (broken || kind == ConstraintKinds::index_of<PlanarPolygon>()) return;
+    Violation worst;
+    int where = 0;
+    for (int e = 0; e < elements.count(Kind::kElement); ++e) {
+      const Violation here = violation_of<Kind>(mesh.positions, elements.of(Kind::kElement, e));
+      if (here.excess <= worst.excess) continue;
+      worst = here;
+      where = e;
+    }
+    if (worst.excess <= kept.tolerance(kind)) return;
+    const std::string where_word = Kind::kElement == Element::kFace ? "panel " : "point ";
+    std::array<char, 32> defect{};
+    std::snprintf(defect.data(), defect.size(), "%.3g", worst.measure);
+    broken = "the base mesh is not " + std::string(Kind::kName) + ": " + where_word +
+             std::to_string(where) + " misses it by " + defect.data() + " " +
+             std::string(Kind::kUnit);
+  });
+  return broken;
+}
+
+}  // namespace planish

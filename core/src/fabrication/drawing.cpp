@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "planish/fabrication/drawing.hpp"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "io/number.hpp"
+#include "trigonometry.hpp"
+
+namespace planish {
+namespace {
+
+struct LayerStyle {
+  std::string_view name;    ///< of the DXF layer: A–Z only
+  int colour;               ///< AutoCAD colour index
+  std::string_view stroke;  ///< in SVG
+};
+
+/// In the order of DrawingLayer.
+constexpr std::array<LayerStyle, 5> kLayers = {{{"CUT", 7, "#111"},
+                                                {"MARK", 1, "#c22"},
+                                                {"TEXT", 3, "#272"},
+                                                {"GAP", 8, "#999"},
+                                                {"SHEET", 5, "#36c"}}};
+
+const LayerStyle& style_of(DrawingLayer layer) { return kLayers[static_cast<std::size_t>(layer)]; }
+
+/// One pair of a DXF file: the group code and its value, a line each.
+void add_pair(std::string& dxf, int code, std::string_view value) {
+  append_integer(dxf, code);
+  dxf += '\n';
+  dxf += value;
+  dxf += '\n';
+}
+
+void add_pair(std::string& dxf, int code, double value) {
+  append_integer(dxf, code);
+  dxf += '\n';
+  append_decimals(dxf, value);
+  dxf += '\n';
+}
+
+void add_pair(std::string& dxf, int code, int value) {
+  append_integer(dxf, code);
+  dxf += '\n';
+  append_integer(dxf, value);
+  dxf += '\n';
+}
+
+void begin_table(std::string& dxf, std::string_view name, int entries) {
+  add_pair(dxf, 0, "TABLE");
+  add_pair(dxf, 2, name);
+  add_pair(dxf, 70, entries);
+}
+
+void add_layer_table(std::string& dxf) {
+  begin_table(dxf, "LAYER", static_cast<int>(kLayers.size()));
+  for (const LayerStyle& layer : kLayers) {
+    add_pair(dxf, 0, "LAYER");
+    add_pair(dxf, 2, layer.name);
+    add_pair(dxf, 70, 0);
+    add_pair(dxf, 62, layer.colour);
+    add_pair(dxf, 6, "CONTINUOUS");
+  }
+  add_pair(dxf, 0, "ENDTAB");
+}
+
+/// Everything before the entities.
+std::string dxf_preamble() {
+  std::string dxf;
+  add_pair(dxf, 0, "SECTION");
+  add_pair(dxf, 2, "HEADER");
+  add_pair(dxf, 9, "$ACADVER");
+  add_pair(dxf, 1, "AC1009");
+  add_pair(dxf, 0, "ENDSEC");
+  add_pair(dxf, 0, "SECTION");
+  add_pair(dxf, 2, "TABLES");
+  begin_table(dxf, "LTYPE", 1);
+  add_pair(dxf, 0, "LTYPE");
+  add_pair(dxf, 2, "CONTINUOUS");
+  add_pair(dxf, 70, 0);
+  add_pair(dxf, 3, "Solid line");
+  add_pair(dxf, 72, 65);
+  add_pair(dxf, 73, 0);
+  add_pair(dxf, 40, 0);
+  add_pair(dxf, 0, "ENDTAB");
+  add_layer_table(dxf);
+  add_pair(dxf, 0, "ENDSEC");
+  add_pair(dxf, 0, "SECTION");
+  add_pair(dxf, 2, "ENTITIES");
+  return dxf;
+}
+
+void add_polyline(std::string& dxf, const DrawnLoop& loop) {
+  const std::string_view layer = style_of(loop.layer).name;
+  add_pair(dxf, 0, "POLYLINE");
+  add_pair(dxf, 8, layer);
+  add_pair(dxf, 66, 1);
+  for (const int code : {10, 20, 30}) add_pair(dxf, code, 0);
+  add_pair(dxf, 70, 1);  // closed
+  for (const auto point : loop.points.colwise()) {
+    add_pair(dxf, 0, "VERTEX");
+    add_pair(dxf, 8, layer);
+    add_pair(dxf, 10, point.x());
+    add_pair(dxf, 20, point.y());
+    add_pair(dxf, 30, 0);
+  }
+  add_pair(dxf, 0, "SEQEND");
+  add_pair(dxf, 8, layer);
+}
+
+void add_text(std::string& dxf, const DrawnText& text) {
+  add_pair(dxf, 0, "TEXT");
+  add_pair(dxf, 8, style_of(DrawingLayer::kText).name);
+  for (const int code : {10, 11}) {  // where it is aligned; 11 counts, 10 is for old readers
+    add_pair(dxf, code, text.position.x());
+    add_pair(dxf, code + 10, text.position.y());
+    add_pair(dxf, code + 20, 0);
+  }
+  add_pair(dxf, 40, text.height);
+  add_pair(dxf, 1, text.text);
+  add_pair(dxf, 50, text.degrees);
+  add_pair(dxf, 72, 1);  // centred
+  add_pair(dxf, 73, 2);  // on its middle
+}
+
+void add_attribute(std::string& svg, std::string_view name, double value) {
+  svg += ' ';
+  svg += name;
+  svg += "=\"";
+  append_decimals(svg, value);
+  svg += '"';
+}
+
+void add_polygon(std::string& svg, const DrawnLoop& loop, double height) {
+  svg += "<polygon class=\"";
+  svg += style_of(loop.layer).name;
+  svg += "\" points=\"";
+  for (Eigen::Index k = 0; k < loop.points.cols(); ++k) {
+    if (k > 0) svg += ' ';
+    append_decimals(svg, loop.points(0, k));
+    svg += ',';
+    append_decimals(svg, height - loop.points(1, k));
+  }
+  svg += "\"/>\n";
+}
+
+void add_svg_text(std::string& svg, const DrawnText& text, double height) {
+  svg += "<text transform=\"translate(";
+  append_decimals(svg, text.position.x());
+  svg += ' ';
+  append_decimals(svg, height - text.position.y());
+  svg += ") rotate(";
+  append_decimals(svg, -text.degrees);
+  svg += ")\"";
+  add_attribute(svg, "font-size", 1.4 * text.height);  // capitals are 0.7 of it
+  svg += " dy=\"0.35em\">" + text.text + "</text>\n";
+}
+
+}  // namespace
+
+void append_decimals(std::string& text, double value) {
+  constexpr double kMillionths = 1e6;
+  constexpr double kLargest = 9e15;  // whole numbers are exact below it
+  const double scaled = std::round(std::abs(value) * kMillionths);
+  if (!(scaled < kLargest)) return append_number(text, value, 17);
+  if (scaled == 0.0) return append_integer(text, 0);
+  const auto whole = static_cast<long long>(scaled);
+  if (value < 0.0) text += '-';
+  append_integer(text, whole / 1000000);
+  long long rest = whole % 1000000;
+  if (rest == 0) return;
+  text += '.';
+  for (long long place = 100000; rest > 0; place /= 10) {
+    text += static_cast<char>('0' + rest / place);
+    rest %= place;
+  }
+}
+
+void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion) {
+  for (DrawnLoop loop : part.loops) {
+    for (auto point : loop.points.colwise()) point = motion.apply(point);
+    drawing.loops.push_back(std::move(loop));
+  }
+  const double turn = arctangent(motion.x_axis.y(), motion.x_axis.x()) * 180.0 / kPi;
+  for (DrawnText text : part.texts) {
+    text.position = motion.apply(text.position);
+    text.degrees += turn;
+    drawing.texts.push_back(std::move(text));
+  }
+}
+
+std::string write_dxf(const Drawing& drawing) {
+  std::string dxf = dxf_preamble();
+  for (const DrawnLoop& loop : drawing.loops) add_polyline(dxf, loop);
+  for (const DrawnText& text : drawing.texts) add_text(dxf, text);
+  add_pair(dxf, 0, "ENDSEC");
+  add_pair(dxf, 0, "EOF");
+  return dxf;
+}
+
+std::string write_svg(const Drawing& drawing, double width, double height,
+                      const std::string& unit) {
+  const bool known = unit == "mm" || unit == "cm" || unit == "in";  // what CSS knows
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+  append_decimals(svg, width);
+  if (known) svg += unit;
+  svg += "\" height=\"";
+  append_decimals(svg, height);
+  if (known) svg += unit;
+  svg += "\" viewBox=\"0 0 ";
+  append_decimals(svg, width);
+  svg += ' ';
+  append_decimals(svg, height);
+  svg += "\">\n<style>polygon{fill:none;stroke-width:1px;vector-effect:non-scaling-stroke}";
+  svg += "text{font-family:sans-serif;text-anchor:middle;fill:#272}";
+  for (const LayerStyle& layer : kLayers) {
+    svg.append(".").append(layer.name).append("{stroke:").append(layer.stroke).append("}");
+  }
+  svg += "</style>\n";
+  for (const DrawnLoop& loop : drawing.loops) add_polygon(svg, loop, height);
+  for (const DrawnText& text : drawing.texts) add_svg_text(svg, text, height);
+  return svg + "</svg>\n";
+}
+
+}  // namespace planish

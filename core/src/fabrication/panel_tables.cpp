@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "planish/fabrication/panel_tables.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fabrication/table_writer.hpp"
+#include "plane_meeting.hpp"
+#include "planish/adjacency.hpp"
+#include "planish/area_vector.hpp"
+#include "planish/constraints/planar_polygon.hpp"
+#include "planish/index.hpp"
+#include "trigonometry.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+/// Stands for a neighbour where there is none.
+constexpr const char* kNobody = "-";
+
+std::array<double, 3> triple(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string panel_or_nobody(int panel) { return panel < 0 ? kNobody : panel_name(panel); }
+
+std::string change_of_panel(const CuttingPlan& plan, int face) {
+  return plan.remake ? std::string(change_name(plan.remake->panels[at(face)])) : "";
+}
+
+std::string change_of_node(const CuttingPlan& plan, int vertex) {
+  return plan.remake ? std::string(change_name(plan.remake->nodes[at(vertex)])) : "";
+}
+
+const Joint& joint_at(const CuttingPlan& plan, int face, int side) {
+  const auto place = at(plan.mesh.face_offsets[at(face)] + side);
+  return plan.joints.joints[at(plan.joints.of_side[place])];
+}
+
+std::string name_of(const CuttingPlan& plan, const Joint& joint) {
+  return edge_name(static_cast<int>(&joint - plan.joints.joints.data()));
+}
+
+/// Nodes, edges and neighbours of a panel, corner by corner.
+void add_surroundings(TableWriter& table, const CuttingPlan& plan, int face) {
+  std::vector<std::string> nodes;
+  std::vector<std::string> edges;
+  std::vector<std::string> neighbours;
+  const auto corners = plan.mesh.face(face);
+  for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
+    const Joint& joint = joint_at(plan, face, k);
+    const bool is_first = joint.first.panel == face && joint.first.side == k;
+    nodes.push_back(node_name(plan.node_of_vertex[at(corners[at(k)])]));
+    edges.push_back(name_of(plan, joint));
+    neighbours.push_back(panel_or_nobody(is_first ? joint.second.panel : joint.first.panel));
+  }
+  table.add("nodes", nodes).add("edges", edges).add("neighbours", neighbours);
+}
+
+/// The outline with its frame, and what is measured on it.
+void add_shape(TableWriter& table, const CuttingPlan& plan, int face) {
+  const FlatPanel& panel = plan.panels[at(face)];
+  const Outline& outline = panel.outline;
+  std::vector<double> lengths;
+  std::vector<double> angles;
+  double perimeter = 0.0;
+  for (Eigen::Index k = 0; k < outline.cols(); ++k) {
+    lengths.push_back(side_length(outline, k));
+    angles.push_back(interior_angle(outline, k) * kDegrees);
+    perimeter += lengths.back();
+  }
+  const double area = area_of(outline);
+  const BoundingRectangle rectangle = bounding_rectangle(outline);
+  table.add("outline", std::span(outline.data(), static_cast<std::size_t>(outline.size())))
+      .add("off_plane", panel.off_plane)
+      .add("origin", triple(panel.frame.origin))
+      .add("x_axis", triple(panel.frame.x))
+      .add("normal", triple(panel.frame.normal))
+      .add("edge_lengths", lengths)
+      .add("angles", angles)
+      .add("area", area)
+      .add("perimeter", perimeter)
+      .add("rectangle", std::array{rectangle.width, rectangle.height});
+  if (plan.options.thickness > 0.0) table.add("volume", area * plan.options.thickness);
+}
+
+void add_setting_out(TableWriter& table, const CuttingPlan& plan, int face) {
+  std::vector<std::string> nodes;
+  for (const int corner : setting_out_corners(plan.panels[at(face)].outline)) {
+    nodes.push_back(node_name(plan.node_of_vertex[at(plan.mesh.face(face)[at(corner)])]));
+  }
+  table.add("setting_out", nodes);
+}
+
+/// How a fold looks from outside.
+const char* fold_name(const Joint& joint) {
+  if (joint.second.panel < 0) return "boundary";
+  if (std::abs(joint.dihedral - kPi) <= kSameAngle) return "flat";
+  return joint.dihedral < kPi ? "convex" : "concave";
+}
+
+/// Doubled area vectors of the panels around each vertex, added up.
+Positions mean_axes(const Mesh& mesh, const Positions& areas) {
+  Positions axes = Positions::Zero(3, mesh.vertex_count());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (const int v : mesh.face(f)) axes.col(v) += areas.col(f);
+  }
+  for (auto axis : axes.colwise()) {
+    axis.stableNormalize();
+    if (axis.isZero(0.0)) axis = Eigen::Vector3d::UnitZ();
+  }
+  return axes;
+}
+
+/// The line of the point that the planes around a vertex keep when all move outwards alike; where
+/// they keep none, or leave it open, the mean. [OFF-4]
+Positions axes_of(const Mesh& mesh) {
+  constexpr double kMeets = 1e-9;
+  Positions areas(3, mesh.face_count());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    areas.col(f) = area_vector(mesh.positions, mesh.face(f));
+  }
+  Positions axes = mean_axes(mesh, areas);
+  const Adjacency adjacency = build_adjacency(mesh);
+  std::vector<Eigen::Vector3d> normals;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    normals.clear();
+    for (const int f : adjacency.faces[v]) {
+      if (!areas.col(f).isZero(0.0)) normals.emplace_back(areas.col(f).stableNormalized());
+    }
+    if (normals.size() < 3) continue;
+    const PlaneMeeting meeting = meet_planes(normals, axes.col(v));
+    if (meeting.rank == 3 && meeting.miss <= kMeets) axes.col(v) = meeting.point.normalized();
+  }
+  return axes;
+}
+
+/// The joints at each vertex, ascending.
+std::vector<std::vector<int>> joints_by_vertex(const CuttingPlan& plan) {
+  std::vector<std::vector<int>> joints(at(plan.mesh.vertex_count()));
+  for (std::size_t k = 0; k < plan.joints.joints.size(); ++k) {
+    joints[at(plan.joints.joints[k].from)].push_back(static_cast<int>(k));
+    joints[at(plan.joints.joints[k].to)].push_back(static_cast<int>(k));
+  }
+  return joints;
+}
+
+/// The arms of a node: azimuth about the axis from the first arm on, elevation above the plane
+/// across it.
+void add_arms(TableWriter& table, const CuttingPlan& plan, int vertex, const Eigen::Vector3d& axis,
+              const std::vector<int>& joints) {
+  std::vector<std::string> arms;
+  std::vector<double> azimuths;
+  std::vector<double> elevations;
+  Eigen::Vector3d zero = axis.unitOrthogonal();
+  for (const int number : joints) {
+    const Joint& joint = plan.joints.joints[at(number)];
+    const int end = joint.from == vertex ? joint.to : joint.from;
+    const Eigen::Vector3d arm =
+        (plan.mesh.positions.col(end) - plan.mesh.positions.col(vertex)).stableNormalized();
+    const Eigen::Vector3d flat = arm - axis * axis.dot(arm);
+    if (arms.empty() && flat.norm() > 1e-9) zero = flat.normalized();
+    const double azimuth = arctangent(axis.cross(zero).dot(flat), zero.dot(flat)) * kDegrees;
+    arms.push_back(edge_name(number));
+    azimuths.push_back(arms.size() == 1 ? 0.0 : azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+    elevations.push_back(arctangent(axis.dot(arm), flat.norm()) * kDegrees);
+  }
+  table.add("arms", arms).add("azimuths", azimuths).add("elevations", elevations);
+}
+
+}  // namespace
+
+TableText panel_table(const CuttingPlan& plan) {
+  TableWriter table;
+  for (int f = 0; f < plan.mesh.face_count(); ++f) {
+    table.row().add("panel", panel_name(f)).add("face", f).add("change", change_of_panel(plan, f));
+    table.add("drawn", plan.drawn[at(f)] != 0 ? "yes" : "no");
+    table.add("corners", static_cast<int>(plan.mesh.face(f).size()));
+    add_surroundings(table, plan, f);
+    add_shape(table, plan, f);
+    table.add("flatness_mm_per_m", face_planarity(plan.mesh.positions, plan.mesh.face(f)).mm_per_m);
+    add_setting_out(table, plan, f);
+  }
+  return table.take();
+}
+
+TableText edge_table(const CuttingPlan& plan) {
+  TableWriter table;
+  for (const Joint& joint : plan.joints.joints) {
+    table.row()
+        .add("edge", name_of(plan, joint))
+        .add("from", node_name(plan.node_of_vertex[at(joint.from)]))
+        .add("to", node_name(plan.node_of_vertex[at(joint.to)]))
+        .add("panel", panel_name(joint.first.panel))
+        .add("side", joint.first.side)
+        .add("neighbour", panel_or_nobody(joint.second.panel))
+        .add("neighbour_side", joint.second.side)
+        .add("length", joint.length)
+        .add("dihedral", joint.dihedral * kDegrees)
+        .add("mitre", 90.0 - 0.5 * joint.dihedral * kDegrees)
+        .add("fold", fold_name(joint));
+  }
+  return table.take();
+}
+
+TableText node_table(const CuttingPlan& plan) {
+  const Positions axes = axes_of(plan.mesh);
+  const std::vector<std::vector<int>> joints = joints_by_vertex(plan);
+  TableWriter table;
+  for (std::size_t node = 0; node < plan.vertex_of_node.size(); ++node) {
+    const int vertex = plan.vertex_of_node[node];
+    const Eigen::Vector3d axis = axes.col(vertex);
+    table.row()
+        .add("node", node_name(static_cast<int>(node)))
+        .add("vertex", vertex)
+        .add("change", change_of_node(plan, vertex))
+        .add("position", triple(plan.mesh.positions.col(vertex)))
+        .add("valence", static_cast<int>(joints[at(vertex)].size()))
+        .add("axis", triple(axis));
+    add_arms(table, plan, vertex, axis, joints[at(vertex)]);
+  }
+  return table.take();
+}
+
+}  // namespace planish

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "planish/fabrication/remake.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "planish/adjacency.hpp"
+#include "planish/fabrication/joints.hpp"
+#include "planish/fabrication/panel_frame.hpp"
+#include "planish/index.hpp"
+
+namespace planish {
+namespace {
+
+bool same_point(const Mesh& base, int before, const Mesh& mesh, int after) {
+  return std::memcmp(base.positions.col(before).data(), mesh.positions.col(after).data(),
+                     3 * sizeof(double)) == 0;
+}
+
+bool same_corners(const Mesh& base, const Mesh& mesh, int panel) {
+  const auto before = base.face(panel);
+  const auto after = mesh.face(panel);
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    if (!same_point(base, before[k], mesh, after[k])) return false;
+  }
+  return true;
+}
+
+/// By outlines alone.
+std::vector<PanelChange> compare_outlines(const Mesh& base, const Mesh& mesh) {
+  std::vector<PanelChange> changes(at(mesh.face_count()), PanelChange::kUnchanged);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const bool known = f < base.face_count() && base.face(f).size() == mesh.face(f).size();
+    if (!known) {
+      changes[at(f)] = PanelChange::kNew;
+    } else if (!same_corners(base, mesh, f)) {
+      changes[at(f)] = PanelChange::kOutline;
+    }
+  }
+  return changes;
+}
+
+bool same_joint(const Joint& before, const Joint& after) {
+  const bool met = before.second.panel >= 0;
+  const bool meets = after.second.panel >= 0;
+  return met == meets && std::abs(before.dihedral - after.dihedral) <= kSameAngle;
+}
+
+/// Whether every side of a panel that kept its corners meets what it met, at the same angle.
+bool same_joints(const Mesh& base, const JointTable& before, const Mesh& mesh,
+                 const JointTable& after, int panel) {
+  const auto side_before = at(base.face_offsets[at(panel)]);
+  const auto side_after = at(mesh.face_offsets[at(panel)]);
+  for (std::size_t k = 0; k < mesh.face(panel).size(); ++k) {
+    const Joint& was = before.joints[at(before.of_side[side_before + k])];
+    const Joint& is = after.joints[at(after.of_side[side_after + k])];
+    if (!same_joint(was, is)) return false;
+  }
+  return true;
+}
+
+bool same_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return (a.stableNormalized() - b.stableNormalized()).norm() <= kSameAngle;
+}
+
+/// Whether every arm of a node that kept its position points where it did.
+bool same_arms(const Mesh& base, const Mesh& mesh, std::span<const int> ends, int node) {
+  return std::all_of(ends.begin(), ends.end(), [&](int end) {
+    return same_point(base, end, mesh, end) ||
+           same_direction(base.positions.col(end) - base.positions.col(node),
+                          mesh.positions.col(end) - mesh.positions.col(node));
+  });
+}
+
+bool same_panels_around(const Mesh& base, const Mesh& mesh, const std::vector<PanelChange>& panels,
+                        std::span<const int> faces) {
+  return std::all_of(faces.begin(), faces.end(), [&](int f) {
+    return panels[at(f)] == PanelChange::kUnchanged || panels[at(f)] == PanelChange::kBevel ||
+           same_direction(panel_normal(base.positions, base.face(f)),
+                          panel_normal(mesh.positions, mesh.face(f)));
+  });
+}
+
+std::vector<NodeChange> compare_nodes(const Mesh& base, const Mesh& mesh,
+                                      const std::vector<PanelChange>& panels) {
+  const Adjacency before = build_adjacency(base);
+  const Adjacency after = build_adjacency(mesh);
+  std::vector<NodeChange> changes(at(mesh.vertex_count()), NodeChange::kUnchanged);
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const auto ends = after.neighbours[v];
+    if (ends.empty()) continue;
+    const bool known = v < base.vertex_count() &&
+                       std::equal(ends.begin(), ends.end(), before.neighbours[v].begin(),
+                                  before.neighbours[v].end());
+    const auto faces = after.faces[v];
+    const bool new_panel = std::any_of(faces.begin(), faces.end(),
+                                       [&](int f) { return panels[at(f)] == PanelChange::kNew; });
+    if (!known || new_panel) {
+      changes[at(v)] = NodeChange::kNew;
+    } else if (!same_point(base, v, mesh, v)) {
+      changes[at(v)] = NodeChange::kMoved;
+    } else if (!same_arms(base, mesh, ends, v) || !same_panels_around(base, mesh, panels, faces)) {
+      changes[at(v)] = NodeChange::kArms;
+    }
+  }
+  return changes;
+}
+
+/// The panel beyond side `side` of `face`, and whether it runs along that side the same way; −1
+/// where there is none.
+struct Neighbour {
+  int face = -1;
+  bool same_way = false;
+};
+
+Neighbour beyond(const Mesh& mesh, const Adjacency& adjacency, int face, std::size_t side) {
+  const auto corners = mesh.face(face);
+  const int a = corners[side];
+  const int b = corners[(side + 1) % corners.size()];
+  for (const int other : adjacency.faces[a]) {
+    if (other == face) continue;
+    const auto ring = mesh.face(other);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const int c = ring[k];
+      const int d = ring[(k + 1) % ring.size()];
+      if ((c == a && d == b) || (c == b && d == a)) return {other, c == a};
+    }
+  }
+  return {};
+}
+
+double dihedral_beyond(const Mesh& mesh, const Positions& positions, int face, std::size_t side,
+                       const Neighbour& neighbour) {
+  const auto corners = mesh.face(face);
+  const Eigen::Vector3d edge =
+      positions.col(corners[(side + 1) % corners.size()]) - positions.col(corners[side]);
+  const Eigen::Vector3d there = panel_normal(positions, mesh.face(neighbour.face));
+  return dihedral(edge, panel_normal(positions, corners),
+                  neighbour.same_way ? Eigen::Vector3d(-there) : there);
+}
+
+}  // namespace
+
+std::vector<PanelChange> panels_to_remake(const Mesh& base, const Adjacency& adjacency,
+                                          const Positions& positions, std::span<const int> moved) {
+  std::vector<PanelChange> changes(at(base.face_count()), PanelChange::kUnchanged);
+  std::vector<int> cut;
+  for (const int v : moved) {
+    for (const int f : adjacency.faces[v]) {
+      if (changes[at(f)] == PanelChange::kUnchanged) cut.push_back(f);
+      changes[at(f)] = PanelChange::kOutline;
+    }
+  }
+  for (const int f : cut) {
+    for (std::size_t side = 0; side < base.face(f).size(); ++side) {
+      const Neighbour there = beyond(base, adjacency, f, side);
+      if (there.face < 0 || changes[at(there.face)] != PanelChange::kUnchanged) continue;
+      const double before = dihedral_beyond(base, base.positions, f, side, there);
+      const double after = dihedral_beyond(base, positions, f, side, there);
+      if (std::abs(before - after) > kSameAngle) changes[at(there.face)] = PanelChange::kBevel;
+    }
+  }
+  return changes;
+}
+
+int Remake::count(PanelChange change) const {
+  return static_cast<int>(std::count(panels.begin(), panels.end(), change));
+}
+
+Remake find_remake(const Mesh& base, const Mesh& mesh) {
+  Remake remake;
+  remake.panels = compare_outlines(base, mesh);
+  const JointTable before = joint_table(base);
+  const JointTable after = joint_table(mesh);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    PanelChange& change = remake.panels[at(f)];
+    if (change == PanelChange::kUnchanged && !same_joints(base, before, mesh, after, f)) {
+      change = PanelChange::kBevel;
+    }
+  }
+  remake.nodes = compare_nodes(base, mesh, remake.panels);
+  return remake;
+}
+
+std::string_view change_name(PanelChange change) {
+  switch (change) {
+    case PanelChange::kUnchanged:
+      return "unchanged";
+    case PanelChange::kOutline:
+      return "outline";
+    case PanelChange::kBevel:
+      return "bevel";
+    case PanelChange::kNew:
+      return "new";
+  }
+  return "unknown";
+}
+
+std::string_view change_name(NodeChange change) {
+  switch (change) {
+    case NodeChange::kUnchanged:
+      return "unchanged";
+    case NodeChange::kMoved:
+      return "moved";
+    case NodeChange::kArms:
+      return "arms";
+    case NodeChange::kNew:
+      return "new";
+  }
+  return "unknown";
+}
+
+}  // namespace planish

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+/// From the targets to a certified design.
+#include <algorithm>
+#include <utility>
+
+#include "edit_reach.hpp"
+#include "handle_edit_state.hpp"
+#include "planish/engines/augmented_lagrangian.hpp"
+#include "planish/engines/cold_search.hpp"
+#include "softness.hpp"
+
+namespace planish {
+
+ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
+  NewtonOptions options;
+  if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
+  const Interruption interruption = [&](const IterationRecord& record) {
+    return progress && progress(record) == Flow::kStop;
+  };
+  const bool by_softness = options_.softness > 0.0 && has_reach(options_);
+  NewtonOutcome outcome = by_softness
+                              ? soften(options, interruption)
+                              : find_minimum(problem_, options, *newton_, *trial_, interruption);
+  report.status = outcome.status;
+  report.iterations += outcome.steps;
+  report.factorizations += outcome.factorizations;
+  report.records = std::move(outcome.records);
+  ExactDesign design = settle(options, interruption, report);
+  if (limits_ != nullptr) approach_limits(options, interruption, design, report);
+  return design;
+}
+
+/// From where the search kept clear of the stated limits, to where they are: along the path of
+/// minima as the barrier on them fades, for as long as each is a certified one. [LIM-2]
+void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
+                                              const Interruption& interruption, ExactDesign& design,
+                                              SolveReport& report) {
+  constexpr double kShrink = 0.1;
+  NewtonOptions step = options;
+  step.first_smoothing = step.last_smoothing;
+  while (problem_.limit_weight > kLastLimitWeight && report.status == SolveStatus::kConverged) {
+    problem_.limit_weight *= kShrink;
+    SolveReport nearer = report;
+    const NewtonOutcome way = newton_->run_warm(problem_, step, *trial_, interruption);
+    nearer.iterations += way.steps;
+    nearer.factorizations += way.factorizations;
+    nearer.status = way.status;
+    ExactDesign next = settle(options, interruption, nearer);
+    report.iterations = nearer.iterations;
+    report.factorizations = nearer.factorizations;
+    if (nearer.status != SolveStatus::kConverged) break;
+    report = std::move(nearer);
+    design = std::move(next);
+  }
+  problem_.limit_weight = kFirstLimitWeight;
+}
+
+/// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
+/// step from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// cold start fell into. [SOF-2]
+NewtonOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
+                                              const Interruption& interruption) {
+  NewtonOptions coarse = options;
+  coarse.last_smoothing = 0.0045;
+  coarse.stop = 1e-3;
+  HandleEditOptions now = options_;
+  now.softness = kSoftest;
+  terms_->assign(targets_, now, problem_);
+  trial_->clear();
+  NewtonOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, interruption);
+  for (bool last = false; !last && outcome.status != SolveStatus::kCancelled;) {
+    now.softness = std::max(options_.softness, now.softness - 1.0);
+    last = now.softness == options_.softness;
+    terms_->assign(targets_, now, problem_);
+    NewtonOptions step = last ? options : coarse;
+    step.first_smoothing = 0.015;
+    NewtonOutcome next = newton_->run_warm(problem_, step, *trial_, interruption);
+    next.steps += outcome.steps;
+    next.factorizations += outcome.factorizations;
+    outcome = std::move(next);
+  }
+  terms_->assign(targets_, options_, problem_);
+  return outcome;
+}
+
+/// From the state that a search left to a certified design, or to the design of that state.
+ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options,
+                                            const Interruption& interruption, SolveReport& report) {
+  const DisplacementField::Snapshot found = trial_->snapshot();
+  const std::vector<int> support = newton_->support();
+  const bool spent = options_.max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
+  if (report.status != SolveStatus::kCancelled && !spent) {
+    const NewtonOutcome fine = newton_->settle(problem_, options, *trial_, interruption);
+    report.iterations += fine.steps;
+    report.factorizations += fine.factorizations;
+    ExactDesign design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+    if (is_acceptable(design)) {
+      report.optimality = newton_->optimality(problem_, design.vertices, design.displacement);
+      report.status = fine.status == SolveStatus::kCancelled ? fine.status
+                      : report.optimality->met()             ? SolveStatus::kConverged
+                                                             : SolveStatus::kIterationLimit;
+      return design;
+    }
+    report.factorizations += design.factorizations;
+    report.status = SolveStatus::kIterationLimit;
+    trial_->restore(found);
+    newton_->set_support(support);
+  }
+  return finish_->finish(problem_, support, *trial_, kept_);
+}
+
+ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,
+                                                                SolveReport& report) {
+  trial_->clear();
+  AlmOptions options;
+  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
+  const AlmOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, progress);
+  report.status = outcome.status;
+  report.iterations = outcome.inner_steps;
+  report.factorizations = outcome.factorizations;
+  report.records = outcome.records;
+  return finish_->finish(problem_, outcome.support, *trial_, kept_);
+}
+
+ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
+  return options_.engine == Engine::kNewton ? solve_newton(progress, report)
+                                            : solve_augmented_lagrangian(progress, report);
+}
+
+}  // namespace planish

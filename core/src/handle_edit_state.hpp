@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// What an edit keeps between its solves. Its functions stand in four files: handle_edit.cpp sets
+/// up and hands out, handle_edit_search.cpp finds a certified design, handle_edit_parts.cpp goes
+/// there in parts, handle_edit_drag.cpp makes one frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base_violations.hpp"
+#include "edit_terms.hpp"
+#include "edit_verdict.hpp"
+#include "planish/engines/exact_finish.hpp"
+#include "planish/engines/working_set_newton.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+
+class HandleEditSolver::State {
+ public:
+  State(const Mesh& mesh, const HandleEditOptions& options);
+
+  void set_options(const HandleEditOptions& options);
+  HandleEditResult solve(const EditTargets& targets, const Progress& progress);
+  HandleEditResult drag(const EditTargets& targets, double budget_seconds);
+
+ private:
+  void rebuild();
+  void state_limits();
+  [[nodiscard]] bool is_bounded() const;
+  void set_targets(const EditTargets& targets);
+  ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign settle(const NewtonOptions& options, const Interruption& interruption,
+                     SolveReport& report);
+  void approach_limits(const NewtonOptions& options, const Interruption& interruption,
+                       ExactDesign& design, SolveReport& report);
+  NewtonOutcome soften(const NewtonOptions& options, const Interruption& interruption);
+  ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
+  ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
+  HandleEditResult result_of(const ExactDesign& design, SolveReport report);
+  [[nodiscard]] bool nothing_to_do() const;
+  [[nodiscard]] static ExactDesign unmoved();
+  ExactDesign run_engine(const Progress& progress, SolveReport& report);
+  ExactDesign come_nearer(const Progress& progress, SolveReport& report);
+  [[nodiscard]] double handle_distance(const ExactDesign& design) const;
+  [[nodiscard]] bool is_acceptable(const ExactDesign& design) const;
+  [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
+  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
+
+  HandleEditOptions options_;
+  KeptKinds kept_;  ///< by the options
+  std::unique_ptr<MeshModel> model_;
+  std::unique_ptr<BaseViolations> base_;
+  std::unique_ptr<MeshLimits> limits_;  ///< null: none are stated
+  std::unique_ptr<EditVerdict> verdict_;
+  std::unique_ptr<WorkingSetNewton> newton_;
+  std::unique_ptr<DisplacementField> field_;  ///< of the drag
+  std::unique_ptr<DisplacementField> trial_;  ///< of cold starts
+  std::unique_ptr<ExactFinish> finish_;
+  std::unique_ptr<PatchCutter> cutter_;
+  EditProblem problem_;
+  std::unique_ptr<EditTerms> terms_;
+  EditTargets targets_;  ///< of the solve
+  std::vector<int> drag_support_;
+  std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
+  std::vector<int> pins_;                  ///< ascending
+  std::vector<int> limited_to_;            ///< handles that what may move depends on, ascending
+  double setup_seconds_ = 0.0;
+};
+
+}  // namespace planish

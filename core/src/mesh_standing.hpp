@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// How far a mesh is from its constraints, and where.
+#pragma once
+
+#include <vector>
+
+#include "planish/adjacency.hpp"
+#include "planish/constraints/elements.hpp"
+#include "planish/constraints/kept_kinds.hpp"
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+struct MeshStanding {
+  Violations worst;
+  /// Faces that break a constraint or have a point that does, worst first.
+  std::vector<int> failing;
+};
+
+/// @param adjacency of `mesh`; may be empty where no kept kind hangs on stars
+[[nodiscard]] MeshStanding measure_standing(const Mesh& mesh, const Adjacency& adjacency,
+                                            const KeptKinds& kept);
+
+/// The corners of `faces`, ascending, no duplicates.
+[[nodiscard]] std::vector<int> vertices_of(const Mesh& mesh, const std::vector<int>& faces);
+
+}  // namespace planish

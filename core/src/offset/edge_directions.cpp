@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "offset/edge_directions.hpp"
+
+#include <cstddef>
+
+#include "edge_table.hpp"
+
+namespace planish {
+
+std::vector<DirectedEdge> directed_edges(const Mesh& mesh) {
+  constexpr double kPoint = 1e-9;
+  const double shortest = kPoint * mean_edge_length(mesh);
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
+  std::vector<DirectedEdge> edges;
+  for (std::size_t first = 0; first < uses.size(); first += same_edge(uses, first).size()) {
+    DirectedEdge edge{uses[first].low, uses[first].high};
+    const Eigen::Vector3d along = mesh.positions.col(edge.to) - mesh.positions.col(edge.from);
+    if (along.stableNorm() > shortest) edge.direction = along.stableNormalized();
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+}  // namespace planish

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// What a choice of planarising must keep; apart from the solver, which readers of designs do not
+/// need.
+#include <cmath>
+
+#include "planish/planarising.hpp"
+
+namespace planish {
+
+std::optional<std::string> find_problem(const Planarising& how) {
+  if (std::isfinite(how.fairness_weight) && how.fairness_weight >= 0.0) return std::nullopt;
+  return "smooth must be a number of at least 0";
+}
+
+}  // namespace planish

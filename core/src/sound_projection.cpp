@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "sound_projection.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh_standing.hpp"
+#include "planish/engines/exact_finish.hpp"
+#include "planish/engines/fair_flat.hpp"
+#include "planish/index.hpp"
+#include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
+#include "planish/stopwatch.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kAtOnce = 1e6;     ///< first penalty: no stages
+constexpr double kGradually = 1e2;  ///< first penalty: three stages
+constexpr double kHeldBack = 1.0;   ///< mm/m: a panel above it is held back by its bound
+
+/// The problem on one mesh, for one α_f after the other.
+class SoundProjector {
+ public:
+  SoundProjector(const Mesh& mesh, const Positions& before, const ProjectionOptions& options,
+                 const std::vector<int>& free)
+      : options_(options),
+        before_(before),
+        free_(free),
+        kept_(kept_kinds(options.tolerance, options.constraints)),
+        model_(mesh, options.fairness, kept_),
+        finish_(model_),
+        cutter_(model_.vertex_count(), mesh.face_count(),
+                static_cast<int>(model_.fairness.rows())) {
+    problem_.model = &model_;
+    problem_.sparse = false;
+    problem_.shape_weight = kShapeWeight;
+    problem_.terms.resize(at(model_.vertex_count()));
+    release();
+  }
+
+  [[nodiscard]] SoundProjection attempt(double fairness_weight, double first_penalty,
+                                        const Progress& progress);
+
+ private:
+  void release();
+  void hold(const std::vector<int>& vertices, const DisplacementField& field);
+  [[nodiscard]] Positions shape_of(const DisplacementField& field) const;
+  [[nodiscard]] Positions finished(const DisplacementField& field, SolveReport& report);
+  [[nodiscard]] bool none_is_worse(const Mesh& after, const std::vector<int>& failing) const;
+  void judge(Positions positions, SoundProjection& best) const;
+
+  ProjectionOptions options_;
+  const Positions& before_;
+  const std::vector<int>& free_;
+  KeptKinds kept_;
+  MeshModel model_;
+  ExactFinish finish_;
+  PatchCutter cutter_;
+  EditProblem problem_;
+};
+
+void SoundProjector::release() {
+  for (VertexTerm& term : problem_.terms) {
+    term = {};
+    term.square_weight = 2.0 * options_.distance_weight;
+  }
+}
+
+/// Keeps vertices where the field has them.
+void SoundProjector::hold(const std::vector<int>& vertices, const DisplacementField& field) {
+  for (const int v : vertices) {
+    problem_.terms[at(v)].fixed = true;
+    problem_.terms[at(v)].target = field.displacement(v);
+  }
+}
+
+Positions SoundProjector::shape_of(const DisplacementField& field) const {
+  Positions positions = model_.mesh.positions;
+  for (const int v : field.touched_vertices()) {
+    positions.col(v) += model_.unit() * field.displacement(v);
+  }
+  return positions;
+}
+
+Positions SoundProjector::finished(const DisplacementField& field, SolveReport& report) {
+  const ExactDesign design = finish_.finish(problem_, free_, field, kept_);
+  report.factorizations += design.factorizations;
+  Positions positions = model_.mesh.positions;
+  positions(Eigen::all, design.vertices) = design.positions;
+  return positions;
+}
+
+/// A panel that does not become flat must not become worse either.
+bool SoundProjector::none_is_worse(const Mesh& after, const std::vector<int>& failing) const {
+  return std::all_of(failing.begin(), failing.end(), [&](int f) {
+    const auto face = model_.face(f);
+    return face_planarity(after.positions, face).mm_per_m <=
+           face_planarity(model_.mesh.positions, face).mm_per_m;
+  });
+}
+
+/// Takes `positions` where they are sound and leave fewer panels above the tolerance.
+void SoundProjector::judge(Positions positions, SoundProjection& best) const {
+  if (!positions.allFinite()) return;
+  Mesh mesh = model_.mesh;
+  mesh.positions = std::move(positions);
+  std::vector<int> failing = measure_standing(mesh, model_.adjacency, kept_).failing;
+  const bool better = !best.found() || failing.size() < best.failing.size();
+  if (!better || !none_is_worse(mesh, failing)) return;
+  if (!spoilt_faces(mesh, before_, mesh.positions).empty()) return;
+  best.positions = std::move(mesh.positions);
+  best.failing = std::move(failing);
+}
+
+SoundProjection SoundProjector::attempt(double fairness_weight, double first_penalty,
+                                        const Progress& progress) {
+  release();
+  problem_.fairness_weight = 2.0 * fairness_weight;
+  Patch patch;
+  cutter_.cut(problem_, free_, patch);
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  FairFlatOptions newton{.first_penalty = first_penalty};
+  if (options_.max_iterations > 0) newton.max_steps = options_.max_iterations;
+  FairFlatOutcome outcome = find_fair_flat(patch, newton, progress, displacement);
+  DisplacementField field(model_.vertex_count(), static_cast<int>(model_.equations.size()));
+  for (int k = 0; k < patch.free_count; ++k) {
+    field.set_displacement(patch.vertices[at(k)], displacement.col(k));
+  }
+  SoundProjection result;
+  result.fairness_weight = fairness_weight;
+  result.report.status = outcome.status;
+  result.report.iterations = outcome.steps;
+  result.report.factorizations = outcome.factorizations;
+  result.report.records = std::move(outcome.records);
+  judge(finished(field, result.report), result);
+  if (result.is_flat()) return result;
+  Mesh rough = model_.mesh;
+  rough.positions = shape_of(field);
+  hold(vertices_of(rough, measure_standing(rough, model_.adjacency, KeptKinds(kHeldBack)).failing),
+       field);
+  judge(finished(field, result.report), result);
+  judge(std::move(rough.positions), result);
+  return result;
+}
+
+}  // namespace
+
+std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const Positions& after) {
+  std::vector<int> spoilt;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (panel_damage(before, after, mesh.face(f)) != PanelDamage::kNone) spoilt.push_back(f);
+  }
+  return spoilt;
+}
+
+SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
+                                const ProjectionOptions& options, const std::vector<int>& free,
+                                const Progress& progress) {
+  const Stopwatch watch;
+  SoundProjector projector(mesh, before, options, free);
+  const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
+  const std::pair<double, double> ladder[] = {{asked, kAtOnce},
+                                              {asked, kGradually},
+                                              {10.0 * asked, kGradually},
+                                              {100.0 * asked, kGradually}};
+  SoundProjection best;
+  int iterations = 0;
+  int factorizations = 0;
+  for (const auto& [fairness, penalty] : ladder) {
+    SoundProjection next = projector.attempt(fairness, penalty, progress);
+    iterations += next.report.iterations;
+    factorizations += next.report.factorizations;
+    const bool cancelled = next.report.status == SolveStatus::kCancelled;
+    if (next.is_better_than(best)) best = std::move(next);
+    if (best.is_flat() || cancelled) break;
+  }
+  best.report.iterations = iterations;
+  best.report.factorizations = factorizations;
+  best.report.solve_seconds = watch.seconds();
+  return best;
+}
+
+}  // namespace planish

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// (8) with the bound that keeps every panel's shape.
+#pragma once
+
+#include <vector>
+
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+/// A mesh whose panels have the shape that they had, flat as far as that allows.
+struct SoundProjection {
+  Positions positions;           ///< 3 × n, model units
+  std::vector<int> failing;      ///< faces above the tolerance, worst first
+  double fairness_weight = 0.0;  ///< α_f that gave it
+  SolveReport report;
+
+  [[nodiscard]] bool found() const { return positions.cols() > 0; }
+  [[nodiscard]] bool is_flat() const { return found() && failing.empty(); }
+  [[nodiscard]] bool is_better_than(const SoundProjection& other) const {
+    return found() && (!other.found() || failing.size() < other.failing.size());
+  }
+};
+
+/// Panels that `after` spoilt, ascending: concave, crossing, turned over or collapsed, and not so
+/// in `before`. Positions are 3 × n of the whole mesh.
+[[nodiscard]] std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before,
+                                            const Positions& after);
+
+/// Tries α_f as asked for (1 where that is 0), then ten and a hundred times as much: a fairer mesh
+/// is farther away, but a smooth displacement seldom folds a panel. The first that is flat and
+/// sound ends the search; otherwise the sound one with the fewest panels above the tolerance is the
+/// result, none of them less flat than it was; without any, `positions` are empty.
+/// @param before 3 × n: the panels' shape is compared with this
+/// @param free ascending; all other vertices stay
+[[nodiscard]] SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
+                                              const ProjectionOptions& options,
+                                              const std::vector<int>& free,
+                                              const Progress& progress);
+
+}  // namespace planish

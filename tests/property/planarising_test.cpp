@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+/// What making a mesh flat promises: sound panels, fair folds, a kept boundary, and the least of
+/// its objective.
+#include "planish/planarising.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "planish/io/obj.hpp"
+#include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
+#include "planish/problem.hpp"
+#include "support/edit_invariants.hpp"
+#include "support/mesh_builders.hpp"
+#include "support/scenes.hpp"
+
+namespace planish {
+namespace {
+
+Mesh bumpy_grid(int size, double noise) {
+  Mesh mesh = testing::quad_grid(size, size, [](double x, double y) {
+    const double r = std::hypot(x - 8.0, y - 8.0) / 5.0;
+    const double bump = r < 1.0 ? (1.0 - r * r) * (1.0 - r * r) : 0.0;
+    return 3.84 * std::sin(M_PI * x / 32.0) + 3.2 * std::sin(M_PI * y / 32.0) + bump;
+  });
+  mesh.positions += noise * testing::random_points(7, mesh.vertex_count());
+  return mesh;
+}
+
+int spoilt_count(const Mesh& mesh, const Positions& positions) {
+  int count = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    count += panel_damage(mesh.positions, positions, mesh.face(f)) != PanelDamage::kNone;
+  }
+  return count;
+}
+
+/// Angle between the panels of every interior edge, degrees, by its own code.
+std::vector<double> fold_angles(const Mesh& mesh, const Positions& positions) {
+  std::map<std::pair<int, int>, std::vector<Eigen::Vector3d>> sides;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      area += positions.col(face[k]).cross(positions.col(face[(k + 1) % face.size()]));
+    }
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const auto edge = std::minmax(face[k], face[(k + 1) % face.size()]);
+      sides[{edge.first, edge.second}].push_back(area.normalized());
+    }
+  }
+  std::vector<double> angles;
+  for (const auto& [edge, normals] : sides) {
+    if (normals.size() != 2) continue;
+    const double cosine = std::clamp(normals[0].dot(normals[1]), -1.0, 1.0);
+    angles.push_back(std::acos(cosine) * 180.0 / M_PI);
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+double fold_p95(const Mesh& mesh, const Positions& positions) {
+  const std::vector<double> angles = fold_angles(mesh, positions);
+  return angles[angles.size() * 95 / 100];
+}
+
+Mesh shared_mesh(const std::string& name) {
+  return std::get<MeshFile>(read_obj(*testing::shared_mesh_bytes(name + ".obj"))).mesh;
+}
+
+void expect_flat(const Mesh& mesh, const Positions& positions) {
+  Mesh flat = mesh;
+  flat.positions = positions;
+  EXPECT_LE(planarity_summary(flat).max_excess, 1e-6);
+}
+
+TEST(SoundProjection, FairMeshesKeepTheirShape) {
+  for (const double noise : {0.005, 0.02}) {
+    const Mesh mesh = bumpy_grid(33, noise);
+    const ProjectionResult result = planarise(mesh, {});
+    EXPECT_EQ(result.report.status, SolveStatus::kConverged) << noise;
+    const Positions positions = testing::apply(mesh, result);
+    expect_flat(mesh, positions);
+    EXPECT_EQ(spoilt_count(mesh, positions), 0) << noise;
+    EXPECT_LE(fold_p95(mesh, positions), 1.05 * fold_p95(mesh, mesh.positions)) << noise;
+  }
+}
+
+TEST(SoundProjection, TheNearestFlatMeshAloneSpoilsSuchAMesh) {
+  const Mesh mesh = bumpy_grid(33, 0.005);
+  const ProjectionResult nearest = planarise(mesh, kNearestFlat);
+  const ProjectionResult fair = planarise(mesh, {});
+  EXPECT_GT(spoilt_count(mesh, testing::apply(mesh, nearest)), 0);
+  EXPECT_LT(nearest.rms_move, fair.rms_move);
+}
+
+TEST(SoundProjection, NearlyFlatRoofsStayAsFairAsTheyWere) {
+  if (!testing::shared_mesh_bytes("pq_gitter.obj")) GTEST_SKIP() << "no shared meshes";
+  for (const char* name :
+       {"pq_botanic_bubble", "pq_conical_saddle", "pq_enneper_quads", "pq_gitter",
+        "pq_lifted_small", "pq_octtorus", "pq_six_planarized", "pq_static_roof", "pq_vase_small",
+        "pq_wein99_diag", "hex_enneper_concave"}) {
+    const Mesh mesh = shared_mesh(name);
+    const ProjectionResult result = planarise(mesh, {});
+    const Positions positions = testing::apply(mesh, result);
+    expect_flat(mesh, positions);
+    EXPECT_EQ(spoilt_count(mesh, positions), 0) << name;
+    EXPECT_LE(fold_p95(mesh, positions), 1.05 * fold_p95(mesh, mesh.positions)) << name;
+  }
+}
+
+TEST(SoundProjection, AKeptBoundaryKeepsItsBits) {
+  const Mesh mesh = bumpy_grid(21, 0.01);
+  const ProjectionResult result = planarise(mesh, {.keep_boundary = true});
+  const Positions positions = testing::apply(mesh, result);
+  expect_flat(mesh, positions);
+  EXPECT_EQ(spoilt_count(mesh, positions), 0);
+  const std::vector<int> boundary = boundary_vertices(mesh);
+  EXPECT_EQ(boundary.size(), 80U);
+  for (const int v : boundary) EXPECT_EQ(positions.col(v), mesh.positions.col(v)) << v;
+}
+
+/// Surfaces whose lines are far from conjugate: not all have a sound flat mesh close by.
+TEST(SoundProjection, NeverSpoilsAPanelWhateverTheSurface) {
+  int flat = 0;
+  int refused = 0;
+  for (const double twist : {0.02, 0.1, 0.3}) {
+    for (const double smooth : {0.0, 1.0, 10.0}) {
+      const Mesh mesh = testing::quad_grid(11, 11, [&](double x, double y) {
+        return twist * (x - 5.0) * (y - 5.0) + 0.3 * std::sin(x) * std::cos(1.3 * y);
+      });
+      const ProjectionResult result = planarise(mesh, {.fairness_weight = smooth});
+      const Positions positions = testing::apply(mesh, result);
+      EXPECT_EQ(spoilt_count(mesh, positions), 0) << twist << ' ' << smooth;
+      Mesh left = mesh;
+      left.positions = positions;
+      const bool is_flat = planarity_summary(left).max_excess <= 1e-6;
+      EXPECT_EQ(is_flat, result.failing_faces.empty()) << twist << ' ' << smooth;
+      EXPECT_EQ(is_flat, result.report.usable()) << twist << ' ' << smooth;
+      ++(is_flat ? flat : refused);
+    }
+  }
+  EXPECT_GT(flat, 0);
+  EXPECT_GT(refused, 0);
+}
+
+/// ∇F + Jᵀλ = 0 for some λ, with J by differences: where no corner is near its bound, the result is
+/// a first-order point of α_d ‖t‖² + α_f ‖E t‖².
+TEST(SoundProjection, IsAFirstOrderPointOfItsProblem) {
+  const Mesh mesh = bumpy_grid(9, 0.01);
+  const Planarising how;
+  const ProjectionResult result = planarise(mesh, how);
+  ASSERT_EQ(result.report.status, SolveStatus::kConverged);
+  const MeshModel model(mesh, FairnessKind::kSecondDifference);
+  const Eigen::Index n = mesh.vertex_count();
+  const Positions t = (testing::apply(mesh, result) - mesh.positions) / model.unit();
+  const Positions bent = t * model.fairness.transpose();
+  Positions gradient = 2.0 * t + 2.0 * how.fairness_weight * (bent * model.fairness);
+  const auto rows = static_cast<Eigen::Index>(model.equations.size());
+  const auto residuals = [&](const Positions& points) {
+    Eigen::VectorXd values(rows);
+    model.equations.for_each([&]<class Row>(int e, const Row& row) {
+      RowPoints<Row::kArity> corners;
+      for (int k = 0; k < Row::kArity; ++k) {
+        corners.col(k) = points.col(row.vertices[static_cast<std::size_t>(k)]);
+      }
+      values[e] = residual(row, corners);
+    });
+    return values;
+  };
+  constexpr double kStep = 1e-6;
+  Eigen::MatrixXd transposed(3 * n, rows);
+  for (Eigen::Index c = 0; c < 3 * n; ++c) {
+    Positions up = model.points + t;
+    Positions down = up;
+    up(c % 3, c / 3) += kStep;
+    down(c % 3, c / 3) -= kStep;
+    transposed.row(c) = (residuals(up) - residuals(down)).transpose() / (2.0 * kStep);
+  }
+  const Eigen::Map<const Eigen::VectorXd> g(gradient.data(), 3 * n);
+  const Eigen::VectorXd multipliers = transposed.colPivHouseholderQr().solve(-g);
+  EXPECT_LT((g + transposed * multipliers).cwiseAbs().maxCoeff(), 1e-5 * g.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+import { remakePlace } from "../scene/ramp.ts";
+import { panelsOf } from "../state/panel-rows.ts";
+import { panelHealth } from "../state/store.ts";
+import { ClassScale } from "./class-scale.tsx";
+
+/** By the core's PanelChange, in the order of the ramp. */
+const CLASSES = [
+  ["unchanged", 0],
+  ["new bevel only", 2],
+  ["cut again", 1],
+] as const;
+
+/** What the shop makes again after the edit. */
+export function RemakeScale() {
+  const health = panelHealth.value;
+  const classes = CLASSES.map(([word, change]) => ({
+    word,
+    place: remakePlace(change),
+    panels: health && panelsOf(health, "changed", change),
+  }));
+  return <ClassScale classes={classes} />;
+}
