@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the readers: 20 s each (PLANISH_FUZZ_SECONDS), or with --long until 1,000,000 inputs each
+# Fuzzes the readers: 10 s each (PLANISH_FUZZ_SECONDS), or with --long until 1,000,000 inputs each
 # (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb design, and web: the page's own
 # decoders of links and kept designs, 1,000,000 inputs each (the unit check gives them 20,000; part of
 # --long without names). What is learnt is kept outside the tree, in PLANISH_FUZZ_CORPUS or
@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 known=(obj off ply glb design)
 corpora=${PLANISH_FUZZ_CORPUS:-${XDG_CACHE_HOME:-$HOME/.cache}/planish/fuzz}
 # The short run always starts alike, so that a finding comes back; the long one starts anew each time.
-limit=(-max_total_time="${PLANISH_FUZZ_SECONDS:-20}" -seed=1)
+limit=(-max_total_time="${PLANISH_FUZZ_SECONDS:-10}" -seed=1)
 readers=() long='' web=''
 for word in "$@"; do
   case " ${known[*]} " in

@@ -21,21 +21,39 @@ ready() { # preset target
   cmake --build --preset "$1" --target "$2" -j "$jobs"
 }
 
+# GoogleTest's program, its tests dealt out to as many processes as there are cores.
+in_shards() { # command
+  local pids=() status=0 shard
+  for ((shard = 0; shard < jobs; shard++)); do
+    GTEST_TOTAL_SHARDS=$jobs GTEST_SHARD_INDEX=$shard "$@" &
+    pids+=($!)
+  done
+  for pid in "${pids[@]}"; do wait "$pid" || status=1; done
+  return "$status"
+}
+
 check_format() { sources | xargs clang-format --dry-run -Werror; }
 check_lint() { npx --no-install biome ci --reporter=summary; }
 check_types() { npx --no-install tsc -p web/tsconfig.json; }
 check_architecture() { python3 .tools/check-architecture.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
-check_wasm() { ready wasm planish_tests && node --no-experimental-fetch build/wasm/tests/planish_tests.cjs; }
+check_wasm() { ready wasm planish_tests && in_shards node --no-experimental-fetch build/wasm/tests/planish_tests.cjs; }
 check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir tests/web; }
 check_parity() {
   bash .tools/build.sh native wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/parity
 }
 # What everybody does with the page; the other browser files are for `rest`.
 browser_first=(first-minute dragging exploring saving share links)
+# A page keeps one core busy for most of its time: two run beside each other.
 in_browser() { # files, or options of vitest
-  bash .tools/build.sh wasm site &&
-    npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser "$@"
+  bash .tools/build.sh wasm site || return 1
+  local pids=() status=0 shard shards=$((jobs < 2 ? 1 : 2))
+  for ((shard = 1; shard <= shards; shard++)); do
+    npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser --shard="$shard/$shards" --passWithNoTests "$@" &
+    pids+=($!)
+  done
+  for pid in "${pids[@]}"; do wait "$pid" || status=1; done
+  return "$status"
 }
 check_browser() { in_browser; }
 check_browser_first() { in_browser "${browser_first[@]/%/.test.ts}"; }
@@ -47,7 +65,9 @@ check_browser_rest() {
 check_tidy() { bash .tools/tidy.sh; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
 check_fuzz() { bash .tools/fuzz.sh; }
-check_sanitize() { ready sanitize planish_quick_tests && build/sanitize/tests/planish_quick_tests --gtest_brief=1; }
+check_sanitize() {
+  ready sanitize planish_quick_tests && in_shards build/sanitize/tests/planish_quick_tests --gtest_brief=1
+}
 check_sanitize_all() { ready sanitize planish_tests && ctest --preset sanitize -j "$jobs"; }
 
 # How many tests a log speaks of: "passed failed"; a check without tests counts as one.
@@ -59,11 +79,11 @@ status = int(sys.argv[2])
 good = bad = 0
 if m := re.search(r"(\d+) tests? failed out of (\d+)", text):  # ctest
     bad = int(m[1]); good = int(m[2]) - bad
-elif m := re.search(r"\[  PASSED  \] (\d+) test", text):  # GoogleTest
-    good = int(m[1])
-    if f := re.search(r"\[  FAILED  \] (\d+) test", text): bad = int(f[1])
-elif m := re.search(r"Tests +(?:(\d+) failed)?[ |]*(?:(\d+) passed)? .*\(\d+\)\s", text):  # vitest
-    bad = int(m[1] or 0); good = int(m[2] or 0)
+elif m := re.findall(r"\[  PASSED  \] (\d+) test", text):  # GoogleTest, one or more shards
+    good = sum(map(int, m))
+    bad = sum(map(int, re.findall(r"\[  FAILED  \] (\d+) test", text)))
+elif m := re.findall(r"Tests +(?:(\d+) failed)?[ |]*(?:(\d+) passed)? .*\(\d+\)\s", text):  # vitest
+    bad = sum(int(f or 0) for f, _ in m); good = sum(int(p or 0) for _, p in m)
 if status == 0: good, bad = max(good, 1), 0
 else: bad = max(bad, 1)
 print(good, bad)
