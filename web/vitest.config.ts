@@ -13,7 +13,7 @@ export default defineConfig({
   test: {
     include: ["**/*.test.ts"],
     // How long a test waits for the page; no figure of the product.
-    expect: { poll: { timeout: ci ? 30_000 : 10_000 } },
+    expect: { poll: { timeout: ci ? 60_000 : 20_000 } },
     testTimeout: ci ? 360_000 : 180_000,
     hookTimeout: ci ? 120_000 : 60_000,
     // A wait that ran out there is waited for once more; the log names the test.

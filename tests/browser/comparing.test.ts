@@ -43,7 +43,7 @@ it("compares snapshots by a table, by one camera, and by the difference in colou
     table
       .locator("tbody tr")
       .evaluateAll((rows, k) => rows.map((row) => row.children[k]?.textContent), place);
-  await expect.poll(() => column(1), { timeout: 15_000 }).toEqual(moved.map(String));
+  await expect.poll(() => column(1)).toEqual(moved.map(String));
   expect(await column(3)).toEqual(["0", "0", "0"]);
   for (const place of [4, 5])
     for (const cell of await column(place)) expect(cell).toMatch(/^[\d.]+°$/);

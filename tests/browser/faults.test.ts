@@ -79,9 +79,7 @@ describe("the solver", () => {
     const before = await obj(page);
     // More than the memory that the solver starts with, together with its copy.
     await openFile(page, "huge.obj", Buffer.alloc(36_000_000, `${flatRoof(4)}# filler\n`));
-    await expect
-      .poll(() => alertText(page), { timeout: 20_000 })
-      .toMatch(/not enough memory.*back\.$/);
+    await expect.poll(() => alertText(page)).toMatch(/not enough memory.*back\.$/);
     await idle(page);
     expect(await obj(page)).toBe(before);
     await page.getByRole("button", { name: "Undo" }).click();
@@ -103,9 +101,7 @@ describe("a slow file", () => {
     const comments = Buffer.alloc(12_000_000, "# slow\n");
     await pickFile(page, "slow.obj", Buffer.concat([Buffer.from(flatRoof(20)), comments]));
     await expect
-      .poll(() => page.getByText(/reading slow\.obj · \d+(\.\d)? of 12 MB/).count(), {
-        timeout: 20_000,
-      })
+      .poll(() => page.getByText(/reading slow\.obj · \d+(\.\d)? of 12 MB/).count())
       .toBe(1);
     await page.getByRole("button", { name: "Cancel" }).click();
     await idle(page);
@@ -117,7 +113,7 @@ describe("a slow file", () => {
   it("arrives whole", async () => {
     const page = await site.openVault({ serviceWorkers: "block" }, slow);
     await openFile(page, "roof.obj", flatRoof(40));
-    await expect.poll(() => status(page), { timeout: 20_000 }).toMatch(/0 of 1681 points/);
+    await expect.poll(() => status(page)).toMatch(/0 of 1681 points/);
     await page.context().close();
   });
 });

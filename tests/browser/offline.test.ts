@@ -8,7 +8,7 @@ it("works without a network after the first visit", async () => {
   await page.evaluate("navigator.serviceWorker.ready");
   await page.context().setOffline(true);
   await page.reload();
-  await expect.poll(() => status(page), { timeout: 20_000 }).toMatch(/0 of 425 points move/);
+  await expect.poll(() => status(page)).toMatch(/0 of 425 points move/);
   expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
   await page.context().close();
 });
@@ -20,8 +20,6 @@ it("works inside a frame of another page", async () => {
   await page.route(host, (route) => route.fulfill({ contentType: "text/html", body }));
   await page.goto(host);
   const frame = page.frameLocator("iframe");
-  await expect
-    .poll(() => frame.getByRole("status").textContent(), { timeout: 20_000 })
-    .toMatch(/0 of 425 points move/);
+  await expect.poll(() => frame.getByRole("status").textContent()).toMatch(/0 of 425 points move/);
   await page.context().close();
 });

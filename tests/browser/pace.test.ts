@@ -88,7 +88,7 @@ it("a drag on 5041 points: every frame's script stays far below a long task", as
     await page.mouse.move(x, y - 4 - (moves++ % 4));
     return movedCount(page);
   };
-  await expect.poll(nudged, { timeout: 20_000 }).toBeGreaterThan(0);
+  await expect.poll(nudged).toBeGreaterThan(0);
   const before = await page.evaluate(() => {
     const window_ = window as unknown as PacedWindow;
     window_.longTasks = [];

@@ -156,7 +156,7 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
   await expect.poll(() => sample.getByRole("option", { name: /^Figure 1:/ }).count()).toBe(1);
   const figure = (await sample.getByRole("option", { name: /^Figure 1:/ }).textContent()) ?? "";
   await sample.selectOption(figure);
-  await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
+  await expect.poll(chosen).toBe(figure);
   await idle(page);
   expect(await chosen()).toBe(figure);
   // Also of what was made of it, after a reload.
@@ -165,7 +165,7 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
   await page.waitForTimeout(600);
   expect(new URL(page.url()).hash).toBe("");
   await page.reload();
-  await expect.poll(chosen, { timeout: 20_000 }).toBe(figure);
+  await expect.poll(chosen).toBe(figure);
   await idle(page);
   await sample.selectOption("Dome");
   await expect.poll(chosen).toBe("Dome");

@@ -48,7 +48,7 @@ const VAULT: Recipe = {
 
 /** Waits until the page can be used. */
 export const usable = (page: Page): Promise<void> =>
-  expect.poll(() => status(page), { timeout: 20_000 }).not.toContain("loading");
+  expect.poll(() => status(page)).not.toContain("loading");
 
 /** PLANISH_SITE names another build to test, so that a long run survives the next one. */
 export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): Promise<Site> {
@@ -66,6 +66,7 @@ export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): 
     const viewport = { width: 900, height: 640 };
     // What pulses is drawn without a graphics card here, and takes half a core from the solver.
     const context = await browser.newContext({ viewport, reducedMotion: "reduce", ...options });
+    if (process.env.CI) context.setDefaultTimeout(90_000); // as patient as vitest.config.ts
     await prepare(context);
     return tabIn(context, hash);
   };
@@ -90,9 +91,7 @@ export const movedCount = async (page: Page): Promise<number> =>
 
 /** Waits until nothing runs. */
 export const idle = (page: Page): Promise<void> =>
-  expect
-    .poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled(), { timeout: 30_000 })
-    .toBe(true);
+  expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
 
 /** Unfolds what few need: there the raw weights are. */
 export async function openAdvanced(page: Page): Promise<void> {
@@ -109,7 +108,7 @@ export async function typeTarget(page: Page, z: string): Promise<void> {
   }
   await field.first().fill(z);
   await field.first().press("Enter");
-  await expect.poll(() => movedCount(page), { timeout: 10_000 }).toBeGreaterThan(0);
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
   await idle(page);
 }
 
