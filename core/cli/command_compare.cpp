@@ -135,7 +135,8 @@ ExitCode run_compare(const Arguments& arguments) {
   EditTask task;
   task.options = edit_options(arguments);
   task.options.engine = words[0] == "newton" ? Engine::kNewton : Engine::kAugmentedLagrangian;
-  task.mesh = flat_base(load_mesh(words[1]).mesh, task.options).mesh;
+  task.mesh = flat_base(load_mesh(words[1]).mesh, task.options, progress_line()).mesh;
+  clear_progress_line();
   task.targets = edit_targets(arguments, task.mesh);
   const double start = processor_seconds();
   const ComparedEdit result = run_method(words[0], task);

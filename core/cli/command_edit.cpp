@@ -14,17 +14,10 @@ ExitCode run_edit(const Arguments& arguments) {
   const EditRun run = run_edit_solver(arguments, options);
   const Design design = make_design(run, options, {}, run.edited);
   save_design(arguments, design);
-  if (output) {
-    Mesh result = run.base.mesh;
-    result.positions = run.edited;
-    GlbContent content;
-    content.base = run.base.mesh.positions;
-    content.design = design_for_glb(design);
-    save_mesh(*output, result, content);
-  }
+  if (output) save_edit(*output, run, run.edited, design);
   const Json json = edit_json(run, run.edited, options.engine);
-  print_damage(json["spoilt_faces"]);
-  print_outcome(run.report);
+  print_sentence(damage_sentence(json["spoilt_faces"]));
+  print_sentence(outcome_sentence(run.report));
   save_report(arguments, json);
   return exit_code(run.report);
 }

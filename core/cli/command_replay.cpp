@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -9,6 +7,7 @@
 #include "design_input.hpp"
 #include "design_output.hpp"
 #include "files.hpp"
+#include "replay_run.hpp"
 #include "report.hpp"
 
 namespace planish::cli {
@@ -18,43 +17,6 @@ OpenedDesign design_and_base(const Arguments& arguments) {
   OpenedDesign opened = open_design(arguments.only_positional("DESIGN"));
   if (const auto base = arguments.value("--base")) opened.base = load_mesh(*base).mesh;
   return opened;
-}
-
-Json replay_json(const Design& design, const Replay& replayed) {
-  Json json = Json::object();
-  add_solve(json, replayed.report, design.options.engine);
-  json["verified"] = design.result ? Json(replayed.verified) : Json(nullptr);
-  json["deviation"] = design.result ? Json(replayed.deviation) : Json(nullptr);
-  json["mesh"] = mesh_json(replayed.base);
-  json["planarity_mm_per_m"] =
-      planarity_json(replayed.base, replayed.base.positions, replayed.shape);
-  json["moved_vertices"] = replayed.mark.moved;
-  json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
-  json["remake"] = remake_json(replayed.base, replayed.shape);
-  if (replayed.subspace) {
-    json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
-  }
-  return json;
-}
-
-void save_shape(const std::string& path, Design design, const Replay& replayed) {
-  Mesh mesh = replayed.base;
-  mesh.positions = replayed.shape;
-  GlbContent content;
-  content.base = replayed.base.positions;
-  if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
-  content.design = design_for_glb(std::move(design));
-  save_mesh(path, mesh, content);
-}
-
-/// Nothing where every bit is the same.
-void print_deviation(const Replay& replayed) {
-  if (replayed.verified) return;
-  std::array<char, 32> most{};
-  std::snprintf(most.data(), most.size(), "%.2g", replayed.deviation);
-  const std::string by =
-      std::string(" from the recorded result by up to ") + most.data() + " (units of the mesh)";
-  print_message(replayed.agrees ? "differs" + by + ": rounding" : "differs" + by);
 }
 
 ExitCode run_replay(const Arguments& arguments) {
@@ -72,7 +34,7 @@ ExitCode run_replay(const Arguments& arguments) {
   save_design(arguments, again);
   if (output) save_shape(*output, again, replayed);
   save_report(arguments, replay_json(opened.design, replayed));
-  if (opened.design.result) print_deviation(replayed);
+  print_sentence(deviation_sentence(opened.design, replayed));
   if (opened.design.result && !replayed.agrees) return kToleranceNotMet;
   return exit_code(replayed.report);
 }

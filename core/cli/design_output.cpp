@@ -35,4 +35,15 @@ std::string design_for_glb(Design design) {
   return write_design(design);
 }
 
+void save_edit(const std::string& path, const EditRun& run, const Positions& shape,
+               const Design& design, std::optional<GlbVariations> variations) {
+  Mesh mesh = run.base.mesh;
+  mesh.positions = shape;
+  GlbContent content;
+  content.base = run.base.mesh.positions;
+  content.design = design_for_glb(design);
+  content.variations = std::move(variations);
+  save_mesh(path, mesh, content);
+}
+
 }  // namespace planish::cli

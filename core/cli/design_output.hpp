@@ -2,12 +2,14 @@
 /// What `edit`, `explore` and `replay` leave behind so that it can be done again.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
 #include "edit_options.hpp"
 #include "planish/design.hpp"
+#include "planish/io/gltf.hpp"
 
 namespace planish::cli {
 
@@ -20,5 +22,10 @@ void save_design(const Arguments& arguments, const Design& design);
 
 /// Its text without the file that it came from: a GLB holds the base itself.
 [[nodiscard]] std::string design_for_glb(Design design);
+
+/// Writes `shape` (3 × n) in the format of `path`'s extension; a GLB also holds base, design and
+/// variations.
+void save_edit(const std::string& path, const EditRun& run, const Positions& shape,
+               const Design& design, std::optional<GlbVariations> variations = {});
 
 }  // namespace planish::cli

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/metrics.hpp"
 
@@ -225,15 +224,14 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
   return targets;
 }
 
-FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
+FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Progress& progress) {
   FlatBase base{mesh, {}, std::nullopt};
   if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
-  base.planarised = planarise(mesh, base.how, progress_line());
+  base.planarised = planarise(mesh, base.how, progress);
   if (base.planarised->report.status == SolveStatus::kToleranceNotMet) {
     base.how = kNearestFlat;  // an edit needs a flat base: what this spoils is reported
-    base.planarised = planarise(mesh, base.how, progress_line());
+    base.planarised = planarise(mesh, base.how, progress);
   }
-  clear_progress_line();
   for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
     base.mesh.positions.col(base.planarised->moved[k]) =
         base.planarised->moved_positions.col(static_cast<Eigen::Index>(k));
@@ -241,30 +239,38 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options) {
   return base;
 }
 
-namespace {
-
-/// Who edits a mesh that is not flat should know that more of it moved than the edit.
-void print_planarised(const std::string& name, const ProjectionResult& result) {
+std::optional<std::string> planarised_sentence(const FlatBase& base) {
+  if (!base.planarised) return std::nullopt;
   std::array<char, 32> most{};
-  std::snprintf(most.data(), most.size(), "%.3g", result.max_move);
-  print_message(name + ": not flat; planarised first, which moved " +
-                std::to_string(result.moved.size()) + " vertices by up to " + most.data() +
-                " (units of the mesh)");
+  std::snprintf(most.data(), most.size(), "%.3g", base.planarised->max_move);
+  return "not flat; planarised first, which moved " +
+         std::to_string(base.planarised->moved.size()) + " vertices by up to " + most.data() +
+         " (units of the mesh)";
 }
 
-}  // namespace
-
-EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
+EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
+                 const std::string& name, const Progress& progress) {
   EditRun run;
   run.unit = model_unit(arguments);
-  LoadedSource loaded = load_source(arguments.only_positional("MESH"));
-  run.given = std::move(loaded.mesh);
-  run.source = std::move(loaded.source);
+  run.given = std::move(source.mesh);
+  run.source = std::move(source.source);
   // Wrong targets must not cost a projection first; the vertices are the same after it.
-  static_cast<void>(edit_targets(arguments, run.given));
-  run.base = flat_base(run.given, options);
-  if (run.base.planarised)
-    print_planarised(arguments.only_positional("MESH"), *run.base.planarised);
+  run.targets = edit_targets(arguments, run.given);
+  bool stopped = false;
+  Progress watched;
+  if (progress) {
+    watched = [&](const IterationRecord& record) {
+      stopped = stopped || progress(record) == Flow::kStop;
+      return stopped ? Flow::kStop : Flow::kContinue;
+    };
+  }
+  run.base = flat_base(run.given, options, watched);
+  if (stopped) {
+    run.base = {run.given, {}, std::nullopt};
+    run.edited = run.given.positions;
+    run.report.status = SolveStatus::kCancelled;
+    return run;
+  }
   run.targets = edit_targets(arguments, run.base.mesh);
   run.edited = run.base.mesh.positions;
   if (run.base.planarised && !run.base.planarised->report.usable()) {
@@ -272,14 +278,21 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
     return run;
   }
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
-    throw CommandError(kInvalidMesh, arguments.only_positional("MESH") + ": " + *broken +
-                                         "; planish project --constraint makes it so");
+    throw CommandError(kInvalidMesh,
+                       name + ": " + *broken + "; planish project --constraint makes it so");
   }
   HandleEditSolver solver(run.base.mesh, options);
-  const HandleEditResult result = solver.solve(run.targets, progress_line());
-  clear_progress_line();
+  const HandleEditResult result = solver.solve(run.targets, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
+  return run;
+}
+
+EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
+  const std::string name = arguments.only_positional("MESH");
+  EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
+  clear_progress_line();
+  if (const auto sentence = planarised_sentence(run.base)) print_message(name + ": " + *sentence);
   return run;
 }
 

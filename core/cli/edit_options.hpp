@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "files.hpp"
 #include "planish/design.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
@@ -62,7 +63,8 @@ struct FlatBase {
 /// `mesh` itself if it is flat to the tolerance, else a fair flat mesh near it, or the nearest one
 /// where panels could not keep their shape in a fair one; whatever the edit's engine: a base is the
 /// same for every edit of it.
-[[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options);
+[[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options,
+                                 const Progress& progress);
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
@@ -75,8 +77,19 @@ struct EditRun {
   SolveReport report;
 };
 
-/// Loads, planarises if needed, and edits. Throws CommandError for wrong options or targets.
+/// Planarises if needed, and edits. A stop that `progress` asks for gives kCancelled and a valid
+/// design: before the edit, the mesh as given. Throws CommandError for wrong options or targets.
+/// @param name of the mesh, for messages
+[[nodiscard]] EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options,
+                               LoadedSource source, const std::string& name,
+                               const Progress& progress);
+
+/// The same for the only positional word, telling standard error.
 [[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options);
+
+/// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
+/// the mesh was flat.
+[[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
 
 /// Everything of the report that does not depend on the command.
 [[nodiscard]] Json edit_json(const EditRun& run, const Positions& after, Engine engine);

@@ -53,11 +53,13 @@ MeshFile read_file(const std::string& path, std::string_view bytes) {
   if (const auto* error = std::get_if<ReadError>(&result)) {
     throw CommandError(kInvalidMesh, shown_name(path) + ": " + error->message);
   }
-  auto& file = std::get<MeshFile>(result);
-  for (const std::string& warning : file.warnings) {
+  return std::move(std::get<MeshFile>(result));
+}
+
+void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
     print_message(shown_name(path) + ": warning: " + warning);
   }
-  return std::move(file);
 }
 
 /// A GLB may hold a design of its own, so what was read from it is kept as OBJ.
@@ -122,16 +124,24 @@ void print_message(const std::string& message) {
 MeshFile load_mesh(const std::string& path) {
   if (const auto sample = sample_in(path)) return make_sample_file(*sample);
   static_cast<void>(format_of(path));
-  return read_file(path, load_bytes(path));
+  MeshFile file = read_file(path, load_bytes(path));
+  print_warnings(path, file.warnings);
+  return file;
+}
+
+LoadedSource open_source(const std::string& path) {
+  if (const auto sample = sample_in(path)) return {make_sample_file(*sample).mesh, *sample, {}};
+  static_cast<void>(format_of(path));
+  std::string bytes = load_bytes(path);
+  MeshFile file = read_file(path, bytes);
+  FileSource source = file_source(path, file.mesh, std::move(bytes));
+  return {std::move(file.mesh), std::move(source), std::move(file.warnings)};
 }
 
 LoadedSource load_source(const std::string& path) {
-  if (const auto sample = sample_in(path)) return {make_sample_file(*sample).mesh, *sample};
-  static_cast<void>(format_of(path));
-  std::string bytes = load_bytes(path);
-  Mesh mesh = read_file(path, bytes).mesh;
-  FileSource source = file_source(path, mesh, std::move(bytes));
-  return {std::move(mesh), std::move(source)};
+  LoadedSource source = open_source(path);
+  print_warnings(path, source.warnings);
+  return source;
 }
 
 void check_output_name(const std::string& path) { static_cast<void>(format_of(path)); }

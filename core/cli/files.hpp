@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "planish/design.hpp"
 #include "planish/io/gltf.hpp"
@@ -20,9 +21,14 @@ namespace planish::cli {
 struct LoadedSource {
   Mesh mesh;
   DesignSource source;
+  std::vector<std::string> warnings;  ///< of the reader
 };
 
-/// The same, for a design. The hash of a FileSource is left to whoever knows the flat base.
+/// As load_mesh(), for a design; nothing is printed. The hash of a FileSource is left to whoever
+/// knows the flat base.
+[[nodiscard]] LoadedSource open_source(const std::string& path);
+
+/// The same, with warnings to standard error.
 [[nodiscard]] LoadedSource load_source(const std::string& path);
 
 /// The bytes of `path`. Throws CommandError.

@@ -83,26 +83,44 @@ Json remake_json(const Mesh& base, const Positions& after) {
           {"bevel", remake.count(PanelChange::kBevel)}};
 }
 
-void print_outcome(const SolveReport& report) {
+Json info_json(const MeshFile& file) {
+  const PlanaritySummary planarity = planarity_summary(file.mesh);
+  Json json = {{"status", "done"}, {"mesh", mesh_json(file.mesh)}};
+  json["planarity_mm_per_m"] = {{"max", planarity.max},
+                                {"mean", planarity.mean},
+                                {"max_gap", planarity.max_gap},
+                                {"worst_face", planarity.worst_face},
+                                {"worst_gap", planarity.worst_gap}};
+  json["warnings"] = file.warnings;
+  return json;
+}
+
+std::optional<std::string> outcome_sentence(const SolveReport& report) {
   std::array<char, 32> short_of{};
   std::snprintf(short_of.data(), short_of.size(), "%.3g", report.handle_error);
   if (report.status == SolveStatus::kInfeasibleHandles) {
-    print_message(std::string("stopped ") + short_of.data() +
-                  " short of a target (units of the mesh): flat panels within the bounds were not "
-                  "found any nearer");
-  } else if (report.status == SolveStatus::kIterationLimit) {
-    print_message(
-        "not converged: every panel is as it should be, but the edit is not certified to be the "
-        "best one near");
+    return std::string("stopped ") + short_of.data() +
+           " short of a target (units of the mesh): flat panels within the bounds were not found "
+           "any nearer";
   }
+  if (report.status == SolveStatus::kIterationLimit) {
+    return "not converged: every panel is as it should be, but the edit is not certified to be the "
+           "best one near";
+  }
+  return std::nullopt;
 }
 
-void print_damage(const Json& damage) {
+std::optional<std::string> damage_sentence(const Json& damage) {
   std::string words;
   for (const auto& [name, panels] : damage.items()) {
     words += (words.empty() ? "" : ", ") + std::to_string(panels.size()) + " " + name;
   }
-  if (!words.empty()) print_message("flat, but spoilt: " + words);
+  if (words.empty()) return std::nullopt;
+  return "flat, but spoilt: " + words;
+}
+
+void print_sentence(const std::optional<std::string>& sentence) {
+  if (sentence) print_message(*sentence);
 }
 
 Json subspace_json(const SubspaceReport& report, int dimension) {

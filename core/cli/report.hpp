@@ -3,10 +3,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
 #include "planish/handle_edit.hpp"
+#include "planish/io/read_result.hpp"
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
 #include "planish/subspace.hpp"
@@ -29,11 +31,17 @@ using Json = nlohmann::ordered_json;
 /// another angle (`bevel`).
 [[nodiscard]] Json remake_json(const Mesh& base, const Positions& after);
 
-/// Says on standard error what `damage_json` found; nothing where it found nothing.
-void print_damage(const Json& damage);
+/// Figures of a mesh as `info` reports them.
+[[nodiscard]] Json info_json(const MeshFile& file);
 
-/// Says on standard error where an edit stopped short of a target or has no certificate.
-void print_outcome(const SolveReport& report);
+/// What `damage_json` found; nullopt where it found nothing.
+[[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);
+
+/// Where an edit stopped short of a target or has no certificate; nullopt where all is well.
+[[nodiscard]] std::optional<std::string> outcome_sentence(const SolveReport& report);
+
+/// Says `sentence`, if there is one, on standard error.
+void print_sentence(const std::optional<std::string>& sentence);
 
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
 

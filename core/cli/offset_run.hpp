@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// What `offset` takes and tells.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "planish/mesh.hpp"
+#include "planish/offset/mesh_offset.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+
+[[nodiscard]] std::vector<OptionRow> offset_option_rows();
+
+/// Throws CommandError.
+[[nodiscard]] OffsetOptions offset_options(const Arguments& arguments);
+
+[[nodiscard]] Json offset_json(const Mesh& mesh, const MeshOffset& offset, double distance);
+
+/// What whoever made the offset should know about it, one sentence each.
+[[nodiscard]] std::vector<std::string> offset_sentences(const Mesh& mesh, const MeshOffset& offset);
+
+/// Whether every panel of the offset is flat.
+[[nodiscard]] bool is_flat(const Mesh& mesh, const MeshOffset& offset);
+
+}  // namespace planish::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "projection_run.hpp"
+
+#include <string>
+
+#include "edit_options.hpp"
+#include "planish/planarising.hpp"
+
+namespace planish::cli {
+
+std::vector<OptionRow> projection_option_rows() {
+  return {{"--smooth", "A",
+           "weight α_f, 0 … 10000, default 10, with --reference 0: higher is\n"
+           "fairer and farther away, 0 the nearest flat mesh"},
+          {"--bound", "NAME=VALUE",
+           "shape=on|off, default on: no panel becomes concave, crossing,\n"
+           "turned over or collapsed that was not"},
+          {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
+          {"--pin", "V,V,...", "vertices that stay where they are"},
+          {"--keep-boundary", "", "boundary points stay"},
+          {"--fairness", "KIND", "laplacian, second or third; default second"},
+          kConstraintRow,
+          {"--solver", "NAME", "newton or alm; default newton"},
+          {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+}
+
+ProjectionOptions projection_options(const Arguments& arguments) {
+  ProjectionOptions options;
+  if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
+  if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
+  if (const auto text = arguments.value("--tolerance")) {
+    options.tolerance = parse_finite(*text, "--tolerance");
+  }
+  if (const auto text = arguments.value("--smooth")) {
+    options.fairness_weight = parse_finite(*text, "--smooth");
+  } else if (!arguments.has("--reference")) {
+    options.fairness_weight = Planarising{}.fairness_weight;
+  }
+  const Bounds bounds = parse_bounds(arguments);
+  if (!bounds.limits.empty()) {
+    throw CommandError(kWrongUsage,
+                       "--bound: project keeps the panels' shape; limits are for edit");
+  }
+  options.keep_shape = bounds.keep_shape;
+  options.constraints = parse_constraints(arguments, options.tolerance);
+  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  return options;
+}
+
+ProjectionResult run_projection(const Mesh& mesh, const Arguments& arguments,
+                                const ProjectionOptions& options, const Mesh* reference,
+                                const Progress& progress) {
+  std::vector<int> pins = parse_pins(arguments, mesh);
+  if (arguments.has("--keep-boundary")) {
+    const std::vector<int> boundary = boundary_vertices(mesh);
+    pins.insert(pins.end(), boundary.begin(), boundary.end());
+  }
+  if (!reference) return project_to_planar(mesh, options, pins, progress);
+  if (reference->vertex_count() != mesh.vertex_count() ||
+      reference->face_offsets != mesh.face_offsets ||
+      reference->face_vertices != mesh.face_vertices) {
+    throw CommandError(kInvalidMesh, arguments.value("--reference").value_or("--reference") +
+                                         ": the reference must have the faces of MESH");
+  }
+  return project_to_planar(mesh, reference->positions, options, pins, progress);
+}
+
+Positions projected(const Mesh& mesh, const ProjectionResult& result) {
+  Positions positions = mesh.positions;
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  return positions;
+}
+
+Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine engine) {
+  const Positions flat = projected(mesh, result);
+  Json json = Json::object();
+  add_solve(json, result.report, engine);
+  json["mesh"] = mesh_json(mesh);
+  json["planarity_mm_per_m"] = planarity_json(mesh, mesh.positions, flat);
+  json["rms_move"] = result.rms_move;
+  json["max_move"] = result.max_move;
+  json["failing_faces"] = result.failing_faces;
+  json["spoilt_faces"] = damage_json(mesh, mesh.positions, flat);
+  json["remake"] = remake_json(mesh, flat);
+  json["smooth"] = result.fairness_weight;
+  return json;
+}
+
+std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
+                                             const ProjectionOptions& options) {
+  if (result.report.status != SolveStatus::kToleranceNotMet || !options.keep_shape) {
+    return std::nullopt;
+  }
+  return std::to_string(result.failing_faces.size()) +
+         " panels cannot become flat and keep their shape; --bound shape=off gives up the shape, a "
+         "higher --smooth goes farther away";
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+/// What `project` takes, does and tells.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+
+[[nodiscard]] std::vector<OptionRow> projection_option_rows();
+
+/// Throws CommandError.
+[[nodiscard]] ProjectionOptions projection_options(const Arguments& arguments);
+
+/// @param reference the mesh that --reference names, or null
+/// Throws CommandError where it has other faces than `mesh`.
+[[nodiscard]] ProjectionResult run_projection(const Mesh& mesh, const Arguments& arguments,
+                                              const ProjectionOptions& options,
+                                              const Mesh* reference, const Progress& progress);
+
+/// `mesh` with what moved in place, 3 × n.
+[[nodiscard]] Positions projected(const Mesh& mesh, const ProjectionResult& result);
+
+[[nodiscard]] Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine engine);
+
+/// What to do where shape and flatness cannot both be had; nullopt where they can.
+[[nodiscard]] std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
+                                                           const ProjectionOptions& options);
+
+}  // namespace planish::cli

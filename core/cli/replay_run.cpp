@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "replay_run.hpp"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "design_output.hpp"
+#include "files.hpp"
+
+namespace planish::cli {
+
+Json replay_json(const Design& design, const Replay& replayed) {
+  Json json = Json::object();
+  add_solve(json, replayed.report, design.options.engine);
+  json["verified"] = design.result ? Json(replayed.verified) : Json(nullptr);
+  json["deviation"] = design.result ? Json(replayed.deviation) : Json(nullptr);
+  json["mesh"] = mesh_json(replayed.base);
+  json["planarity_mm_per_m"] =
+      planarity_json(replayed.base, replayed.base.positions, replayed.shape);
+  json["moved_vertices"] = replayed.mark.moved;
+  json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
+  json["remake"] = remake_json(replayed.base, replayed.shape);
+  if (replayed.subspace) {
+    json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
+  }
+  return json;
+}
+
+void save_shape(const std::string& path, Design design, const Replay& replayed) {
+  Mesh mesh = replayed.base;
+  mesh.positions = replayed.shape;
+  GlbContent content;
+  content.base = replayed.base.positions;
+  if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
+  content.design = design_for_glb(std::move(design));
+  save_mesh(path, mesh, content);
+}
+
+std::optional<std::string> deviation_sentence(const Design& design, const Replay& replayed) {
+  if (!design.result || replayed.verified) return std::nullopt;
+  std::array<char, 32> most{};
+  std::snprintf(most.data(), most.size(), "%.2g", replayed.deviation);
+  const std::string by = std::string("differs from the recorded result by up to ") + most.data() +
+                         " (units of the mesh)";
+  return replayed.agrees ? by + ": rounding" : by;
+}
+
+}  // namespace planish::cli

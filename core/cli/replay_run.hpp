@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// What a replay leaves behind.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "planish/design.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+
+[[nodiscard]] Json replay_json(const Design& design, const Replay& replayed);
+
+/// Writes the replayed shape; a GLB also holds base, variations and `design`.
+void save_shape(const std::string& path, Design design, const Replay& replayed);
+
+/// By how much the result differs from the recorded one; nullopt where every bit is the same or
+/// nothing was recorded.
+[[nodiscard]] std::optional<std::string> deviation_sentence(const Design& design,
+                                                            const Replay& replayed);
+
+}  // namespace planish::cli
