@@ -50,6 +50,7 @@ ARROWS = {
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
     "wasm": None,
+    "python": None,
 }
 
 # Files whose group is not their directory or stem.
@@ -137,11 +138,11 @@ def group_of_file(path):
     for folder in ("cli", "comparison"):
         if relative.startswith(f"core/{folder}/"):
             return folder
-    return "wasm"
+    return "python" if relative.startswith("python/") else "wasm"
 
 
 def check_includes():
-    for path in sources("core", "wasm"):
+    for path in sources("core", "wasm", "python"):
         group = group_of_file(path)
         where = path.relative_to(ROOT)
         if group not in ARROWS:
@@ -207,7 +208,7 @@ def check_core_rules():
 
 
 def check_names():
-    for folder in ("core", "wasm", "web/src", "tests", ".tools", "docs"):
+    for folder in ("core", "wasm", "web/src", "python", "tests", ".tools", "docs"):
         base = ROOT / folder
         for path in sorted(base.rglob("*")) if base.is_dir() else []:
             if path.is_file() and FORBIDDEN_NAMES.search(path.name):

@@ -5,7 +5,9 @@ cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev libstb-dev
   nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
-  python3-numpy python3-scipy python3-ezdxf python3-shapely clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
+  python3-numpy python3-scipy python3-ezdxf python3-shapely
+  pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
+  clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
 
 has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
 # npm run check. With names, only those: format lint types architecture native wasm unit parity browser
-# browser_first browser_rest tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
+# browser_first browser_rest python tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
 # under ASan and UBSan, sanitize_all (half an hour) all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -62,6 +62,17 @@ check_browser_rest() {
   for name in "${browser_first[@]}"; do others+=(--exclude "**/$name.test.ts"); done
   in_browser "${others[@]}"
 }
+# The wheel as whoever installs it has it, in an environment with nothing else but numpy.
+check_python() {
+  ready native planish && ready native planish_python || return 1
+  local place=build/python
+  rm -rf "$place" && mkdir -p "$place"
+  /usr/bin/python3 -m build --wheel --no-isolation --outdir "$place" python >"$place/wheel.log" 2>&1 ||
+    { cat "$place/wheel.log"; return 1; }
+  /usr/bin/python3 -m venv --system-site-packages --without-pip "$place/venv" &&
+    /usr/bin/python3 -m pip --python "$place/venv/bin/python" install --quiet --no-index --no-deps "$place"/*.whl &&
+    "$place/venv/bin/python" -m unittest discover --start-directory tests/python
+}
 check_tidy() { bash .tools/tidy.sh; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
 check_fuzz() { bash .tools/fuzz.sh; }
@@ -82,6 +93,8 @@ if m := re.search(r"(\d+) tests? failed out of (\d+)", text):  # ctest
 elif m := re.findall(r"\[  PASSED  \] (\d+) test", text):  # GoogleTest, one or more shards
     good = sum(map(int, m))
     bad = sum(map(int, re.findall(r"\[  FAILED  \] (\d+) test", text)))
+elif m := re.search(r"^Ran (\d+) tests", text, re.M):  # unittest
+    bad = sum(map(int, re.findall(r"(?:failures|errors)=(\d+)", text))); good = int(m[1]) - bad
 elif m := re.findall(r"Tests +(?:(\d+) failed)?[ |]*(?:(\d+) passed)? .*\(\d+\)\s", text):  # vitest
     bad = sum(int(f or 0) for f, _ in m); good = sum(int(p or 0) for _, p in m)
 if status == 0: good, bad = max(good, 1), 0
@@ -117,7 +130,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types architecture native unit parity browser_first)
 elif [ "$*" = rest ]; then
-  checks=(wasm browser_rest tidy cppcheck sanitize fuzz)
+  checks=(wasm python browser_rest tidy cppcheck sanitize fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

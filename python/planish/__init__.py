@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Edit meshes whose panels must stay flat: drag a point, a few neighbours follow."""
+
+from ._core import version as __version__
+from .design import Design, Replay
+from .edits import Edit, Family, Variation, edit
+from .errors import Error, MeshError, UsageError
+from .mesh import Mesh
+from .operations import Offset, Projection, info, offset, options, project
+from .report import Report
+from .shape import Shape
+
+__all__ = [
+    "Design",
+    "Edit",
+    "Error",
+    "Family",
+    "Mesh",
+    "MeshError",
+    "Offset",
+    "Projection",
+    "Replay",
+    "Report",
+    "Shape",
+    "UsageError",
+    "Variation",
+    "__version__",
+    "edit",
+    "info",
+    "offset",
+    "options",
+    "project",
+]

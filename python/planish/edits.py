@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Edits and the variations around them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from . import _core
+from .mesh import Mesh
+from .shape import DesignedShape, Progress
+from .words import handle_words, list_text, option_words
+
+
+class Variation(DesignedShape):
+    """One member of a family, as the sliders show it or made exact."""
+
+    _core: _core.Variation
+
+    def exact(self, *, progress: Progress | None = None) -> Variation:
+        """The nearest mesh whose panels are all flat."""
+        return Variation(self._core.exact(progress))
+
+
+class Family:
+    """The variations of an edit: call it with one number a slider."""
+
+    def __init__(self, core: _core.Family) -> None:
+        self._core = core
+
+    @property
+    def dimension(self) -> int:
+        """How many independent variations were found: at most what was asked for."""
+        return self._core.dimension
+
+    def __call__(self, coefficients: Iterable[float]) -> Variation:
+        """As many numbers as were asked for; 1 moves some point by the edit's own largest move."""
+        return Variation(self._core.at([f"--coefficients={list_text(coefficients)}"]))
+
+    def __repr__(self) -> str:
+        return f"<planish.Family of {self.dimension}>"
+
+
+class Edit(DesignedShape):
+    """A finished edit."""
+
+    _core: _core.Edit
+
+    def explore(
+        self,
+        dimension: int,
+        *,
+        eigen: bool | None = None,
+        progress: Progress | None = None,
+        **more: Any,
+    ) -> Family:
+        """A family of local variations around this edit: `planish explore`."""
+        words = option_words("explore", {"dimension": dimension, "eigen": eigen, **more})
+        return Family(self._core.explore(words, progress))
+
+
+def edit(
+    mesh: Mesh,
+    handles: Mapping[int, Iterable[float]],
+    *,
+    relative: bool = True,
+    pins: Iterable[int] | None = None,
+    hard: bool | None = None,
+    bounds: Mapping[str, Any] | Iterable[str] | None = None,
+    constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    locality: float | None = None,
+    smoothness: float | None = None,
+    softness: float | None = None,
+    reach: int | str | None = None,
+    keep_boundary: bool | None = None,
+    model_unit: str | None = None,
+    attraction: float | None = None,
+    fairness: str | None = None,
+    sparsity: str | None = None,
+    solver: str | None = None,
+    tolerance: float | None = None,
+    progress: Progress | None = None,
+    **more: Any,
+) -> Edit:
+    """Moves a few vertices; panels stay flat, the rest stays put.
+
+    Options are those of `planish edit`, by the same names with underscores; None leaves the core's
+    default, and planish.options("edit") tells all of them. The interpreter's lock is free during
+    the solve.
+
+    Args:
+        handles: {vertex: (dx, dy, dz)}, or positions with relative=False; model units.
+        pins: vertices that stay.
+        bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "shape": False} or the texts
+            of the command line, ["fold=+5"].
+        constraints: ["circular"] or {"circular": 1e-9}.
+        reach: face rings, or a length with its unit such as "1.5m".
+        progress: called after every step; False stops with the last valid state and the status
+            "cancelled".
+
+    Raises:
+        UsageError: a handle or an option that is wrong, in the core's sentence.
+        MeshError: a mesh that breaks a constraint itself.
+    """
+    options = {
+        "pins": pins,
+        "hard": hard,
+        "bounds": bounds,
+        "constraints": constraints,
+        "locality": locality,
+        "smoothness": smoothness,
+        "softness": softness,
+        "reach": reach,
+        "keep_boundary": keep_boundary,
+        "model_unit": model_unit,
+        "attraction": attraction,
+        "fairness": fairness,
+        "sparsity": sparsity,
+        "solver": solver,
+        "tolerance": tolerance,
+        **more,
+    }
+    words = handle_words(handles, relative) + option_words("edit", options)
+    return Edit(_core.edit(mesh._core, words, progress))

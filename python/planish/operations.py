@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""What is done to a whole mesh, and what is asked about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from . import _core
+from .mesh import Mesh
+from .report import Report
+from .shape import Progress, Shape
+from .words import option_words
+
+
+class Projection(Shape):
+    """A mesh whose panels were made flat."""
+
+
+class Offset(Shape):
+    """A second layer, every edge parallel to the mesh's own."""
+
+
+def project(
+    mesh: Mesh,
+    *,
+    reference: Mesh | None = None,
+    smooth: float | None = None,
+    pins: Iterable[int] | None = None,
+    keep_boundary: bool | None = None,
+    bounds: Mapping[str, bool] | Iterable[str] | None = None,
+    constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    fairness: str | None = None,
+    solver: str | None = None,
+    tolerance: float | None = None,
+    progress: Progress | None = None,
+    **more: Any,
+) -> Projection:
+    """Makes every panel flat, close by and fair: `planish project`."""
+    options = {
+        "reference": None if reference is None else "reference",
+        "smooth": smooth,
+        "pins": pins,
+        "keep_boundary": keep_boundary,
+        "bounds": bounds,
+        "constraints": constraints,
+        "fairness": fairness,
+        "solver": solver,
+        "tolerance": tolerance,
+        **more,
+    }
+    other = None if reference is None else reference._core
+    words = option_words("project", options)
+    return Projection(_core.project(mesh._core, words, other, progress))
+
+
+def offset(mesh: Mesh, distance: float, *, kind: str | None = None, **more: Any) -> Offset:
+    """The mesh at a distance: `planish offset`. Positive is outside."""
+    words = option_words("offset", {"distance": distance, "kind": kind, **more})
+    return Offset(_core.offset(mesh._core, words))
+
+
+def info(mesh: Mesh) -> Report:
+    """Figures of a mesh: `planish info`."""
+    return mesh.info()
+
+
+def options(command: str) -> dict[str, str]:
+    """What "edit", "explore", "project" or "offset" takes: each option with what it does."""
+    return {
+        name.lstrip("-").replace("-", "_"): " ".join(help_text.split())
+        for name, _, help_text in _core.options(command)
+    }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+/// Results as Python holds them: each knows its report, its messages and how it is saved.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design_input.hpp"
+#include "edit_options.hpp"
+#include "exploration.hpp"
+#include "open_mesh.hpp"
+#include "planish/design.hpp"
+#include "planish/offset/mesh_offset.hpp"
+#include "planish/projection.hpp"
+
+namespace planish::python {
+
+/// Options as the command line has them: "--softness=6".
+using Words = std::vector<std::string>;
+
+/// What every result of an operation offers.
+struct Shape {
+  Mesh base;                          ///< what it was made from
+  Positions positions;                ///< 3 × n
+  std::string report;                 ///< JSON, as the command writes it
+  std::vector<std::string> messages;  ///< sentences that the command says on standard error
+};
+
+/// An edit, kept for its variations.
+struct Edit {
+  std::shared_ptr<const OpenMesh> given;
+  cli::EditRun run;
+  HandleEditOptions options;
+};
+
+/// The variations of an edit.
+struct EditFamily {
+  std::shared_ptr<const Edit> edit;
+  cli::Family family;
+};
+
+/// One of them.
+struct EditVariation {
+  std::shared_ptr<const EditFamily> of;
+  cli::Variation variation;
+};
+
+[[nodiscard]] Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const Words& words,
+                             const Progress& progress);
+[[nodiscard]] Shape shape_of(const Edit& edit);
+[[nodiscard]] Design design_of(const Edit& edit);
+void save(const Edit& edit, const std::string& path);
+
+[[nodiscard]] EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
+                                     const Progress& progress);
+/// @param words "--coefficients=..."
+[[nodiscard]] EditVariation make_variation(std::shared_ptr<const EditFamily> family,
+                                           const Words& words);
+[[nodiscard]] EditVariation make_exact(const EditVariation& variation, const Progress& progress);
+[[nodiscard]] Shape shape_of(const EditVariation& variation);
+[[nodiscard]] Design design_of(const EditVariation& variation);
+void save(const EditVariation& variation, const std::string& path);
+
+[[nodiscard]] Shape make_projection(const OpenMesh& mesh, const Words& words,
+                                    const OpenMesh* reference, const Progress& progress);
+void save_projection(const Shape& shape, const std::string& path);
+
+[[nodiscard]] Shape make_offset(const OpenMesh& mesh, const Words& words);
+
+/// A design done again.
+struct Replayed {
+  Design design;  ///< with the mark of this result
+  Replay replay;
+  Shape shape;
+};
+
+[[nodiscard]] cli::OpenedDesign design_of_text(const std::string& text);
+[[nodiscard]] Replayed make_replay(const cli::OpenedDesign& opened, const OpenMesh* base,
+                                   const Progress& progress);
+void save(const Replayed& replayed, const std::string& path);
+
+/// To a .json file. Throws CommandError for another extension.
+void save_design_text(const Design& design, const std::string& path);
+
+/// Rows (name, value, help) that `command` takes: edit, explore, project or offset.
+[[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
+
+}  // namespace planish::python

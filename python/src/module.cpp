@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// planish._core: lists, no logic. python/planish/ gives the names that people use.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "edits.hpp"
+#include "files.hpp"
+#include "open_mesh.hpp"
+#include "planish/design_text.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+
+namespace py = pybind11;
+
+namespace planish::python {
+namespace {
+
+/// A window into `values`, which `owner` keeps alive; read only.
+template <class Value>
+py::array window(const Value* values, std::vector<py::ssize_t> shape, const py::object& owner) {
+  py::array_t<Value> array(std::move(shape), values, owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+/// Errors become exceptions of planish.errors, which words them for Python.
+void translate(std::exception_ptr error) {
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const cli::CommandError& e) {
+    const py::object raised =
+        py::module_::import("planish.errors").attr("of_core")(static_cast<int>(e.code), e.what());
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
+  }
+}
+
+void bind_mesh(py::module_& module) {
+  using Held = std::shared_ptr<OpenMesh>;
+  py::class_<OpenMesh, Held>(module, "Mesh")
+      .def(py::init([](const Points& points, const Indices& offsets, const Indices& corners) {
+        return std::make_shared<OpenMesh>(mesh_of_arrays(points, offsets, corners));
+      }))
+      .def_static("read", &read_mesh_file, py::call_guard<py::gil_scoped_release>())
+      .def(
+          "write",
+          [](const OpenMesh& self, const std::string& path) {
+            cli::check_output_name(path);
+            cli::save_mesh(path, self.mesh);
+          },
+          py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("points",
+                             [](const py::object& self) {
+                               const Positions& p = self.cast<const OpenMesh&>().mesh.positions;
+                               return window(p.data(), {p.cols(), 3}, self);
+                             })
+      .def_property_readonly("offsets",
+                             [](const py::object& self) {
+                               const auto& list = self.cast<const OpenMesh&>().mesh.face_offsets;
+                               return window(list.data(), {py::ssize_t(list.size())}, self);
+                             })
+      .def_property_readonly("corners",
+                             [](const py::object& self) {
+                               const auto& list = self.cast<const OpenMesh&>().mesh.face_vertices;
+                               return window(list.data(), {py::ssize_t(list.size())}, self);
+                             })
+      .def_readonly("warnings", &OpenMesh::warnings)
+      .def("info", [](const OpenMesh& self) {
+        return cli::info_json({self.mesh, self.warnings}).dump(2);
+      });
+}
+
+void bind_shape(py::module_& module) {
+  py::class_<Shape>(module, "Shape")
+      .def_property_readonly("positions",
+                             [](const Shape& self) { return points_array(self.positions); })
+      .def_property_readonly(
+          "moved",
+          [](const Shape& self) { return moved_array(self.base.positions, self.positions); })
+      .def_property_readonly(
+          "base",
+          [](const Shape& self) {
+            return std::make_shared<OpenMesh>(mesh_with(self.base, self.base.positions));
+          })
+      .def_property_readonly(
+          "mesh",
+          [](const Shape& self) {
+            return std::make_shared<OpenMesh>(mesh_with(self.base, self.positions));
+          })
+      .def_readonly("report", &Shape::report)
+      .def_readonly("messages", &Shape::messages)
+      .def("save", &save_projection);
+}
+
+void bind_edit(py::module_& module) {
+  py::class_<Edit, std::shared_ptr<Edit>>(module, "Edit")
+      .def("shape", py::overload_cast<const Edit&>(&shape_of),
+           py::call_guard<py::gil_scoped_release>())
+      .def("design", [](const Edit& self) { return write_design(design_of(self)); })
+      .def("save", py::overload_cast<const Edit&, const std::string&>(&save),
+           py::call_guard<py::gil_scoped_release>())
+      .def("explore",
+           [](const std::shared_ptr<Edit>& self, const Words& words, py::object progress) {
+             return run_unlocked(std::move(progress), [&](const Progress& step) {
+               return std::make_shared<EditFamily>(make_family(self, words, step));
+             });
+           });
+  py::class_<EditFamily, std::shared_ptr<EditFamily>>(module, "Family")
+      .def_property_readonly(
+          "dimension", [](const EditFamily& self) { return self.family.subspace.dimension(); })
+      .def("at", [](const std::shared_ptr<EditFamily>& self, const Words& words) {
+        return make_variation(self, words);
+      });
+  py::class_<EditVariation>(module, "Variation")
+      .def("shape", py::overload_cast<const EditVariation&>(&shape_of),
+           py::call_guard<py::gil_scoped_release>())
+      .def("design", [](const EditVariation& self) { return write_design(design_of(self)); })
+      .def("save", py::overload_cast<const EditVariation&, const std::string&>(&save),
+           py::call_guard<py::gil_scoped_release>())
+      .def("exact", [](const EditVariation& self, py::object progress) {
+        return run_unlocked(std::move(progress),
+                            [&](const Progress& step) { return make_exact(self, step); });
+      });
+  module.def("edit",
+             [](const std::shared_ptr<OpenMesh>& mesh, const Words& words, py::object progress) {
+               return run_unlocked(std::move(progress), [&](const Progress& step) {
+                 return std::make_shared<Edit>(make_edit(mesh, words, step));
+               });
+             });
+}
+
+void bind_design(py::module_& module) {
+  using cli::OpenedDesign;
+  py::class_<OpenedDesign>(module, "Design")
+      .def(py::init(&design_of_text))
+      .def_static("load", &cli::open_design)
+      .def_property_readonly("text",
+                             [](const OpenedDesign& self) { return write_design(self.design); })
+      .def("save", [](const OpenedDesign& self,
+                      const std::string& path) { save_design_text(self.design, path); })
+      .def(
+          "replay",
+          [](const OpenedDesign& self, const OpenMesh* base, py::object progress) {
+            return run_unlocked(std::move(progress), [&](const Progress& step) {
+              return make_replay(self, base, step);
+            });
+          },
+          py::arg("base").none(true), py::arg("progress"));
+  py::class_<Replayed>(module, "Replay")
+      .def_readonly("shape", &Replayed::shape)
+      .def_property_readonly("design",
+                             [](const Replayed& self) { return write_design(self.design); })
+      .def("save", py::overload_cast<const Replayed&, const std::string&>(&save),
+           py::call_guard<py::gil_scoped_release>());
+}
+
+void bind_functions(py::module_& module) {
+  module.def(
+      "project",
+      [](const OpenMesh& mesh, const Words& words, const OpenMesh* reference, py::object progress) {
+        return run_unlocked(std::move(progress), [&](const Progress& step) {
+          return make_projection(mesh, words, reference, step);
+        });
+      },
+      py::arg("mesh"), py::arg("words"), py::arg("reference").none(true), py::arg("progress"));
+  module.def("offset", &make_offset, py::call_guard<py::gil_scoped_release>());
+  module.def("options", [](const std::string& command) {
+    std::vector<std::tuple<std::string, std::string, std::string>> rows;
+    for (const cli::OptionRow& row : option_rows(command)) {
+      rows.emplace_back(row.name, row.value, row.help);
+    }
+    return rows;
+  });
+  module.attr("version") = PLANISH_VERSION;
+}
+
+}  // namespace
+}  // namespace planish::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace planish::python;
+  py::register_exception_translator(&translate);
+  bind_mesh(module);
+  bind_shape(module);
+  bind_edit(module);
+  bind_design(module);
+  bind_functions(module);
+}
