@@ -47,6 +47,7 @@ ARROWS = {
     "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
     "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "planarising", "shapes", "io", "read_result"},
     "design_text": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
+    "sweep": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
     "wasm": None,
@@ -94,7 +95,7 @@ FILE_GROUPS = {
     "held_boundary": "comparison",
     "tangent_space": "comparison",
 }
-DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "cli")
+DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "sweep", "cli")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {

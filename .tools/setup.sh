@@ -7,6 +7,7 @@ packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev 
   nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
   python3-numpy python3-scipy python3-ezdxf python3-shapely
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
+  python3-distributed parallel
   clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
 
 has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }

@@ -27,6 +27,8 @@ struct Command {
 [[nodiscard]] Command offset_command();
 [[nodiscard]] Command sample_command();
 [[nodiscard]] Command compare_command();
+[[nodiscard]] Command sweep_command();
+[[nodiscard]] Command gather_command();
 
 /// Rows that several commands share.
 inline constexpr OptionRow kOutputRow = {"-o", "OUT",

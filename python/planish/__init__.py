@@ -9,15 +9,18 @@ from .mesh import Mesh
 from .operations import Offset, Projection, info, offset, options, project
 from .report import Report
 from .shape import Shape
+from .sweeps import Job, Plan, gather, sweep
 
 __all__ = [
     "Design",
     "Edit",
     "Error",
     "Family",
+    "Job",
     "Mesh",
     "MeshError",
     "Offset",
+    "Plan",
     "Projection",
     "Replay",
     "Report",
@@ -26,8 +29,10 @@ __all__ = [
     "Variation",
     "__version__",
     "edit",
+    "gather",
     "info",
     "offset",
     "options",
     "project",
+    "sweep",
 ]

@@ -9,6 +9,7 @@
 #include "planish/design_text.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "sweep_run.hpp"
 
 namespace py = pybind11;
 
@@ -153,6 +154,36 @@ void bind_design(py::module_& module) {
            py::call_guard<py::gil_scoped_release>());
 }
 
+void bind_sweep(py::module_& module) {
+  py::class_<SweepPlan>(module, "Plan")
+      .def(py::init(&cli::read_plan), py::call_guard<py::gil_scoped_release>())
+      .def("__len__", &SweepPlan::job_count)
+      .def("job_id", &SweepPlan::job_id)
+      .def("job_values",
+           [](const SweepPlan& self, std::size_t k) { return cli::values_text(self.job(k)); })
+      .def("run", [](const SweepPlan& self, std::size_t k) {
+        cli::SweepResult result;
+        {
+          const py::gil_scoped_release unlocked;
+          result = cli::run_job(self.job(k));
+        }
+        return py::make_tuple(result.figures, result.design, result.seconds);
+      });
+  module.def(
+      "save_job",
+      [](const std::string& folder, const std::string& id, const std::string& figures,
+         const std::string& design, const std::string& seconds) {
+        cli::save_result(folder, id, {figures, design, seconds});
+      },
+      py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "gather",
+      [](const std::string& folder, const std::string& path) {
+        cli::save_bytes(path, cli::gather(folder));
+      },
+      py::call_guard<py::gil_scoped_release>());
+}
+
 void bind_functions(py::module_& module) {
   module.def(
       "project",
@@ -183,5 +214,6 @@ PYBIND11_MODULE(_core, module) {
   bind_shape(module);
   bind_edit(module);
   bind_design(module);
+  bind_sweep(module);
   bind_functions(module);
 }
