@@ -2,7 +2,6 @@
 #include "sweep/sha256.hpp"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,7 +22,7 @@ constexpr std::array<std::uint32_t, 64> kRound = {
 
 using State = std::array<std::uint32_t, 8>;
 
-std::uint32_t turn(std::uint32_t x, int bits) { return std::rotr(x, bits); }
+std::uint32_t turn(std::uint32_t x, int bits) { return x >> bits | x << (32 - bits); }
 
 void add_block(State& state, const unsigned char* block) {
   std::array<std::uint32_t, 64> w{};
