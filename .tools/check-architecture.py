@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # out, so that a new edge is always a decision.
 BASE = {"mesh", "report"}
 GEOMETRY = BASE | {"adjacency", "constraints", "energies", "metrics"}
-PROBLEM = GEOMETRY | {"problem"}
+PROBLEM = GEOMETRY | {"problem", "point_support"}
 ENGINES = PROBLEM | {"engines"}
 ARROWS = {
     "mesh": set(),
@@ -29,6 +29,7 @@ ARROWS = {
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints", "trigonometry"},
     "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
+    "point_support": {"mesh", "adjacency", "read_result"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
     "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
     "mesh_check": {"mesh", "topology", "read_result"},
@@ -37,7 +38,7 @@ ARROWS = {
     "fabrication": GEOMETRY | {"plane_meeting", "topology", "trigonometry", "checksum", "io", "read_result"},
     "io": {"mesh", "mesh_check", "topology", "read_result", "checksum"},
     "shapes": {"mesh", "trigonometry"},
-    "problem": GEOMETRY,
+    "problem": GEOMETRY | {"point_support"},
     "engines": PROBLEM,
     "handle_edit": ENGINES,
     "subspace": ENGINES,
@@ -76,6 +77,9 @@ FILE_GROUPS = {
     "mesh_standing": "projection",
     "sound_projection": "projection",
     "panel_health": "metrics",
+    "point_support_text": "point_support",
+    "vertex_slides": "point_support",
+    "boundary_outline": "point_support",
     "crc32": "checksum",
     "mesh_hash": "checksum",
     "handle_edit_rules": "handle_edit",

@@ -84,6 +84,11 @@ Handle parse_handle(std::string_view text, const Mesh& base) {
 std::vector<OptionRow> edit_option_rows() {
   return {{"--handle", "V=x,y,z", "move vertex V (from 0) there; V+=dx,dy,dz moves it by that"},
           {"--pin", "V,V,...", "vertices that stay where they are"},
+          {"--support", "KIND:POINTS",
+           "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
+           "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz or outline\n"
+           "(the boundary as it is drawn);\n"
+           "POINTS is V,V,... or boundary or all (repeatable)"},
           {"--hard", "", "handles reach their targets exactly"},
           {"--bound", "NAME=VALUE",
            "shape=on|off, default on: no panel becomes concave, crossing,\n"
@@ -198,6 +203,9 @@ HandleEditOptions edit_options(const Arguments& arguments) {
         {{"l21", Sparsity::kL21}, {"l2", Sparsity::kL2}, {"none", Sparsity::kNone}});
   }
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  if (arguments.has("--support") && options.engine != Engine::kNewton) {
+    throw CommandError(kWrongUsage, "--support: the solver alm knows none; supports need newton");
+  }
   return options;
 }
 
@@ -211,12 +219,30 @@ std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh) {
   return pins;
 }
 
+namespace {
+
+std::vector<PointSupport> parse_supports(const Arguments& arguments) {
+  std::vector<PointSupport> supports;
+  for (const std::string& text : arguments.values("--support")) {
+    auto support = parse_point_support(text);
+    if (!support) {
+      throw CommandError(kWrongUsage,
+                         "--support: \"" + text + "\" is none of " + std::string(known_supports()));
+    }
+    supports.push_back(std::move(*support));
+  }
+  return supports;
+}
+
+}  // namespace
+
 EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
   EditTargets targets;
   for (const std::string& text : arguments.values("--handle")) {
     targets.handles.push_back(parse_handle(text, base));
   }
   targets.pins = parse_pins(arguments, base);
+  targets.supports = parse_supports(arguments);
   if (targets.handles.empty()) throw CommandError(kWrongUsage, "--handle is missing");
   if (const auto problem = find_problem(targets, base)) {
     throw CommandError(kWrongUsage, *problem);
@@ -308,6 +334,10 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
   json["remake"] = remake_json(run.base.mesh, after);
+  for (const PointSupport& support : run.targets.supports) {
+    json["supports"].push_back({{"name", point_support_text(support)},
+                                {"distance_max", largest_distance(support, run.base.mesh, after)}});
+  }
   return json;
 }
 

@@ -28,6 +28,10 @@ SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOpt
   if (!edit.constraints.empty()) {
     throw CommandError(kWrongUsage, "--constraint: variations keep panels flat and nothing else");
   }
+  if (arguments.has("--support")) {
+    throw CommandError(kWrongUsage,
+                       "--support: variations know no supports yet; they are for edit");
+  }
   SubspaceOptions options;
   const auto dimension = arguments.value("--dimension");
   if (!dimension) throw CommandError(kWrongUsage, "--dimension is missing");

@@ -141,4 +141,13 @@ Adjacency build_adjacency(const Mesh& mesh) {
   return adjacency;
 }
 
+std::vector<int> boundary_vertices(const Mesh& mesh) {
+  const Adjacency adjacency = build_adjacency(mesh);
+  std::vector<int> vertices;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (adjacency.boundary[static_cast<std::size_t>(v)] != 0) vertices.push_back(v);
+  }
+  return vertices;
+}
+
 }  // namespace planish

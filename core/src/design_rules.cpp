@@ -37,6 +37,13 @@ std::optional<std::string> find_problem(const Design& design) {
   if (!design.options.bounds.empty() && !design.variations.empty()) {
     return "variations: they keep no stated limits yet; leave options.bounds out";
   }
+  if (auto problem = find_problem(design.targets.supports)) return problem;
+  if (!design.targets.supports.empty() && !design.variations.empty()) {
+    return "variations: they know no supports yet; leave supports out";
+  }
+  if (!design.targets.supports.empty() && design.options.engine != Engine::kNewton) {
+    return "supports: the engine alm knows none; they need newton";
+  }
   for (std::size_t k = 0; k < design.variations.size(); ++k) {
     if (const auto problem = find_problem(design.variations[k])) {
       return "variations[" + std::to_string(k) + "]: " + *problem;

@@ -21,7 +21,8 @@ constexpr std::size_t kLongestText = std::size_t{256} << 20;
 constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
                       kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
-                      kMostBounds = 16, kLongestName = 400;
+                      kMostBounds = 16, kMostSupports = 1000, kLongestName = 400,
+                      kLongestSupport = 10'000'000;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -233,6 +234,16 @@ DesignMark read_mark(const Field& field) {
   return mark;
 }
 
+std::vector<PointSupport> read_supports(const Field& field) {
+  std::vector<PointSupport> supports;
+  for (std::size_t k = 0; k < field.size(kMostSupports); ++k) {
+    const auto support = parse_point_support(field[k].text(kLongestSupport));
+    if (!support) field[k].refuse("one of " + std::string(known_supports()));
+    supports.push_back(*support);
+  }
+  return supports;
+}
+
 EditTargets read_targets(const Field& root) {
   EditTargets targets;
   if (root.has("handles")) {
@@ -246,6 +257,7 @@ EditTargets read_targets(const Field& root) {
     const Field pins = root.at("pins");
     for (std::size_t k = 0; k < pins.size(kMostPins); ++k) targets.pins.push_back(pins[k].whole(0));
   }
+  if (root.has("supports")) targets.supports = read_supports(root.at("supports"));
   return targets;
 }
 
@@ -264,7 +276,7 @@ std::optional<Planarising> read_planarised(const Field& root) {
 
 Design read_root(const Field& root) {
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
-             "options", "variations", "result"});
+             "supports", "options", "variations", "result"});
   if (root.at("format").text(kLongestName) != kDesignFormat) {
     root.at("format").refuse(std::string(kDesignFormat));
   }

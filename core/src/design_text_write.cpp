@@ -102,6 +102,9 @@ std::string write_design(const Design& design) {
     json["handles"].push_back(point_json(handle.vertex, handle.target));
   }
   json["pins"] = design.targets.pins;
+  for (const PointSupport& support : design.targets.supports) {
+    json["supports"].push_back(point_support_text(support));
+  }
   json["options"] = options_json(design.options);
   json["variations"] = Json::array();
   for (const DesignVariation& variation : design.variations) {

@@ -47,6 +47,15 @@ bool EditVerdict::keeps_limits(const ExactDesign& design) const {
                      [](const LimitStanding& one) { return one.least_share >= 0.0; });
 }
 
+/// To a billionth of the mean edge: a hard handle may have been sent off its support.
+bool EditVerdict::keeps_supports(const ExactDesign& design) const {
+  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
+    const Eigen::Vector3d d = design.displacement.col(static_cast<Eigen::Index>(k));
+    if (!bounds_.slides->holds(design.vertices[k], d)) return false;
+  }
+  return true;
+}
+
 bool EditVerdict::is_exact(const ExactDesign& design) const {
   if (!design.positions.allFinite()) return false;
   bool exact = true;
@@ -59,7 +68,8 @@ bool EditVerdict::is_exact(const ExactDesign& design) const {
 
 bool EditVerdict::is_acceptable(const ExactDesign& design) const {
   return is_exact(design) && (!bounds_.keep_shape || keeps_shape(design)) &&
-         (bounds_.limits == nullptr || keeps_limits(design));
+         (bounds_.limits == nullptr || keeps_limits(design)) &&
+         (bounds_.slides == nullptr || keeps_supports(design));
 }
 
 /// The worst of each kept kind over the whole mesh, with the design in place.

@@ -16,7 +16,8 @@ namespace planish {
 /// What is asked of a design beside its constraints.
 struct EditBounds {
   bool keep_shape = true;
-  const MeshLimits* limits = nullptr;  ///< null: none are stated
+  const MeshLimits* limits = nullptr;    ///< null: none are stated
+  const VertexSlides* slides = nullptr;  ///< null: no supports
 };
 
 /// Judges designs of one mesh. Keeps references to model and base.
@@ -26,7 +27,8 @@ class EditVerdict {
               const EditBounds& bounds)
       : model_(model), base_(base), kept_(kept), bounds_(bounds) {}
 
-  /// Exact, no panel lost the shape it had, every stated limit holds.
+  /// Exact, no panel lost the shape it had, every stated limit holds, every point is on its
+  /// support.
   [[nodiscard]] bool is_acceptable(const ExactDesign& design) const;
 
   /// `status`, or kToleranceNotMet: a design of a base that broke a constraint itself is no exact
@@ -40,6 +42,7 @@ class EditVerdict {
   [[nodiscard]] bool is_exact(const ExactDesign& design) const;
   [[nodiscard]] bool keeps_shape(const ExactDesign& design) const;
   [[nodiscard]] bool keeps_limits(const ExactDesign& design) const;
+  [[nodiscard]] bool keeps_supports(const ExactDesign& design) const;
   [[nodiscard]] Violations violations_with(const ExactDesign& design) const;
 
   const MeshModel& model_;

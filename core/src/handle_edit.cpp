@@ -53,12 +53,26 @@ void HandleEditSolver::State::rebuild() {
   problem_.model = model_.get();
   terms_ = std::make_unique<EditTerms>(*model_);
   terms_->fill(options_, problem_);
+  problem_.slides = slides_.get();
   state_limits();
   drag_support_.clear();
   last_exact_.reset();
 }
 
-/// The rows of the stated limits, and the verdict that knows them.
+/// Costs what the supports hold, and nothing from one frame to the next.
+void HandleEditSolver::State::set_supports(const std::vector<PointSupport>& supports) {
+  if (supports == supports_) return;
+  supports_ = supports;
+  slides_.reset();
+  if (!supports.empty())
+    slides_ = std::make_unique<VertexSlides>(model_->mesh, supports, model_->unit());
+  problem_.slides = slides_.get();
+  make_verdict();
+  drag_support_.clear();
+  last_exact_.reset();
+}
+
+/// The rows of the stated limits, and a verdict that knows them.
 void HandleEditSolver::State::state_limits() {
   limits_.reset();
   if (!options_.bounds.empty()) {
@@ -67,8 +81,14 @@ void HandleEditSolver::State::state_limits() {
         options_.bounds);
   }
   problem_.limits = limits_.get();
-  verdict_ = std::make_unique<EditVerdict>(*model_, *base_, kept_,
-                                           EditBounds{options_.keep_shape, limits_.get()});
+  make_verdict();
+}
+
+void HandleEditSolver::State::make_verdict() {
+  verdict_ = std::make_unique<EditVerdict>(
+      *model_, *base_, kept_,
+      EditBounds{
+          .keep_shape = options_.keep_shape, .limits = limits_.get(), .slides = slides_.get()});
 }
 
 /// Whether a jump to the targets may end beyond a barrier, where a path does not.
@@ -94,6 +114,7 @@ void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   std::vector<int> pins = targets.pins;
   std::sort(pins.begin(), pins.end());
   targets_ = targets;
+  set_supports(targets.supports);
   terms_->assign(targets, options_, problem_);
   const bool limited = options_.keep_boundary || has_reach(options_);
   std::vector<int> limited_to = limited ? problem_.handles : std::vector<int>();
@@ -169,6 +190,7 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
                                                 const Progress& progress) {
   const Stopwatch watch;
   set_targets(targets);
+  if (slides_ != nullptr) slides_->open();
   SolveReport report;
   if (nothing_to_do()) {
     report.status = SolveStatus::kConverged;

@@ -6,10 +6,11 @@
 #include "planish/stopwatch.hpp"
 
 namespace planish {
-
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
   const Stopwatch watch;
   set_targets(targets);
+  const bool fresh = !last_exact_ || drag_support_.empty();
+  if (slides_ != nullptr) fresh || nothing_to_do() ? slides_->open() : slides_->release_corners();
   if (nothing_to_do()) {  // back where the drag began: the path that led here is forgotten
     drag_support_.clear();
     last_exact_ = unmoved();
@@ -27,7 +28,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   };
   SolveReport report;
   NewtonOutcome outcome;
-  if (!last_exact_ || drag_support_.empty()) {
+  if (fresh) {
     field_->clear();
     outcome = newton_->run_cold(problem_, {3, 16, 0.05}, options, *field_, out_of_time);
   } else {
@@ -41,6 +42,10 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
   ExactDesign design = finish_->finish(problem_, drag_support_, *field_, kept_);
+  for (int turn = 0; turn < kMostOutlineTurns && turns(design);
+       ++turn) {  // the next frames go on with it
+    design = finish_->finish(problem_, drag_support_, *field_, kept_);
+  }
   if (is_acceptable(design)) {
     last_exact_ = std::move(design);
   } else {  // the last exact state stands; the next frame starts afresh

@@ -24,6 +24,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   };
   ExactDesign best = unmoved();
   trial_->clear();
+  if (slides_ != nullptr) slides_->open();
   newton_->set_support(problem_.handles);
   report.status = SolveStatus::kInfeasibleHandles;
   double reached = 0.0;
@@ -39,6 +40,11 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
                        : newton_->run_warm(problem_, options, *trial_, interruption);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
+    SolveReport turned;
+    turned.status = outcome.status;
+    choose_sides(options, interruption, turned);
+    report.iterations += turned.iterations;
+    report.factorizations += turned.factorizations;
     ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, kept_);
     if (is_acceptable(next)) {
       best = std::move(next);

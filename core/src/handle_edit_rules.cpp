@@ -58,7 +58,7 @@ std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& 
       return "vertex " + std::to_string(pin) + " is both a handle and a pin";
     }
   }
-  return std::nullopt;
+  return find_problem(targets.supports, mesh);
 }
 
 }  // namespace planish

@@ -10,7 +10,6 @@
 #include "softness.hpp"
 
 namespace planish {
-
 ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
   NewtonOptions options;
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
@@ -25,9 +24,31 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   report.iterations += outcome.steps;
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
+  choose_sides(options, interruption, report);
   ExactDesign design = settle(options, interruption, report);
   if (limits_ != nullptr) approach_limits(options, interruption, design, report);
   return design;
+}
+
+/// Whether points on an outline take another side of it than the one they were solved on. [SUP-3]
+bool HandleEditSolver::State::turns(const ExactDesign& design) {
+  return slides_ != nullptr && slides_->follow(design.vertices, design.displacement);
+}
+
+/// Which side of its outline each point goes to, before anything is settled. [SUP-3]
+void HandleEditSolver::State::choose_sides(const NewtonOptions& options,
+                                           const Interruption& interruption, SolveReport& report) {
+  if (slides_ == nullptr || !slides_->has_outline()) return;
+  NewtonOptions step = options;
+  step.first_smoothing = 1e-3;
+  for (int round = 0; round < kMostOutlineTurns && report.status != SolveStatus::kCancelled;
+       ++round) {
+    if (!turns(finish_->finish(problem_, newton_->support(), *trial_, kept_))) return;
+    const NewtonOutcome way = newton_->run_warm(problem_, step, *trial_, interruption);
+    report.status = way.status;
+    report.iterations += way.steps;
+    report.factorizations += way.factorizations;
+  }
 }
 
 /// From where the search kept clear of the stated limits, to where they are: along the path of
@@ -90,10 +111,14 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options,
   const std::vector<int> support = newton_->support();
   const bool spent = options_.max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
   if (report.status != SolveStatus::kCancelled && !spent) {
-    const NewtonOutcome fine = newton_->settle(problem_, options, *trial_, interruption);
-    report.iterations += fine.steps;
-    report.factorizations += fine.factorizations;
-    ExactDesign design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+    NewtonOutcome fine;
+    ExactDesign design;
+    for (int round = 0; round == 0 || (round < kMostOutlineTurns && turns(design)); ++round) {
+      fine = newton_->settle(problem_, options, *trial_, interruption);
+      report.iterations += fine.steps;
+      report.factorizations += fine.factorizations;
+      design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+    }
     if (is_acceptable(design)) {
       report.optimality = newton_->optimality(problem_, design.vertices, design.displacement);
       report.status = fine.status == SolveStatus::kCancelled ? fine.status

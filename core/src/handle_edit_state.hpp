@@ -29,11 +29,16 @@ class HandleEditSolver::State {
  private:
   void rebuild();
   void state_limits();
+  void make_verdict();
   [[nodiscard]] bool is_bounded() const;
   void set_targets(const EditTargets& targets);
+  void set_supports(const std::vector<PointSupport>& supports);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign settle(const NewtonOptions& options, const Interruption& interruption,
                      SolveReport& report);
+  [[nodiscard]] bool turns(const ExactDesign& design);
+  void choose_sides(const NewtonOptions& options, const Interruption& interruption,
+                    SolveReport& report);
   void approach_limits(const NewtonOptions& options, const Interruption& interruption,
                        ExactDesign& design, SolveReport& report);
   NewtonOutcome soften(const NewtonOptions& options, const Interruption& interruption);
@@ -55,6 +60,8 @@ class HandleEditSolver::State {
   std::unique_ptr<BaseViolations> base_;
   std::unique_ptr<MeshLimits> limits_;  ///< null: none are stated
   std::unique_ptr<EditVerdict> verdict_;
+  std::vector<PointSupport> supports_;    ///< of `slides_`
+  std::unique_ptr<VertexSlides> slides_;  ///< null: no supports
   std::unique_ptr<WorkingSetNewton> newton_;
   std::unique_ptr<DisplacementField> field_;  ///< of the drag
   std::unique_ptr<DisplacementField> trial_;  ///< of cold starts

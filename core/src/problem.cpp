@@ -197,11 +197,16 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
   patch.points.resize(3, patch.local_count());
   patch.displacement.setZero(3, patch.local_count());
   patch.terms.resize(at(patch.free_count));
+  patch.slides.clear();
   for (int k = 0; k < patch.local_count(); ++k) {
     const int v = patch.vertices[at(k)];
     patch.points.col(k) = problem.model->points.col(v);
     const VertexTerm& term = problem.terms[at(v)];
-    if (k < patch.free_count) patch.terms[at(k)] = term;
+    if (k < patch.free_count) {
+      patch.terms[at(k)] = term;
+      const SlideTrack* track = problem.slides ? problem.slides->track(v) : nullptr;
+      if (track != nullptr) patch.slides.push_back({k, *track});
+    }
     if (term.fixed) patch.displacement.col(k) = term.target;
     local_of_[at(v)] = -1;
   }

@@ -65,6 +65,7 @@ def edit(
     *,
     relative: bool = True,
     pins: Iterable[int] | None = None,
+    supports: Iterable[str] | None = None,
     hard: bool | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
@@ -91,6 +92,7 @@ def edit(
     Args:
         handles: {vertex: (dx, dy, dz)}, or positions with relative=False; model units.
         pins: vertices that stay.
+        supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "shape": False} or the texts
             of the command line, ["fold=+5"].
         constraints: ["circular"] or {"circular": 1e-9}.
@@ -104,6 +106,7 @@ def edit(
     """
     options = {
         "pins": pins,
+        "supports": supports,
         "hard": hard,
         "bounds": bounds,
         "constraints": constraints,

@@ -29,6 +29,7 @@ class Report:
     optimality: dict[str, Any] | None = None
     violations: list[dict[str, Any]] = field(default_factory=list)
     bounds: list[dict[str, Any]] = field(default_factory=list)
+    supports: list[dict[str, Any]] = field(default_factory=list)
     planarised_first: dict[str, float] | None = None
     spoilt_faces: dict[str, list[int]] = field(default_factory=dict)
     sharpest_fold: dict[str, float] | None = None

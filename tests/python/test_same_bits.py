@@ -39,6 +39,11 @@ RECIPES = {
             "bounds": {"edge": (0.8, 1.3), "fold": "+8", "sheet": (2, 3)},
         },
     ),
+    "supports": (
+        "sample:roof:10",
+        "--handle 60+=0,0,0.4 --support outline:boundary --support level=x:61".split(),
+        {"handles": {60: (0, 0, 0.4)}, "supports": ["outline:boundary", "level=x:61"]},
+    ),
     "circular panels": (
         "sample:dome:12",
         ["--handle", "78+=0,0,0.2", "--constraint", "circular:1e-8"],

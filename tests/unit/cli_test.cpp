@@ -362,6 +362,39 @@ TEST_F(Cli, KeepsALimitAndReplaysIt) {
   }
 }
 
+TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
+  const auto json = [&](const std::string& name) {
+    return nlohmann::json::parse(contents(directory_ / name));
+  };
+  const std::string edit = "edit sample:vault:12 --handle 66+=0.2,0,0.6 --report r.json ";
+  ASSERT_EQ(run(edit + "--support outline:boundary --support level=x:65,67 -o edited.glb "
+                       "--design d.json"),
+            0)
+      << err();
+  const auto supports = json("r.json")["supports"];
+  ASSERT_EQ(supports.size(), 2u);
+  EXPECT_EQ(supports[0]["name"], "outline:boundary");
+  EXPECT_LE(supports[0]["distance_max"].get<double>(), 1e-9);
+  EXPECT_EQ(supports[1], (nlohmann::json{{"name", "level=x:65,67"}, {"distance_max", 0.0}}));
+  EXPECT_EQ(json("d.json")["supports"], (nlohmann::json{"outline:boundary", "level=x:65,67"}));
+  for (const std::string design : {"d.json", "edited.glb"}) {
+    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
+    EXPECT_EQ(json("again.json")["verified"], true);
+  }
+}
+
+TEST_F(Cli, ASupportThatIsNoneIsRefused) {
+  const std::string edit = "edit sample:vault:12 --handle 66+=0,0,0.3 --support ";
+  EXPECT_EQ(run(edit + "roof:boundary"), 2);
+  EXPECT_NE(err().find("\"roof:boundary\" is none of level:POINTS"), std::string::npos) << err();
+  EXPECT_EQ(run(edit + "plane=0,0,1,99:boundary"), 2);
+  EXPECT_NE(err().find("away from it"), std::string::npos) << err();
+  EXPECT_EQ(run(edit + "level:boundary --solver alm"), 2);
+  EXPECT_EQ(run("explore sample:vault:12 --handle 66+=0,0,0.1 --dimension 2 --support level:all"),
+            2);
+  EXPECT_NE(err().find("variations know no supports"), std::string::npos) << err();
+}
+
 TEST_F(Cli, SaysWhatAnEditDidNotReach) {
   const std::string edit = "edit sample:vault:12 --handle 66+=0,0,1.5 --report - ";
   ASSERT_EQ(run(edit), 0) << err();

@@ -73,6 +73,10 @@ Design any_design(unsigned seed) {
     design.options.bounds = {{"fold", 0.0, 1.0 + 100.0 * std::abs(number()) / 1e9, choose(2) == 0},
                              {"edge", 0.1, 0.1 + 1.0 / 3.0}};
   }
+  if (plain && choose(2) == 0) {
+    design.targets.supports = {*parse_point_support("level=x:3,4"),
+                               *parse_point_support("line=0.1,0,1e-3,0,0,1:boundary")};
+  }
   if (choose(2) == 0) design.result = DesignMark{bits(), choose(99), {{7, {number(), 0.1, -0.0}}}};
   return design;
 }
@@ -115,6 +119,38 @@ TEST(DesignTextBounds, AreWrittenAsTheCommandLineSaysThem) {
   const auto read = read_design(text);
   ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
   EXPECT_EQ(write_design(std::get<Design>(read)), text);
+}
+
+TEST(DesignTextSupports, AreWrittenAsTheCommandLineSaysThem) {
+  Design design;
+  design.source = SampleSource{"dome", 12};
+  EXPECT_EQ(write_design(design).find("supports"), std::string::npos);
+  design.targets.supports = {*parse_point_support("level=x:3,4"),
+                             *parse_point_support("plane=0.1,0,1,-3:boundary"),
+                             *parse_point_support("outline:boundary")};
+  const std::string text = write_design(design);
+  EXPECT_NE(text.find(R"("supports":["level=x:3,4","plane=0.1,0,1,-3:boundary",)"),
+            std::string::npos)
+      << text;
+  const auto read = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
+  EXPECT_EQ(std::get<Design>(read).targets.supports, design.targets.supports);
+}
+
+TEST(DesignTextSupports, AreRefusedByName) {
+  const auto with = [](const std::string& supports, const std::string& more = "") {
+    return sentence_of(
+        R"({"version":1,"format":"planish-design","source":{"sample":"dome","size":9},)"
+        R"("supports":)" +
+        supports + more + "}");
+  };
+  EXPECT_NE(with(R"(["roof:3"])").find("supports[0]"), std::string::npos);
+  EXPECT_NE(with(R"(["plane=0,0,0,1:3"])").find("no length"), std::string::npos);
+  EXPECT_NE(with(R"(["level:3"])", R"(,"variations":[{"dimension":2,"coefficients":[]}])")
+                .find("know no supports"),
+            std::string::npos);
+  EXPECT_NE(with(R"(["level:3"])", R"(,"options":{"solver":"alm"})").find("need newton"),
+            std::string::npos);
 }
 
 TEST(DesignTextBounds, AreRefusedByName) {

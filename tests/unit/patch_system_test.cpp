@@ -142,6 +142,44 @@ TEST_P(SystemOn, StepSolvesTheKktSystem) {
   EXPECT_LT((kPenalty * (c + image) - expected.tail(m)).norm(), 1e-5 * expected.tail(m).norm());
 }
 
+/// [SUP-2]: the same system in coordinates along what every vertex may do.
+TEST_P(SystemOn, StepStaysOnTheSupports) {
+  // See StepSolvesTheKktSystem.
+  if (patch.equations.of<PlanarPolygon>().front().least_area > 0.0) state.multipliers.setZero();
+  const Eigen::MatrixXd hessian =
+      differences([&](const Eigen::Matrix3Xd& d) { return gradient_at(d); });
+  const Eigen::MatrixXd jacobian =
+      differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
+  const Eigen::VectorXd c = residuals_of(state.displacement);
+  const Eigen::VectorXd whole = gradient_at(state.displacement);
+  Eigen::MatrixXd along = Eigen::MatrixXd::Identity(whole.size(), whole.size());
+  for (int v = 0; v < patch.free_count; v += 2) {
+    const Eigen::Vector3d t = testing::random_points(20 + static_cast<unsigned>(v), 1).normalized();
+    const Eigen::Matrix3d line = t * t.transpose();
+    const Eigen::Matrix3d plane = Eigen::Matrix3d::Identity() - line;
+    patch.slides.push_back({v, {.along = v % 4 == 0 ? line : plane}});
+    along.block<3, 3>(3 * v, 3 * v) = patch.slides.back().track.along;
+  }
+  system.attach(patch);
+  ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
+  const Eigen::VectorXd g = gradient_at(state.displacement);
+  EXPECT_LT((g - along * whole).norm(), 1e-14 * whole.norm());
+  Eigen::Matrix3Xd delta;
+  system.step(Eigen::Map<const Eigen::Matrix3Xd>(g.data(), 3, patch.free_count), c, delta);
+  const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), delta.size());
+  EXPECT_LT((along * flat - flat).norm(), 1e-14 * flat.norm());
+
+  const Eigen::MatrixXd basis = along.colPivHouseholderQr().householderQ() *
+                                Eigen::MatrixXd::Identity(whole.size(), std::lround(along.trace()));
+  const Eigen::MatrixXd bend = hessian +
+                               kShift * Eigen::MatrixXd::Identity(whole.size(), whole.size()) +
+                               kPenalty * jacobian.transpose() * jacobian;
+  const Eigen::VectorXd pull = -(whole + kPenalty * jacobian.transpose() * c);
+  const Eigen::VectorXd y =
+      (basis.transpose() * bend * basis).fullPivLu().solve(basis.transpose() * pull);
+  EXPECT_LT((flat - basis * y).norm(), 1e-6 * flat.norm());
+}
+
 /// The factorization fails exactly when the KKT matrix does not have the inertia of a minimum.
 TEST_P(SystemOn, RefusesAnIndefiniteSystem) {
   state.multipliers *= 1e4;  // curvature of the constraints overwhelms everything else

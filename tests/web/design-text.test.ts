@@ -74,6 +74,7 @@ describe("names the field that is wrong", () => {
       text({ options: { constraints: [{ kind: "circular", tolerance: 1e-9 }] } }),
       /^options\.constraints: this page keeps panels flat and nothing else/,
     ],
+    [text({ supports: ["level=z:boundary"] }), /^supports: in this page points are free or pinned/],
     [text({ handles: [[1, 2, 3]] }), /handles\[0\]/],
     [text({ handles: {} }), /handles/],
     [text({ pins: [-1] }), /pins/],

@@ -32,4 +32,7 @@ struct Adjacency {
 
 [[nodiscard]] Adjacency build_adjacency(const Mesh& mesh);
 
+/// Vertices on boundary edges, ascending.
+[[nodiscard]] std::vector<int> boundary_vertices(const Mesh& mesh);
+
 }  // namespace planish

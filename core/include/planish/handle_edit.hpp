@@ -13,6 +13,7 @@
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
+#include "planish/point_support.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
@@ -23,10 +24,12 @@ struct Handle {
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< absolute position, model units
 };
 
-/// What the user holds: handles to move and pins that stay. Order does not matter.
+/// What the user holds: handles to move, pins that stay, and points that slide on something. Order
+/// does not matter.
 struct EditTargets {
-  std::vector<Handle> handles;
-  std::vector<int> pins;  ///< vertices that keep their base position exactly
+  std::vector<Handle> handles = {};
+  std::vector<int> pins = {};               ///< vertices that keep their base position exactly
+  std::vector<PointSupport> supports = {};  ///< a vertex in several stays on all of them
 };
 
 /// Weights and choices of an edit. Lengths are divided by the mean edge length before a solve,

@@ -26,9 +26,6 @@ inline constexpr Planarising kNearestFlat{0.0, false, false};
 
 [[nodiscard]] std::optional<std::string> find_problem(const Planarising& how);
 
-/// Vertices on boundary edges, ascending.
-[[nodiscard]] std::vector<int> boundary_vertices(const Mesh& mesh);
-
 /// kToleranceNotMet with keep_shape: the panels' shape does not allow more; the positions are sound
 /// and as flat as was found.
 [[nodiscard]] ProjectionResult planarise(const Mesh& mesh, const Planarising& how,

@@ -20,6 +20,7 @@
 #include "planish/energies.hpp"
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
+#include "planish/vertex_slides.hpp"
 
 namespace planish {
 
@@ -80,6 +81,7 @@ struct EditProblem {
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
   const MeshLimits* limits = nullptr;       ///< of `model`, in solver units; null: none are stated
   double limit_weight = kFirstLimitWeight;  ///< t > 0 of the barrier on their rows
+  const VertexSlides* slides = nullptr;     ///< null: every vertex may move anywhere
 };
 
 /// One row of E: what it adds up.
@@ -96,6 +98,12 @@ struct FairnessRow {
   }
 };
 
+/// A free vertex of a patch that may not move anywhere.
+struct Slide {
+  int vertex = 0;  ///< local
+  SlideTrack track;
+};
+
 /// The problem restricted to a set of free vertices; all others keep d = 0 (or their fixed
 /// target). Local vertex numbers: first the free ones, then the halo they share terms with.
 struct Patch {
@@ -104,6 +112,7 @@ struct Patch {
   Positions points;                     ///< 3 × local, solver units, undisplaced
   Positions displacement;               ///< 3 × local; the halo's columns are constant
   std::vector<VertexTerm> terms;        ///< free_count
+  std::vector<Slide> slides;            ///< ascending
   ConstraintRows equations;             ///< local vertices; each touches a free one
   std::vector<int> equation_ids;        ///< the same in MeshModel::equations
   RaggedRows faces;                     ///< local vertices of the same faces

@@ -6,6 +6,17 @@
 #include "planish/index.hpp"
 
 namespace planish {
+namespace {
+
+/// What is left of a pull on a vertex with supports.
+Eigen::Vector3d along_its_track(const Patch& patch, int vertex, const Eigen::Vector3d& pull) {
+  const auto found = std::lower_bound(patch.slides.begin(), patch.slides.end(), vertex,
+                                      [](const Slide& slide, int v) { return slide.vertex < v; });
+  if (found == patch.slides.end() || found->vertex != vertex) return pull;
+  return found->track.along * pull;
+}
+
+}  // namespace
 
 Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacement,
                          const Eigen::Matrix3Xd& pulls, double rest) {
@@ -22,7 +33,7 @@ Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacemen
       result.outside = std::max(result.outside, pulls.col(k).norm() / bound - 1.0);
       continue;
     }
-    const Eigen::Vector3d left = pulls.col(k) + bound * d.normalized();
+    const Eigen::Vector3d left = along_its_track(patch, k, pulls.col(k) + bound * d.normalized());
     result.stationarity = std::max(result.stationarity, left.norm() / unit);
   }
   return result;

@@ -205,6 +205,7 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
     }
     order += free;
   });
+  jacobian_.slide();
 }
 
 /// t (B'' ∇s ∇sᵀ + B' ∇²s) of the corners that the barrier reaches.
@@ -307,6 +308,36 @@ void PatchSystem::add_norms(const PatchState& state, double smoothing, double sh
   }
 }
 
+/// H ← P H P + I − P: what a vertex with supports cannot do neither bends nor resists. [SUP-2]
+void PatchSystem::slide_blocks() {
+  std::vector<double>& values = cholesky_.values();
+  using Block = Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
+  const auto block = [&](const BlockSlot& slot) {
+    return Block(values.data() + slot.offset, Eigen::OuterStride<>(slot.stride));
+  };
+  for (const Slide& slide : patch_->slides) {
+    const int v = slide.vertex;
+    for (const int w : graph_[v]) {
+      const bool is_row = cholesky_.position(v) > cholesky_.position(w);
+      auto mixed = block(edge_slots_[is_row ? edge(v, w) : edge(w, v)]);
+      const Eigen::Matrix3d whole = mixed;
+      mixed = is_row ? Eigen::Matrix3d(slide.track.along * whole)
+                     : Eigen::Matrix3d(whole * slide.track.along);
+    }
+    auto own = block(diagonal_[at(v)]);
+    const Eigen::Matrix3d whole = own;
+    own = slide.track.along * whole * slide.track.along + Eigen::Matrix3d::Identity() -
+          slide.track.along;
+  }
+}
+
+void PatchSystem::slide_columns(Eigen::Matrix3Xd& x) const {
+  for (const Slide& slide : patch_->slides) {
+    const Eigen::Vector3d whole = x.col(slide.vertex);
+    x.col(slide.vertex) = slide.track.along * whole;
+  }
+}
+
 bool PatchSystem::factorize(const PatchState& state, double smoothing, double penalty,
                             double shift) {
   penalty_ = penalty;
@@ -316,6 +347,7 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
   add_equations(state, penalty);
   add_shapes(state);
   add_limits(state);
+  slide_blocks();
   return cholesky_.factorize();
 }
 
@@ -353,6 +385,7 @@ void PatchSystem::lagrangian_gradient(const PatchState& state, double smoothing,
       if (v < patch_->free_count) out.col(v) += state.multipliers[e] * g.col(k);
     }
   });
+  slide_columns(out);
 }
 
 void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
@@ -363,7 +396,9 @@ void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& 
 }
 
 void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x) {
+  slide_columns(x);
   cholesky_.solve(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
+  slide_columns(x);
 }
 
 void PatchSystem::apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {

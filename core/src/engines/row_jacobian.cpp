@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "planish/engines/row_jacobian.hpp"
 
+#include <algorithm>
+
 namespace planish {
 void RowJacobian::attach(const Patch& patch) {
   free_count_ = patch.free_count;
@@ -11,11 +13,28 @@ void RowJacobian::attach(const Patch& patch) {
     vertices_.offsets.push_back(static_cast<int>(vertices_.values.size()));
   });
   gradients_.resize(3, static_cast<Eigen::Index>(vertices_.values.size()));
+  slide_entries_.clear();
+  if (patch.slides.empty()) return;
+  for (std::size_t k = 0; k < vertices_.values.size(); ++k) {
+    const auto found =
+        std::lower_bound(patch.slides.begin(), patch.slides.end(), vertices_.values[k],
+                         [](const Slide& slide, int v) { return slide.vertex < v; });
+    if (found == patch.slides.end() || found->vertex != vertices_.values[k]) continue;
+    slide_entries_.push_back({static_cast<Eigen::Index>(k), found->track.along});
+  }
+}
+
+void RowJacobian::slide() {
+  for (const SlideEntry& entry : slide_entries_) {
+    const Eigen::Vector3d whole = gradients_.col(entry.column);
+    gradients_.col(entry.column) = entry.along * whole;
+  }
 }
 
 void RowJacobian::evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacement) {
   patch.equations.for_each(
       [&](int e, const auto& row) { set(e, gradient(row, corners_at(patch, displacement, row))); });
+  slide();
 }
 
 void RowJacobian::apply(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {

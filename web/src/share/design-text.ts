@@ -282,7 +282,8 @@ function readPlanarised(value: unknown): Planarising | null {
   return { smooth, keepBoundary: keep_boundary === true, keepShape: shape === true };
 }
 
-const FIELDS = "format version title source planarised unit handles pins options variations result";
+const FIELDS =
+  "format version title source planarised unit handles pins supports options variations result";
 
 function readRoot(value: unknown): DesignText {
   const marked = isRecord(value) && value.format === "planish-design";
@@ -291,6 +292,10 @@ function readRoot(value: unknown): DesignText {
   check(
     root.version === 1,
     `The design is of version ${brief(root.version)}; this reads version 1.`,
+  );
+  check(
+    root.supports === undefined,
+    "supports: in this page points are free or pinned and know no supports yet; “planish replay” does.",
   );
   const unit = root.unit ?? "m";
   check(typeof unit === "string" && isUnit(unit), "unit must be mm, cm, m, km, in or ft.");

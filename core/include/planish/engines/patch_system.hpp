@@ -88,6 +88,8 @@ class PatchSystem {
   void shape_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   void add_limits(const PatchState& state);
   void limit_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
+  void slide_blocks();
+  void slide_columns(Eigen::Matrix3Xd& x) const;
   void add_norms(const PatchState& state, double smoothing, double shift);
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   template <ConstraintRow Row>

@@ -20,11 +20,14 @@ class RowJacobian {
   /// ∇c of every row at points + displacement. @param displacement 3 × free
   void evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacement);
 
-  /// ∇c of one row, 3 × its vertices.
+  /// ∇c of one row, 3 × its vertices. After the last one: slide().
   template <int Arity>
   void set(int row, const RowPoints<Arity>& gradient) {
     gradients_.middleCols<Arity>(vertices_.offsets[at(row)]) = gradient;
   }
+
+  /// What set() brought, only along what vertices with supports may do: J P. [SUP-2]
+  void slide();
 
   [[nodiscard]] int size() const { return vertices_.size(); }
   /// Local vertices of a row.
@@ -41,6 +44,12 @@ class RowJacobian {
  private:
   RaggedRows vertices_;
   Eigen::Matrix3Xd gradients_;  ///< 3 × |vertices_.values|
+  /// Where the gradients of a vertex with supports stand.
+  struct SlideEntry {
+    Eigen::Index column;
+    Eigen::Matrix3d along;
+  };
+  std::vector<SlideEntry> slide_entries_;
   int free_count_ = 0;
 };
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/// What points stand on: they slide along it and never leave it. [SUP-1]
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// Points of a mesh and the level, plane or line that they are on in the base.
+struct PointSupport {
+  enum class Kind {
+    kLevel,    ///< one coordinate keeps its bits
+    kPlane,    ///< a·x + b·y + c·z = d
+    kLine,     ///< through x, y, z along dx, dy, dz
+    kOutline,  ///< the polygon that the boundary is drawn as in the base
+  };
+  enum class Points { kListed, kBoundary, kAll };
+
+  Kind kind = Kind::kLevel;
+  int axis = 2;                 ///< of a level: 0 to 2
+  std::vector<double> numbers;  ///< of a plane: a, b, c, d; of a line: x, y, z, dx, dy, dz
+  Points points = Points::kListed;
+  std::vector<int> vertices;  ///< where they are listed
+
+  bool operator==(const PointSupport&) const = default;
+};
+
+/// "level:POINTS", "level=AXIS:POINTS", "plane=a,b,c,d:POINTS", "line=x,y,z,dx,dy,dz:POINTS" or
+/// "outline:POINTS";
+/// POINTS is "boundary", "all" or vertices, "V,V,...".
+/// @returns nullopt where the text is none of these; the rules are find_problem()'s
+[[nodiscard]] std::optional<PointSupport> parse_point_support(std::string_view text);
+
+/// A text that parse_point_support() reads, with the same bits.
+[[nodiscard]] std::string point_support_text(const PointSupport& support);
+
+/// The forms of all supports, for messages.
+[[nodiscard]] std::string_view known_supports();
+
+/// The first rule that `supports` break on whatever mesh, naming the support; nullopt if none.
+[[nodiscard]] std::optional<std::string> find_problem(const std::vector<PointSupport>& supports);
+
+/// How far a point may be from its plane or line in the base, share of the mean edge: what files
+/// round away. It keeps that distance.
+inline constexpr double kSupportReach = 1e-4;
+
+/// The first rule that `supports` break on `mesh`: vertices that it does not have, points that are
+/// not on their plane or line. nullopt if none. O(points).
+[[nodiscard]] std::optional<std::string> find_problem(const std::vector<PointSupport>& supports,
+                                                      const Mesh& mesh);
+
+/// The vertices that a support names, ascending.
+[[nodiscard]] std::vector<int> points_of(const PointSupport& support, const Mesh& mesh);
+
+/// Largest distance of its points from a support, model units; of a level: from their own.
+/// @param shape 3 × n, model units
+[[nodiscard]] double largest_distance(const PointSupport& support, const Mesh& base,
+                                      const Positions& shape);
+
+}  // namespace planish

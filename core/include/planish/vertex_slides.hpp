@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// Where vertices that stand on something may go: d = o + P (d − o). [SUP-2]
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "planish/mesh.hpp"
+#include "planish/point_support.hpp"
+
+namespace planish {
+
+/// What a vertex slides along, in solver units.
+struct SlideTrack {
+  Eigen::Matrix3d along = Eigen::Matrix3d::Identity();  ///< P: a plane, a line or nothing
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< o: a displacement on the track
+
+  /// The displacement on the track that is nearest to `d`.
+  [[nodiscard]] Eigen::Vector3d nearest(const Eigen::Vector3d& d) const {
+    return offset + along * (d - offset);
+  }
+};
+
+class BoundaryOutline;
+
+/// How often a state is solved again for points that take another side of their outline.
+inline constexpr int kMostOutlineTurns = 8;
+
+/// Of every vertex with supports the track that they all leave it. A vertex on its outline is on
+/// one side of the polygon at a time, or rests at one of its corners: a solve finds which, [SUP-3].
+class VertexSlides {
+ public:
+  /// O(points); with an outline O(n).
+  /// @param supports must pass find_problem()
+  /// @param unit solver units → model units
+  VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& supports, double unit);
+  ~VertexSlides();
+
+  /// Null where a vertex may move anywhere.
+  [[nodiscard]] const SlideTrack* track(int vertex) const;
+
+  /// Whether `d` is where the vertex may go: on its track, and on an outline within the side.
+  [[nodiscard]] bool holds(int vertex, const Eigen::Vector3d& d) const;
+
+  /// Whether any vertex slides along an outline.
+  [[nodiscard]] bool has_outline() const { return !runners_.empty(); }
+
+  /// Every vertex of an outline back where it began: free to go either way.
+  void open();
+
+  /// Takes the vertices of an outline to the sides that a state sends them to.
+  /// @param vertices ascending; those that moved @param displacement 3 × |vertices|
+  /// @returns whether any track changed: the state is then to be solved again
+  bool follow(std::span<const int> vertices, const Eigen::Matrix3Xd& displacement);
+
+  /// Lets what rests at a corner go either way again: for the next frame of a drag.
+  void release_corners();
+
+ private:
+  /// A vertex on its way along an outline.
+  struct Runner {
+    enum class State { kOpen, kSide, kCorner };
+    int vertex = 0;
+    int place = 0;  ///< of its track
+    State state = State::kOpen;
+    int corner = 0;  ///< where it is, or where its side begins
+    int side = 0;    ///< see BoundaryOutline::beside()
+    int turns = 0;   ///< since open()
+    double length = 0.0;
+    SlideTrack others;  ///< what other supports leave it
+  };
+
+  SlideTrack& track_of(int vertex);
+  void add_runner(int vertex);
+  void open(Runner& runner);
+  void rest_at(int corner, Runner& runner);
+  void take_side(int corner, int side, Runner& runner);
+  bool follow(Runner& runner, const Eigen::Vector3d& d);
+  [[nodiscard]] bool is_within_side(const Runner& runner, const Eigen::Vector3d& d) const;
+  [[nodiscard]] Eigen::Vector3d way(int from, int to) const;
+
+  const Mesh& mesh_;
+  double unit_;
+  std::unique_ptr<BoundaryOutline> outline_;  ///< null: nothing is on one
+  std::vector<int> place_;                    ///< n; −1 where there is none
+  std::vector<SlideTrack> tracks_;
+  std::vector<Runner> runners_;
+  std::vector<int> runner_of_;  ///< of each track; past its end or −1: none
+};
+
+}  // namespace planish
