@@ -37,7 +37,10 @@ check_lint() { npx --no-install biome ci --reporter=summary; }
 check_types() { npx --no-install tsc -p web/tsconfig.json; }
 check_architecture() { python3 .tools/check-architecture.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
-check_wasm() { ready wasm planish_tests && in_shards node --no-experimental-fetch build/wasm/tests/planish_tests.cjs; }
+check_wasm() {
+  ready wasm planish_tests && python3 .tools/wasm-loads.py &&
+    in_shards node --no-experimental-fetch build/wasm/tests/planish_tests.cjs
+}
 check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir tests/web; }
 check_parity() {
   bash .tools/build.sh native wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/parity
