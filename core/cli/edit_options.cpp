@@ -38,6 +38,9 @@ Bounds parse_bounds(const Arguments& arguments) {
       bounds.keep_shape = text == "shape=on";
     } else if (auto limit = parse_stated_limit(text)) {
       bounds.limits.push_back(std::move(*limit));
+    } else if (const std::string name = text.substr(0, text.find('='));
+               const auto form = limit_form(name)) {
+      throw CommandError(kWrongUsage, "--bound: \"" + text + "\" is not " + name + "=" + *form);
     } else {
       throw CommandError(kWrongUsage, "--bound: \"" + text + "\" is none of shape=on, shape=off, " +
                                           known_limits());
@@ -334,10 +337,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
   json["remake"] = remake_json(run.base.mesh, after);
-  for (const PointSupport& support : run.targets.supports) {
-    json["supports"].push_back({{"name", point_support_text(support)},
-                                {"distance_max", largest_distance(support, run.base.mesh, after)}});
-  }
+  add_supports(json, run.targets.supports, run.base.mesh, after);
   return json;
 }
 

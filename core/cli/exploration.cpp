@@ -28,10 +28,6 @@ SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOpt
   if (!edit.constraints.empty()) {
     throw CommandError(kWrongUsage, "--constraint: variations keep panels flat and nothing else");
   }
-  if (arguments.has("--support")) {
-    throw CommandError(kWrongUsage,
-                       "--support: variations know no supports yet; they are for edit");
-  }
   SubspaceOptions options;
   const auto dimension = arguments.value("--dimension");
   if (!dimension) throw CommandError(kWrongUsage, "--dimension is missing");
@@ -70,7 +66,7 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
 
 Family find_family(const EditRun& run, const HandleEditOptions& edit,
                    const SubspaceOptions& options, const Progress& progress) {
-  Family family{edit, options, held_vertices(run.base.mesh, run.targets, edit), {}};
+  Family family{edit, options, held_in_variations(run.base.mesh, run.targets, edit), {}};
   family.subspace = compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets),
                                      options, family.held, progress);
   return family;

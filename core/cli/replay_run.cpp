@@ -19,8 +19,10 @@ Json replay_json(const Design& design, const Replay& replayed) {
   json["planarity_mm_per_m"] =
       planarity_json(replayed.base, replayed.base.positions, replayed.shape);
   json["moved_vertices"] = replayed.mark.moved;
+  json["spoilt_faces"] = damage_json(replayed.base, replayed.base.positions, replayed.shape);
   json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
   json["remake"] = remake_json(replayed.base, replayed.shape);
+  add_supports(json, design.targets.supports, replayed.base, replayed.shape);
   if (replayed.subspace) {
     json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
   }

@@ -194,4 +194,12 @@ void clear_progress_line() {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
 }
 
+void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
+                  const Positions& after) {
+  for (const PointSupport& support : supports) {
+    json["supports"].push_back({{"name", point_support_text(support)},
+                                {"distance_max", largest_distance(support, base, after)}});
+  }
+}
+
 }  // namespace planish::cli

@@ -34,6 +34,10 @@ using Json = nlohmann::ordered_json;
 /// Figures of a mesh as `info` reports them.
 [[nodiscard]] Json info_json(const MeshFile& file);
 
+/// How far the points of each support are off it; nothing where there are none.
+void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
+                  const Positions& after);
+
 /// What `damage_json` found; nullopt where it found nothing.
 [[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);
 

@@ -89,7 +89,7 @@ class Player {
     if (auto broken = find_broken_constraint(result_.base, design_.options)) return broken;
     result_.shape = result_.base.positions;
     if (auto problem = find_problem(design_.targets, result_.base)) return problem;
-    held_ = held_vertices(result_.base, design_.targets, design_.options);
+    held_ = held_in_variations(result_.base, design_.targets, design_.options);
     return std::nullopt;
   }
 

@@ -38,9 +38,6 @@ std::optional<std::string> find_problem(const Design& design) {
     return "variations: they keep no stated limits yet; leave options.bounds out";
   }
   if (auto problem = find_problem(design.targets.supports)) return problem;
-  if (!design.targets.supports.empty() && !design.variations.empty()) {
-    return "variations: they know no supports yet; leave supports out";
-  }
   if (!design.targets.supports.empty() && design.options.engine != Engine::kNewton) {
     return "supports: the engine alm knows none; they need newton";
   }

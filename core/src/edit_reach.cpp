@@ -93,4 +93,16 @@ std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
   return held;
 }
 
+std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets,
+                                    const HandleEditOptions& options) {
+  std::vector<int> held = held_vertices(mesh, targets, options);
+  for (const PointSupport& support : targets.supports) {
+    const std::vector<int> points = points_of(support, mesh);
+    held.insert(held.end(), points.begin(), points.end());
+  }
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  return held;
+}
+
 }  // namespace planish

@@ -66,6 +66,15 @@ std::string known_limits() {
   return known;
 }
 
+std::optional<std::string> limit_form(std::string_view name) {
+  std::optional<std::string> form;
+  LimitKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kName == name) form = std::string(Kind::kForm);
+  });
+  return form;
+}
+
 std::optional<std::string> find_problem(const std::vector<StatedLimit>& limits) {
   constexpr std::size_t kMost = 16;
   if (limits.size() > kMost) return "bounds: at most 16";

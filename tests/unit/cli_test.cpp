@@ -380,7 +380,31 @@ TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
   for (const std::string design : {"d.json", "edited.glb"}) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
     EXPECT_EQ(json("again.json")["verified"], true);
+    EXPECT_EQ(json("again.json")["supports"], supports);
+    EXPECT_EQ(json("again.json")["spoilt_faces"], json("r.json")["spoilt_faces"]);
   }
+}
+
+TEST_F(Cli, VariationsLeaveSupportedPointsWhereTheEditPutThem) {
+  const std::string explore =
+      "explore sample:vault:12 --handle 66+=0,0,0.6 --support level=x:65,67 --dimension 2 --exact "
+      "--coefficients ";
+  ASSERT_EQ(run(explore + "0,0 -o edit.obj"), 0) << err();
+  ASSERT_EQ(run(explore + "0.3,0.2 -o variation.obj --design d.json"), 0) << err();
+  const auto points = [&](const std::string& name) {
+    std::istringstream text(contents(directory_ / name));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("v ")) lines.push_back(line);
+    }
+    return lines;
+  };
+  const auto edit = points("edit.obj"), variation = points("variation.obj");
+  ASSERT_EQ(edit.size(), 144u);
+  EXPECT_NE(edit, variation);
+  for (const std::size_t v : {65u, 67u}) EXPECT_EQ(edit[v], variation[v]);
+  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
 }
 
 TEST_F(Cli, ASupportThatIsNoneIsRefused) {
@@ -390,9 +414,6 @@ TEST_F(Cli, ASupportThatIsNoneIsRefused) {
   EXPECT_EQ(run(edit + "plane=0,0,1,99:boundary"), 2);
   EXPECT_NE(err().find("away from it"), std::string::npos) << err();
   EXPECT_EQ(run(edit + "level:boundary --solver alm"), 2);
-  EXPECT_EQ(run("explore sample:vault:12 --handle 66+=0,0,0.1 --dimension 2 --support level:all"),
-            2);
-  EXPECT_NE(err().find("variations know no supports"), std::string::npos) << err();
 }
 
 TEST_F(Cli, SaysWhatAnEditDidNotReach) {
@@ -429,6 +450,8 @@ TEST_F(Cli, ALimitThatIsNoneIsRefused) {
   EXPECT_NE(err().find("none of shape=on, shape=off, fold=MAX or +MAX, angle=MIN:MAX"),
             std::string::npos)
       << err();
+  EXPECT_EQ(run(edit + "angle=60"), 2);
+  EXPECT_NE(err().find("\"angle=60\" is not angle=MIN:MAX"), std::string::npos) << err();
   EXPECT_EQ(run(edit + "fold=0"), 2);
   EXPECT_NE(err().find("fold must be greater than 0"), std::string::npos) << err();
   EXPECT_EQ(run("project sample:vault:12 --bound fold=20"), 2);

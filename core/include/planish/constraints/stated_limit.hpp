@@ -28,6 +28,9 @@ struct StatedLimit {
 /// The text that parse_stated_limit() reads, with the same bits.
 [[nodiscard]] std::string stated_limit_text(const StatedLimit& limit);
 
+/// What the value of a limit must be, "MIN:MAX" for example; nullopt where there is no such limit.
+[[nodiscard]] std::optional<std::string> limit_form(std::string_view name);
+
 /// The names and forms of all limits, for messages.
 [[nodiscard]] std::string known_limits();
 
