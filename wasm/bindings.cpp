@@ -85,6 +85,9 @@ std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_s
 std::string set_options(Session& s, const HandleEditOptions& options) {
   return attempt([&] { return s.set_options(options); });
 }
+std::string set_supports(Session& s, const std::string& lines) {
+  return attempt([&] { return s.set_supports(lines); });
+}
 std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, double budget) {
   return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
 }
@@ -170,6 +173,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("openFile", &open_file)
       .function("planarise", &planarise)
       .function("setOptions", &set_options)
+      .function("setSupports", &set_supports)
       .function("edit", &edit)
       .function("restore", &restore)
       .function("explore", &explore)

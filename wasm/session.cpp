@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -94,6 +95,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   moved_.clear();
   dirty_.clear();
   targets_ = {};
+  supports_fit_ = supports_.empty();
   report_ = "{}";
 }
 
@@ -110,24 +112,52 @@ Refusal Session::set_options(const HandleEditOptions& options) {
   return std::nullopt;
 }
 
-Refusal Session::edit(EditMode mode, const EditTargets& targets, double budget_seconds) {
-  if (const Refusal refusal = require_flat_base()) return refusal;
+Refusal Session::set_supports(const std::string& lines) {
+  std::vector<PointSupport> supports;
+  std::istringstream text(lines);
+  for (std::string line; std::getline(text, line);) {
+    auto support = parse_point_support(line);
+    if (!support) return "A support must be one of " + std::string(known_supports());
+    supports.push_back(std::move(*support));
+  }
+  if (const auto problem = find_problem(supports)) return *problem;
+  supports_ = std::move(supports);
+  supports_fit_ = supports_.empty();
+  return std::nullopt;
+}
+
+/// The supports are looked at once for a base, not in every frame: that costs O(n).
+Refusal Session::take_targets(EditTargets& targets) {
   if (const auto problem = find_problem(targets, base_)) return *problem;
+  if (!supports_fit_) {
+    if (const auto problem = find_problem(supports_, base_)) return *problem;
+  }
+  supports_fit_ = true;
+  targets.supports = supports_;
+  return std::nullopt;
+}
+
+Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds) {
+  if (const Refusal refusal = require_flat_base()) return refusal;
+  if (const Refusal refusal = take_targets(targets)) return refusal;
+  if (!supports_.empty() && options_.engine != Engine::kNewton) {
+    return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
+  }
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
   const HandleEditResult result = mode == EditMode::kDrag ? solver_->drag(targets, budget_seconds)
                                                           : solver_->solve(targets, progress_);
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
   subspace_.reset();
-  targets_ = targets;
+  targets_ = std::move(targets);
   show(result.moved, result.moved_positions);
   write_report(result.report, watch.seconds());
   return std::nullopt;
 }
 
-Refusal Session::restore(const EditTargets& targets, const std::vector<int>& moved,
+Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
                          const Positions& positions, bool keep_variations) {
-  if (const auto problem = find_problem(targets, base_)) return *problem;
+  if (const Refusal refusal = take_targets(targets)) return refusal;
   const bool in_range = std::all_of(moved.begin(), moved.end(),
                                     [&](int v) { return v >= 0 && v < base_.vertex_count(); });
   const bool ascending =
@@ -137,7 +167,7 @@ Refusal Session::restore(const EditTargets& targets, const std::vector<int>& mov
     return "This design does not belong to the mesh that is open.";
   }
   if (!keep_variations) subspace_.reset();
-  targets_ = targets;
+  targets_ = std::move(targets);
   show(moved, positions);
   SolveReport unchanged;
   unchanged.status = SolveStatus::kConverged;
@@ -154,7 +184,7 @@ Refusal Session::explore(const SubspaceOptions& options) {
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
-  const std::vector<int> held = held_vertices(base_, targets_, options_);
+  const std::vector<int> held = held_in_variations(base_, targets_, options_);
   Subspace found = compute_subspace(base_, current_, close, options, held, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
@@ -225,7 +255,7 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
 Refusal Session::project(Positions& positions, SolveReport& report) const {
   Mesh mesh = base_;
   mesh.positions = positions;
-  const std::vector<int> held = held_vertices(base_, targets_, options_);
+  const std::vector<int> held = held_in_variations(base_, targets_, options_);
   ProjectionResult result =
       project_to_planar(mesh, base_.positions, exact_options(options_), held, progress_);
   report = std::move(result.report);

@@ -52,10 +52,13 @@ class Session {
 
   // Editing. A refused operation leaves the design as it was.
   [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
-  [[nodiscard]] Refusal edit(EditMode mode, const EditTargets& targets, double budget_seconds);
+  /// For all edits from here on, one support a line as --support says it; "" for none.
+  [[nodiscard]] Refusal set_supports(const std::string& lines);
+  /// `targets` without supports: those that were set.
+  [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
   /// @param keep_variations the design is one of the family found last, or its centre
-  [[nodiscard]] Refusal restore(const EditTargets& targets, const std::vector<int>& moved,
+  [[nodiscard]] Refusal restore(EditTargets targets, const std::vector<int>& moved,
                                 const Positions& positions, bool keep_variations = false);
 
   // Exploring: variations around the design shown.
@@ -104,6 +107,7 @@ class Session {
 
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
+  [[nodiscard]] Refusal take_targets(EditTargets& targets);
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
   void prepare_variation();
@@ -132,9 +136,11 @@ class Session {
   HandleEditOptions options_;
   std::optional<HandleEditSolver> solver_;
   EditTargets targets_;
-  Positions current_;       ///< 3 × n, the design shown
-  std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
-  std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
+  std::vector<PointSupport> supports_;  ///< of all edits
+  bool supports_fit_ = true;            ///< they were checked on this base
+  Positions current_;                   ///< 3 × n, the design shown
+  std::vector<int> moved_;              ///< ascending: where current_ may differ from the base
+  std::vector<int> dirty_;              ///< changed since take_changes(), unsorted
   std::optional<Subspace> subspace_;
   Positions varied_;                       ///< 3 × |subspace support|
   Shape varied_shape_;                     ///< the edit and the support, at the last coefficients

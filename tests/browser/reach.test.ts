@@ -94,6 +94,64 @@ it("a point on a kept boundary moves where it is dragged, alone of the boundary"
   await page.context().close();
 });
 
+/** Distance of a point from the nearest boundary edge of `base`. */
+function offOutline(base: ObjMesh, point: readonly number[]): number {
+  const uses = new Map<string, [number, number, number]>();
+  for (const face of base.faces) {
+    for (const [k, a] of face.entries()) {
+      const b = face[(k + 1) % face.length] ?? a;
+      const key = [a, b].sort((x, y) => x - y).join();
+      uses.set(key, [a, b, (uses.get(key)?.[2] ?? 0) + 1]);
+    }
+  }
+  const edges = [...uses.values()].filter(([, , count]) => count === 1);
+  const at = (v: number): readonly number[] => base.points[v] ?? [];
+  const distances = edges.map(([a, b]) => {
+    const along = at(a).map((x, c) => (at(b)[c] ?? 0) - x);
+    const way = at(a).map((x, c) => (point[c] ?? 0) - x);
+    const dot = (u: readonly number[], w: readonly number[]): number =>
+      u.reduce((sum, x, c) => sum + x * (w[c] ?? 0), 0);
+    const share = Math.min(1, Math.max(0, dot(way, along) / dot(along, along)));
+    return Math.hypot(...way.map((x, c) => x - share * (along[c] ?? 0)));
+  });
+  return Math.min(...distances);
+}
+
+it("a boundary that moves stays on its level or its outline, and the design says so", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  const base = await exported(page);
+  const boundary = boundaryOf(base);
+  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
+  const slides = page.getByRole("combobox", { name: "Boundary that moves" });
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  // A point whose sides slope one way: on top of an arch nothing could go up.
+  for (let k = 0; k < 14; ++k) await page.keyboard.press("ArrowRight");
+  await typeTarget(page, "+30cm");
+  const vertex = await handle(page);
+  expect(boundary.has(vertex)).toBe(true);
+  const free = await exported(page);
+  expect(free.points[vertex]?.[2]).not.toBe(base.points[vertex]?.[2]);
+
+  await slides.selectOption("keeps its level");
+  await idle(page);
+  const level = await exported(page);
+  for (const v of boundary) expect(level.points[v]?.[2]).toBe(base.points[v]?.[2]);
+
+  await slides.selectOption("stays on its outline");
+  await idle(page);
+  const outline = await exported(page);
+  for (const v of boundary) {
+    expect(offOutline(base, outline.points[v] ?? [])).toBeLessThan(1e-8);
+  }
+  expect(movedIn(outline, base).length).toBeGreaterThan(2);
+  const design = JSON.parse((await exportAs(page, "JSON")).toString());
+  expect(design.supports).toEqual(["outline:boundary"]);
+  await page.context().close();
+});
+
 it("raw weights are the command line's, in Advanced; Softness takes over again", async () => {
   const page = await site.open();
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");

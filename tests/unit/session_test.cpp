@@ -143,6 +143,43 @@ TEST(Session, ARestoredDesignIsTheSameToTheLastBit) {
   EXPECT_EQ(session.write("obj"), file);
 }
 
+TEST(Session, SupportsHoldInEveryEditFromThereOn) {
+  Session session = open_vault();
+  const int rim = 8;  // in the middle of a side
+  EditTargets targets = lift(session, 0.6);
+  targets.handles.push_back(
+      {rim, session.base().positions.col(rim) + Eigen::Vector3d(0.3, 0.2, 0.4)});
+  const auto leaves_level = [&] {
+    return session.current()(2, rim) != session.base().positions(2, rim);
+  };
+  ASSERT_EQ(session.set_supports("level=z:boundary\n"), std::nullopt);
+  for (const EditMode mode : {EditMode::kDrag, EditMode::kRelease, EditMode::kSolve}) {
+    ASSERT_EQ(session.edit(mode, targets, 10.0), std::nullopt);
+    EXPECT_FALSE(leaves_level());
+  }
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  ASSERT_EQ(session.vary(Eigen::Vector2d(0.3, 0.3)), std::nullopt);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_FALSE(leaves_level()) << "variations leave the boundary where the edit put it";
+  ASSERT_EQ(session.set_supports(""), std::nullopt);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
+  EXPECT_TRUE(leaves_level());
+}
+
+TEST(Session, RefusesSupportsThatTheBaseHasNot) {
+  Session session = open_vault();
+  EXPECT_NE(session.set_supports("roof:boundary"), std::nullopt);
+  ASSERT_EQ(session.set_supports("plane=0,0,1,99:3"), std::nullopt) << "the base is not asked yet";
+  const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_NE(refusal->find("away from it"), std::string::npos) << *refusal;
+  ASSERT_EQ(session.set_supports("level:boundary"), std::nullopt);
+  HandleEditOptions paper;
+  paper.engine = Engine::kAugmentedLagrangian;
+  ASSERT_EQ(session.set_options(paper), std::nullopt);
+  EXPECT_NE(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
+}
+
 TEST(Session, RefusesADesignOfAnotherMesh) {
   Session session = open_vault();
   EXPECT_NE(session.restore({}, {9999}, Positions::Zero(3, 1)), std::nullopt);

@@ -35,6 +35,17 @@ it("takes what may be left out as it is documented", () => {
   expect([settings.attraction, settings.sparsity, settings.tolerance]).toEqual([1000, "l21", 1e-6]);
 });
 
+it("reads what the boundary slides along, and writes it again", () => {
+  const slides = (supports?: string[]) => {
+    const read = readDesign(text({ supports }));
+    return read.ok ? read.value.settings.boundarySupport : read.reason;
+  };
+  expect(slides()).toBe("none");
+  expect(slides([])).toBe("none");
+  expect(slides(["level=z:boundary"])).toBe("level");
+  expect(slides(["outline:boundary"])).toBe("outline");
+});
+
 it("reads how a mesh became flat, and what older designs mean by true", () => {
   const how = (planarised: unknown) => {
     const read = readDesign(text({ planarised }));
@@ -74,7 +85,8 @@ describe("names the field that is wrong", () => {
       text({ options: { constraints: [{ kind: "circular", tolerance: 1e-9 }] } }),
       /^options\.constraints: this page keeps panels flat and nothing else/,
     ],
-    [text({ supports: ["level=z:boundary"] }), /^supports: in this page points are free or pinned/],
+    [text({ supports: ["level=x:boundary"] }), /^supports: this page knows level=z:boundary or /],
+    [text({ supports: "level=z:boundary" }), /^supports must be a list/],
     [text({ handles: [[1, 2, 3]] }), /handles\[0\]/],
     [text({ handles: {} }), /handles/],
     [text({ pins: [-1] }), /pins/],

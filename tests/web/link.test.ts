@@ -85,6 +85,20 @@ describe("links", () => {
         settings: { ...recipe.settings, reach: 4, keepBoundary: true, softness: 6.5 },
       } satisfies Recipe,
     ],
+    [
+      "a boundary on its outline",
+      {
+        ...recipe,
+        settings: { ...recipe.settings, keepBoundary: true, boundarySupport: "outline" },
+      } satisfies Recipe,
+    ],
+    [
+      "a boundary on its level",
+      {
+        ...recipe,
+        settings: { ...recipe.settings, boundarySupport: "level" },
+      } satisfies Recipe,
+    ],
     ["families one after the other", inSteps],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);

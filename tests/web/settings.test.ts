@@ -17,6 +17,7 @@ it("another mesh starts with what the page has controls for, and with nothing un
     reach: 3,
     reachLength: 1.5,
     keepBoundary: true,
+    boundarySupport: "outline",
     softness: 4,
   } as const;
   const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;

@@ -137,7 +137,10 @@ export async function openFile(page: Page, name: string, content: string | Buffe
   await idle(page);
 }
 
-export async function exportAs(page: Page, format: "OBJ" | "GLB" | "PLY" | "PNG"): Promise<Buffer> {
+export async function exportAs(
+  page: Page,
+  format: "OBJ" | "GLB" | "PLY" | "PNG" | "JSON",
+): Promise<Buffer> {
   await page.getByRole("button", { name: "Export" }).click();
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: format, exact: true }).click();

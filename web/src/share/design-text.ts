@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A design as the JSON of docs/formats.md, which the command line and GLB files hold too. What can
 // be wrong with it is said in one sentence that names the field.
-import type { EditSettings, Planarising, Source } from "../solver/protocol.ts";
+import type { BoundarySupport, EditSettings, Planarising, Source } from "../solver/protocol.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
 import { NEAREST_FLAT } from "../state/planarising.ts";
@@ -41,9 +41,20 @@ function sourceJson(source: Source, base: BaseMesh): Json {
     : { file: source.name, hash: hex(meshHash(base)) };
 }
 
+/** The supports that this page has a control for, by the words of the command line. */
+const SUPPORTS: readonly (readonly [BoundarySupport, string])[] = [
+  ["level", "level=z:boundary"],
+  ["outline", "outline:boundary"],
+];
+
+const supportsJson = ({ boundarySupport }: EditSettings): Json => {
+  const words = SUPPORTS.flatMap(([support, text]) => (support === boundarySupport ? [text] : []));
+  return words.length > 0 ? { supports: words } : {};
+};
+
 function optionsJson(settings: EditSettings): Json {
   const { hardHandles, keepShape, engine, maxIterations, ...others } = settings;
-  const { reach, reachLength, keepBoundary, softness, ...rest } = others;
+  const { reach, reachLength, keepBoundary, boundarySupport: _, softness, ...rest } = others;
   return {
     ...rest,
     hard: hardHandles,
@@ -110,6 +121,7 @@ export function writeDesign(
     unit: recipe.unit,
     handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
     pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
+    ...supportsJson(recipe.settings),
     options: optionsJson(recipe.settings),
     variations: families.map(variationJson),
     result: markJson(recipe.mark),
@@ -182,7 +194,7 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
   return word;
 }
 
-function readOptions(value: unknown): EditSettings {
+function readOptions(value: unknown): Omit<EditSettings, "boundarySupport"> {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
   names.push("reach", "reach_length", "keep_boundary", "softness", "constraints", "bounds");
@@ -282,6 +294,16 @@ function readPlanarised(value: unknown): Planarising | null {
   return { smooth, keepBoundary: keep_boundary === true, keepShape: shape === true };
 }
 
+function readSupports(value: unknown): BoundarySupport {
+  const given = value ?? [];
+  check(Array.isArray(given), "supports must be a list.");
+  if (given.length === 0) return "none";
+  const known = SUPPORTS.find(([, text]) => given.length === 1 && given[0] === text);
+  const words = SUPPORTS.map(([, text]) => text).join(" or ");
+  check(known !== undefined, `supports: this page knows ${words}; “planish replay” knows all.`);
+  return known[0];
+}
+
 const FIELDS =
   "format version title source planarised unit handles pins supports options variations result";
 
@@ -293,10 +315,6 @@ function readRoot(value: unknown): DesignText {
     root.version === 1,
     `The design is of version ${brief(root.version)}; this reads version 1.`,
   );
-  check(
-    root.supports === undefined,
-    "supports: in this page points are free or pinned and know no supports yet; “planish replay” does.",
-  );
   const unit = root.unit ?? "m";
   check(typeof unit === "string" && isUnit(unit), "unit must be mm, cm, m, km, in or ft.");
   const variations = root.variations ?? [];
@@ -307,7 +325,7 @@ function readRoot(value: unknown): DesignText {
     planarised: readPlanarised(root.planarised),
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
-    settings: readOptions(root.options),
+    settings: { ...readOptions(root.options), boundarySupport: readSupports(root.supports) },
     families: variations.map(readVariation),
     mark: readMark(root.result),
     someSliders: true,

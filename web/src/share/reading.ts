@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a stranger's JSON may say. Every reader gives a value of the right kind or null.
 import type {
+  BoundarySupport,
   EditSettings,
   EngineName,
   Fairness,
@@ -64,6 +65,9 @@ type Rest = Omit<
   "attraction" | "locality" | "smoothness" | "fairness" | "engine" | "keepShape"
 >;
 
+/** Behind whether the boundary is kept, which is the number's first bit. */
+const BOUNDARY_SUPPORTS: readonly BoundarySupport[] = ["none", "level", "outline"];
+
 /** How many numbers follow the sparsity: those of the first rest, and those with the limits. */
 const [FIRST_REST, LIMITED_REST] = [3, 7];
 
@@ -85,7 +89,8 @@ function readRest(value: readonly unknown[]): Rest | null {
     maxIterations: most,
     reach: rings,
     reachLength: length,
-    keepBoundary: keep === 1,
+    keepBoundary: keep % 2 === 1,
+    boundarySupport: BOUNDARY_SUPPORTS[keep >> 1] ?? "none",
     softness,
   };
 }
@@ -118,10 +123,11 @@ function readWeightsAndRest(value: readonly unknown[]): Omit<EditSettings, "keep
 export function writeSettings(settings: EditSettings): unknown[] {
   const { attraction, locality, smoothness, fairness, engine } = settings;
   const { sparsity, hardHandles, tolerance, maxIterations } = settings;
-  const { reach, reachLength, keepBoundary, softness } = settings;
+  const { reach, reachLength, keepBoundary, boundarySupport, softness } = settings;
+  const boundary = (keepBoundary ? 1 : 0) + 2 * BOUNDARY_SUPPORTS.indexOf(boundarySupport);
   const first = [attraction, locality, smoothness, fairness, engine];
   const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
-  const limits = [reach, reachLength, keepBoundary ? 1 : 0, softness];
+  const limits = [reach, reachLength, boundary, softness];
   const limited = limits.some((number) => number !== 0);
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
   const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];

@@ -6,6 +6,7 @@ import { DesignAnalysis } from "./analysis.ts";
 import { FoldHold, type HandleList } from "./fold-limit.ts";
 import { openGlb, writeGlb } from "./glb.ts";
 import type {
+  BoundarySupport,
   EditMode,
   EditSettings,
   Fairness,
@@ -91,6 +92,13 @@ function toOptions(module: PlanishModule, settings: EditSettings) {
     softness: settings.softness,
   };
 }
+
+/** The core's words for them. */
+const SUPPORTS: Readonly<Record<BoundarySupport, string>> = {
+  none: "",
+  level: "level=z:boundary",
+  outline: "outline:boundary",
+};
 
 /** That a drag may wait for the limit on folds. */
 const SEARCH_MS = 2000;
@@ -263,6 +271,7 @@ export class Dispatcher {
   #setOptions(settings: EditSettings): void {
     if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
     insist(this.#session.setOptions(toOptions(this.#module, settings)));
+    insist(this.#session.setSupports(SUPPORTS[settings.boundarySupport]));
     this.#settings = settings;
   }
 

@@ -21,6 +21,9 @@ export interface Targets {
   readonly pins: readonly number[];
 }
 
+/** What the points of a boundary slide along where they move. */
+export type BoundarySupport = "none" | "level" | "outline";
+
 /** The core's HandleEditOptions. */
 export interface EditSettings {
   readonly attraction: number;
@@ -43,6 +46,7 @@ export interface EditSettings {
   readonly reachLength: number;
   /** Points on a boundary stay, handles excepted. */
   readonly keepBoundary: boolean;
+  readonly boundarySupport: BoundarySupport;
   /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
   readonly softness: number;
 }

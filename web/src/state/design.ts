@@ -64,6 +64,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   reach: 0,
   reachLength: 0,
   keepBoundary: false,
+  boundarySupport: "none",
   softness: 0,
 };
 

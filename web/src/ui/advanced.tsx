@@ -6,37 +6,8 @@ import { decimal } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
 import { TOLERANCES } from "../state/tolerance.ts";
+import { Choice } from "./choice.tsx";
 import { RawWeights } from "./raw-weights.tsx";
-
-interface ChoiceProps<T extends string> {
-  readonly label: string;
-  readonly value: T;
-  readonly words: readonly (readonly [T, string])[];
-  readonly onChoose: (value: T) => void;
-}
-
-function Choice<T extends string>({ label, value, words, onChoose }: ChoiceProps<T>) {
-  return (
-    <label class="field">
-      <span>{label}</span>
-      <select
-        class="select"
-        value={value}
-        disabled={!ready.value}
-        onChange={({ currentTarget }) => {
-          const chosen = words.find(([word]) => word === currentTarget.value);
-          if (chosen) onChoose(chosen[0]);
-        }}
-      >
-        {words.map(([word, text]) => (
-          <option key={word} value={word}>
-            {text}
-          </option>
-        ))}
-      </select>
-    </label>
-  );
-}
 
 const FAIRNESS = [
   ["laplacian", "Laplacian"],

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How far an edit may reach and how softly it bends, with what each of them does at once.
 
+import type { BoundarySupport } from "../solver/protocol.ts";
 import { FIRST_SETTINGS } from "../state/design.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
 import { figures, ready, settings, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
+import { Choice } from "./choice.tsx";
 import { Slider } from "./slider.tsx";
 
 const MOST_RINGS = 12;
@@ -96,6 +98,25 @@ function KeepBoundary() {
   );
 }
 
+const SLIDES: readonly (readonly [BoundarySupport, string])[] = [
+  ["none", "moves freely"],
+  ["level", "keeps its level"],
+  ["outline", "stays on its outline"],
+];
+
+/** What boundary points do that move: those that are dragged, and all where the boundary is not kept. */
+function BoundarySlides() {
+  const { boundarySupport } = settings.value ?? FIRST_SETTINGS;
+  return (
+    <Choice
+      label="Boundary that moves"
+      value={boundarySupport}
+      words={SLIDES}
+      onChoose={(chosen) => void commitSettings({ boundarySupport: chosen })}
+    />
+  );
+}
+
 export function ReachAndSoftness() {
   return (
     <>
@@ -104,6 +125,7 @@ export function ReachAndSoftness() {
       <Softness />
       <Effect words={foldWords(figures.value)} />
       <KeepBoundary />
+      <BoundarySlides />
     </>
   );
 }
