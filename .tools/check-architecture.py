@@ -51,6 +51,7 @@ ARROWS = {
     "sweep": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
+    "library": None,
     "wasm": None,
     "python": None,
 }
@@ -99,7 +100,7 @@ FILE_GROUPS = {
     "held_boundary": "comparison",
     "tangent_space": "comparison",
 }
-DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "sweep", "cli")
+DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "sweep", "cli", "library")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {
@@ -140,7 +141,7 @@ def group_of_file(path):
     for prefix in ("core/include/planish/", "core/src/"):
         if relative.startswith(prefix):
             return group_of(relative[len(prefix):])
-    for folder in ("cli", "comparison"):
+    for folder in ("cli", "comparison", "library"):
         if relative.startswith(f"core/{folder}/"):
             return folder
     return "python" if relative.startswith("python/") else "wasm"
@@ -171,7 +172,7 @@ def check_cycles():
     known = {}
     for path in sources("core"):
         relative = path.relative_to(ROOT).as_posix()
-        known[re.sub(r"^core/(comparison/)?(include|src|cli)/", "", relative)] = relative
+        known[re.sub(r"^core/(comparison/)?(include|src|cli|library)/", "", relative)] = relative
     for name, relative in known.items():
         text = (ROOT / relative).read_text(encoding="utf-8")
         graph[name] = [t for t in re.findall(r'#\s*include\s*"([^"]+)"', text) if t in known]

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "planish/io/number.hpp"
+
 namespace planish::cli {
 namespace {
 
@@ -75,13 +77,10 @@ std::string Arguments::only_positional(std::string_view what) const {
 }
 
 double parse_finite(std::string_view text, std::string_view what) {
-  const std::string_view digits = !text.empty() && text[0] == '+' ? text.substr(1) : text;
-  double value = 0.0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  const bool whole = result.ec == std::errc() && result.ptr == digits.data() + digits.size();
-  if (!whole || digits.empty()) throw usage_error(what, text, "is not a number");
-  if (!std::isfinite(value)) throw usage_error(what, text, "is not finite");
-  return value;
+  const std::optional<double> value = parse_number(text);
+  if (!value) throw usage_error(what, text, "is not a number");
+  if (!std::isfinite(*value)) throw usage_error(what, text, "is not finite");
+  return *value;
 }
 
 int parse_whole(std::string_view text, std::string_view what) {

@@ -32,7 +32,7 @@ ExitCode run_replay(const Arguments& arguments) {
   Design again = opened.design;
   again.result = replayed.mark;
   save_design(arguments, again);
-  if (output) save_shape(*output, again, replayed);
+  if (output) save_bytes(*output, shape_bytes(*output, again, replayed));
   save_report(arguments, replay_json(opened.design, replayed));
   print_sentence(deviation_sentence(opened.design, replayed));
   if (opened.design.result && !replayed.agrees) return kToleranceNotMet;

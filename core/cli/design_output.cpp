@@ -35,15 +35,20 @@ std::string design_for_glb(Design design) {
   return write_design(design);
 }
 
-void save_edit(const std::string& path, const EditRun& run, const Positions& shape,
-               const Design& design, std::optional<GlbVariations> variations) {
+std::string edit_bytes(const std::string& name, const EditRun& run, const Positions& shape,
+                       const Design& design, std::optional<GlbVariations> variations) {
   Mesh mesh = run.base.mesh;
   mesh.positions = shape;
   GlbContent content;
   content.base = run.base.mesh.positions;
   content.design = design_for_glb(design);
   content.variations = std::move(variations);
-  save_mesh(path, mesh, content);
+  return mesh_bytes(name, mesh, content);
+}
+
+void save_edit(const std::string& path, const EditRun& run, const Positions& shape,
+               const Design& design, std::optional<GlbVariations> variations) {
+  save_bytes(path, edit_bytes(path, run, shape, design, std::move(variations)));
 }
 
 }  // namespace planish::cli

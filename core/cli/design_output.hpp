@@ -23,8 +23,13 @@ void save_design(const Arguments& arguments, const Design& design);
 /// Its text without the file that it came from: a GLB holds the base itself.
 [[nodiscard]] std::string design_for_glb(Design design);
 
-/// Writes `shape` (3 × n) in the format of `path`'s extension; a GLB also holds base, design and
+/// `shape` (3 × n) in the format of `name`'s extension; a GLB also holds base, design and
 /// variations.
+[[nodiscard]] std::string edit_bytes(const std::string& name, const EditRun& run,
+                                     const Positions& shape, const Design& design,
+                                     std::optional<GlbVariations> variations = {});
+
+/// Writes them to `path`.
 void save_edit(const std::string& path, const EditRun& run, const Positions& shape,
                const Design& design, std::optional<GlbVariations> variations = {});
 

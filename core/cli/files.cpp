@@ -132,9 +132,12 @@ MeshFile load_mesh(const std::string& path) {
 LoadedSource open_source(const std::string& path) {
   if (const auto sample = sample_in(path)) return {make_sample_file(*sample).mesh, *sample, {}};
   static_cast<void>(format_of(path));
-  std::string bytes = load_bytes(path);
-  MeshFile file = read_file(path, bytes);
-  FileSource source = file_source(path, file.mesh, std::move(bytes));
+  return source_of_bytes(path, load_bytes(path));
+}
+
+LoadedSource source_of_bytes(const std::string& name, std::string bytes) {
+  MeshFile file = read_file(name, bytes);
+  FileSource source = file_source(name, file.mesh, std::move(bytes));
   return {std::move(file.mesh), std::move(source), std::move(file.warnings)};
 }
 
@@ -146,10 +149,9 @@ LoadedSource load_source(const std::string& path) {
 
 void check_output_name(const std::string& path) { static_cast<void>(format_of(path)); }
 
-void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content) {
-  const MeshFormat format = format_of(path);
-  save_bytes(path,
-             format == MeshFormat::kGlb ? write_glb(mesh, content) : write_mesh(mesh, format));
+std::string mesh_bytes(const std::string& name, const Mesh& mesh, const GlbContent& content) {
+  const MeshFormat format = format_of(name);
+  return format == MeshFormat::kGlb ? write_glb(mesh, content) : write_mesh(mesh, format);
 }
 
 void save_bytes(const std::string& path, std::string_view bytes) {
@@ -164,6 +166,10 @@ void save_bytes(const std::string& path, std::string_view bytes) {
   const bool special = fs::exists(status) && !fs::is_regular_file(status);
   const bool done = special ? write_directly(path, bytes) : write_and_rename(path, bytes);
   if (!done) throw CommandError(kInvalidMesh, path + ": cannot be written");
+}
+
+void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content) {
+  save_bytes(path, mesh_bytes(path, mesh, content));
 }
 
 }  // namespace planish::cli

@@ -28,7 +28,10 @@ struct LoadedSource {
 /// knows the flat base.
 [[nodiscard]] LoadedSource open_source(const std::string& path);
 
-/// The same, with warnings to standard error.
+/// The same from the bytes of a file. @param name with the extension of its format
+[[nodiscard]] LoadedSource source_of_bytes(const std::string& name, std::string bytes);
+
+/// As open_source(), with warnings to standard error.
 [[nodiscard]] LoadedSource load_source(const std::string& path);
 
 /// The bytes of `path`. Throws CommandError.
@@ -38,7 +41,11 @@ struct LoadedSource {
 /// it before the work, so that a typing error does not cost a solve.
 void check_output_name(const std::string& path);
 
-/// Writes `mesh` in the format of `path`'s extension; `content` is used by GLB only.
+/// `mesh` in the format of `name`'s extension; `content` is used by GLB only.
+[[nodiscard]] std::string mesh_bytes(const std::string& name, const Mesh& mesh,
+                                     const GlbContent& content = {});
+
+/// Writes them to `path`.
 void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content = {});
 
 /// Writes `bytes` so that `path` holds either all of them or what it held before.

@@ -29,14 +29,14 @@ Json replay_json(const Design& design, const Replay& replayed) {
   return json;
 }
 
-void save_shape(const std::string& path, Design design, const Replay& replayed) {
+std::string shape_bytes(const std::string& name, Design design, const Replay& replayed) {
   Mesh mesh = replayed.base;
   mesh.positions = replayed.shape;
   GlbContent content;
   content.base = replayed.base.positions;
   if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
   content.design = design_for_glb(std::move(design));
-  save_mesh(path, mesh, content);
+  return mesh_bytes(name, mesh, content);
 }
 
 std::optional<std::string> deviation_sentence(const Design& design, const Replay& replayed) {

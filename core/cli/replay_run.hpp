@@ -12,8 +12,10 @@ namespace planish::cli {
 
 [[nodiscard]] Json replay_json(const Design& design, const Replay& replayed);
 
-/// Writes the replayed shape; a GLB also holds base, variations and `design`.
-void save_shape(const std::string& path, Design design, const Replay& replayed);
+/// The replayed shape in the format of `name`'s extension; a GLB also holds base, variations and
+/// `design`.
+[[nodiscard]] std::string shape_bytes(const std::string& name, Design design,
+                                      const Replay& replayed);
 
 /// By how much the result differs from the recorded one; nullopt where every bit is the same or
 /// nothing was recorded.

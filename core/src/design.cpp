@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "crc32.hpp"
-#include "io/number.hpp"
 #include "planish/io/mesh_format.hpp"
+#include "planish/io/number.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/number.hpp"
+#include "planish/io/number.hpp"
 #include "planish/point_support.hpp"
 
 namespace planish {

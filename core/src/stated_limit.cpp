@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "io/number.hpp"
 #include "planish/constraints/limit_kinds.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 namespace {

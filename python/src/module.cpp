@@ -5,7 +5,7 @@
 
 #include "edits.hpp"
 #include "files.hpp"
-#include "open_mesh.hpp"
+#include "mesh_arrays.hpp"
 #include "planish/design_text.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -16,12 +16,20 @@ namespace py = pybind11;
 namespace planish::python {
 namespace {
 
+using namespace planish::library;  // its names are this module's
+
 /// A window into `values`, which `owner` keeps alive; read only.
 template <class Value>
 py::array window(const Value* values, std::vector<py::ssize_t> shape, const py::object& owner) {
   py::array_t<Value> array(std::move(shape), values, owner);
   array.attr("flags").attr("writeable") = false;
   return array;
+}
+
+/// Whatever has bytes, to the file that names their format.
+template <class Result>
+void save(const Result& result, const std::string& path) {
+  cli::save_bytes(path, bytes_of(result, path));
 }
 
 /// Errors become exceptions of planish.errors, which words them for Python.
@@ -89,7 +97,7 @@ void bind_shape(py::module_& module) {
           })
       .def_readonly("report", &Shape::report)
       .def_readonly("messages", &Shape::messages)
-      .def("save", &save_projection);
+      .def("save", &save<Shape>);
 }
 
 void bind_edit(py::module_& module) {
@@ -97,8 +105,7 @@ void bind_edit(py::module_& module) {
       .def("shape", py::overload_cast<const Edit&>(&shape_of),
            py::call_guard<py::gil_scoped_release>())
       .def("design", [](const Edit& self) { return write_design(design_of(self)); })
-      .def("save", py::overload_cast<const Edit&, const std::string&>(&save),
-           py::call_guard<py::gil_scoped_release>())
+      .def("save", &save<Edit>, py::call_guard<py::gil_scoped_release>())
       .def("explore",
            [](const std::shared_ptr<Edit>& self, const Words& words, py::object progress) {
              return run_unlocked(std::move(progress), [&](const Progress& step) {
@@ -115,8 +122,7 @@ void bind_edit(py::module_& module) {
       .def("shape", py::overload_cast<const EditVariation&>(&shape_of),
            py::call_guard<py::gil_scoped_release>())
       .def("design", [](const EditVariation& self) { return write_design(design_of(self)); })
-      .def("save", py::overload_cast<const EditVariation&, const std::string&>(&save),
-           py::call_guard<py::gil_scoped_release>())
+      .def("save", &save<EditVariation>, py::call_guard<py::gil_scoped_release>())
       .def("exact", [](const EditVariation& self, py::object progress) {
         return run_unlocked(std::move(progress),
                             [&](const Progress& step) { return make_exact(self, step); });
@@ -136,8 +142,8 @@ void bind_design(py::module_& module) {
       .def_static("load", &cli::open_design)
       .def_property_readonly("text",
                              [](const OpenedDesign& self) { return write_design(self.design); })
-      .def("save", [](const OpenedDesign& self,
-                      const std::string& path) { save_design_text(self.design, path); })
+      .def("save",
+           [](const OpenedDesign& self, const std::string& path) { save(self.design, path); })
       .def(
           "replay",
           [](const OpenedDesign& self, const OpenMesh* base, py::object progress) {
@@ -150,8 +156,7 @@ void bind_design(py::module_& module) {
       .def_readonly("shape", &Replayed::shape)
       .def_property_readonly("design",
                              [](const Replayed& self) { return write_design(self.design); })
-      .def("save", py::overload_cast<const Replayed&, const std::string&>(&save),
-           py::call_guard<py::gil_scoped_release>());
+      .def("save", &save<Replayed>, py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_sweep(py::module_& module) {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "fabrication/table_writer.hpp"
-#include "io/number.hpp"
 #include "planish/constraints/planar_polygon.hpp"
 #include "planish/fabrication/assembly_map.hpp"
 #include "planish/fabrication/drawing.hpp"
@@ -16,6 +15,7 @@
 #include "planish/fabrication/panel_tables.hpp"
 #include "planish/fabrication/sheet_layout.hpp"
 #include "planish/index.hpp"
+#include "planish/io/number.hpp"
 #include "planish/io/zip.hpp"
 
 namespace planish {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "io/number.hpp"
+#include "planish/io/number.hpp"
 #include "trigonometry.hpp"
 
 namespace planish {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "io/number.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "io/base64.hpp"
-#include "io/number.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/number.hpp"
+#include "planish/io/number.hpp"
 
 #include <array>
 #include <charconv>

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "io/coordinate.hpp"
-#include "io/number.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "planish/io/number.hpp"
 #include "planish/mesh_check.hpp"
 
 namespace planish {

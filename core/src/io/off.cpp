@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "io/coordinate.hpp"
-#include "io/number.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
 #include "io/text_rows.hpp"
+#include "planish/io/number.hpp"
 #include "planish/mesh_check.hpp"
 
 namespace planish {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "io/number.hpp"
 #include "io/ply_header.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
 #include "io/text_rows.hpp"
+#include "planish/io/number.hpp"
 #include "planish/mesh_check.hpp"
 
 namespace planish {

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "io/number.hpp"
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "io/number.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 

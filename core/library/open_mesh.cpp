@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "open_mesh.hpp"
 
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -10,28 +9,13 @@
 #include "planish/io/mesh_format.hpp"
 #include "planish/mesh_check.hpp"
 
-namespace planish::python {
+namespace planish::library {
 
-namespace py = pybind11;
 using cli::CommandError;
 
 namespace {
 
 constexpr const char* kArrayName = "mesh.obj";  ///< of a mesh that came without a file
-
-/// Offsets and corners within int and in order; what the corners mean is check_mesh()'s.
-std::vector<int> whole_numbers(const Indices& values, const char* what) {
-  std::vector<int> result(static_cast<std::size_t>(values.size()));
-  for (py::ssize_t k = 0; k < values.size(); ++k) {
-    const long long value = values.data()[k];
-    if (value < 0 || value > std::numeric_limits<int>::max()) {
-      throw CommandError(cli::kInvalidMesh, std::string(what) + "[" + std::to_string(k) + "] is " +
-                                                std::to_string(value) + ", no index from 0");
-    }
-    result[static_cast<std::size_t>(k)] = static_cast<int>(value);
-  }
-  return result;
-}
 
 void check_offsets(const std::vector<int>& offsets, std::size_t corners) {
   if (offsets.empty() || offsets.front() != 0) {
@@ -52,15 +36,12 @@ void check_offsets(const std::vector<int>& offsets, std::size_t corners) {
 
 }  // namespace
 
-OpenMesh mesh_of_arrays(const Points& points, const Indices& offsets, const Indices& corners) {
-  if (points.ndim() != 2 || points.shape(1) != 3) {
-    throw CommandError(cli::kInvalidMesh, "points must be an array of shape (n, 3)");
-  }
+OpenMesh mesh_of_lists(Positions positions, std::vector<int> offsets, std::vector<int> corners) {
+  check_offsets(offsets, corners.size());
   Mesh mesh;
-  mesh.positions = Eigen::Map<const Positions>(points.data(), 3, points.shape(0));
-  mesh.face_offsets = whole_numbers(offsets, "offsets");
-  mesh.face_vertices = whole_numbers(corners, "corners");
-  check_offsets(mesh.face_offsets, mesh.face_vertices.size());
+  mesh.positions = std::move(positions);
+  mesh.face_offsets = std::move(offsets);
+  mesh.face_vertices = std::move(corners);
   ReadResult checked = check_mesh(std::move(mesh));
   if (const auto* error = std::get_if<ReadError>(&checked)) {
     throw CommandError(cli::kInvalidMesh, error->message);
@@ -75,22 +56,23 @@ OpenMesh read_mesh_file(const std::string& path) {
   return {std::move(loaded.mesh), std::move(loaded.source), std::move(loaded.warnings), path};
 }
 
+OpenMesh read_mesh_bytes(const std::string& name, std::string bytes) {
+  cli::LoadedSource loaded = cli::source_of_bytes(name, std::move(bytes));
+  return {std::move(loaded.mesh), std::move(loaded.source), std::move(loaded.warnings), name};
+}
+
 OpenMesh mesh_with(const Mesh& mesh, const Positions& positions) {
   OpenMesh result{mesh, FileSource{kArrayName, 0, "", ""}, {}, "the mesh"};
   result.mesh.positions = positions;
   return result;
 }
 
-Points points_array(const Positions& positions) {
-  return Points(std::vector<py::ssize_t>{positions.cols(), 3}, positions.data());
-}
-
-Indices moved_array(const Positions& before, const Positions& after) {
-  std::vector<long long> moved;
+std::vector<int> moved_vertices(const Positions& before, const Positions& after) {
+  std::vector<int> moved;
   for (Eigen::Index v = 0; v < before.cols(); ++v) {
-    if (before.col(v) != after.col(v)) moved.push_back(v);
+    if (before.col(v) != after.col(v)) moved.push_back(static_cast<int>(v));
   }
-  return Indices(static_cast<py::ssize_t>(moved.size()), moved.data());
+  return moved;
 }
 
 DesignSource complete_source(const OpenMesh& open) {
@@ -102,4 +84,4 @@ DesignSource complete_source(const OpenMesh& open) {
   return source;
 }
 
-}  // namespace planish::python
+}  // namespace planish::library

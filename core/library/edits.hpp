@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Results as Python holds them: each knows its report, its messages and how it is saved.
+/// Results as programs hold them: each knows its report, its messages and its bytes.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 #include "planish/offset/mesh_offset.hpp"
 #include "planish/projection.hpp"
 
-namespace planish::python {
+namespace planish::library {
 
 /// Options as the command line has them: "--softness=6".
 using Words = std::vector<std::string>;
@@ -51,7 +51,9 @@ struct EditVariation {
                              const Progress& progress);
 [[nodiscard]] Shape shape_of(const Edit& edit);
 [[nodiscard]] Design design_of(const Edit& edit);
-void save(const Edit& edit, const std::string& path);
+/// The design where `name` ends in .json; otherwise the mesh in the format of its extension, a GLB
+/// with base, design and variations. So for all that have it.
+[[nodiscard]] std::string bytes_of(const Edit& edit, const std::string& name);
 
 [[nodiscard]] EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
                                      const Progress& progress);
@@ -61,11 +63,11 @@ void save(const Edit& edit, const std::string& path);
 [[nodiscard]] EditVariation make_exact(const EditVariation& variation, const Progress& progress);
 [[nodiscard]] Shape shape_of(const EditVariation& variation);
 [[nodiscard]] Design design_of(const EditVariation& variation);
-void save(const EditVariation& variation, const std::string& path);
+[[nodiscard]] std::string bytes_of(const EditVariation& variation, const std::string& name);
 
 [[nodiscard]] Shape make_projection(const OpenMesh& mesh, const Words& words,
                                     const OpenMesh* reference, const Progress& progress);
-void save_projection(const Shape& shape, const std::string& path);
+[[nodiscard]] std::string bytes_of(const Shape& shape, const std::string& name);
 
 [[nodiscard]] Shape make_offset(const OpenMesh& mesh, const Words& words);
 
@@ -79,12 +81,12 @@ struct Replayed {
 [[nodiscard]] cli::OpenedDesign design_of_text(const std::string& text);
 [[nodiscard]] Replayed make_replay(const cli::OpenedDesign& opened, const OpenMesh* base,
                                    const Progress& progress);
-void save(const Replayed& replayed, const std::string& path);
+[[nodiscard]] std::string bytes_of(const Replayed& replayed, const std::string& name);
 
-/// To a .json file. Throws CommandError for another extension.
-void save_design_text(const Design& design, const std::string& path);
+/// @param name must end in .json
+[[nodiscard]] std::string bytes_of(const Design& design, const std::string& name);
 
 /// Rows (name, value, help) that `command` takes: edit, explore, project or offset.
 [[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
 
-}  // namespace planish::python
+}  // namespace planish::library

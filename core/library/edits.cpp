@@ -13,7 +13,7 @@
 #include "replay_run.hpp"
 #include "report.hpp"
 
-namespace planish::python {
+namespace planish::library {
 
 using cli::CommandError;
 
@@ -66,11 +66,10 @@ Design design_of(const Edit& edit) {
   return cli::make_design(with_source(edit), edit.options, {}, edit.run.edited);
 }
 
-void save(const Edit& edit, const std::string& path) {
-  if (is_json(path)) return save_design_text(design_of(edit), path);
-  cli::check_output_name(path);
+std::string bytes_of(const Edit& edit, const std::string& name) {
+  if (is_json(name)) return bytes_of(design_of(edit), name);
   const Design design = cli::make_design(edit.run, edit.options, {}, edit.run.edited);
-  cli::save_edit(path, edit.run, edit.run.edited, design);
+  return cli::edit_bytes(name, edit.run, edit.run.edited, design);
 }
 
 EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
@@ -110,14 +109,13 @@ Design design_of(const EditVariation& variation) {
                                variation.variation);
 }
 
-void save(const EditVariation& variation, const std::string& path) {
-  if (is_json(path)) return save_design_text(design_of(variation), path);
-  cli::check_output_name(path);
+std::string bytes_of(const EditVariation& variation, const std::string& name) {
+  if (is_json(name)) return bytes_of(design_of(variation), name);
   const cli::EditRun& run = variation.of->edit->run;
   const cli::Family& family = variation.of->family;
-  cli::save_edit(path, run, variation.variation.positions,
-                 cli::variation_design(run, family, variation.variation),
-                 variations_of(family.subspace));
+  return cli::edit_bytes(name, run, variation.variation.positions,
+                         cli::variation_design(run, family, variation.variation),
+                         variations_of(family.subspace));
 }
 
 Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* reference,
@@ -133,13 +131,12 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
   return shape;
 }
 
-void save_projection(const Shape& shape, const std::string& path) {
-  cli::check_output_name(path);
+std::string bytes_of(const Shape& shape, const std::string& name) {
   Mesh mesh = shape.base;
   mesh.positions = shape.positions;
   GlbContent content;
   content.base = shape.base.positions;
-  cli::save_mesh(path, mesh, content);
+  return cli::mesh_bytes(name, mesh, content);
 }
 
 Shape make_offset(const OpenMesh& mesh, const Words& words) {
@@ -176,17 +173,16 @@ Replayed make_replay(const cli::OpenedDesign& opened, const OpenMesh* base,
   return replayed;
 }
 
-void save(const Replayed& replayed, const std::string& path) {
-  if (is_json(path)) return save_design_text(replayed.design, path);
-  cli::check_output_name(path);
-  cli::save_shape(path, replayed.design, replayed.replay);
+std::string bytes_of(const Replayed& replayed, const std::string& name) {
+  if (is_json(name)) return bytes_of(replayed.design, name);
+  return cli::shape_bytes(name, replayed.design, replayed.replay);
 }
 
-void save_design_text(const Design& design, const std::string& path) {
-  if (!is_json(path)) {
-    throw CommandError(cli::kWrongUsage, path + ": the extension of a design must be .json");
+std::string bytes_of(const Design& design, const std::string& name) {
+  if (!is_json(name)) {
+    throw CommandError(cli::kWrongUsage, name + ": the extension of a design must be .json");
   }
-  cli::save_bytes(path, write_design(design) + "\n");
+  return write_design(design) + "\n";
 }
 
 std::vector<cli::OptionRow> option_rows(const std::string& command) {
@@ -198,4 +194,4 @@ std::vector<cli::OptionRow> option_rows(const std::string& command) {
                                            "\" with options; use edit, explore, project or offset");
 }
 
-}  // namespace planish::python
+}  // namespace planish::library
