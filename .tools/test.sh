@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
 # npm run check. With names, only those: format lint types architecture native wasm unit parity browser
-# browser_first browser_rest python tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
+# browser_first browser_rest python package tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
 # under ASan and UBSan, sanitize_all (half an hour) all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -34,7 +34,9 @@ in_shards() { # command
 
 check_format() { sources | xargs clang-format --dry-run -Werror; }
 check_lint() { npx --no-install biome ci --reporter=summary; }
-check_types() { npx --no-install tsc -p web/tsconfig.json; }
+check_types() {
+  npx --no-install tsc -p web/tsconfig.json && npx --no-install tsc -p wasm/package/tsconfig.json --noEmit
+}
 check_architecture() { python3 .tools/check-architecture.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
 check_wasm() {
@@ -64,6 +66,11 @@ check_browser_rest() {
   local others=()
   for name in "${browser_first[@]}"; do others+=(--exclude "**/$name.test.ts"); done
   in_browser "${others[@]}"
+}
+# The packed npm package in a project of its own.
+check_package() {
+  bash .tools/build.sh native wasm npm &&
+    npx --no-install vitest run --config web/vitest.config.ts --dir tests/package
 }
 # The wheel as whoever installs it has it, in an environment with nothing else but numpy.
 check_python() {
@@ -133,7 +140,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types architecture native unit parity browser_first)
 elif [ "$*" = rest ]; then
-  checks=(wasm python browser_rest tidy cppcheck sanitize fuzz)
+  checks=(wasm python package browser_rest tidy cppcheck sanitize fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Edits and the variations around them.
+import type { Core } from "./core.ts";
+import { Design } from "./design.ts";
+import { insist } from "./error.ts";
+import type { Mesh } from "./mesh.ts";
+import type { EditHandle, FamilyHandle, VariationHandle } from "./planish_package.mjs";
+import { once, Place } from "./pool.ts";
+import { type Progress, Shape } from "./shape.ts";
+import {
+  type Bounds,
+  type Constraints,
+  type HandleTarget,
+  handleWords,
+  optionWords,
+} from "./words.ts";
+
+/** Options of `planish edit`, by the same names; what is left out has the core's default. */
+export interface EditOptions {
+  readonly handles: readonly HandleTarget[];
+  /** Points that stay. */
+  readonly pins?: readonly number[];
+  /** What points slide on: "level=z:boundary", "outline:boundary", ... */
+  readonly supports?: readonly string[];
+  readonly hard?: boolean;
+  readonly bounds?: Bounds | readonly string[];
+  readonly constraints?: Constraints;
+  readonly locality?: number;
+  readonly smoothness?: number;
+  /** 1 to 10: in place of locality and smoothness. */
+  readonly softness?: number;
+  /** Face rings, or a length with its unit such as "1.5m". */
+  readonly reach?: number | string;
+  readonly keepBoundary?: boolean;
+  readonly modelUnit?: "mm" | "cm" | "m" | "km" | "in" | "ft";
+  readonly attraction?: number;
+  readonly fairness?: "laplacian" | "second" | "third";
+  readonly sparsity?: "l21" | "l2" | "none";
+  readonly solver?: "newton" | "alm";
+  /** mm per m */
+  readonly tolerance?: number;
+  readonly progress?: Progress;
+}
+
+/** Options of `planish explore` beside those of the edit. */
+export interface ExploreOptions {
+  readonly dimension: number;
+  readonly eigen?: boolean;
+  readonly progress?: Progress;
+  readonly [name: string]: unknown;
+}
+
+/** Something with a handle that can be made again. */
+abstract class Designed<H extends EditHandle> extends Shape {
+  readonly #handle: () => H;
+  readonly #core: Core;
+
+  protected constructor(core: Core, handle: () => H) {
+    super(
+      core,
+      (use) => once(insist(handle().shape()), use),
+      (name) => handle().bytes(name),
+    );
+    this.#core = core;
+    this.#handle = handle;
+  }
+
+  /** Base, recipe and mark of the result. */
+  get design(): Design {
+    const text = new TextDecoder().decode(insist(this.handle().bytes("design.json")));
+    return new Design(this.#core, text);
+  }
+
+  /** @internal */
+  handle(): H {
+    return this.#handle();
+  }
+}
+
+/** A finished edit. */
+export class Edit extends Designed<EditHandle> {
+  readonly #core: Core;
+
+  /** @internal Use edit(). */
+  constructor(core: Core, mesh: Mesh, { handles, progress, ...options }: EditOptions) {
+    const words = [...handleWords(handles), ...optionWords(core, "edit", options)];
+    const solve = (): EditHandle =>
+      insist(core.module.edit(mesh.handle(), words, progress ?? null));
+    const place = new Place(core.pool, solve);
+    super(core, place.handle);
+    place.keepIfStopped(this.report.status);
+    this.#core = core;
+  }
+
+  /** A family of local variations around this edit. @throws PlanishError */
+  explore({ progress, ...options }: ExploreOptions): Family {
+    const core = this.#core;
+    const words = optionWords(core, "explore", options);
+    return new Family(core, () =>
+      insist(core.module.explore(this.handle(), words, progress ?? null)),
+    );
+  }
+}
+
+/** Moves a few points; panels stay flat, the rest stays put. @throws PlanishError */
+export const edit = (mesh: Mesh, options: EditOptions): Edit => new Edit(mesh.core, mesh, options);
+
+/** The variations of an edit. */
+export class Family {
+  /** How many independent variations were found: at most what was asked for. */
+  readonly dimension: number;
+  readonly #core: Core;
+  readonly #place: Place<FamilyHandle>;
+
+  /** @internal Use Edit.explore(). */
+  constructor(core: Core, make: () => FamilyHandle) {
+    this.#core = core;
+    this.#place = new Place(core.pool, make);
+    this.dimension = this.#place.handle().dimension();
+  }
+
+  /**
+   * One of them, as the sliders show it.
+   * @param coefficients as many as were asked for; 1 moves some point by the edit's largest move
+   */
+  at(coefficients: ArrayLike<number>): Variation {
+    const core = this.#core;
+    const words = [`--coefficients=${Array.from(coefficients).join(",")}`];
+    return new Variation(core, () => insist(core.module.variation(this.#place.handle(), words)));
+  }
+}
+
+/** One member of a family, as the sliders show it or made exact. */
+export class Variation extends Designed<VariationHandle> {
+  readonly #core: Core;
+
+  /** @internal Use Family.at(). */
+  constructor(core: Core, make: () => VariationHandle) {
+    const place = new Place(core.pool, make);
+    super(core, place.handle);
+    place.keepIfStopped(this.report.status);
+    this.#core = core;
+  }
+
+  /** The nearest mesh whose panels are all flat. */
+  exact({ progress }: { readonly progress?: Progress } = {}): Variation {
+    return new Variation(this.#core, () => insist(this.handle().exact(progress ?? null)));
+  }
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+export type { Command } from "./core.ts";
+export { options } from "./core.ts";
+export { Design, Replay } from "./design.ts";
+export { Edit, type EditOptions, type ExploreOptions, edit, Family, Variation } from "./edit.ts";
+export { type ErrorKind, PlanishError } from "./error.ts";
+export { Mesh, type MeshFormat } from "./mesh.ts";
+export { type OffsetOptions, offset, type ProjectOptions, project } from "./operations.ts";
+export type { BoundReport, Report, Violation } from "./report.ts";
+export { type Progress, Shape } from "./shape.ts";
+export type { Bounds, Constraints, HandleTarget } from "./words.ts";

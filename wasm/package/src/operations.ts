@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What is done to a whole mesh.
+import { insist } from "./error.ts";
+import type { Mesh } from "./mesh.ts";
+import { type Progress, Shape } from "./shape.ts";
+import { type Constraints, optionWords } from "./words.ts";
+
+/** Options of `planish project`, by the same names. */
+export interface ProjectOptions {
+  /** Stay close to this mesh instead. */
+  readonly reference?: Mesh;
+  /** 0 stays as close as possible; higher is fairer and farther away. */
+  readonly smooth?: number;
+  readonly pins?: readonly number[];
+  readonly keepBoundary?: boolean;
+  readonly bounds?: { readonly shape?: boolean } | readonly string[];
+  readonly constraints?: Constraints;
+  readonly fairness?: "laplacian" | "second" | "third";
+  readonly solver?: "newton" | "alm";
+  /** mm per m */
+  readonly tolerance?: number;
+  readonly progress?: Progress;
+}
+
+/** Options of `planish offset`. */
+export interface OffsetOptions {
+  /** Model units; positive is outside. */
+  readonly distance: number;
+  readonly kind?: string;
+}
+
+/** Makes every panel flat, close by and fair. @throws PlanishError */
+export function project(mesh: Mesh, options: ProjectOptions = {}): Shape {
+  const { reference, progress, ...named } = options;
+  const { core } = mesh;
+  const words = optionWords(core, "project", named);
+  if (reference) words.push("--reference=reference");
+  return Shape.of(core, () => {
+    const other = reference?.handle() ?? null;
+    return insist(core.module.project(mesh.handle(), words, other, progress ?? null));
+  });
+}
+
+/** A second layer whose edges are parallel to the mesh's own. @throws PlanishError */
+export function offset(mesh: Mesh, options: OffsetOptions): Shape {
+  const words = optionWords(mesh.core, "offset", options);
+  return Shape.of(mesh.core, () => insist(mesh.core.module.offset(mesh.handle(), words)));
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What package_bindings.cpp lists, by hand. Whatever ends in Handle lives in wasm memory until
+// delete(); nothing of it leaves the package.
+
+/** {value}, or why there is none: the exit code of the command line and one sentence. */
+export type Answer<T> =
+  | { readonly value: T; readonly code?: undefined }
+  | { readonly code: number; readonly sentence: string; readonly value?: undefined };
+
+/** Whether to go on. */
+export type Watch = (step: number, objective: number, residual: number) => boolean;
+
+export interface Handle {
+  delete(): void;
+}
+
+export interface MeshHandle extends Handle {
+  points(): Float64Array;
+  faceOffsets(): Int32Array;
+  faceVertices(): Int32Array;
+  warnings(): string[];
+  info(): string;
+  bytes(name: string): Answer<Uint8Array>;
+}
+
+export interface ShapeHandle extends Handle {
+  positions(): Float64Array;
+  moved(): Int32Array;
+  base(): MeshHandle;
+  report(): string;
+  messages(): string[];
+  bytes(name: string): Answer<Uint8Array>;
+}
+
+export interface EditHandle extends Handle {
+  shape(): Answer<ShapeHandle>;
+  bytes(name: string): Answer<Uint8Array>;
+}
+
+export interface FamilyHandle extends Handle {
+  dimension(): number;
+}
+
+export interface VariationHandle extends EditHandle {
+  exact(watch: Watch | null): Answer<VariationHandle>;
+}
+
+export interface ReplayHandle extends Handle {
+  shape(): ShapeHandle;
+  bytes(name: string): Answer<Uint8Array>;
+}
+
+export interface DesignHandle extends Handle {
+  text(): string;
+  replay(base: MeshHandle | null, watch: Watch | null): Answer<ReplayHandle>;
+}
+
+export interface OptionRow {
+  /** "--keep-boundary" */
+  readonly name: string;
+  /** What follows it, "N" for example; "" for a switch. */
+  readonly value: string;
+  readonly help: string;
+}
+
+export interface PackageModule {
+  meshOfArrays(
+    points: Float64Array,
+    faceOffsets: Int32Array,
+    faceVertices: Int32Array,
+  ): Answer<MeshHandle>;
+  sampleMesh(name: string): Answer<MeshHandle>;
+  readMesh(name: string, bytes: Uint8Array): Answer<MeshHandle>;
+  edit(mesh: MeshHandle, words: readonly string[], watch: Watch | null): Answer<EditHandle>;
+  explore(edit: EditHandle, words: readonly string[], watch: Watch | null): Answer<FamilyHandle>;
+  variation(family: FamilyHandle, words: readonly string[]): Answer<VariationHandle>;
+  project(
+    mesh: MeshHandle,
+    words: readonly string[],
+    reference: MeshHandle | null,
+    watch: Watch | null,
+  ): Answer<ShapeHandle>;
+  offset(mesh: MeshHandle, words: readonly string[]): Answer<ShapeHandle>;
+  readDesign(text: string): Answer<DesignHandle>;
+  options(command: string): Answer<OptionRow[]>;
+}
+
+export default function createPackage(options: {
+  readonly wasmBinary: Uint8Array | ArrayBuffer;
+}): Promise<PackageModule>;

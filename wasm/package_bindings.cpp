@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+/// The list of what the npm package sees: core/library as JavaScript objects. Everything that can
+/// fail returns {value} or {code, sentence}, because an exception would arrive without its text.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "edits.hpp"
+#include "files.hpp"
+#include "open_mesh.hpp"
+#include "planish/design_text.hpp"
+#include "report.hpp"
+
+namespace {
+
+using emscripten::val;
+using namespace planish;
+using namespace planish::library;  // its names are this module's
+
+val refusal(int code, const std::string& sentence) {
+  val answer = val::object();
+  answer.set("code", code);
+  answer.set("sentence", sentence);
+  return answer;
+}
+
+/// What `operation` gives, or why it gives nothing.
+template <class Operation>
+val answer(const Operation& operation) {
+  try {
+    val result = val::object();
+    result.set("value", operation());
+    return result;
+  } catch (const cli::CommandError& error) {
+    return refusal(static_cast<int>(error.code), error.what());
+  } catch (const std::bad_alloc&) {
+    return refusal(1, "There is not enough memory for this mesh.");
+  } catch (const std::exception& error) {
+    return refusal(1, std::string("Internal error: ") + error.what());
+  }
+}
+
+/// A copy that JavaScript owns; a bare view dies when memory grows.
+template <class T>
+val copy(const T* data, std::size_t size) {
+  return val(emscripten::typed_memory_view(size, data)).call<val>("slice");
+}
+val copy(const std::vector<int>& list) { return copy(list.data(), list.size()); }
+val copy(const Positions& positions) {
+  return copy(positions.data(), static_cast<std::size_t>(positions.size()));
+}
+val copy(const std::string& bytes) {
+  return copy(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+/// Copied in one go: a std::string parameter would be filled byte by byte.
+std::string to_bytes(const val& array) {
+  std::string bytes(array["length"].as<std::size_t>(), '\0');
+  val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
+      .call<void>("set", array);
+  return bytes;
+}
+
+Words to_words(const val& list) { return emscripten::vecFromJSArray<std::string>(list); }
+
+/// @param callback (step, objective, residual) → whether to go on; null: nobody watches
+Progress to_progress(const val& callback) {
+  if (callback.isNull()) return {};
+  return [callback, step = 0](const IterationRecord& record) mutable {
+    const bool on = callback(step++, record.objective, record.primal_residual).as<bool>();
+    return on ? Flow::kContinue : Flow::kStop;
+  };
+}
+
+template <class T>
+std::shared_ptr<T> shared(T value) {
+  return std::make_shared<T>(std::move(value));
+}
+
+val mesh_of_arrays(const val& points, const val& offsets, const val& corners) {
+  return answer([&] {
+    const auto flat = emscripten::convertJSArrayToNumberVector<double>(points);
+    return shared(mesh_of_lists(
+        Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3)),
+        emscripten::convertJSArrayToNumberVector<int>(offsets),
+        emscripten::convertJSArrayToNumberVector<int>(corners)));
+  });
+}
+val sample_mesh(const std::string& name) {
+  return answer([&] { return shared(read_mesh_file("sample:" + name)); });
+}
+val read_mesh(const std::string& name, const val& bytes) {
+  return answer([&] { return shared(read_mesh_bytes(name, to_bytes(bytes))); });
+}
+
+using MeshHold = std::shared_ptr<OpenMesh>;
+using EditHold = std::shared_ptr<Edit>;
+using FamilyHold = std::shared_ptr<EditFamily>;
+
+val edit(const MeshHold& mesh, const val& words, const val& progress) {
+  return answer([&] { return shared(make_edit(mesh, to_words(words), to_progress(progress))); });
+}
+val explore(const EditHold& edit, const val& words, const val& progress) {
+  return answer([&] { return shared(make_family(edit, to_words(words), to_progress(progress))); });
+}
+val variation(const FamilyHold& family, const val& words) {
+  return answer([&] { return shared(make_variation(family, to_words(words))); });
+}
+val exact(const EditVariation& variation, const val& progress) {
+  return answer([&] { return shared(make_exact(variation, to_progress(progress))); });
+}
+/// @param reference null for none
+val project(const MeshHold& mesh, const val& words, const MeshHold& reference,
+            const val& progress) {
+  return answer([&] {
+    return shared(make_projection(*mesh, to_words(words), reference.get(), to_progress(progress)));
+  });
+}
+val offset(const MeshHold& mesh, const val& words) {
+  return answer([&] { return shared(make_offset(*mesh, to_words(words))); });
+}
+val read_design_text(const std::string& text) {
+  return answer([&] { return shared(design_of_text(text)); });
+}
+val replay_design(const cli::OpenedDesign& design, const MeshHold& base, const val& progress) {
+  return answer([&] { return shared(make_replay(design, base.get(), to_progress(progress))); });
+}
+
+/// {value} with the shape of an edit or a variation.
+template <class Result>
+val shape(const Result& result) {
+  return answer([&] { return shared(shape_of(result)); });
+}
+template <class Result>
+val bytes(const Result& result, const std::string& name) {
+  return answer([&] { return copy(bytes_of(result, name)); });
+}
+val mesh_file(const OpenMesh& mesh, const std::string& name) {
+  return answer([&] { return copy(cli::mesh_bytes(name, mesh.mesh)); });
+}
+
+val option_table(const std::string& command) {
+  return answer([&] {
+    val rows = val::array();
+    for (const cli::OptionRow& row : option_rows(command)) {
+      val entry = val::object();
+      entry.set("name", std::string(row.name));
+      entry.set("value", std::string(row.value));
+      entry.set("help", std::string(row.help));
+      rows.call<void>("push", entry);
+    }
+    return rows;
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_package) {
+  using emscripten::class_;
+  using emscripten::function;
+  class_<OpenMesh>("Mesh")
+      .smart_ptr<MeshHold>("MeshHold")
+      .function(
+          "points", +[](const OpenMesh& m) { return copy(m.mesh.positions); })
+      .function(
+          "faceOffsets", +[](const OpenMesh& m) { return copy(m.mesh.face_offsets); })
+      .function(
+          "faceVertices", +[](const OpenMesh& m) { return copy(m.mesh.face_vertices); })
+      .function(
+          "warnings", +[](const OpenMesh& m) { return val::array(m.warnings); })
+      .function(
+          "info",
+          +[](const OpenMesh& m) {
+            return cli::info_json({m.mesh, m.warnings}).dump();
+          })
+      .function("bytes", &mesh_file);
+  class_<Shape>("Shape")
+      .smart_ptr<std::shared_ptr<Shape>>("ShapeHold")
+      .function(
+          "positions", +[](const Shape& s) { return copy(s.positions); })
+      .function(
+          "moved",
+          +[](const Shape& s) { return copy(moved_vertices(s.base.positions, s.positions)); })
+      .function(
+          "base", +[](const Shape& s) { return shared(mesh_with(s.base, s.base.positions)); })
+      .function(
+          "report", +[](const Shape& s) { return s.report; })
+      .function(
+          "messages", +[](const Shape& s) { return val::array(s.messages); })
+      .function("bytes", &bytes<Shape>);
+  class_<Edit>("Edit")
+      .smart_ptr<EditHold>("EditHold")
+      .function("shape", &shape<Edit>)
+      .function("bytes", &bytes<Edit>);
+  class_<EditFamily>("Family")
+      .smart_ptr<FamilyHold>("FamilyHold")
+      .function(
+          "dimension",
+          +[](const EditFamily& f) { return static_cast<int>(f.family.subspace.dimension()); });
+  class_<EditVariation>("Variation")
+      .smart_ptr<std::shared_ptr<EditVariation>>("VariationHold")
+      .function("exact", &exact)
+      .function("shape", &shape<EditVariation>)
+      .function("bytes", &bytes<EditVariation>);
+  class_<cli::OpenedDesign>("Design")
+      .smart_ptr<std::shared_ptr<cli::OpenedDesign>>("DesignHold")
+      .function(
+          "text", +[](const cli::OpenedDesign& d) { return write_design(d.design); })
+      .function("replay", &replay_design);
+  class_<Replayed>("Replay")
+      .smart_ptr<std::shared_ptr<Replayed>>("ReplayHold")
+      .function(
+          "shape", +[](const Replayed& r) { return shared(Shape(r.shape)); })
+      .function("bytes", &bytes<Replayed>);
+  function("meshOfArrays", &mesh_of_arrays);
+  function("sampleMesh", &sample_mesh);
+  function("readMesh", &read_mesh);
+  function("edit", &edit);
+  function("explore", &explore);
+  function("variation", &variation);
+  function("project", &project);
+  function("offset", &offset);
+  function("readDesign", &read_design_text);
+  function("options", &option_table);
+}
