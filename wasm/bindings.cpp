@@ -85,6 +85,9 @@ std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_s
 std::string set_options(Session& s, const HandleEditOptions& options) {
   return attempt([&] { return s.set_options(options); });
 }
+std::string set_limits(Session& s, const std::string& lines) {
+  return attempt([&] { return s.set_limits(lines); });
+}
 std::string set_supports(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_supports(lines); });
 }
@@ -173,6 +176,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("openFile", &open_file)
       .function("planarise", &planarise)
       .function("setOptions", &set_options)
+      .function("setLimits", &set_limits)
       .function("setSupports", &set_supports)
       .function("edit", &edit)
       .function("restore", &restore)

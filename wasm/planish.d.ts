@@ -41,6 +41,8 @@ export interface Session {
   openFile(bytes: Uint8Array, format: string): string;
   planarise(smooth: number, keepBoundary: boolean, keepShape: boolean): string;
   setOptions(options: HandleEditOptions): string;
+  /** For all edits from here on, one limit a line as --bound says it; "" for none. */
+  setLimits(lines: string): string;
   /** For all edits from here on, one support a line as --support says it; "" for none. */
   setSupports(lines: string): string;
   /** `handles`: vertex, x, y, z for each. */

@@ -30,6 +30,17 @@ Refusal unusable(const SolveReport& report, std::string_view what) {
          "); the design is as it was.";
 }
 
+/// No stream: it would bring the library's locales along, a tenth of the module.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 /// The formats of this module; GLB is another's.
 ReadResult read_text_or_ply(std::string_view bytes, const std::string& format) {
   if (format == "obj") return read_obj(bytes);
@@ -105,20 +116,37 @@ Refusal Session::require_flat_base() const {
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
-Refusal Session::set_options(const HandleEditOptions& options) {
+Refusal Session::set_options(HandleEditOptions options) {
+  options.bounds = options_.bounds;
   if (const auto problem = find_problem(options)) return *problem;
-  options_ = options;
+  options_ = std::move(options);
   if (solver_) solver_->set_options(options_);
   return std::nullopt;
 }
 
+Refusal Session::set_limits(const std::string& lines) {
+  std::vector<StatedLimit> limits;
+  for (const std::string_view line : lines_of(lines)) {
+    auto limit = parse_stated_limit(line);
+    if (!limit) return "A limit must be one of " + known_limits() + ".";
+    limits.push_back(std::move(*limit));
+  }
+  if (const auto problem = find_problem(limits)) return *problem;
+  if (limits.empty() && options_.bounds.empty()) return std::nullopt;
+  options_.bounds = std::move(limits);
+  if (solver_) solver_->set_options(options_);
+  return std::nullopt;
+}
+
+Refusal Session::require_no_limits(const char* what) const {
+  if (options_.bounds.empty()) return std::nullopt;
+  return std::string(what) + " no limits yet: turn them off first.";
+}
+
 Refusal Session::set_supports(const std::string& lines) {
   std::vector<PointSupport> supports;
-  // No stream: it would bring the library's locales along, a tenth of the module.
-  for (std::string_view left = lines; !left.empty();) {
-    const std::size_t end = std::min(left.find('\n'), left.size());
-    auto support = parse_point_support(left.substr(0, end));
-    left.remove_prefix(std::min(end + 1, left.size()));
+  for (const std::string_view line : lines_of(lines)) {
+    auto support = parse_point_support(line);
     if (!support) return "A support must be one of " + std::string(known_supports());
     supports.push_back(std::move(*support));
   }
@@ -180,6 +208,7 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
 Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
+  if (const Refusal refusal = require_no_limits("Variations keep")) return refusal;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   if (worst_panel(current_, moved_).excess > options_.tolerance)
     return "Make the design exact first.";
@@ -267,6 +296,7 @@ Refusal Session::project(Positions& positions, SolveReport& report) const {
 }
 
 Refusal Session::make_exact() {
+  if (const Refusal refusal = require_no_limits("Make exact keeps")) return refusal;
   const Stopwatch watch;
   Positions positions = current_;
   SolveReport report;

@@ -51,7 +51,11 @@ class Session {
   [[nodiscard]] Refusal planarise(const Planarising& how = {});
 
   // Editing. A refused operation leaves the design as it was.
-  [[nodiscard]] Refusal set_options(const HandleEditOptions& options);
+  /// `bounds` stay those of set_limits().
+  [[nodiscard]] Refusal set_options(HandleEditOptions options);
+  /// For all edits from here on, one limit a line as --bound says it; "" for none. Variations and
+  /// make_exact() refuse while there are any.
+  [[nodiscard]] Refusal set_limits(const std::string& lines);
   /// For all edits from here on, one support a line as --support says it; "" for none.
   [[nodiscard]] Refusal set_supports(const std::string& lines);
   /// `targets` without supports: those that were set.
@@ -108,6 +112,7 @@ class Session {
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
+  [[nodiscard]] Refusal require_no_limits(const char* what) const;
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
   void prepare_variation();

@@ -34,6 +34,13 @@ JsonText optimality_text(const SolveReport& solve) {
   return text;
 }
 
+/// The panels that each stated limit holds back; empty where no limits were looked at.
+JsonText bounds_text(const SolveReport& solve) {
+  JsonText text;
+  for (const BoundStanding& bound : solve.bounds) text.add(bound.name, bound.binding);
+  return text;
+}
+
 }  // namespace
 
 std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
@@ -63,6 +70,7 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
       .add("seconds", seconds)
       .add("residuals", residuals(solve))
       .add("optimality", optimality_text(solve))
+      .add("bounds", bounds_text(solve))
       .text();
 }
 

@@ -180,6 +180,57 @@ TEST(Session, RefusesSupportsThatTheBaseHasNot) {
   EXPECT_NE(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
 }
 
+/// Degrees, as the report says it.
+double sharpest_fold_of(const Session& session) {
+  return nlohmann::json::parse(session.report())["sharpestFold"]["after"];
+}
+
+TEST(Session, LimitsHoldInEveryEditFromThereOn) {
+  Session session = open_vault();
+  HandleEditOptions soft;
+  soft.softness = 5.0;
+  soft.reach = 6;
+  ASSERT_EQ(session.set_options(soft), std::nullopt);
+  const EditTargets targets = lift(session, 1.2);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
+  ASSERT_GT(sharpest_fold_of(session), 20.1);
+  EXPECT_TRUE(nlohmann::json::parse(session.report())["bounds"].empty());
+  ASSERT_EQ(session.set_limits("fold=20\nangle=45:135\n"), std::nullopt);
+  ASSERT_EQ(session.set_options(soft), std::nullopt) << "options leave the limits alone";
+  for (int frame = 1; frame <= 8; ++frame) {
+    ASSERT_EQ(session.edit(EditMode::kDrag, lift(session, 0.1 * frame), 10.0), std::nullopt);
+    EXPECT_LE(sharpest_fold_of(session), 20.1);
+    EXPECT_FALSE(session.moved().empty()) << frame;
+  }
+  for (const EditMode mode : {EditMode::kRelease, EditMode::kSolve}) {
+    ASSERT_EQ(session.edit(mode, targets, 10.0), std::nullopt);
+    EXPECT_LE(sharpest_fold_of(session), 20.1);
+    EXPECT_FALSE(session.moved().empty());
+  }
+  const auto bounds = nlohmann::json::parse(session.report())["bounds"];
+  EXPECT_FALSE(bounds["fold"].empty()) << "the panels that the limit holds back";
+  EXPECT_TRUE(bounds.contains("angle"));
+  ASSERT_EQ(session.set_limits(""), std::nullopt);
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
+  EXPECT_GT(sharpest_fold_of(session), 20.1);
+}
+
+TEST(Session, WhatKeepsNoLimitsRefusesThemInWords) {
+  Session session = open_vault();
+  const auto says = [](const Refusal& refusal, const char* words) {
+    return refusal && refusal->find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(session.set_limits("flat=20"), "one of fold=MAX"));
+  EXPECT_TRUE(says(session.set_limits("angle=120:60"), "must be less than the second"));
+  ASSERT_EQ(session.set_limits("fold=+5"), std::nullopt);
+  EXPECT_TRUE(says(session.set_limits("fold=900"), "at most 180 degrees"));
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 10.0), std::nullopt);
+  EXPECT_TRUE(says(session.explore({.dimension = 2}), "Variations keep no limits"));
+  EXPECT_TRUE(says(session.make_exact(), "Make exact keeps no limits"));
+  ASSERT_EQ(session.set_limits(""), std::nullopt);
+  EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
+}
+
 TEST(Session, RefusesADesignOfAnotherMesh) {
   Session session = open_vault();
   EXPECT_NE(session.restore({}, {9999}, Positions::Zero(3, 1)), std::nullopt);

@@ -46,6 +46,21 @@ it("reads what the boundary slides along, and writes it again", () => {
   expect(slides(["outline:boundary"])).toBe("outline");
 });
 
+it("reads limits that the page has controls for, as the core says them", () => {
+  const limits = (bounds?: unknown, more: object = {}) => {
+    const read = readDesign(text({ options: { bounds }, ...more }));
+    return read.ok ? read.value.settings.limits : read.reason;
+  };
+  expect(limits()).toEqual([]);
+  const all = ["fold=25", "fold=+5", "angle=60:120", "edge=0.5:2", "area=1e-3", "sheet=2x3"];
+  expect(limits(all)).toEqual(all);
+  const odd = [["flat=2"], ["fold=25", "fold=30"], ["fold=-5"], ["edge=2"], [5], "fold=25"];
+  for (const bounds of odd)
+    expect(limits(bounds)).toMatch(/^options\.bounds: this page knows fold=/);
+  const variations = [{ dimension: 1, coefficients: [1], exact: true }];
+  expect(limits(["fold=25"], { variations })).toMatch(/^variations: they keep no stated limits/);
+});
+
 it("reads how a mesh became flat, and what older designs mean by true", () => {
   const how = (planarised: unknown) => {
     const read = readDesign(text({ planarised }));

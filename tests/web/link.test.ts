@@ -99,6 +99,13 @@ describe("links", () => {
         settings: { ...recipe.settings, boundarySupport: "level" },
       } satisfies Recipe,
     ],
+    [
+      "stated limits",
+      {
+        ...recipe,
+        settings: { ...recipe.settings, keepShape: true, limits: ["fold=+5", "edge=0.5:2"] },
+      } satisfies Recipe,
+    ],
     ["families one after the other", inSteps],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);

@@ -18,6 +18,7 @@ it("another mesh starts with what the page has controls for, and with nothing un
     reachLength: 1.5,
     keepBoundary: true,
     boundarySupport: "outline",
+    limits: ["fold=25"],
     softness: 4,
   } as const;
   const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;

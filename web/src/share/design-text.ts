@@ -6,6 +6,7 @@ import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.t
 import type { Parsed } from "../state/expression.ts";
 import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark, Steps } from "../state/recipe.ts";
+import { readLimits } from "../state/stated-limit.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
 import { type BaseMesh, meshHash } from "./mesh-hash.ts";
@@ -54,7 +55,8 @@ const supportsJson = ({ boundarySupport }: EditSettings): Json => {
 
 function optionsJson(settings: EditSettings): Json {
   const { hardHandles, keepShape, engine, maxIterations, ...others } = settings;
-  const { reach, reachLength, keepBoundary, boundarySupport: _, softness, ...rest } = others;
+  const { reach, reachLength, keepBoundary, boundarySupport: _, ...limited } = others;
+  const { softness, limits, ...rest } = limited;
   return {
     ...rest,
     hard: hardHandles,
@@ -66,6 +68,7 @@ function optionsJson(settings: EditSettings): Json {
     ...(reachLength !== 0 && { reach_length: reachLength }),
     ...(keepBoundary && { keep_boundary: true }),
     ...(softness !== 0 && { softness }),
+    ...(limits.length > 0 && { bounds: limits }),
   };
 }
 
@@ -203,9 +206,10 @@ function readOptions(value: unknown): Omit<EditSettings, "boundarySupport"> {
     options.constraints === undefined,
     "options.constraints: this page keeps panels flat and nothing else; “planish replay” does.",
   );
+  const limits = readLimits(options.bounds ?? []);
   check(
-    options.bounds === undefined,
-    "options.bounds: this page keeps panels flat and sound and knows no limits yet; “planish replay” does.",
+    limits !== null,
+    "options.bounds: this page knows fold=MAX, fold=+MAX, angle=MIN:MAX, edge=MIN:MAX, area=MAX and sheet=WxH, each once; “planish replay” knows all.",
   );
   const usual = DEFAULT_SETTINGS;
   const number = (key: string, otherwise: number): number => {
@@ -233,6 +237,7 @@ function readOptions(value: unknown): Omit<EditSettings, "boundarySupport"> {
       "options.keep_boundary",
     ),
     softness: number("softness", usual.softness),
+    limits,
   };
 }
 
@@ -320,12 +325,17 @@ function readRoot(value: unknown): DesignText {
   const variations = root.variations ?? [];
   check(Array.isArray(variations), "variations must be a list.");
   check(variations.length <= MOST.variations, `variations must be at most ${MOST.variations}.`);
+  const options = readOptions(root.options);
+  check(
+    variations.length === 0 || options.limits.length === 0,
+    "variations: they keep no stated limits yet; leave options.bounds out.",
+  );
   return {
     ...readSource(root.source),
     planarised: readPlanarised(root.planarised),
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
-    settings: { ...readOptions(root.options), boundarySupport: readSupports(root.supports) },
+    settings: { ...options, boundarySupport: readSupports(root.supports) },
     families: variations.map(readVariation),
     mark: readMark(root.result),
     someSliders: true,

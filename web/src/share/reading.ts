@@ -10,6 +10,7 @@ import type {
 } from "../solver/protocol.ts";
 import type { Camera } from "../state/camera.ts";
 import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+import { readLimits } from "../state/stated-limit.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 export const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
@@ -62,7 +63,7 @@ export function readHandles(value: unknown): HandleRow[] | null {
 
 type Rest = Omit<
   EditSettings,
-  "attraction" | "locality" | "smoothness" | "fairness" | "engine" | "keepShape"
+  "attraction" | "locality" | "smoothness" | "fairness" | "engine" | "keepShape" | "limits"
 >;
 
 /** Behind whether the boundary is kept, which is the number's first bit. */
@@ -73,7 +74,7 @@ const [FIRST_REST, LIMITED_REST] = [3, 7];
 
 /** What was added to the settings later: absent where it is all as usual. */
 function readRest(value: readonly unknown[]): Rest | null {
-  const { attraction, locality, smoothness, fairness, engine, keepShape, ...usual } =
+  const { attraction, locality, smoothness, fairness, engine, keepShape, limits, ...usual } =
     DEFAULT_SETTINGS;
   if (value.length === 0) return usual;
   const named = SPARSITY.find((name) => name === value[0]);
@@ -95,21 +96,26 @@ function readRest(value: readonly unknown[]): Rest | null {
   };
 }
 
-/** Last of the settings where panels keep their shape; absent in designs from before that bound. */
+/** Last of the settings but the limits where panels keep their shape; absent in designs from before that bound. */
 const SHAPE = "shape";
 
 /**
  * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
- * then reach, its length, keep boundary, softness; then "shape".
+ * then reach, its length, keep boundary, softness; then "shape"; then a list of stated limits.
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
-  const keepShape = value.at(-1) === SHAPE;
-  const weightsAndRest = readWeightsAndRest(keepShape ? value.slice(0, -1) : value);
-  return weightsAndRest && { ...weightsAndRest, keepShape };
+  const limited = Array.isArray(value.at(-1));
+  const limits = limited ? readLimits(value.at(-1)) : [];
+  const others: unknown[] = limited ? value.slice(0, -1) : value;
+  const keepShape = others.at(-1) === SHAPE;
+  const weightsAndRest = readWeightsAndRest(keepShape ? others.slice(0, -1) : others);
+  return weightsAndRest && limits && { ...weightsAndRest, keepShape, limits };
 }
 
-function readWeightsAndRest(value: readonly unknown[]): Omit<EditSettings, "keepShape"> | null {
+type WeightsAndRest = Omit<EditSettings, "keepShape" | "limits">;
+
+function readWeightsAndRest(value: readonly unknown[]): WeightsAndRest | null {
   if (value.length < 5) return null;
   const weights: unknown = value.slice(0, 3);
   const fairness = FAIRNESS.find((name) => name === value[3]);
@@ -131,7 +137,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const limited = limits.some((number) => number !== 0);
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
   const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];
-  return settings.keepShape ? [...named, SHAPE] : named;
+  const whole = settings.keepShape ? [...named, SHAPE] : named;
+  return settings.limits.length > 0 ? [...whole, settings.limits] : whole;
 }
 
 /** Position and target; undefined if there is something else than a camera or nothing. */

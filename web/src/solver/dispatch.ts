@@ -5,6 +5,7 @@ import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { DesignAnalysis } from "./analysis.ts";
 import { FoldHold, type HandleList } from "./fold-limit.ts";
 import { openGlb, writeGlb } from "./glb.ts";
+import { LimitedFrames } from "./limited-frames.ts";
 import type {
   BoundarySupport,
   EditMode,
@@ -15,9 +16,11 @@ import type {
   Planarising,
   Reply,
   Request,
+  Shape,
   ShapeReport,
   Source,
   StoredDesign,
+  Targets,
 } from "./protocol.ts";
 import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
 import { writePackage } from "./shop.ts";
@@ -118,6 +121,7 @@ export class Dispatcher {
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
   #hold = new FoldHold();
+  #frames = new LimitedFrames();
   #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
@@ -251,10 +255,12 @@ export class Dispatcher {
     const pins = Int32Array.from(targets.pins);
     const attempt = (handles: HandleList, how: EditMode): void =>
       insist(session.edit(this.#module.EditMode[how], Float64Array.from(handles), pins, budget));
+    if (mode !== "drag") this.#frames = new LimitedFrames();
     if (!limit) {
       this.#hold = new FoldHold();
       attempt(targets.handles, mode);
-      this.#postShown(job, mode !== "drag");
+      if (mode === "drag" && settings.limits.length > 0) this.#postFrame(job, targets);
+      else this.#postShown(job, mode !== "drag");
       return;
     }
     if (mode !== "drag") this.#hold = new FoldHold();
@@ -267,20 +273,36 @@ export class Dispatcher {
     this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
   }
 
+  /** A frame of a drag within stated limits. */
+  #postFrame(job: number, targets: Targets): void {
+    const session = this.#session;
+    const shape = { moved: session.moved(), positions: session.movedPositions() };
+    const kept = this.#frames.instead({ report: JSON.parse(session.report()), shape });
+    if (kept) insist(this.#show(targets, kept.shape, false));
+    this.#postShown(job, false, null, kept?.report);
+  }
+
   /** Options that stay the same keep the solver's warm start; each message is a copy. */
   #setOptions(settings: EditSettings): void {
     if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
+    this.#settings = null; // where one of them is refused, the others hold already
     insist(this.#session.setOptions(toOptions(this.#module, settings)));
+    insist(this.#session.setLimits(settings.limits.join("\n")));
     insist(this.#session.setSupports(SUPPORTS[settings.boundarySupport]));
     this.#settings = settings;
   }
 
   #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
     this.#hold = new FoldHold();
+    this.#frames = new LimitedFrames();
     this.#setOptions(settings);
+    return this.#show(targets, shape, keep);
+  }
+
+  #show(targets: Targets, { moved, positions }: Shape, keep: boolean): string {
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
-    return this.#session.restore(handles, pins, shape.moved, shape.positions, keep);
+    return this.#session.restore(handles, pins, moved, positions, keep);
   }
 
   #postProjected(job: number): void {
@@ -312,10 +334,15 @@ export class Dispatcher {
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(job: number, withShape: boolean, taken: HandleList | null = null): void {
+  #postShown(
+    job: number,
+    withShape: boolean,
+    taken: HandleList | null = null,
+    told?: ShapeReport,
+  ): void {
     const session = this.#session;
     const changes = session.takeChanges();
-    const report = JSON.parse(session.report());
+    const report = told ?? JSON.parse(session.report());
     const shape = withShape
       ? { moved: session.moved(), positions: session.movedPositions() }
       : null;

@@ -47,6 +47,8 @@ export interface EditSettings {
   /** Points on a boundary stay, handles excepted. */
   readonly keepBoundary: boolean;
   readonly boundarySupport: BoundarySupport;
+  /** As --bound says them: "fold=25"; degrees and model units. See state/stated-limit.ts. */
+  readonly limits: readonly string[];
   /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
   readonly softness: number;
 }
@@ -163,6 +165,8 @@ export interface ShapeReport {
   readonly residuals: readonly number[];
   /** How far from a first-order point; without fields where nothing was certified. */
   readonly optimality: Optimality | NotCertified;
+  /** The panels that each stated limit holds back, by its name; absent where nobody looked. */
+  readonly bounds?: Readonly<Record<string, readonly number[]>>;
 }
 
 /** The core's Optimality; null: not a finite number. */

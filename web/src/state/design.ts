@@ -65,6 +65,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   reachLength: 0,
   keepBoundary: false,
   boundarySupport: "none",
+  limits: [],
   softness: 0,
 };
 

@@ -5,6 +5,7 @@ import type { Question } from "../solver/client.ts";
 import type { FoldLimit, HandleList } from "../solver/fold-limit.ts";
 import { client, frame } from "./connection.ts";
 import {
+  DEFAULT_SETTINGS,
   type Design,
   type HandleRow,
   leftBehind,
@@ -75,11 +76,12 @@ const FOLD_GROWTH = 10;
 const HELD_BACK = `Held back: further, panels would fold more than ${FOLD_GROWTH}° sharper. More reach or softness gets further; Shift goes through.`;
 
 /**
- * What holds a drag back: nothing where the raw weights hold. One that starts with sharper folds may
- * keep them.
+ * What holds a drag back: nothing where the raw weights hold, or where a limit on folds is stated,
+ * which every frame keeps. One that starts with sharper folds may keep them.
  */
 function foldLimit(grips: readonly Grip[]): FoldLimit | null {
-  if ((draft.value?.settings.softness ?? 0) === 0) return null;
+  const { softness, limits } = draft.value?.settings ?? DEFAULT_SETTINGS;
+  if (softness === 0 || limits.some((limit) => limit.startsWith("fold="))) return null;
   const { before, after } = figures.value.sharpestFold ?? { before: 0, after: 0 };
   const from = toTargets(withTargets(grips, [0, 0, 0])).handles;
   return { degrees: Math.max(FOLD_GROWTH, after - before), from };

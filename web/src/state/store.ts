@@ -114,6 +114,8 @@ export const settings = computed(() => draft.value?.settings ?? null);
 export const baseFlat = computed(
   () => (mesh.value?.report.worstExcess ?? 0) <= (settings.value?.tolerance ?? 0),
 );
+/** Whether limits are stated for the panels of an edit. */
+export const limited = computed(() => (settings.value?.limits.length ?? 0) > 0);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
 export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
 export const busy = computed(() => activity.value !== null || turnsLeft.value > 0);

@@ -14,13 +14,14 @@ export function RefusedNote() {
   const left = residuals.at(-1);
   const meanEdge = mesh.value?.report.meanEdge ?? 0;
   const impossible = status === "infeasible_handles";
+  const limited = design.settings.limits.length > 0;
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
         {impossible
-          ? `The target cannot be reached while every panel stays flat: the point stops ${short} short. `
+          ? `The target cannot be reached while every panel stays flat${limited ? " and within the limits" : ""}: the point stops ${short} short. `
           : `The point stops ${short} short of its target. `}
-        Move it less, let more points follow, or remove a pin.
+        {`Move it less, let more points follow, ${limited ? "loosen a limit, " : ""}or remove a pin.`}
       </p>
       <HoldingPanels />
       {impossible && left !== undefined && 1000 * left > FLAT && (

@@ -10,6 +10,7 @@ import {
   busy,
   figures,
   keeping,
+  limited,
   mesh,
   notice,
   problem,
@@ -36,7 +37,10 @@ function numbers(): readonly string[] {
   const fold = foldWords(figures.value);
   if (fold) parts.push(fold);
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
-  if (status === "infeasible_handles") parts.push("the targets cannot be reached with flat panels");
+  if (status === "infeasible_handles")
+    parts.push(
+      `the targets cannot be reached ${limited.value ? "within the limits" : "with flat panels"}`,
+    );
   const report = mesh.value?.report;
   const planarised = report && movedVertices === 0 ? planarisingWords(report, unit.value) : "";
   if (planarised) parts.push(`planarised first: ${planarised}`);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Limits on panels: every edit and every frame of a drag keeps them, the page says which panels they
+// hold back, and designs and links carry them.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { decodeLink } from "../../web/src/share/link.ts";
+import { exportAs, idle, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
+import { hintedPoint, press } from "./support/view.ts";
+
+/** Degrees; more than a tenth above a limit would break it. */
+async function sharpestFold(page: Page): Promise<number> {
+  return Number(/sharpest fold ([\d.]+)°/.exec(await status(page))?.[1] ?? Number.NaN);
+}
+
+async function unfold(page: Page): Promise<void> {
+  await page.locator("summary", { hasText: "Limits" }).click();
+  await page.getByRole("checkbox", { name: "Folds up to" }).waitFor();
+}
+
+async function type(page: Page, name: string, value: string): Promise<void> {
+  const field = page.getByRole("textbox", { name, exact: true });
+  await field.fill(value);
+  await field.press("Enter");
+  await idle(page);
+}
+
+async function openVault(page: Page): Promise<void> {
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  await unfold(page);
+}
+
+it("an edit keeps them, and the page leads to the panels that they hold back", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await typeTarget(page, "+1m");
+  const free = await sharpestFold(page);
+  expect(free).toBeGreaterThan(13);
+  await type(page, "Folds up to", "12");
+  expect(await page.getByRole("checkbox", { name: "Folds up to" }).isChecked()).toBe(true);
+  expect(await sharpestFold(page)).toBeLessThanOrEqual(12);
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  const held = page.getByText(/^The limit on folds holds (a panel|\d+ panels) back/);
+  expect(await held.textContent()).toMatch(/\(asked 12°, is 1[12]\.\d\d°\)/);
+  await page.getByRole("button", { name: "Show panels at the limit on folds" }).click();
+  await page
+    .getByText(/^Panel \d+/)
+    .first()
+    .waitFor();
+
+  const limited = await obj(page);
+  const text = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(text).options.bounds).toEqual(["fold=12"]);
+  await page.getByRole("checkbox", { name: "Folds up to" }).uncheck();
+  await idle(page);
+  expect(await obj(page)).not.toBe(limited);
+  expect(await sharpestFold(page)).toBe(free);
+  await openFile(page, "limited.json", text);
+  await page.getByText(/^Verified:/).waitFor();
+  expect(await page.getByRole("checkbox", { name: "Folds up to" }).isChecked()).toBe(true);
+  expect(await obj(page)).toBe(limited);
+  await page.context().close();
+});
+
+it("what keeps no limits is quiet while they are on, and says so", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await typeTarget(page, "+50cm");
+  const explore = page.getByRole("button", { name: "Find variations" });
+  const exact = page.getByRole("button", { name: "Make exact" });
+  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([true, true]);
+  await type(page, "Edges, first", "20cm");
+  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([false, false]);
+  await page.getByText(/^Variations keep no limits yet/).waitFor();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([true, true]);
+  await page.context().close();
+});
+
+it("a limit that cannot be is refused at its field, and the others hold", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await type(page, "Folds sharper by", "4");
+  await type(page, "Angles, first", "170");
+  const refused = page.getByText(/^angle: the first number must be less than the second$/);
+  await refused.waitFor();
+  const angles = page.getByRole("checkbox", { name: "Angles" });
+  expect(await angles.isChecked()).toBe(false);
+  expect(await page.getByRole("checkbox", { name: "Folds sharper by" }).isChecked()).toBe(true);
+  const first = page.getByRole("textbox", { name: "Angles, first" });
+  expect(await first.getAttribute("aria-invalid")).toBe("true");
+  await type(page, "Angles, first", "50");
+  expect(await angles.isChecked()).toBe(true);
+  expect(await first.getAttribute("aria-invalid")).toBe("false");
+  await page.context().close();
+});
+
+it("a drag keeps them in its frames and at its end, and a link carries them", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await unfold(page);
+  await type(page, "Folds up to", "15");
+  await press(page, at, { x: at.x, y: at.y - 60 });
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  expect(await sharpestFold(page)).toBeLessThanOrEqual(15);
+  await page.mouse.up();
+  await idle(page);
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  expect(await sharpestFold(page)).toBeLessThanOrEqual(15);
+  const limited = await obj(page);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const decoded = await decodeLink(new URL(link).hash);
+  expect(decoded.ok && decoded.value.settings.limits).toEqual(["fold=15"]);
+  const other = await site.open({}, new URL(link).hash);
+  await other.getByText(/^Verified:/).waitFor();
+  expect(await obj(other)).toBe(limited);
+  await other.context().close();
+  await page.context().close();
+});

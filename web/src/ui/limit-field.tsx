@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
+import { type Parsed, parseLength } from "../state/expression.ts";
+import { problem, ready } from "../state/store.ts";
+import { formatCoordinate, type Unit } from "../state/units.ts";
+
+interface LimitFieldProps {
+  readonly label: string;
+  readonly about: string;
+  readonly value: number;
+  /** null: a plain number. */
+  readonly unit: Unit | null;
+  readonly invalid: boolean;
+  readonly onApply: (value: number) => void;
+}
+
+function parse(text: string, unit: Unit | null, current: number): Parsed<number> {
+  if (unit) return parseLength(text, current, unit);
+  const value = text.trim() === "" ? Number.NaN : Number(text.replace(",", ".").replace("°", ""));
+  if (Number.isFinite(value)) return { ok: true, value };
+  return { ok: false, reason: `"${text.trim()}" is not a number.` };
+}
+
+/** One number of a limit, applied by Enter or on leaving; lengths take units and arithmetic. */
+export function LimitField({ label, about, value, unit, invalid, onApply }: LimitFieldProps) {
+  const text = useSignal<string | null>(null);
+  const unreadable = useSignal(false);
+
+  const apply = (): void => {
+    const typed = text.value;
+    if (typed === null || typed === formatCoordinate(value)) {
+      text.value = null;
+      return;
+    }
+    const parsed = parse(typed, unit, value);
+    unreadable.value = !parsed.ok;
+    if (parsed.ok) {
+      text.value = null;
+      onApply(parsed.value);
+    } else problem.value = `${label}: ${parsed.reason}`;
+  };
+
+  return (
+    <input
+      type="text"
+      inputMode="text"
+      autocomplete="off"
+      spellcheck={false}
+      class="number"
+      aria-label={label}
+      aria-description={about}
+      aria-invalid={invalid || unreadable.value}
+      disabled={!ready.value}
+      value={text.value ?? formatCoordinate(value)}
+      onFocus={({ currentTarget }) => currentTarget.select()}
+      onInput={({ currentTarget }) => {
+        text.value = currentTarget.value;
+      }}
+      onBlur={apply}
+      onKeyDown={({ key }) => {
+        if (key === "Enter") apply();
+        else if (key === "Escape") {
+          text.value = null;
+          unreadable.value = false;
+        }
+      }}
+    />
+  );
+}
