@@ -7,7 +7,9 @@
 
 namespace planish {
 WorkingSetGrower::WorkingSetGrower(const MeshModel& model)
-    : model_(model), mark_(at(model.vertex_count()), 0) {}
+    : model_(model),
+      mark_(at(model.vertex_count()), 0),
+      face_mark_(at(model.mesh.face_count()), 0) {}
 
 void WorkingSetGrower::add_once(int vertex, std::vector<int>& set) {
   if (mark_[at(vertex)] == stamp_) return;
@@ -25,6 +27,8 @@ std::vector<int> WorkingSetGrower::grow(std::span<const int> seeds, int rings) {
     const std::size_t end = set.size();
     for (std::size_t k = begin; k < end; ++k) {
       for (const int f : model_.adjacency.faces[set[k]]) {
+        if (face_mark_[at(f)] == stamp_) continue;  // a panel of 10,000 corners is walked once
+        face_mark_[at(f)] = stamp_;
         for (const int w : model_.face(f)) add(w);
       }
     }

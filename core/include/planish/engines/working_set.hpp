@@ -29,7 +29,7 @@ class WorkingSetGrower {
   void follow(int from, int vertex, int length, std::vector<int>& out) const;
 
   const MeshModel& model_;
-  std::vector<int> mark_;
+  std::vector<int> mark_, face_mark_;
   int stamp_ = 0;
 };
 
