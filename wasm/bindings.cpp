@@ -59,9 +59,10 @@ std::vector<int> to_indices(const val& numbers) {
 }
 
 /// `handles` holds vertex, x, y, z for each.
-EditTargets to_targets(const val& handles, const val& pins) {
+EditTargets to_targets(const val& handles, const val& pins, int continuation = 0) {
   const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
-  EditTargets targets{.handles = {}, .pins = to_indices(pins)};
+  EditTargets targets{
+      .handles = {}, .pins = to_indices(pins), .supports = {}, .continuation = continuation};
   for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
     targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
   }
@@ -91,8 +92,9 @@ std::string set_limits(Session& s, const std::string& lines) {
 std::string set_supports(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_supports(lines); });
 }
-std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, double budget) {
-  return attempt([&] { return s.edit(mode, to_targets(handles, pins), budget); });
+std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, int continuation,
+                 double budget) {
+  return attempt([&] { return s.edit(mode, to_targets(handles, pins, continuation), budget); });
 }
 std::string restore(Session& s, const val& handles, const val& pins, const val& moved,
                     const val& positions, bool keep_variations) {

@@ -46,7 +46,13 @@ export interface Session {
   /** For all edits from here on, one support a line as --support says it; "" for none. */
   setSupports(lines: string): string;
   /** `handles`: vertex, x, y, z for each. */
-  edit(mode: EnumValue, handles: Float64Array, pins: Int32Array, budgetSeconds: number): string;
+  edit(
+    mode: EnumValue,
+    handles: Float64Array,
+    pins: Int32Array,
+    continuation: number,
+    budgetSeconds: number,
+  ): string;
   restore(
     handles: Float64Array,
     pins: Int32Array,

@@ -175,12 +175,16 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   }
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
-  const HandleEditResult result = mode == EditMode::kDrag ? solver_->drag(targets, budget_seconds)
-                                                          : solver_->solve(targets, progress_);
+  const bool drag = mode == EditMode::kDrag;
+  lower_at_once_ = false;
+  const HandleEditResult result = drag ? solver_->drag(targets, budget_seconds)
+                                  : mode == EditMode::kRelease ? release(targets)
+                                                               : solver_->solve(targets, progress_);
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
   subspace_.reset();
   targets_ = std::move(targets);
   show(result.moved, result.moved_positions);
+  follows_path_ = drag;
   write_report(result.report, watch.seconds());
   return std::nullopt;
 }
@@ -320,6 +324,7 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   for (const int v : moved_) current_.col(v) = base_.positions.col(v);
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
   moved_.clear();
+  follows_path_ = false;
   for (std::size_t k = 0; k < moved.size(); ++k) {
     const int v = moved[k];
     const auto column = static_cast<Eigen::Index>(k);

@@ -27,8 +27,8 @@ using Refusal = std::optional<std::string>;
 /// How an edit is to be computed.
 enum class EditMode {
   kDrag,     ///< within a time budget, may follow the path of the pointer
-  kRelease,  ///< the drag's end: depends on the targets alone
-  kSolve,    ///< from nothing, for typed targets and links
+  kRelease,  ///< the drag's end: what its last frame showed, of what targets alone lead to
+  kSolve,    ///< for typed targets and links: depends on the targets alone
 };
 
 /// Where a design differs from its base.
@@ -58,7 +58,8 @@ class Session {
   [[nodiscard]] Refusal set_limits(const std::string& lines);
   /// For all edits from here on, one support a line as --support says it; "" for none.
   [[nodiscard]] Refusal set_supports(const std::string& lines);
-  /// `targets` without supports: those that were set.
+  /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
+  /// report says it, and whether a solve at once ends lower.
   [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
   /// @param keep_variations the design is one of the family found last, or its centre
@@ -113,6 +114,9 @@ class Session {
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
   [[nodiscard]] Refusal require_no_limits(const char* what) const;
+  [[nodiscard]] HandleEditResult release(EditTargets& targets);
+  [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
+  [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
   void prepare_variation();
@@ -141,6 +145,8 @@ class Session {
   HandleEditOptions options_;
   std::optional<HandleEditSolver> solver_;
   EditTargets targets_;
+  bool follows_path_ = false;   ///< a drag's frame is shown: others may belong to its targets
+  bool lower_at_once_ = false;  ///< than along the path: the last edit's objective
   std::vector<PointSupport> supports_;  ///< of all edits
   bool supports_fit_ = true;            ///< they were checked on this base
   Positions current_;                   ///< 3 × n, the design shown

@@ -66,6 +66,8 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
       .add("sharpestFold", fold)
       .add("handleError", handle_error)
       .add("objective", solve.objective.total())
+      .add("continuation", targets_.continuation)
+      .add("lowerAtOnce", lower_at_once_)
       .add("iterations", solve.iterations)
       .add("seconds", seconds)
       .add("residuals", residuals(solve))

@@ -92,6 +92,9 @@ std::vector<OptionRow> edit_option_rows() {
            "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz or outline\n"
            "(the boundary as it is drawn);\n"
            "POINTS is V,V,... or boundary or all (repeatable)"},
+          {"--continuation", "N",
+           "handles go to their targets in N equal steps, each solved from the\n"
+           "last, as in a drag: another minimum where there is more than one"},
           {"--hard", "", "handles reach their targets exactly"},
           {"--bound", "NAME=VALUE",
            "shape=on|off, default on: no panel becomes concave, crossing,\n"
@@ -209,6 +212,9 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   if (arguments.has("--support") && options.engine != Engine::kNewton) {
     throw CommandError(kWrongUsage, "--support: the solver alm knows none; supports need newton");
   }
+  if (arguments.has("--continuation") && options.engine != Engine::kNewton) {
+    throw CommandError(kWrongUsage, "--continuation: the solver alm knows none; it needs newton");
+  }
   return options;
 }
 
@@ -246,6 +252,9 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
   }
   targets.pins = parse_pins(arguments, base);
   targets.supports = parse_supports(arguments);
+  if (const auto text = arguments.value("--continuation")) {
+    targets.continuation = parse_whole(*text, "--continuation");
+  }
   if (targets.handles.empty()) throw CommandError(kWrongUsage, "--handle is missing");
   if (const auto problem = find_problem(targets, base)) {
     throw CommandError(kWrongUsage, *problem);

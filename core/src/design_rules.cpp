@@ -38,6 +38,10 @@ std::optional<std::string> find_problem(const Design& design) {
     return "variations: they keep no stated limits yet; leave options.bounds out";
   }
   if (auto problem = find_problem(design.targets.supports)) return problem;
+  if (auto problem = find_continuation_problem(design.targets)) return problem;
+  if (design.targets.continuation > 0 && design.options.engine != Engine::kNewton) {
+    return "continuation: the engine alm knows none; it needs newton";
+  }
   if (!design.targets.supports.empty() && design.options.engine != Engine::kNewton) {
     return "supports: the engine alm knows none; they need newton";
   }

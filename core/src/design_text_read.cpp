@@ -258,6 +258,7 @@ EditTargets read_targets(const Field& root) {
     for (std::size_t k = 0; k < pins.size(kMostPins); ++k) targets.pins.push_back(pins[k].whole(0));
   }
   if (root.has("supports")) targets.supports = read_supports(root.at("supports"));
+  if (root.has("continuation")) targets.continuation = root.at("continuation").whole(0);
   return targets;
 }
 
@@ -276,7 +277,7 @@ std::optional<Planarising> read_planarised(const Field& root) {
 
 Design read_root(const Field& root) {
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
-             "supports", "options", "variations", "result"});
+             "supports", "continuation", "options", "variations", "result"});
   if (root.at("format").text(kLongestName) != kDesignFormat) {
     root.at("format").refuse(std::string(kDesignFormat));
   }

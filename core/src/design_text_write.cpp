@@ -105,6 +105,7 @@ std::string write_design(const Design& design) {
   for (const PointSupport& support : design.targets.supports) {
     json["supports"].push_back(point_support_text(support));
   }
+  if (design.targets.continuation > 0) json["continuation"] = design.targets.continuation;
   json["options"] = options_json(design.options);
   json["variations"] = Json::array();
   for (const DesignVariation& variation : design.variations) {

@@ -1,11 +1,60 @@
 // SPDX-License-Identifier: MIT
-/// One frame of a drag.
+/// The frames of a drag, and the same path again as a solve.
 #include <utility>
 
 #include "handle_edit_state.hpp"
 #include "planish/stopwatch.hpp"
 
 namespace planish {
+
+/// A frame's steps, from the support that the engine holds or, `fresh`, from nothing.
+NewtonOutcome HandleEditSolver::State::follow(bool fresh, DisplacementField& field,
+                                              const Interruption& interruption) {
+  NewtonOptions options;
+  options.stop = 3e-5;
+  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
+  // it.
+  options.max_steps = 7;
+  if (fresh) {
+    field.clear();
+    return newton_->run_cold(problem_, {3, 16, 0.05}, options, field, interruption);
+  }
+  options.first_smoothing = 1e-3;
+  return newton_->run_warm(problem_, options, field, interruption);
+}
+
+/// As a drag in equal steps would, one that is not acceptable included: the next starts afresh. At
+/// the targets it goes on to a minimum. [PTH-1]
+NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& options,
+                                                          const Interruption& interruption) {
+  const EditTargets targets = targets_;
+  NewtonOutcome total;
+  const auto keep = [&](NewtonOutcome outcome) {
+    outcome.steps += total.steps;
+    outcome.factorizations += total.factorizations;
+    total = std::move(outcome);
+  };
+  bool fresh = true;
+  for (int step = 1; step <= targets.continuation; ++step) {
+    EditTargets now = targets;
+    const double share = static_cast<double>(step) / targets.continuation;
+    for (Handle& handle : now.handles) {
+      const Eigen::Vector3d base = model_->mesh.positions.col(handle.vertex);
+      if (step < targets.continuation) handle.target = base + share * (handle.target - base);
+    }
+    terms_->assign(now, options_, problem_);
+    keep(follow(fresh, *trial_, interruption));
+    if (total.status == SolveStatus::kCancelled) break;
+    fresh = !is_acceptable(finish_->finish(problem_, newton_->support(), *trial_, kept_));
+  }
+  terms_->assign(targets, options_, problem_);
+  if (total.status == SolveStatus::kCancelled) return total;
+  NewtonOptions last = options;
+  last.first_smoothing = 1e-3;
+  keep(newton_->run_warm(problem_, last, *trial_, interruption));
+  return total;
+}
+
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
   const Stopwatch watch;
   set_targets(targets);
@@ -18,24 +67,12 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
     report.status = SolveStatus::kConverged;
     return result_of(*last_exact_, std::move(report));
   }
-  NewtonOptions options;
-  options.stop = 3e-5;
-  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
-  // it.
-  options.max_steps = 7;
   const Interruption out_of_time = [&](const IterationRecord&) {
     return watch.seconds() > budget_seconds;
   };
   SolveReport report;
-  NewtonOutcome outcome;
-  if (fresh) {
-    field_->clear();
-    outcome = newton_->run_cold(problem_, {3, 16, 0.05}, options, *field_, out_of_time);
-  } else {
-    options.first_smoothing = 1e-3;
-    newton_->set_support(drag_support_);
-    outcome = newton_->run_warm(problem_, options, *field_, out_of_time);
-  }
+  if (!fresh) newton_->set_support(drag_support_);
+  const NewtonOutcome outcome = follow(fresh, *field_, out_of_time);
   drag_support_ = newton_->support();
   report.status =
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;

@@ -32,6 +32,12 @@ std::optional<std::string> find_problem(const HandleEditOptions& options) {
   return std::nullopt;
 }
 
+std::optional<std::string> find_continuation_problem(const EditTargets& targets) {
+  const bool in_range = targets.continuation >= 0 && targets.continuation <= kMostContinuation;
+  if (!in_range) return "continuation must be 0 (at once) or from 1 to 1000 steps";
+  return std::nullopt;
+}
+
 std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh) {
   std::vector<int> seen;
   for (const Handle& handle : targets.handles) {
@@ -58,6 +64,7 @@ std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& 
       return "vertex " + std::to_string(pin) + " is both a handle and a pin";
     }
   }
+  if (auto problem = find_continuation_problem(targets)) return problem;
   return find_problem(targets.supports, mesh);
 }
 

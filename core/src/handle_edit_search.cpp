@@ -17,7 +17,8 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
     return progress && progress(record) == Flow::kStop;
   };
   const bool by_softness = options_.softness > 0.0 && has_reach(options_);
-  NewtonOutcome outcome = by_softness
+  NewtonOutcome outcome = targets_.continuation > 0 ? continue_from_base(options, interruption)
+                          : by_softness
                               ? soften(options, interruption)
                               : find_minimum(problem_, options, *newton_, *trial_, interruption);
   report.status = outcome.status;

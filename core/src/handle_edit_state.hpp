@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What an edit keeps between its solves. Its functions stand in four files: handle_edit.cpp sets
 /// up and hands out, handle_edit_search.cpp finds a certified design, handle_edit_parts.cpp goes
-/// there in parts, handle_edit_drag.cpp makes one frame.
+/// there in parts, handle_edit_drag.cpp makes
+/// the frames of a drag.
 #pragma once
 
 #include <memory>
@@ -41,6 +42,8 @@ class HandleEditSolver::State {
                     SolveReport& report);
   void approach_limits(const NewtonOptions& options, const Interruption& interruption,
                        ExactDesign& design, SolveReport& report);
+  NewtonOutcome follow(bool fresh, DisplacementField& field, const Interruption& interruption);
+  NewtonOutcome continue_from_base(const NewtonOptions& options, const Interruption& interruption);
   NewtonOutcome soften(const NewtonOptions& options, const Interruption& interruption);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);

@@ -66,6 +66,7 @@ def edit(
     relative: bool = True,
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
+    continuation: int | None = None,
     hard: bool | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
@@ -93,6 +94,7 @@ def edit(
         handles: {vertex: (dx, dy, dz)}, or positions with relative=False; model units.
         pins: vertices that stay.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
+        continuation: steps in which the handles go to their targets, each solved from the last.
         bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "shape": False} or the texts
             of the command line, ["fold=+5"].
         constraints: ["circular"] or {"circular": 1e-9}.
@@ -107,6 +109,7 @@ def edit(
     options = {
         "pins": pins,
         "supports": supports,
+        "continuation": continuation,
         "hard": hard,
         "bounds": bounds,
         "constraints": constraints,

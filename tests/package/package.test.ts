@@ -184,7 +184,7 @@ async function byThePage([sample, size, vertex, by]: SampleEdit) {
   const base = session.basePositions();
   const target = by.map((d, c) => (base[3 * vertex + c] ?? 0) + d);
   const handles = Float64Array.of(vertex, ...target);
-  done(session.edit(module.EditMode.solve, handles, new Int32Array(), 0));
+  done(session.edit(module.EditMode.solve, handles, new Int32Array(), 0, 0));
   const result = [[...session.moved()], [...session.movedPositions()]];
   session.delete();
   return result;

@@ -26,7 +26,7 @@ it.each(["vault", "dome", "freeform", "hex", "trihex"])("of an edited %s", async
   const middle = Math.floor(session.basePositions().length / 6);
   const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * middle);
   const handle = Float64Array.of(middle, x, y, z + 0.3);
-  expect(session.edit(planish.EditMode.solve, handle, new Int32Array(), 1)).toBe("");
+  expect(session.edit(planish.EditMode.solve, handle, new Int32Array(), 0, 1)).toBe("");
   writeFileSync(join(folder, "base.obj"), base);
   writeFileSync(join(folder, "design.obj"), session.write("obj"));
   const written = shop.cuttingPackage(

@@ -81,6 +81,7 @@ describe.each(["vault", "dome", "freeform", "hex", "trihex"])("%s", (name) => {
       module.EditMode.solve,
       Float64Array.of(vertex, x, y, lifted),
       new Int32Array(0),
+      0,
       1,
     );
     expect(refusal).toBe("");

@@ -65,6 +65,7 @@ Design any_design(unsigned seed) {
     options.engine = design.options.engine;
     design.variations.push_back({options, {number()}, choose(2) == 0});
   }
+  if (design.options.engine == Engine::kNewton) design.targets.continuation = 16 * choose(3);
   const bool plain = design.variations.empty() && design.options.engine == Engine::kNewton;
   if (plain && choose(2) == 0) {
     design.options.constraints = {{"circular", std::abs(number())}};
@@ -222,6 +223,9 @@ TEST(DesignTextFields, AnErrorNamesTheField) {
   EXPECT_EQ(with("/handles", {{1, 2, 3}}), "handles[0] must be [point, x, y, z]");
   EXPECT_EQ(with("/handles", {{1.5, 2, 3, 4}}),
             "handles[0][0] must be a whole number of at least 0");
+  EXPECT_EQ(with("/continuation", 1001),
+            "continuation must be 0 (at once) or from 1 to 1000 steps");
+  EXPECT_EQ(with("/continuation", 1.5), "continuation must be a whole number of at least 0");
   EXPECT_EQ(with("/pins", {-1}), "pins[0] must be a whole number of at least 0");
   EXPECT_EQ(with("/unit", "furlong"), "unit must be mm, cm, m, km, in or ft");
   EXPECT_EQ(with("/version", 2), "the design is of version 2; this reads version 1");

@@ -143,6 +143,54 @@ TEST(Session, ARestoredDesignIsTheSameToTheLastBit) {
   EXPECT_EQ(session.write("obj"), file);
 }
 
+/// Along a path that jumps to another minimum at its end where the solve starts from nothing.
+TEST(Session, ReleaseKeepsWhatTheDragShowed) {
+  Session session;
+  ASSERT_EQ(session.open_sample("vault", 20), std::nullopt);
+  HandleEditOptions options;
+  options.attraction = 1e4;
+  options.reach = 6;
+  options.keep_boundary = true;
+  options.softness = 5.0;
+  ASSERT_EQ(session.set_options(options), std::nullopt);
+  const Eigen::Vector3d pull(-0.755, 0.664, -0.252);
+  constexpr int kFrames = 23;  // no number of steps that a release tries
+  EditTargets targets;
+  for (int k = 1; k <= kFrames; ++k) {
+    const Eigen::Vector3d part = pull * k / kFrames;
+    targets.handles = {{81, session.base().positions.col(81) + part}};
+    ASSERT_EQ(session.edit(EditMode::kDrag, targets, 10.0), std::nullopt);
+  }
+  const Positions shown = session.current();
+  const auto differs = [&] {
+    return (session.current() - shown).colwise().norm().maxCoeff() / pull.norm();
+  };
+  ASSERT_EQ(session.edit(EditMode::kRelease, targets, 10.0), std::nullopt);
+  EXPECT_LT(differs(), 0.01);
+  const Positions released = session.current();
+  const auto report = nlohmann::json::parse(session.report());
+  targets.continuation = report["continuation"];
+  EXPECT_GT(targets.continuation, 0);
+  EXPECT_EQ(report["lowerAtOnce"], false);
+
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
+  EXPECT_EQ(session.current(), released) << "bit by bit, from the recipe alone";
+  targets.continuation = 0;
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
+  EXPECT_GT(differs(), 0.1) << "at once is another minimum: else this tests nothing";
+  ASSERT_EQ(session.edit(EditMode::kRelease, targets, 10.0), std::nullopt);
+  EXPECT_GT(differs(), 0.1) << "nothing was dragged since";
+
+  EditTargets before = targets;  // a pointer's last move, whose frame was not drawn
+  for (int k = 1; k < kFrames; ++k) {
+    const Eigen::Vector3d part = pull * k / kFrames;
+    before.handles = {{81, session.base().positions.col(81) + part}};
+    ASSERT_EQ(session.edit(EditMode::kDrag, before, 10.0), std::nullopt);
+  }
+  ASSERT_EQ(session.edit(EditMode::kRelease, targets, 10.0), std::nullopt);
+  EXPECT_LT(differs(), 0.01);
+}
+
 TEST(Session, SupportsHoldInEveryEditFromThereOn) {
   Session session = open_vault();
   const int rim = 8;  // in the middle of a side

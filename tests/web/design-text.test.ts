@@ -46,6 +46,15 @@ it("reads what the boundary slides along, and writes it again", () => {
   expect(slides(["outline:boundary"])).toBe("outline");
 });
 
+it("reads the steps of an edit, and refuses what are none", () => {
+  const steps = (continuation?: unknown) => {
+    const read = readDesign(text({ continuation }));
+    return read.ok ? read.value.settings.continuation : read.reason;
+  };
+  expect([steps(), steps(0), steps(16)]).toEqual([0, 0, 16]);
+  for (const odd of [-1, 1.5, 1001, "8"]) expect(steps(odd)).toMatch(/^continuation must be 0/);
+});
+
 it("reads limits that the page has controls for, as the core says them", () => {
   const limits = (bounds?: unknown, more: object = {}) => {
     const read = readDesign(text({ options: { bounds }, ...more }));

@@ -100,6 +100,13 @@ describe("links", () => {
       } satisfies Recipe,
     ],
     [
+      "a continuation",
+      {
+        ...recipe,
+        settings: { ...recipe.settings, keepShape: true, softness: 5, continuation: 16 },
+      } satisfies Recipe,
+    ],
+    [
       "stated limits",
       {
         ...recipe,

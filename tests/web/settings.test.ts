@@ -18,11 +18,13 @@ it("another mesh starts with what the page has controls for, and with nothing un
     reachLength: 1.5,
     keepBoundary: true,
     boundarySupport: "outline",
+    continuation: 16,
     limits: ["fold=25"],
     softness: 4,
   } as const;
-  const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
-  const unseen = { attraction: FIRST_SETTINGS.attraction, sparsity, maxIterations, reachLength };
+  const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;
+  const { attraction } = FIRST_SETTINGS;
+  const unseen = { attraction, sparsity, maxIterations, reachLength, continuation };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
   const raw = { ...shown, softness: 0 };
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);

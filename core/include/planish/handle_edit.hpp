@@ -22,6 +22,8 @@ namespace planish {
 struct Handle {
   int vertex = 0;
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< absolute position, model units
+
+  friend bool operator==(const Handle&, const Handle&) = default;
 };
 
 /// What the user holds: handles to move, pins that stay, and points that slide on something. Order
@@ -30,7 +32,14 @@ struct EditTargets {
   std::vector<Handle> handles = {};
   std::vector<int> pins = {};               ///< vertices that keep their base position exactly
   std::vector<PointSupport> supports = {};  ///< a vertex in several stays on all of them
+  /// Steps, 0 to kMostContinuation: the handles go to their targets in so many equal ones from the
+  /// base, each solved from the last like a frame of a drag. 0 solves at once. Where an edit has
+  /// more than one minimum the two may differ. Engine::kNewton; a drag ignores it. [PTH-1]
+  int continuation = 0;
 };
+
+/// Most steps of EditTargets::continuation.
+inline constexpr int kMostContinuation = 1000;
 
 /// Weights and choices of an edit. Lengths are divided by the mean edge length before a solve,
 /// so every weight is a pure number and means the same on a model in mm, m or km.
@@ -79,6 +88,9 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 /// it breaks itself, and its worst panel; nullopt if it keeps them all. O(n).
 [[nodiscard]] std::optional<std::string> find_broken_constraint(const Mesh& mesh,
                                                                 const HandleEditOptions& options);
+
+/// Why the steps of `targets` are none.
+[[nodiscard]] std::optional<std::string> find_continuation_problem(const EditTargets& targets);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh);

@@ -56,7 +56,7 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
     }),
   );
   const handles = Float64Array.from(recipe.handles.flat());
-  done(session.edit(module.EditMode.solve, handles, Int32Array.from(recipe.pins), 1));
+  done(session.edit(module.EditMode.solve, handles, Int32Array.from(recipe.pins), 0, 1));
   if (recipe.coefficients) {
     done(
       session.explore({

@@ -22,6 +22,8 @@ export interface EditOptions {
   readonly pins?: readonly number[];
   /** What points slide on: "level=z:boundary", "outline:boundary", ... */
   readonly supports?: readonly string[];
+  /** Steps in which the handles go to their targets, each solved from the last. */
+  readonly continuation?: number;
   readonly hard?: boolean;
   readonly bounds?: Bounds | readonly string[];
   readonly constraints?: Constraints;

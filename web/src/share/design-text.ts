@@ -53,10 +53,13 @@ const supportsJson = ({ boundarySupport }: EditSettings): Json => {
   return words.length > 0 ? { supports: words } : {};
 };
 
+const continuationJson = ({ continuation }: EditSettings): Json =>
+  continuation > 0 ? { continuation } : {};
+
 function optionsJson(settings: EditSettings): Json {
   const { hardHandles, keepShape, engine, maxIterations, ...others } = settings;
   const { reach, reachLength, keepBoundary, boundarySupport: _, ...limited } = others;
-  const { softness, limits, ...rest } = limited;
+  const { softness, limits, continuation: __, ...rest } = limited;
   return {
     ...rest,
     hard: hardHandles,
@@ -125,6 +128,7 @@ export function writeDesign(
     handles: handles.filter((row) => !row.pinned).map((row) => [row.vertex, ...row.target]),
     pins: handles.filter((row) => row.pinned).map((row) => row.vertex),
     ...supportsJson(recipe.settings),
+    ...continuationJson(recipe.settings),
     options: optionsJson(recipe.settings),
     variations: families.map(variationJson),
     result: markJson(recipe.mark),
@@ -197,7 +201,7 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
   return word;
 }
 
-function readOptions(value: unknown): Omit<EditSettings, "boundarySupport"> {
+function readOptions(value: unknown): Omit<EditSettings, "boundarySupport" | "continuation"> {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
   names.push("reach", "reach_length", "keep_boundary", "softness", "constraints", "bounds");
@@ -309,8 +313,18 @@ function readSupports(value: unknown): BoundarySupport {
   return known[0];
 }
 
+/** The core's kMostContinuation. */
+const MOST_STEPS = 1000;
+
+function readContinuation(value: unknown): number {
+  const steps = value ?? 0;
+  const fits = isIndex(steps) && steps <= MOST_STEPS;
+  check(fits, "continuation must be 0 (at once) or from 1 to 1000 steps.");
+  return steps;
+}
+
 const FIELDS =
-  "format version title source planarised unit handles pins supports options variations result";
+  "format version title source planarised unit handles pins supports continuation options variations result";
 
 function readRoot(value: unknown): DesignText {
   const marked = isRecord(value) && value.format === "planish-design";
@@ -335,7 +349,11 @@ function readRoot(value: unknown): DesignText {
     planarised: readPlanarised(root.planarised),
     unit,
     handles: readHandles(root.handles ?? [], root.pins ?? []),
-    settings: { ...options, boundarySupport: readSupports(root.supports) },
+    settings: {
+      ...options,
+      boundarySupport: readSupports(root.supports),
+      continuation: readContinuation(root.continuation),
+    },
     families: variations.map(readVariation),
     mark: readMark(root.result),
     someSliders: true,

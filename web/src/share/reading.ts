@@ -69,8 +69,8 @@ type Rest = Omit<
 /** Behind whether the boundary is kept, which is the number's first bit. */
 const BOUNDARY_SUPPORTS: readonly BoundarySupport[] = ["none", "level", "outline"];
 
-/** How many numbers follow the sparsity: those of the first rest, and those with the limits. */
-const [FIRST_REST, LIMITED_REST] = [3, 7];
+/** How many numbers follow the sparsity: the first rest, with the limits, with the continuation. */
+const [FIRST_REST, LIMITED_REST, LONGEST_REST] = [3, 7, 8];
 
 /** What was added to the settings later: absent where it is all as usual. */
 function readRest(value: readonly unknown[]): Rest | null {
@@ -80,9 +80,10 @@ function readRest(value: readonly unknown[]): Rest | null {
   const named = SPARSITY.find((name) => name === value[0]);
   if (named && value.length === 1) return { ...usual, sparsity: named };
   const numbers: unknown = value.slice(1);
-  const counted = isNumbers(numbers, FIRST_REST) || isNumbers(numbers, LIMITED_REST);
-  if (!named || !counted) return null;
-  const [hard, given = 0, most = 0, rings = 0, length = 0, keep = 0, softness = 0] = numbers;
+  const counted = [FIRST_REST, LIMITED_REST, LONGEST_REST].some((n) => isNumbers(numbers, n));
+  if (!named || !counted || !isNumbers(numbers)) return null;
+  const [hard, given = 0, most = 0, ...later] = numbers;
+  const [rings = 0, length = 0, keep = 0, softness = 0, continuation = 0] = later;
   return {
     sparsity: named,
     hardHandles: hard === 1,
@@ -93,6 +94,7 @@ function readRest(value: readonly unknown[]): Rest | null {
     keepBoundary: keep % 2 === 1,
     boundarySupport: BOUNDARY_SUPPORTS[keep >> 1] ?? "none",
     softness,
+    continuation,
   };
 }
 
@@ -101,7 +103,7 @@ const SHAPE = "shape";
 
 /**
  * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
- * then reach, its length, keep boundary, softness; then "shape"; then a list of stated limits.
+ * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then a list of stated limits.
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
@@ -133,7 +135,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const boundary = (keepBoundary ? 1 : 0) + 2 * BOUNDARY_SUPPORTS.indexOf(boundarySupport);
   const first = [attraction, locality, smoothness, fairness, engine];
   const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
-  const limits = [reach, reachLength, boundary, softness];
+  const path = settings.continuation;
+  const limits = [reach, reachLength, boundary, softness, ...(path > 0 ? [path] : [])];
   const limited = limits.some((number) => number !== 0);
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
   const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];

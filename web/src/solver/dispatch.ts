@@ -253,8 +253,11 @@ export class Dispatcher {
     this.#setOptions(settings);
     const session = this.#session;
     const pins = Int32Array.from(targets.pins);
-    const attempt = (handles: HandleList, how: EditMode): void =>
-      insist(session.edit(this.#module.EditMode[how], Float64Array.from(handles), pins, budget));
+    const steps = mode === "solve" ? settings.continuation : 0;
+    const attempt = (handles: HandleList, how: EditMode): void => {
+      const to = Float64Array.from(handles);
+      insist(session.edit(this.#module.EditMode[how], to, pins, steps, budget));
+    };
     if (mode !== "drag") this.#frames = new LimitedFrames();
     if (!limit) {
       this.#hold = new FoldHold();
@@ -265,7 +268,7 @@ export class Dispatcher {
     }
     if (mode !== "drag") this.#hold = new FoldHold();
     const once = (handles: HandleList, settled: boolean): number => {
-      attempt(handles, settled ? "release" : mode);
+      attempt(handles, settled ? "solve" : mode);
       return growthOf(JSON.parse(session.report()) as ShapeReport);
     };
     const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
@@ -283,7 +286,8 @@ export class Dispatcher {
   }
 
   /** Options that stay the same keep the solver's warm start; each message is a copy. */
-  #setOptions(settings: EditSettings): void {
+  #setOptions(given: EditSettings): void {
+    const settings = { ...given, continuation: 0 }; // each edit has its own
     if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
     this.#settings = null; // where one of them is refused, the others hold already
     insist(this.#session.setOptions(toOptions(this.#module, settings)));

@@ -51,6 +51,8 @@ export interface EditSettings {
   readonly limits: readonly string[];
   /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
   readonly softness: number;
+  /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
+  readonly continuation: number;
 }
 
 /** A finished design: where it differs from its base, in float64. */
@@ -160,6 +162,10 @@ export interface ShapeReport {
   readonly sharpestFold: SharpestFold | null;
   readonly handleError: number;
   readonly objective: number;
+  /** Of EditSettings; absent in records from before it. */
+  readonly continuation?: number;
+  /** Whether the same edit at once ends lower than along its path. */
+  readonly lowerAtOnce?: boolean;
   readonly iterations: number;
   readonly seconds: number;
   readonly residuals: readonly number[];

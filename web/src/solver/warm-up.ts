@@ -23,7 +23,7 @@ export async function warmUp(planish: PlanishModule): Promise<void> {
       const { drag, release } = planish.EditMode;
       const [x = 0, y = 0, z = 0] = base.subarray(3 * VERTEX);
       const target = Float64Array.of(VERTEX, x, y, z + 0.05 * frame);
-      session.edit(frame < FRAMES ? drag : release, target, pins, 1);
+      session.edit(frame < FRAMES ? drag : release, target, pins, 0, 1);
       session.takeChanges();
       session.report();
     }

@@ -65,6 +65,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   reachLength: 0,
   keepBoundary: false,
   boundarySupport: "none",
+  continuation: 0,
   limits: [],
   softness: 0,
 };
@@ -104,9 +105,9 @@ export const SOFT_LIMITS: Partial<EditSettings> = {
  * a link or a file may have set it, and nobody could see that it is still there.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
-  const { sparsity, maxIterations, reachLength } = DEFAULT_SETTINGS;
+  const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;
   const { attraction } = shown.softness > 0 ? FIRST_SETTINGS : DEFAULT_SETTINGS;
-  return { ...shown, attraction, sparsity, maxIterations, reachLength };
+  return { ...shown, attraction, sparsity, maxIterations, reachLength, continuation };
 }
 
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };

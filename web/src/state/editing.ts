@@ -3,7 +3,7 @@
 
 import type { Question } from "../solver/client.ts";
 import type { FoldLimit } from "../solver/fold-limit.ts";
-import type { EditMode, EditSettings } from "../solver/protocol.ts";
+import type { EditMode, EditSettings, ShapeReport } from "../solver/protocol.ts";
 import { client, frame, run } from "./connection.ts";
 import {
   type Design,
@@ -79,10 +79,18 @@ export async function commit(
     return;
   }
   const handles = answer.taken ? withTaken(next.handles, answer.taken) : next.handles;
-  const done: Design = { ...next, handles, shape: answer.shape, report: answer.report };
+  const { shape, report } = answer;
+  const settings = { ...next.settings, continuation: continuationOf(ask, report, next) };
+  const done: Design = { ...next, handles, settings, shape, report };
   recordStep(steady, done, burst);
   if (draft.value === next) draft.value = done;
   if (leftBehind(steady.present) && !done.variation) notice.value = LEFT_BEHIND;
+}
+
+/** The steps that an edit took; a variation of it leaves them as they are. */
+function continuationOf(ask: Question, report: ShapeReport, { settings }: Design): number {
+  if (ask.kind === "edit") return report.continuation ?? 0;
+  return ask.kind === "restore" ? 0 : settings.continuation;
 }
 
 const LEFT_BEHIND =

@@ -32,6 +32,9 @@ const HandleGroup = later(() => import("./handle-group.tsx").then((part) => part
 
 const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 
+const LowerSolution = later(() =>
+  import("./lower-solution.tsx").then((part) => part.LowerSolution),
+);
 const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part.MeetTargets));
 
 /** How far the point is from its target; kept in place while something moves. */
@@ -184,6 +187,7 @@ export function HandlesTable() {
         </tbody>
       </table>
       <MeetTargets />
+      <LowerSolution />
       {rows.length === 0 && baseFlat.value && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}

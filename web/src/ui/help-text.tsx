@@ -73,10 +73,10 @@ export function HelpText() {
         millionth of a millimetre per metre.
       </p>
       <p>
-        While a point is dragged, each picture follows from the one before; on release the edit is
-        solved afresh from the mesh that was opened, so that the result depends on the handles
-        alone, and other points may follow than on the way. To go on from a shape instead, a
-        variation for example, use Continue from this shape.
+        While a point is dragged, each picture follows from the one before, and what it shows on
+        release stays: the edit is solved afresh from the mesh that was opened, at once or in steps,
+        whichever leads there. Where another solution is lower, it is offered. To start from a shape
+        instead, a variation for example, use Continue from this shape.
       </p>
       <dl class="keys">
         {HINTS.map(({ how, what }) => (
