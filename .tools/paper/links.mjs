@@ -38,6 +38,10 @@ function toRecipe(design, camera) {
       reachLength: options.reach_length ?? 0,
       keepBoundary: options.keep_boundary ?? false,
       softness: options.softness ?? 0,
+      keepShape: options.shape ?? false,
+      boundarySupport: "none",
+      limits: options.bounds ?? [],
+      continuation: 0,
     },
     families: variation
       ? [
