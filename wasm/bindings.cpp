@@ -89,6 +89,9 @@ std::string set_options(Session& s, const HandleEditOptions& options) {
 std::string set_limits(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_limits(lines); });
 }
+std::string set_constraints(Session& s, const std::string& lines) {
+  return attempt([&] { return s.set_constraints(lines); });
+}
 std::string set_supports(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_supports(lines); });
 }
@@ -179,6 +182,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("planarise", &planarise)
       .function("setOptions", &set_options)
       .function("setLimits", &set_limits)
+      .function("setConstraints", &set_constraints)
       .function("setSupports", &set_supports)
       .function("edit", &edit)
       .function("restore", &restore)

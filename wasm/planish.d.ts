@@ -43,6 +43,8 @@ export interface Session {
   setOptions(options: HandleEditOptions): string;
   /** For all edits from here on, one limit a line as --bound says it; "" for none. */
   setLimits(lines: string): string;
+  /** For all edits from here on, one kind a line as --constraint says it; "" for none. */
+  setConstraints(lines: string): string;
   /** For all edits from here on, one support a line as --support says it; "" for none. */
   setSupports(lines: string): string;
   /** `handles`: vertex, x, y, z for each. */

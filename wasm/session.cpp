@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "json_text.hpp"
+#include "planish/io/number.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
@@ -107,6 +108,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   dirty_.clear();
   targets_ = {};
   supports_fit_ = supports_.empty();
+  constraints_fit_ = options_.constraints.empty();
   report_ = "{}";
 }
 
@@ -117,10 +119,48 @@ Refusal Session::require_flat_base() const {
 }
 
 Refusal Session::set_options(HandleEditOptions options) {
+  options.constraints.clear();
   options.bounds = options_.bounds;
   if (const auto problem = find_problem(options)) return *problem;
+  options.constraints = std::move(options_.constraints);
   options_ = std::move(options);
-  if (solver_) solver_->set_options(options_);
+  renew_solver();
+  return std::nullopt;
+}
+
+/// An engine that does not know the constraints is refused by the edit, not by the order of calls.
+void Session::renew_solver() {
+  if (find_problem(options_)) {
+    solver_.reset();
+  } else if (solver_) {
+    solver_->set_options(options_);
+  }
+}
+
+Refusal Session::set_constraints(const std::string& lines) {
+  std::vector<KeptConstraint> constraints;
+  for (const std::string_view line : lines_of(lines)) {
+    const std::size_t colon = line.find(':');
+    const std::string_view kind = line.substr(0, colon);
+    const bool own = colon == std::string_view::npos;
+    const std::optional<double> tolerance =
+        own ? own_tolerance(kind).value_or(1.0) : parse_number(line.substr(colon + 1));
+    constraints.push_back({std::string(kind), tolerance.value_or(0.0)});
+  }
+  if (const auto problem = find_problem(constraints)) return *problem;
+  if (constraints.empty() && options_.constraints.empty()) return std::nullopt;
+  options_.constraints = std::move(constraints);
+  constraints_fit_ = options_.constraints.empty();
+  renew_solver();
+  return std::nullopt;
+}
+
+/// Looked at once for a base, as the supports are.
+Refusal Session::require_kept_constraints() {
+  if (const auto problem = find_problem(options_)) return *problem;
+  if (constraints_fit_) return std::nullopt;
+  if (const auto broken = find_broken_constraint(base_, options_)) return *broken;
+  constraints_fit_ = true;
   return std::nullopt;
 }
 
@@ -134,7 +174,7 @@ Refusal Session::set_limits(const std::string& lines) {
   if (const auto problem = find_problem(limits)) return *problem;
   if (limits.empty() && options_.bounds.empty()) return std::nullopt;
   options_.bounds = std::move(limits);
-  if (solver_) solver_->set_options(options_);
+  renew_solver();
   return std::nullopt;
 }
 
@@ -170,6 +210,7 @@ Refusal Session::take_targets(EditTargets& targets) {
 Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const Refusal refusal = take_targets(targets)) return refusal;
+  if (const Refusal refusal = require_kept_constraints()) return refusal;
   if (!supports_.empty() && options_.engine != Engine::kNewton) {
     return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
   }
@@ -213,6 +254,9 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (const Refusal refusal = require_no_limits("Variations keep")) return refusal;
+  if (!options_.constraints.empty()) {
+    return "Variations keep panels flat and nothing else: let go of circular and conical first.";
+  }
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   if (worst_panel(current_, moved_).excess > options_.tolerance)
     return "Make the design exact first.";

@@ -51,11 +51,14 @@ class Session {
   [[nodiscard]] Refusal planarise(const Planarising& how = {});
 
   // Editing. A refused operation leaves the design as it was.
-  /// `bounds` stay those of set_limits().
+  /// `bounds` and `constraints` stay those that were set.
   [[nodiscard]] Refusal set_options(HandleEditOptions options);
   /// For all edits from here on, one limit a line as --bound says it; "" for none. Variations and
   /// make_exact() refuse while there are any.
   [[nodiscard]] Refusal set_limits(const std::string& lines);
+  /// For all edits from here on, one kind a line as --constraint says it; "" for none. An edit
+  /// needs a base that keeps them; variations refuse while there are any.
+  [[nodiscard]] Refusal set_constraints(const std::string& lines);
   /// For all edits from here on, one support a line as --support says it; "" for none.
   [[nodiscard]] Refusal set_supports(const std::string& lines);
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
@@ -117,6 +120,8 @@ class Session {
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
   [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
   [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
+  [[nodiscard]] Refusal require_kept_constraints();
+  void renew_solver();
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
   void prepare_variation();
@@ -149,6 +154,7 @@ class Session {
   bool lower_at_once_ = false;  ///< than along the path: the last edit's objective
   std::vector<PointSupport> supports_;  ///< of all edits
   bool supports_fit_ = true;            ///< they were checked on this base
+  bool constraints_fit_ = true;         ///< this base keeps those of options_
   Positions current_;                   ///< 3 × n, the design shown
   std::vector<int> moved_;              ///< ascending: where current_ may differ from the base
   std::vector<int> dirty_;              ///< changed since take_changes(), unsorted

@@ -2,9 +2,12 @@
 /// What a session says of its mesh and of the design shown, as JSON.
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "json_text.hpp"
+#include "planish/constraints/elements.hpp"
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/folds.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
@@ -41,6 +44,49 @@ JsonText bounds_text(const SolveReport& solve) {
   return text;
 }
 
+/// The worst of each kind that is kept beside planarity, in its unit.
+JsonText violations_text(const SolveReport& solve) {
+  JsonText text;
+  for (const KindViolation& one : solve.violations) {
+    if (one.kind == PlanarPolygon::kName) continue;
+    text.add(one.kind, JsonText().add("before", one.before_max).add("after", one.after_max));
+  }
+  return text;
+}
+
+/// Of one kind, on the elements that it bounds: half of them are below `median`, degrees.
+template <class Kind>
+JsonText defects(const Mesh& mesh, const Adjacency& adjacency) {
+  MeshElements elements(mesh, adjacency);
+  std::vector<double> measures;
+  Violation worst;
+  for (int e = 0; e < elements.count(Kind::kElement); ++e) {
+    const auto element = elements.of(Kind::kElement, e);
+    const bool bounded =
+        Kind::kElement == Element::kFace ? element.size() > 3 : element.size() == 5;
+    if (!bounded) continue;
+    const Violation here = violation_of<Kind>(mesh.positions, element);
+    measures.push_back(here.measure);
+    worst.raise_to(here);
+  }
+  JsonText text;
+  if (measures.empty()) return text;
+  const auto middle = measures.begin() + static_cast<std::ptrdiff_t>(measures.size() / 2);
+  std::nth_element(measures.begin(), middle, measures.end());
+  return text.add("median", *middle).add("worst", worst.measure).add("excess", worst.excess);
+}
+
+JsonText kinds_text(const Mesh& mesh, const Adjacency& adjacency) {
+  JsonText text;
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if constexpr (!std::is_same_v<Kind, PlanarPolygon>) {
+      text.add(Kind::kName, defects<Kind>(mesh, adjacency));
+    }
+  });
+  return text;
+}
+
 }  // namespace
 
 std::string Session::shape_report(const Positions& positions, const std::vector<int>& moved,
@@ -73,6 +119,7 @@ std::string Session::shape_report(const Positions& positions, const std::vector<
       .add("residuals", residuals(solve))
       .add("optimality", optimality_text(solve))
       .add("bounds", bounds_text(solve))
+      .add("violations", violations_text(solve))
       .text();
 }
 
@@ -103,6 +150,7 @@ std::string Session::mesh_report() const {
       .add("worstMmPerM", base_worst_.mm_per_m)
       .add("worstExcess", base_worst_.excess)
       .add("planarising", planarising)
+      .add("kinds", kinds_text(base_, adjacency_))
       .add("centre", std::vector<double>(centre_.begin(), centre_.end()))
       .add("scale", scale_)
       .add("warnings", warnings_)

@@ -203,6 +203,7 @@ ProjectionOptions exact_options(const HandleEditOptions& edit) {
   options.engine = edit.engine;
   options.tolerance = edit.tolerance;
   options.keep_shape = edit.keep_shape;
+  options.constraints = edit.constraints;
   return options;
 }
 

@@ -279,6 +279,43 @@ TEST(Session, WhatKeepsNoLimitsRefusesThemInWords) {
   EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
 }
 
+TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
+  Session session;
+  ASSERT_EQ(session.open_sample("dome", 17), std::nullopt);
+  const auto circular = nlohmann::json::parse(session.mesh_report())["kinds"]["circular"];
+  EXPECT_LE(circular["excess"].get<double>(), 1e-9);
+  EXPECT_LE(circular["median"], circular["worst"]);
+  EXPECT_NE(session.set_constraints("round"), std::nullopt);
+  EXPECT_NE(session.set_constraints("circular:0"), std::nullopt);
+  ASSERT_EQ(session.set_constraints("circular\n"), std::nullopt);
+  const auto worst = [&] {
+    return nlohmann::json::parse(session.report())["violations"]["circular"]["after"].get<double>();
+  };
+  for (const EditMode mode : {EditMode::kDrag, EditMode::kRelease, EditMode::kSolve}) {
+    ASSERT_EQ(session.edit(mode, lift(session, 0.3), 10.0), std::nullopt);
+    EXPECT_FALSE(session.moved().empty());
+    EXPECT_LE(worst(), 1e-8);
+  }
+  EXPECT_NE(session.explore({.dimension = 2}), std::nullopt);
+  EXPECT_EQ(session.make_exact(), std::nullopt);
+  ASSERT_EQ(session.set_constraints(""), std::nullopt);
+  EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
+}
+
+TEST(Session, RefusesKindsThatTheBaseOrTheEngineDoesNotKeep) {
+  Session session = open_vault();
+  ASSERT_EQ(session.set_constraints("circular"), std::nullopt) << "the base is not asked yet";
+  const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_NE(refusal->find("the base mesh is not circular"), std::string::npos) << *refusal;
+  HandleEditOptions paper;
+  paper.engine = Engine::kAugmentedLagrangian;
+  ASSERT_EQ(session.set_options(paper), std::nullopt);
+  EXPECT_NE(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
+  ASSERT_EQ(session.set_constraints(""), std::nullopt);
+  EXPECT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
+}
+
 TEST(Session, RefusesADesignOfAnotherMesh) {
   Session session = open_vault();
   EXPECT_NE(session.restore({}, {9999}, Positions::Zero(3, 1)), std::nullopt);

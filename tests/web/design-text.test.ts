@@ -70,6 +70,26 @@ it("reads limits that the page has controls for, as the core says them", () => {
   expect(limits(["fold=25"], { variations })).toMatch(/^variations: they keep no stated limits/);
 });
 
+it("reads the kinds that are kept, each with its tolerance", () => {
+  const kinds = (constraints?: unknown, more: object = {}) => {
+    const read = readDesign(text({ options: { constraints }, ...more }));
+    return read.ok ? read.value.settings.constraints : read.reason;
+  };
+  const circular = { kind: "circular", tolerance: 1e-9 };
+  expect(kinds()).toEqual([]);
+  const both = [circular, { kind: "conical", tolerance: 0.001 }];
+  expect(kinds(both)).toEqual(["circular:1e-9", "conical:0.001"]);
+  const odd = [
+    [circular, circular],
+    [{ kind: "conical", tolerance: 0 }],
+    [{ kind: "circular" }],
+    5,
+  ];
+  for (const constraints of odd) expect(kinds(constraints)).toMatch(/^options\.constraints/);
+  const variations = [{ dimension: 1, coefficients: [1], exact: true }];
+  expect(kinds([circular], { variations })).toMatch(/^variations: they keep panels flat and/);
+});
+
 it("reads how a mesh became flat, and what older designs mean by true", () => {
   const how = (planarised: unknown) => {
     const read = readDesign(text({ planarised }));
@@ -106,8 +126,8 @@ describe("names the field that is wrong", () => {
     [text({ version: { toString: null } }), /version/],
     [text({ handel: [] }), /handel is not a field/],
     [
-      text({ options: { constraints: [{ kind: "circular", tolerance: 1e-9 }] } }),
-      /^options\.constraints: this page keeps panels flat and nothing else/,
+      text({ options: { constraints: [{ kind: "round", tolerance: 1e-9 }] } }),
+      /^options\.constraints: this page knows the kinds circular and conical/,
     ],
     [text({ supports: ["level=x:boundary"] }), /^supports: this page knows level=z:boundary or /],
     [text({ supports: "level=z:boundary" }), /^supports must be a list/],

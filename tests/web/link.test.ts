@@ -113,6 +113,17 @@ describe("links", () => {
         settings: { ...recipe.settings, keepShape: true, limits: ["fold=+5", "edge=0.5:2"] },
       } satisfies Recipe,
     ],
+    [
+      "kept kinds",
+      {
+        ...recipe,
+        settings: {
+          ...recipe.settings,
+          limits: ["fold=25"],
+          constraints: ["circular:1e-9", "conical:0.001"],
+        },
+      } satisfies Recipe,
+    ],
     ["families one after the other", inSteps],
   ])("give back %s exactly", async (_, original) => {
     const link = await encodeLink(original);

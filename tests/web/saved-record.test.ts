@@ -11,7 +11,11 @@ describe("a saved record", () => {
   it("comes back to the same bits", () => {
     const sharpestFold = { before: 3.5, after: 14.25 };
     const report = { ...RECORD.present.report, worstExcess: 0, sharpestFold };
-    const settings = { ...RECORD.present.settings, limits: ["angle=60:120"] };
+    const settings = {
+      ...RECORD.present.settings,
+      limits: ["angle=60:120"],
+      constraints: ["conical:1e-9"],
+    };
     const present = { ...RECORD.present, report, settings };
     const record = { ...RECORD, figure: "figure-1", present };
     const read = decodeRecord(encodeRecord(record), files);

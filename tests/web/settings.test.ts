@@ -20,6 +20,7 @@ it("another mesh starts with what the page has controls for, and with nothing un
     boundarySupport: "outline",
     continuation: 16,
     limits: ["fold=25"],
+    constraints: ["conical:1e-9"],
     softness: 4,
   } as const;
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;

@@ -4,6 +4,7 @@
 import type { BoundarySupport, EditSettings, Planarising, Source } from "../solver/protocol.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
+import { kindOf, kindTolerance, readKept } from "../state/kept-kind.ts";
 import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark, Steps } from "../state/recipe.ts";
 import { readLimits } from "../state/stated-limit.ts";
@@ -56,10 +57,15 @@ const supportsJson = ({ boundarySupport }: EditSettings): Json => {
 const continuationJson = ({ continuation }: EditSettings): Json =>
   continuation > 0 ? { continuation } : {};
 
+const constraintJson = (kept: string): Json => ({
+  kind: kindOf(kept),
+  tolerance: kindTolerance(kept),
+});
+
 function optionsJson(settings: EditSettings): Json {
   const { hardHandles, keepShape, engine, maxIterations, ...others } = settings;
   const { reach, reachLength, keepBoundary, boundarySupport: _, ...limited } = others;
-  const { softness, limits, continuation: __, ...rest } = limited;
+  const { softness, limits, constraints, continuation: __, ...rest } = limited;
   return {
     ...rest,
     hard: hardHandles,
@@ -71,6 +77,7 @@ function optionsJson(settings: EditSettings): Json {
     ...(reachLength !== 0 && { reach_length: reachLength }),
     ...(keepBoundary && { keep_boundary: true }),
     ...(softness !== 0 && { softness }),
+    ...(constraints.length > 0 && { constraints: constraints.map(constraintJson) }),
     ...(limits.length > 0 && { bounds: limits }),
   };
 }
@@ -201,15 +208,25 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
   return word;
 }
 
+function readConstraints(value: unknown): readonly string[] {
+  check(Array.isArray(value), "options.constraints must be a list.");
+  const texts = value.map((one: unknown, k) => {
+    const path = `options.constraints[${k}]`;
+    const { kind, tolerance } = readObject(one, path, ["kind", "tolerance"]);
+    return `${kind}:${tolerance}`;
+  });
+  const kept = readKept(texts);
+  const words = "options.constraints: this page knows the kinds circular and conical, each once";
+  check(kept !== null, `${words}, with a tolerance above 0.`);
+  return kept;
+}
+
 function readOptions(value: unknown): Omit<EditSettings, "boundarySupport" | "continuation"> {
   const names = ["attraction", "locality", "smoothness", "fairness", "sparsity"];
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
   names.push("reach", "reach_length", "keep_boundary", "softness", "constraints", "bounds");
   const options = readObject(value ?? {}, "options", names);
-  check(
-    options.constraints === undefined,
-    "options.constraints: this page keeps panels flat and nothing else; “planish replay” does.",
-  );
+  const constraints = readConstraints(options.constraints ?? []);
   const limits = readLimits(options.bounds ?? []);
   check(
     limits !== null,
@@ -242,6 +259,7 @@ function readOptions(value: unknown): Omit<EditSettings, "boundarySupport" | "co
     ),
     softness: number("softness", usual.softness),
     limits,
+    constraints,
   };
 }
 
@@ -340,6 +358,10 @@ function readRoot(value: unknown): DesignText {
   check(Array.isArray(variations), "variations must be a list.");
   check(variations.length <= MOST.variations, `variations must be at most ${MOST.variations}.`);
   const options = readOptions(root.options);
+  check(
+    variations.length === 0 || options.constraints.length === 0,
+    "variations: they keep panels flat and nothing else; leave options.constraints out.",
+  );
   check(
     variations.length === 0 || options.limits.length === 0,
     "variations: they keep no stated limits yet; leave options.bounds out.",

@@ -10,6 +10,7 @@ import type {
 } from "../solver/protocol.ts";
 import type { Camera } from "../state/camera.ts";
 import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+import { readKept } from "../state/kept-kind.ts";
 import { readLimits } from "../state/stated-limit.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
@@ -63,7 +64,14 @@ export function readHandles(value: unknown): HandleRow[] | null {
 
 type Rest = Omit<
   EditSettings,
-  "attraction" | "locality" | "smoothness" | "fairness" | "engine" | "keepShape" | "limits"
+  | "attraction"
+  | "locality"
+  | "smoothness"
+  | "fairness"
+  | "engine"
+  | "keepShape"
+  | "limits"
+  | "constraints"
 >;
 
 /** Behind whether the boundary is kept, which is the number's first bit. */
@@ -74,8 +82,8 @@ const [FIRST_REST, LIMITED_REST, LONGEST_REST] = [3, 7, 8];
 
 /** What was added to the settings later: absent where it is all as usual. */
 function readRest(value: readonly unknown[]): Rest | null {
-  const { attraction, locality, smoothness, fairness, engine, keepShape, limits, ...usual } =
-    DEFAULT_SETTINGS;
+  const { attraction, locality, smoothness, fairness, engine, ...others } = DEFAULT_SETTINGS;
+  const { keepShape, limits, constraints, ...usual } = others;
   if (value.length === 0) return usual;
   const named = SPARSITY.find((name) => name === value[0]);
   if (named && value.length === 1) return { ...usual, sparsity: named };
@@ -103,19 +111,24 @@ const SHAPE = "shape";
 
 /**
  * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
- * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then a list of stated limits.
+ * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then a list of
+ * stated limits and kept kinds, which have no "=".
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
   const limited = Array.isArray(value.at(-1));
-  const limits = limited ? readLimits(value.at(-1)) : [];
+  const listed: unknown[] = limited ? value.at(-1) : [];
+  const isKind = (one: unknown): boolean => typeof one === "string" && !one.includes("=");
+  const limits = readLimits(listed.filter((one) => !isKind(one)));
+  const constraints = readKept(listed.filter(isKind));
   const others: unknown[] = limited ? value.slice(0, -1) : value;
   const keepShape = others.at(-1) === SHAPE;
   const weightsAndRest = readWeightsAndRest(keepShape ? others.slice(0, -1) : others);
-  return weightsAndRest && limits && { ...weightsAndRest, keepShape, limits };
+  if (!weightsAndRest || !limits || !constraints) return null;
+  return { ...weightsAndRest, keepShape, limits, constraints };
 }
 
-type WeightsAndRest = Omit<EditSettings, "keepShape" | "limits">;
+type WeightsAndRest = Omit<EditSettings, "keepShape" | "limits" | "constraints">;
 
 function readWeightsAndRest(value: readonly unknown[]): WeightsAndRest | null {
   if (value.length < 5) return null;
@@ -141,7 +154,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
   const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];
   const whole = settings.keepShape ? [...named, SHAPE] : named;
-  return settings.limits.length > 0 ? [...whole, settings.limits] : whole;
+  const listed = [...settings.limits, ...settings.constraints];
+  return listed.length > 0 ? [...whole, listed] : whole;
 }
 
 /** Position and target; undefined if there is something else than a camera or nothing. */

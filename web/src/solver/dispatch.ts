@@ -292,6 +292,7 @@ export class Dispatcher {
     this.#settings = null; // where one of them is refused, the others hold already
     insist(this.#session.setOptions(toOptions(this.#module, settings)));
     insist(this.#session.setLimits(settings.limits.join("\n")));
+    insist(this.#session.setConstraints(settings.constraints.join("\n")));
     insist(this.#session.setSupports(SUPPORTS[settings.boundarySupport]));
     this.#settings = settings;
   }

@@ -49,6 +49,8 @@ export interface EditSettings {
   readonly boundarySupport: BoundarySupport;
   /** As --bound says them: "fold=25"; degrees and model units. See state/stated-limit.ts. */
   readonly limits: readonly string[];
+  /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See state/kept-kind.ts. */
+  readonly constraints: readonly string[];
   /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
   readonly softness: number;
   /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
@@ -137,9 +139,18 @@ export interface MeshReport {
   readonly worstExcess: number;
   /** Points that planarising moved, and the longest way, model units; zeros if there was none. */
   readonly planarising: { readonly moved: number; readonly largest: number };
+  /** How far the mesh is from being circular or conical, by that name. */
+  readonly kinds: Readonly<Record<string, KindDefects>>;
   readonly centre: readonly [number, number, number];
   readonly scale: number;
   readonly warnings: readonly string[];
+}
+
+/** Degrees; none where no panel or node could miss the kind. `excess`: beyond rounding. */
+export interface KindDefects {
+  readonly median?: number;
+  readonly worst?: number;
+  readonly excess?: number;
 }
 
 /** Degrees between neighbouring panels. */
@@ -173,6 +184,8 @@ export interface ShapeReport {
   readonly optimality: Optimality | NotCertified;
   /** The panels that each stated limit holds back, by its name; absent where nobody looked. */
   readonly bounds?: Readonly<Record<string, readonly number[]>>;
+  /** Worst defect of each kept kind, degrees; absent where nobody looked. */
+  readonly violations?: Readonly<Record<string, { before: number; after: number }>>;
 }
 
 /** The core's Optimality; null: not a finite number. */

@@ -67,6 +67,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   boundarySupport: "none",
   continuation: 0,
   limits: [],
+  constraints: [],
   softness: 0,
 };
 

@@ -5,6 +5,7 @@ import { run } from "./connection.ts";
 import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
+import { isKeptBy, kindOf } from "./kept-kind.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
@@ -28,11 +29,17 @@ export function freshDesign(
   opened: OpenedMesh,
 ): Design {
   const { worstGap, worstMmPerM, worstExcess } = opened.report;
+  const shown = settingsForNew(settings.value ?? FIRST_SETTINGS);
+  // A kind that the mesh does not keep would refuse every edit.
+  const constraints = shown.constraints.filter((kept) => {
+    const kind = kindOf(kept);
+    return kind !== undefined && isKeptBy(opened.report, kind);
+  });
   return {
     source,
     planarised,
     handles: [],
-    settings: settingsForNew(settings.value ?? FIRST_SETTINGS),
+    settings: { ...shown, constraints },
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,

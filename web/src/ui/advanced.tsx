@@ -7,6 +7,7 @@ import { planarise } from "../state/opening.ts";
 import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
 import { TOLERANCES } from "../state/tolerance.ts";
 import { Choice } from "./choice.tsx";
+import { KeptKinds } from "./kept-kinds.tsx";
 import { RawWeights } from "./raw-weights.tsx";
 
 const FAIRNESS = [
@@ -134,6 +135,7 @@ export function Advanced() {
           <span>Panels keep their shape</span>
         </label>
         <p class="quiet small">None becomes concave, crossing, turned over or collapsed.</p>
+        <KeptKinds offered={false} />
       </details>
       <Differences of={shown} />
     </div>

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 import { explore } from "../state/exploring.ts";
 import { fillGallery, gallery } from "../state/gallery.ts";
-import { dimension, draft, eigenbasis, figures, limited, ready } from "../state/store.ts";
+import {
+  constrained,
+  dimension,
+  draft,
+  eigenbasis,
+  figures,
+  limited,
+  ready,
+} from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 
@@ -39,7 +47,8 @@ async function exploreAndShow(): Promise<void> {
 
 /** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
-  const possible = ready.value && figures.value.movedVertices > 0 && !limited.value;
+  const held = limited.value || constrained.value;
+  const possible = ready.value && figures.value.movedVertices > 0 && !held;
   return (
     <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
@@ -89,8 +98,12 @@ export function ExploreSection() {
       >
         Find variations
       </button>
-      {limited.value && (
-        <p class="quiet small">Variations keep no limits yet: turn the limits off first.</p>
+      {held && (
+        <p class="quiet small">
+          {limited.value
+            ? "Variations keep no limits yet: turn the limits off first."
+            : "Variations keep panels flat and nothing else: let go of circular and conical first."}
+        </p>
       )}
       <VariationSliders />
       <ContinueButton />

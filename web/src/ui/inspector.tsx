@@ -33,6 +33,7 @@ const AcceptTolerance = later(() =>
 const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
 const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
 const Limits = later(() => import("./limits.tsx").then((part) => part.Limits));
+const KeptKinds = later(() => import("./kept-kinds.tsx").then((part) => part.KeptKinds));
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
 const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
 const SelectionStrip = later(() =>
@@ -59,6 +60,7 @@ export function Inspector() {
         <NotFlatNote />
         <HandlesTable />
         <ReachAndSoftness />
+        <KeptKinds offered={true} />
         <Limits />
         <RefusedNote />
         <Advanced />

@@ -68,6 +68,13 @@ function certificateFact(): readonly (readonly [string, string])[] {
   return [["Lowest nearby", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
 }
 
+/** Of what is kept beside planarity, the worst in the design. */
+const violationFacts = (): readonly (readonly [string, string])[] =>
+  Object.entries(figures.value.violations ?? {}).map(([kind, { after }]) => [
+    `Worst, of ${kind}`,
+    `${Number(after.toPrecision(2))}°`,
+  ]);
+
 function facts(): readonly (readonly [string, string])[] {
   const { iterations, objective, handleError } = figures.value;
   return [
@@ -77,6 +84,7 @@ function facts(): readonly (readonly [string, string])[] {
     ["Steps", String(iterations)],
     ["Objective", objective.toPrecision(5)],
     ...certificateFact(),
+    ...violationFacts(),
     ["Furthest from a target now", formatLength(handleError, unit.value)],
   ];
 }

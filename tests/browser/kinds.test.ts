@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Circular panels, kept by the edits of a mesh that has them; designs and links carry that.
+import { expect, it } from "vitest";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  obj,
+  openAdvanced,
+  openFile,
+  typeTarget,
+} from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+const CIRCULAR = "Keep panels circular";
+
+it("a mesh of circular panels offers to keep them so, and a design says that it does", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
+  await idle(page);
+  const circular = page.getByRole("checkbox", { name: CIRCULAR });
+  expect(await circular.isChecked()).toBe(false);
+  await typeTarget(page, "+30cm");
+  const free = await obj(page);
+  await circular.check();
+  await idle(page);
+  const kept = await obj(page);
+  expect(kept).not.toBe(free);
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  await page.getByText("Last solve", { exact: true }).click();
+  await page.getByText("Worst, of circular", { exact: true }).waitFor();
+  expect(await page.getByRole("button", { name: "Find variations" }).isEnabled()).toBe(false);
+  const text = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(text).options.constraints).toEqual([{ kind: "circular", tolerance: 1e-9 }]);
+  await circular.uncheck();
+  await idle(page);
+  expect(await obj(page)).toBe(free);
+  await openFile(page, "circular.json", text);
+  await page.getByText(/^Verified:/).waitFor();
+  expect(await circular.isChecked()).toBe(true);
+  expect(await obj(page)).toBe(kept);
+  // On a mesh that is not so it would refuse every edit.
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  await openAdvanced(page);
+  expect(await circular.isChecked()).toBe(false);
+  expect(await circular.isEnabled()).toBe(false);
+  await page
+    .getByText(/^The mesh misses it by up to \d+°/)
+    .first()
+    .waitFor();
+  await page.context().close();
+});

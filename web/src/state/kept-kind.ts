@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Kinds of constraints that an edit keeps beside planarity, each with its tolerance in degrees:
+// "circular:1e-9".
+import type { MeshReport } from "../solver/protocol.ts";
+
+export const KINDS = ["circular", "conical"] as const;
+export type Kind = (typeof KINDS)[number];
+
+/** The command line's own, degrees. */
+const TOLERANCE = 1e-9;
+
+export const kindOf = (kept: string): Kind | undefined =>
+  KINDS.find((kind) => kept.startsWith(`${kind}:`));
+
+export const kindText = (kind: Kind, tolerance = TOLERANCE): string => `${kind}:${tolerance}`;
+
+export const kindTolerance = (kept: string): number => Number(kept.slice(kept.indexOf(":") + 1));
+
+const isKept = (value: unknown): value is string =>
+  typeof value === "string" && value.length <= 100 && /^[a-z]+:[\d.e+-]+$/.test(value);
+
+/** A stranger's list, each kind at most once; null if it is none. */
+export function readKept(value: unknown): readonly string[] | null {
+  if (!Array.isArray(value) || !value.every(isKept)) return null;
+  const right = value.every((kept) => kindOf(kept) && kindTolerance(kept) > 0);
+  return right && new Set(value.map(kindOf)).size === value.length ? value : null;
+}
+
+/** Degrees: where half of the panels or nodes miss a kind by less, the mesh is meant to be so. */
+const MEANT = 0.05;
+
+export const isMeant = (report: MeshReport, kind: Kind): boolean =>
+  (report.kinds[kind]?.median ?? Number.POSITIVE_INFINITY) < MEANT;
+
+/** Whether an edit can keep it on this mesh. */
+export const isKeptBy = (report: MeshReport, kind: Kind): boolean =>
+  (report.kinds[kind]?.excess ?? Number.POSITIVE_INFINITY) <= TOLERANCE;
