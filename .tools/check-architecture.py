@@ -44,7 +44,7 @@ ARROWS = {
     "subspace": ENGINES,
     "projection": ENGINES,
     "slider_stops": GEOMETRY | {"subspace"},
-    "planarising": {"mesh", "report", "adjacency", "projection"},
+    "planarising": {"constraints", "mesh", "report", "adjacency", "projection"},
     "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
     "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "planarising", "shapes", "io", "read_result"},
     "design_text": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},

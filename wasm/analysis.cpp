@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "json_text.hpp"
+#include "kind_defects.hpp"
 #include "planish/edit_freedom.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/folds.hpp"
@@ -70,6 +71,18 @@ std::vector<unsigned char> Analysis::panel_damage() const {
 std::vector<float> Analysis::panel_folds() const {
   const std::vector<double> folds = face_folds(base_, current_);
   return {folds.begin(), folds.end()};
+}
+
+std::vector<float> Analysis::defects(const std::string& kind) const {
+  std::vector<float> degrees;
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kName != kind) return;
+    for (const auto& defect : kind_defects<Kind>(base_, adjacency_, current_)) {
+      degrees.push_back(defect ? static_cast<float>(defect->measure) : -1.0F);
+    }
+  });
+  return degrees;
 }
 
 std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {

@@ -33,6 +33,9 @@ class Analysis {
   [[nodiscard]] std::vector<unsigned char> panel_damage() const;
   /// The sharpest fold of every face with a neighbour, degrees, see face_folds().
   [[nodiscard]] std::vector<float> panel_folds() const;
+  /// How far every face or vertex is from the kind of this name, degrees, see kind_defects(); -1
+  /// where it bounds nothing. Empty for a name that is none.
+  [[nodiscard]] std::vector<float> defects(const std::string& kind) const;
   /// How sharply the edit bends at each vertex, model units, see bending().
   [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
   /// JSON: points, equations, rank, freedom, borne, and the panels that hold the handles back, most

@@ -49,6 +49,7 @@ val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
 val panel_health(const Analysis& a) { return copy(a.panel_health()); }
 val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
 val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
+val defects(const Analysis& a, const std::string& kind) { return copy(a.defects(kind)); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
 /// `handles` holds vertex, x, y, z for each.
 std::string freedom(const Analysis& a, const val& handles, const val& pins) {
@@ -74,6 +75,7 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
       .function("panelHealth", &panel_health)
       .function("panelDamage", &panel_damage)
       .function("panelFolds", &panel_folds)
+      .function("defects", &defects)
       .function("vertexBending", &vertex_bending)
       .function("freedom", &freedom);
 }

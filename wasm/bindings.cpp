@@ -80,8 +80,11 @@ std::string open_file(Session& s, const val& bytes, const std::string& format) {
     return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
   });
 }
-std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_shape) {
-  return attempt([&] { return s.planarise({smooth, keep_boundary, keep_shape}); });
+std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_shape,
+                      const std::string& constraints) {
+  return attempt([&] {
+    return s.planarise({smooth, keep_boundary, keep_shape, planish::read_constraints(constraints)});
+  });
 }
 std::string set_options(Session& s, const HandleEditOptions& options) {
   return attempt([&] { return s.set_options(options); });

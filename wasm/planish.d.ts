@@ -39,7 +39,8 @@ export interface SubspaceOptions {
 export interface Session {
   openSample(name: string, size: number): string;
   openFile(bytes: Uint8Array, format: string): string;
-  planarise(smooth: number, keepBoundary: boolean, keepShape: boolean): string;
+  /** `constraints`: what it becomes beside flat, one kind a line; "" for none. */
+  planarise(smooth: number, keepBoundary: boolean, keepShape: boolean, constraints: string): string;
   setOptions(options: HandleEditOptions): string;
   /** For all edits from here on, one limit a line as --bound says it; "" for none. */
   setLimits(lines: string): string;

@@ -13,6 +13,8 @@ export interface Analysis {
   panelDamage(): Uint8Array;
   /** The sharpest fold of every panel with a neighbour, degrees. */
   panelFolds(): Float32Array;
+  /** How far every panel (circular) or vertex (conical) is from the kind, degrees; -1: free. */
+  defects(kind: string): Float32Array;
   /** How sharply the edit bends at every vertex, model units. */
   vertexBending(kind: EnumValue): Float32Array;
   /** JSON; "{}" where too many points move. `handles`: vertex, x, y, z for each. */

@@ -37,6 +37,10 @@ struct Shape {
   Positions positions;     ///< 3 × |moved|, model units
 };
 
+/// One kind a line as --constraint says it; "" for none. What cannot be read breaks a rule of
+/// find_problem().
+[[nodiscard]] std::vector<KeptConstraint> read_constraints(std::string_view lines);
+
 class Session {
  public:
   /// Called between solver steps with the step number and the constraint residual; returning
@@ -46,7 +50,8 @@ class Session {
   // Opening. A refused mesh leaves the session as it was.
   [[nodiscard]] Refusal open_sample(const std::string& name, int size);
   [[nodiscard]] Refusal open_file(std::string_view bytes, const std::string& format);
-  /// Replaces the base by a flat mesh; an edit must be redone after it. Where the panels' shape
+  /// Replaces the base by a flat mesh, made from what was opened, whatever it was made before; an
+  /// edit must be redone after it. Where the panels' shape
   /// does not allow that, the base becomes as flat as it does: see is_base_flat().
   [[nodiscard]] Refusal planarise(const Planarising& how = {});
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "json_text.hpp"
-#include "planish/constraints/elements.hpp"
-#include "planish/constraints/kept_kinds.hpp"
+#include "kind_defects.hpp"
 #include "planish/folds.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
@@ -57,17 +56,12 @@ JsonText violations_text(const SolveReport& solve) {
 /// Of one kind, on the elements that it bounds: half of them are below `median`, degrees.
 template <class Kind>
 JsonText defects(const Mesh& mesh, const Adjacency& adjacency) {
-  MeshElements elements(mesh, adjacency);
   std::vector<double> measures;
   Violation worst;
-  for (int e = 0; e < elements.count(Kind::kElement); ++e) {
-    const auto element = elements.of(Kind::kElement, e);
-    const bool bounded =
-        Kind::kElement == Element::kFace ? element.size() > 3 : element.size() == 5;
-    if (!bounded) continue;
-    const Violation here = violation_of<Kind>(mesh.positions, element);
-    measures.push_back(here.measure);
-    worst.raise_to(here);
+  for (const auto& defect : kind_defects<Kind>(mesh, adjacency, mesh.positions)) {
+    if (!defect) continue;
+    measures.push_back(defect->measure);
+    worst.raise_to(*defect);
   }
   JsonText text;
   if (measures.empty()) return text;

@@ -267,11 +267,12 @@ std::optional<Planarising> read_planarised(const Field& root) {
   if (!root.has("planarised")) return std::nullopt;
   const Field field = root.at("planarised");
   if (!field.is_object()) return field.boolean() ? std::optional(kNearestFlat) : std::nullopt;
-  field.only({"smooth", "keep_boundary", "shape"});
+  field.only({"smooth", "keep_boundary", "shape", "constraints"});
   Planarising how = kNearestFlat;
   read_if(field, "smooth", how.fairness_weight);
   read_if(field, "keep_boundary", how.keep_boundary);
   read_if(field, "shape", how.keep_shape);
+  if (field.has("constraints")) how.constraints = read_constraints(field.at("constraints"));
   return how;
 }
 

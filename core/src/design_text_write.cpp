@@ -36,6 +36,12 @@ Json source_json(const DesignSource& source) {
 
 /// What was added to the format later is written only where it is not the default, so that older
 /// readers go on reading what they know.
+void add_constraints(Json& json, const std::vector<KeptConstraint>& constraints) {
+  for (const KeptConstraint& one : constraints) {
+    json["constraints"].push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
+  }
+}
+
 Json options_json(const HandleEditOptions& options) {
   Json json = {{"attraction", options.attraction},
                {"locality", options.locality},
@@ -50,9 +56,7 @@ Json options_json(const HandleEditOptions& options) {
   if (options.reach != 0) json["reach"] = options.reach;
   if (options.reach_length != 0.0) json["reach_length"] = options.reach_length;
   if (options.keep_boundary) json["keep_boundary"] = true;
-  for (const KeptConstraint& one : options.constraints) {
-    json["constraints"].push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
-  }
+  add_constraints(json, options.constraints);
   for (const StatedLimit& limit : options.bounds) {
     json["bounds"].push_back(stated_limit_text(limit));
   }
@@ -76,9 +80,11 @@ Json variation_json(const DesignVariation& variation) {
 /// `true` is the nearest flat mesh, as designs of earlier versions say it.
 Json planarised_json(const std::optional<Planarising>& how) {
   if (!how || *how == kNearestFlat) return how.has_value();
-  return {{"smooth", how->fairness_weight},
-          {"keep_boundary", how->keep_boundary},
-          {"shape", how->keep_shape}};
+  Json json = {{"smooth", how->fairness_weight},
+               {"keep_boundary", how->keep_boundary},
+               {"shape", how->keep_shape}};
+  add_constraints(json, how->constraints);
+  return json;
 }
 
 Json mark_json(const DesignMark& mark) {

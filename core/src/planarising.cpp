@@ -9,6 +9,7 @@ ProjectionResult planarise(const Mesh& mesh, const Planarising& how, const Progr
   ProjectionOptions options;
   options.fairness_weight = how.fairness_weight;
   options.keep_shape = how.keep_shape;
+  options.constraints = how.constraints;
   std::vector<int> pins;
   if (how.keep_boundary) pins = boundary_vertices(mesh);
   return project_to_planar(mesh, options, pins, progress);

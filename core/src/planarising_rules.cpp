@@ -8,8 +8,10 @@
 namespace planish {
 
 std::optional<std::string> find_problem(const Planarising& how) {
-  if (std::isfinite(how.fairness_weight) && how.fairness_weight >= 0.0) return std::nullopt;
-  return "smooth must be a number of at least 0";
+  if (!std::isfinite(how.fairness_weight) || how.fairness_weight < 0.0) {
+    return "smooth must be a number of at least 0";
+  }
+  return find_problem(how.constraints);
 }
 
 }  // namespace planish

@@ -8,6 +8,7 @@ import {
   obj,
   openAdvanced,
   openFile,
+  status,
   typeTarget,
 } from "./support/page.ts";
 import { site } from "./support/site.ts";
@@ -39,7 +40,7 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
   await page.getByText(/^Verified:/).waitFor();
   expect(await circular.isChecked()).toBe(true);
   expect(await obj(page)).toBe(kept);
-  // On a mesh that is not so it would refuse every edit.
+  // On a mesh that is not so it would refuse every edit: the mesh itself becomes so first.
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
   await openAdvanced(page);
@@ -49,5 +50,23 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
     .getByText(/^The mesh misses it by up to \d+°/)
     .first()
     .waitFor();
+  const colours = page.getByRole("combobox", { name: "Colour by" });
+  await colours.selectOption("Circular");
+  await page.getByText(/^\d+ panels miss it, \d+ circular$/).waitFor();
+  await page.getByRole("button", { name: "Make panels circular" }).click();
+  await idle(page);
+  await expect.poll(() => circular.isChecked()).toBe(true);
+  await expect.poll(() => status(page)).toMatch(/planarised first: \d+ points moved by up to/);
+  await page.getByText(/^0 panels miss it, \d+ circular$/).waitFor();
+  const base = await obj(page);
+  await typeTarget(page, "+30cm");
+  expect(await movedCount(page)).toBeGreaterThan(0);
+  const made = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(made).planarised.constraints).toEqual([{ kind: "circular", tolerance: 1e-9 }]);
+  const edited = await obj(page);
+  expect(edited).not.toBe(base);
+  await openFile(page, "made.json", made);
+  await page.getByText(/^Verified:/).waitFor();
+  expect(await obj(page)).toBe(edited);
   await page.context().close();
 });

@@ -43,6 +43,25 @@ TEST(Analysis, SaysWhichPanelsMustBeMadeAgain) {
   EXPECT_GT(bevels, 0);
 }
 
+TEST(Analysis, SaysHowFarPanelsAndNodesAreFromAKind) {
+  const Mesh dome = testing::sample("dome", 9);
+  Analysis analysis(dome);
+  const std::vector<float> circular = analysis.defects("circular");
+  ASSERT_EQ(circular.size(), static_cast<std::size_t>(dome.face_count()));
+  EXPECT_LE(*std::max_element(circular.begin(), circular.end()), 1e-9F);
+  EXPECT_TRUE(analysis.defects("round").empty());
+  // One corner of one panel, moved in its plane: that panel alone, on the mesh's corner, misses it.
+  const Eigen::Vector3d inwards = dome.positions.col(dome.face(0)[2]) - dome.positions.col(0);
+  const Positions moved = dome.positions.col(0) + 0.1 * inwards;
+  analysis.show({0}, moved);
+  const std::vector<float> missed = analysis.defects("circular");
+  EXPECT_GT(missed[0], 1.0F);
+  EXPECT_EQ(std::count_if(missed.begin(), missed.end(), [](float d) { return d > 1e-6F; }), 1);
+  const std::vector<float> conical = analysis.defects("conical");
+  ASSERT_EQ(conical.size(), static_cast<std::size_t>(dome.vertex_count()));
+  EXPECT_EQ(conical[0], -1.0F) << "not a node of valence 4 inside";
+}
+
 TEST(Analysis, TellsDamageByTheEditFromDamageByPlanarising) {
   const Mesh base = testing::sample("vault", 9);
   constexpr int kCentre = 40, kFace = 0;

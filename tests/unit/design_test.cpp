@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "planish/design_text.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/shapes.hpp"
 #include "support/mesh_builders.hpp"
@@ -93,6 +94,18 @@ TEST(Design, PlanarisesItsFileAndKnowsIt) {
   EXPECT_NE(refusal_of(design), "");
   bumpy.positions(0, 0) += 0.5;
   EXPECT_NE(refusal_of(design, &bumpy).find("not the one"), std::string::npos);
+}
+
+TEST(Design, MakesItsMeshCircularBeforeAnEditThatKeepsIt) {
+  Design design = lifted_vault(0.3);
+  design.options.constraints = {{"circular", 1e-9}};
+  EXPECT_NE(refusal_of(design).find("not circular"), std::string::npos) << refusal_of(design);
+  design.planarised = Planarising{.constraints = {{"circular", 1e-9}}};
+  design.result = replay_or_fail(design).mark;
+  const auto again = read_design(write_design(design));
+  ASSERT_TRUE(std::holds_alternative<Design>(again));
+  EXPECT_EQ(std::get<Design>(again).planarised, design.planarised);
+  EXPECT_TRUE(replay_or_fail(std::get<Design>(again)).verified);
 }
 
 TEST(Design, RefusesInWords) {

@@ -38,8 +38,10 @@ Design any_design(unsigned seed) {
     auto& file = std::get<FileSource>(design.source);
     if (file.bytes.empty()) file.format.clear();
   }
-  if (choose(2) == 0)
-    design.planarised = Planarising{std::abs(number()), choose(2) == 0, choose(2) == 0};
+  if (choose(2) == 0) {
+    design.planarised = Planarising{std::abs(number()), choose(2) == 0, choose(2) == 0, {}};
+    if (choose(2) == 0) design.planarised->constraints.push_back({"circular", 1e-9});
+  }
   design.unit = choose(2) == 0 ? "mm" : "ft";
   for (int k = choose(4); k > 0; --k) {
     design.targets.handles.push_back({10 * k, {number(), 1e9 * number(), 1e-9 * number()}});

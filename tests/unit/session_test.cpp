@@ -91,6 +91,37 @@ TEST(Session, SaysByHowMuchPlanarisingMovedThePoints) {
   EXPECT_EQ(session.before_planarising().cols(), 0);
 }
 
+TEST(Session, WhatAMeshBecomesDependsOnTheFileAndTheLastChoiceAlone) {
+  Session twice;
+  ASSERT_EQ(twice.open_file(kWideAndSmall, "obj"), std::nullopt);
+  ASSERT_EQ(twice.planarise({.fairness_weight = 100.0}), std::nullopt);
+  const Positions fair = twice.base().positions;
+  ASSERT_EQ(twice.planarise(kNearestFlat), std::nullopt);
+  Session once;
+  ASSERT_EQ(once.open_file(kWideAndSmall, "obj"), std::nullopt);
+  ASSERT_EQ(once.planarise(kNearestFlat), std::nullopt);
+  EXPECT_EQ(twice.base().positions, once.base().positions);
+  EXPECT_NE(twice.base().positions, fair);
+}
+
+TEST(Session, AMeshBecomesCircularAndItsEditsKeepThat) {
+  Session session = open_vault();
+  const auto defect = [&] {
+    const auto report = nlohmann::json::parse(session.mesh_report());
+    return report["kinds"]["circular"]["excess"].get<double>();
+  };
+  EXPECT_GT(defect(), 0.05);
+  ASSERT_EQ(session.planarise({.constraints = read_constraints("circular")}), std::nullopt);
+  EXPECT_LE(defect(), 1e-9);
+  EXPECT_GT(session.before_planarising().cols(), 0);
+  ASSERT_EQ(session.set_constraints("circular"), std::nullopt);
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
+  EXPECT_FALSE(session.moved().empty());
+  const Refusal unknown = session.planarise({.constraints = read_constraints("round")});
+  ASSERT_NE(unknown, std::nullopt);
+  EXPECT_NE(unknown->find("circular, conical"), std::string::npos) << *unknown;
+}
+
 TEST(Session, AFlatBaseGivesBothFiguresOfThePanelThatIsWorstInMmPerM) {
   Session session;
   ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);

@@ -3,6 +3,11 @@ import { describe, expect, it } from "vitest";
 import { Abandoned, Died, SolverClient } from "../../web/src/solver/client.ts";
 import type { Request } from "../../web/src/solver/protocol.ts";
 
+const PANELS = {
+  kind: "panels",
+  also: { fairness: null, folds: false, defectsOf: null },
+} as const;
+
 /** A worker that answers only when told to. */
 class SlowWorker {
   onmessage: ((event: { data: unknown }) => void) | null = null;
@@ -78,7 +83,7 @@ describe("the solver client", () => {
   it("turns a failure into its sentence and goes on", async () => {
     const { client, worker } = await connect();
     const asked = settled(client.ask({ kind: "exact" }));
-    const next = client.ask({ kind: "panels", fairness: null, folds: false });
+    const next = client.ask(PANELS);
     worker.reply({ kind: "failed", job: 1, message: "No.", fatal: false });
     expect(await asked).toMatchObject({ message: "No." });
     worker.reply({ kind: "panels", job: 2, measures: null });
@@ -91,7 +96,7 @@ describe("the solver client", () => {
     client.cancel();
     expect(await asked).toBeInstanceOf(Abandoned);
     expect(worker.terminated).toBe(true);
-    const next = client.ask({ kind: "panels", fairness: null, folds: false });
+    const next = client.ask(PANELS);
     await client.ready;
     workers[1]?.reply({ kind: "panels", job: 2, measures: null });
     expect(await next).toMatchObject({ kind: "panels" });
@@ -111,14 +116,14 @@ describe("the solver client", () => {
   ])("replaces a worker that ends %s", async (_, end) => {
     const { client, worker, workers, deaths } = await connect();
     const asked = settled(client.ask({ kind: "exact" }));
-    const waiting = settled(client.ask({ kind: "panels", fairness: null, folds: false }));
+    const waiting = settled(client.ask(PANELS));
     end(worker);
     expect(await asked).toBeInstanceOf(Died);
     expect(await waiting).toBeInstanceOf(Abandoned);
     expect(deaths).toEqual([expect.stringMatching(/stopped/)]);
     worker.die();
     expect(deaths.length).toBe(1);
-    const next = client.ask({ kind: "panels", fairness: null, folds: false });
+    const next = client.ask(PANELS);
     await client.ready;
     workers[1]?.reply({ kind: "panels", job: 2, measures: null });
     expect(await next).toMatchObject({ kind: "panels" });

@@ -96,12 +96,22 @@ it("reads how a mesh became flat, and what older designs mean by true", () => {
     return read.ok ? read.value.planarised : read.reason;
   };
   expect(how(false)).toBe(null);
-  expect(how(true)).toEqual({ smooth: 0, keepBoundary: false, keepShape: false });
+  expect(how(true)).toEqual({
+    smooth: 0,
+    keepBoundary: false,
+    keepShape: false,
+    constraints: [],
+  });
   expect(how({ smooth: 10, shape: true })).toEqual({
     smooth: 10,
     keepBoundary: false,
     keepShape: true,
+    constraints: [],
   });
+  const circular = { kind: "circular", tolerance: 1e-9 };
+  expect(how({ constraints: [circular] })).toMatchObject({ constraints: ["circular:1e-9"] });
+  const twice = how({ constraints: [circular, circular] });
+  expect(twice).toMatch(/^planarised\.constraints: this page knows the kinds/);
   expect(how({ smooth: -1 })).toMatch(/smooth must be a number of at least 0/);
   expect(how({ fair: 1 })).toMatch(/fair is not a field/);
 });

@@ -28,7 +28,7 @@ const recipe: Recipe = {
 
 const withFile: Recipe = {
   ...recipe,
-  planarised: { smooth: 0, keepBoundary: false, keepShape: false },
+  planarised: { smooth: 0, keepBoundary: false, keepShape: false, constraints: [] },
   families: [],
   source: {
     kind: "file",
@@ -40,7 +40,8 @@ const withFile: Recipe = {
   camera: { position: [1.5, -2, 0.125], target: [0, 0, 1] },
 };
 
-const FAIR = { smooth: 100, keepBoundary: true, keepShape: true };
+const FAIR = { smooth: 100, keepBoundary: true, keepShape: true, constraints: [] };
+const CIRCULAR = { ...FAIR, constraints: ["circular:1e-9"] };
 
 const inSteps: Recipe = {
   ...recipe,
@@ -74,6 +75,7 @@ describe("links", () => {
     ["a sample", recipe],
     ["a file", withFile],
     ["a file made fair", { ...withFile, planarised: FAIR }],
+    ["a file made circular", { ...withFile, planarised: CIRCULAR }],
     [
       "an ℓ2 edit",
       { ...recipe, settings: { ...recipe.settings, sparsity: "l2" } } satisfies Recipe,

@@ -5,7 +5,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "planish/constraints/kept_constraint.hpp"
 #include "planish/mesh.hpp"
 #include "planish/projection.hpp"
 
@@ -17,12 +19,14 @@ struct Planarising {
   double fairness_weight = 10.0;
   bool keep_boundary = false;  ///< points on boundary edges stay
   bool keep_shape = true;      ///< ProjectionOptions::keep_shape
+  /// What the mesh becomes beside flat, as HandleEditOptions::constraints.
+  std::vector<KeptConstraint> constraints = {};
 
   friend bool operator==(const Planarising&, const Planarising&) = default;
 };
 
 /// What designs of the time before there was a choice mean.
-inline constexpr Planarising kNearestFlat{0.0, false, false};
+inline const Planarising kNearestFlat{0.0, false, false, {}};
 
 [[nodiscard]] std::optional<std::string> find_problem(const Planarising& how);
 

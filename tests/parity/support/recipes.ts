@@ -33,7 +33,7 @@ export function makeDesign(module: PlanishModule, recipe: Recipe): string {
   const session = new module.Session();
   if ("obj" in source) {
     done(session.openFile(new TextEncoder().encode(source.obj), "obj"));
-    done(session.planarise(10, false, true));
+    done(session.planarise(10, false, true, ""));
   } else {
     done(session.openSample(source.sample, source.size));
   }

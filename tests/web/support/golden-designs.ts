@@ -57,7 +57,7 @@ export const EDITED: Design = {
 export const OPENED: Design = {
   ...EDITED,
   source: FILE,
-  planarised: { smooth: 0, keepBoundary: false, keepShape: false },
+  planarised: { smooth: 0, keepBoundary: false, keepShape: false, constraints: [] },
   handles: [],
   shape: { moved: new Int32Array(0), positions: new Float64Array(0) },
   report: { ...EDITED.report, movedVertices: 0 },

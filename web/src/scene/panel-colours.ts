@@ -9,6 +9,7 @@ import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
 import {
+  defectEnd,
   foldEnd,
   makeRamp,
   planarityEnd,
@@ -42,7 +43,7 @@ export class PanelColours {
     this.#panelRamp = makeRamp(palette.planarity);
   }
 
-  /** `figures`: of points for fairness, of panels otherwise; null for the points' displacement. */
+  /** `figures`: of points for fairness and conical nodes, of panels otherwise; null for the points' displacement. */
   choose(kind: ColourBy, figures: Float32Array | null): void {
     this.#kind = kind;
     this.#figures = figures;
@@ -50,7 +51,8 @@ export class PanelColours {
 
   /** Gives every panel its colour; points get theirs from `paintVertex`. */
   paintAll(): void {
-    if (this.#figures && this.#kind === "fairness") this.#paintPoints(this.#figures);
+    const ofPoints = this.#kind === "fairness" || this.#kind === "conical";
+    if (this.#figures && ofPoints) this.#paintPoints(this.#figures);
     else if (this.#figures) this.#paintPanels(this.#figures);
     else this.#paintNeutral();
     this.#dirty.addAll(this.#mesh.vertices.length);
@@ -77,10 +79,11 @@ export class PanelColours {
       this.#colour.copyWithin(done, 0, done);
   }
 
-  #paintPoints(bending: Float32Array): void {
-    const end = bending.reduce((largest, bend) => Math.max(largest, bend), 0);
-    bending.forEach((bend, vertex) => {
-      const t = end > 0 ? bend / end : 0;
+  #paintPoints(values: Float32Array): void {
+    const largest = values.reduce((most, value) => Math.max(most, value), 0);
+    const end = this.#kind === "conical" ? defectEnd(values) : largest;
+    values.forEach((value, vertex) => {
+      const t = end > 0 ? value / end : 0;
       for (const corner of row(this.#mesh.topology.corners, vertex)) {
         writeRamp(this.#panelRamp, t, this.#colour, 3 * corner);
       }
@@ -89,15 +92,18 @@ export class PanelColours {
 
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
-   * Folds: in proportion, up to foldEnd(). Health: convex neutral, concave in the middle of the ramp,
+   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: convex neutral, concave in the middle of the ramp,
    * self-crossing at its end. What must be made again: see remakePlace().
    */
   #placeOf(figures: Float32Array): (panel: number) => number {
     if (this.#kind === "health") return (f) => (figures[PER_PANEL.health * f] ?? 0) / 2;
     if (this.#kind === "remake")
       return (f) => remakePlace(figures[PER_PANEL.health * f + CHANGE] ?? 0);
-    const end = this.#kind === "fold" ? foldEnd(figures) : planarityEnd(figures);
-    if (this.#kind === "fold") return (f) => (figures[f] ?? 0) / end;
+    if (this.#kind === "fold" || this.#kind === "circular") {
+      const end = this.#kind === "fold" ? foldEnd(figures) : defectEnd(figures);
+      return (f) => (figures[f] ?? 0) / end;
+    }
+    const end = planarityEnd(figures);
     return (f) => planarityShare(figures[PER_PANEL.figures * f + 2] ?? 0, end);
   }
 

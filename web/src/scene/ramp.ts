@@ -2,6 +2,7 @@
 import { Color } from "three";
 import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT } from "../state/flatness.ts";
+import { MEANT } from "../state/kept-kind.ts";
 
 /** Linear-light colour stops, blended in between. */
 export type Ramp = readonly Color[];
@@ -47,6 +48,10 @@ const CREASE = 30;
 /** Degrees at the end of the ramp of folds: those of a crease, or the sharpest fold. */
 export const foldEnd = (folds: Float32Array): number =>
   folds.reduce((sharpest, fold) => Math.max(sharpest, fold), CREASE);
+
+/** Degrees at the end of the ramp of a kind's defects: the worst, at least what still counts as kept. */
+export const defectEnd = (defects: Float32Array): number =>
+  defects.reduce((worst, defect) => Math.max(worst, defect), MEANT);
 
 /** Place on the ramp by the core's PanelChange: unchanged, cut again at the end, a new bevel between. */
 export const remakePlace = (change: number): number => [0, 1, 0.5][change] ?? 0;

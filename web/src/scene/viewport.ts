@@ -26,6 +26,7 @@ import {
   displayMesh,
   draft,
   handles,
+  kindDefects,
   localArrows,
   lock,
   mesh,
@@ -86,6 +87,7 @@ function figuresOf(kind: ColourBy): Float32Array | null {
   if (kind === "health" || kind === "remake") return panelHealth.value;
   if (kind === "fairness") return bending.value;
   if (kind === "fold") return panelFolds.value;
+  if (kind === "circular" || kind === "conical") return kindDefects.value;
   return kind === "planarity" ? panelFigures.value : null;
 }
 

@@ -5,7 +5,7 @@ import type { BoundarySupport, EditSettings, Planarising, Source } from "../solv
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import type { Parsed } from "../state/expression.ts";
 import { kindOf, kindTolerance, readKept } from "../state/kept-kind.ts";
-import { NEAREST_FLAT } from "../state/planarising.ts";
+import { isNearestFlat, NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark, Steps } from "../state/recipe.ts";
 import { readLimits } from "../state/stated-limit.ts";
 import { isUnit } from "../state/units.ts";
@@ -85,9 +85,14 @@ function optionsJson(settings: EditSettings): Json {
 /** `true` is the nearest flat mesh, as designs of earlier versions say it. */
 function planarisedJson(how: Planarising | null): Json | boolean {
   if (!how) return false;
-  const { smooth, keepBoundary, keepShape } = how;
-  if (smooth === 0 && !keepBoundary && !keepShape) return true;
-  return { smooth, keep_boundary: keepBoundary, shape: keepShape };
+  if (isNearestFlat(how)) return true;
+  const { smooth, keepBoundary, keepShape, constraints } = how;
+  return {
+    smooth,
+    keep_boundary: keepBoundary,
+    shape: keepShape,
+    ...(constraints.length > 0 && { constraints: constraints.map(constraintJson) }),
+  };
 }
 
 const variationJson = ({ coefficients, asked, eigenbasis }: Family): Json => ({
@@ -208,15 +213,14 @@ function pick<T>(value: unknown, words: readonly T[], usual: T, path: string): T
   return word;
 }
 
-function readConstraints(value: unknown): readonly string[] {
-  check(Array.isArray(value), "options.constraints must be a list.");
+function readConstraints(value: unknown, where: string): readonly string[] {
+  check(Array.isArray(value), `${where} must be a list.`);
   const texts = value.map((one: unknown, k) => {
-    const path = `options.constraints[${k}]`;
-    const { kind, tolerance } = readObject(one, path, ["kind", "tolerance"]);
+    const { kind, tolerance } = readObject(one, `${where}[${k}]`, ["kind", "tolerance"]);
     return `${kind}:${tolerance}`;
   });
   const kept = readKept(texts);
-  const words = "options.constraints: this page knows the kinds circular and conical, each once";
+  const words = `${where}: this page knows the kinds circular and conical, each once`;
   check(kept !== null, `${words}, with a tolerance above 0.`);
   return kept;
 }
@@ -226,7 +230,7 @@ function readOptions(value: unknown): Omit<EditSettings, "boundarySupport" | "co
   names.push("hard", "solver", "tolerance", "max_iterations", "shape");
   names.push("reach", "reach_length", "keep_boundary", "softness", "constraints", "bounds");
   const options = readObject(value ?? {}, "options", names);
-  const constraints = readConstraints(options.constraints ?? []);
+  const constraints = readConstraints(options.constraints ?? [], "options.constraints");
   const limits = readLimits(options.bounds ?? []);
   check(
     limits !== null,
@@ -311,14 +315,16 @@ function readMark(value: unknown): ResultMark | null {
 
 function readPlanarised(value: unknown): Planarising | null {
   if (!isRecord(value)) return value === true ? NEAREST_FLAT : null;
-  const {
-    smooth = 0,
-    keep_boundary,
-    shape,
-  } = readObject(value, "planarised", ["smooth", "keep_boundary", "shape"]);
+  const names = ["smooth", "keep_boundary", "shape", "constraints"];
+  const { smooth = 0, keep_boundary, shape, constraints } = readObject(value, "planarised", names);
   const isWeight = typeof smooth === "number" && smooth >= 0;
   check(isWeight, "planarised: smooth must be a number of at least 0.");
-  return { smooth, keepBoundary: keep_boundary === true, keepShape: shape === true };
+  return {
+    smooth,
+    keepBoundary: keep_boundary === true,
+    keepShape: shape === true,
+    constraints: readConstraints(constraints ?? [], "planarised.constraints"),
+  };
 }
 
 function readSupports(value: unknown): BoundarySupport {

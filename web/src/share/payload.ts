@@ -5,7 +5,8 @@
 // layout is a new version.
 import type { EngineName, Fairness, FileFormat, Planarising, Source } from "../solver/protocol.ts";
 import type { Family } from "../state/design.ts";
-import { NEAREST_FLAT } from "../state/planarising.ts";
+import { readKept } from "../state/kept-kind.ts";
+import { isNearestFlat, NEAREST_FLAT } from "../state/planarising.ts";
 import type { Recipe, ResultMark } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
@@ -33,8 +34,9 @@ const MOST_FAMILIES = 100;
 interface Payload {
   /** Sample name and size, or file name and format. */
   s: [string, number] | [string, FileFormat];
-  /** Whether its mesh was planarised; then the weight of fairness, the boundary and the shape kept. */
-  p: 0 | 1 | [number, 0 | 1, 0 | 1];
+  /** Whether its mesh was planarised; then the weight of fairness, the boundary and the
+   * shape kept, and kinds of constraints if there are any. */
+  p: 0 | 1 | [number, 0 | 1, 0 | 1] | [number, 0 | 1, 0 | 1, readonly string[]];
   h: [number, number, number, number, 0 | 1][];
   w: [number, number, number, Fairness, EngineName];
   x: readonly number[] | null;
@@ -75,19 +77,21 @@ function toPayload(recipe: Recipe): Payload {
 /** 1 is the nearest flat mesh, which links of earlier versions mean by it. */
 function writePlanarising(how: Planarising | null): Payload["p"] {
   if (!how) return 0;
-  const { smooth, keepBoundary, keepShape } = how;
-  if (smooth === 0 && !keepBoundary && !keepShape) return 1;
-  return [smooth, keepBoundary ? 1 : 0, keepShape ? 1 : 0];
+  if (isNearestFlat(how)) return 1;
+  const flags = [how.keepBoundary ? 1 : 0, how.keepShape ? 1 : 0] as const;
+  const { smooth, constraints } = how;
+  return constraints.length > 0 ? [smooth, ...flags, constraints] : [smooth, ...flags];
 }
 
 /** undefined if it is neither. */
 function readPlanarising(value: unknown): Planarising | null | undefined {
   if (!Array.isArray(value)) return value === 1 ? NEAREST_FLAT : null;
-  const [smooth, boundary, shape] = value as unknown[];
-  const whole = isNumbers(value) && value.length === 3 && Number(smooth) >= 0;
-  return whole
-    ? { smooth: Number(smooth), keepBoundary: boundary === 1, keepShape: shape === 1 }
-    : undefined;
+  const numbers: unknown[] = value.slice(0, 3);
+  const constraints = readKept(value[3] ?? []);
+  if (!isNumbers(numbers, 3) || value.length > 4 || !constraints) return undefined;
+  const [smooth = 0, boundary, shape] = numbers;
+  if (smooth < 0) return undefined;
+  return { smooth, keepBoundary: boundary === 1, keepShape: shape === 1, constraints };
 }
 
 export async function encodePayload(recipe: Recipe): Promise<Uint8Array> {

@@ -2,6 +2,7 @@
 // One design inside a saved record: words in JSON, every number that must come back in float64.
 import type { Planarising, Shape, ShapeReport, Source } from "../solver/protocol.ts";
 import type { Design, Family, HandleRow, Variation } from "../state/design.ts";
+import { readKept } from "../state/kept-kind.ts";
 import { NEAREST_FLAT } from "../state/planarising.ts";
 import type { PoolReader, PoolWriter } from "./number-pool.ts";
 import {
@@ -165,8 +166,14 @@ function readPlanarising(value: unknown): Planarising | null | undefined {
   if (value === true) return NEAREST_FLAT;
   if (!isRecord(value)) return undefined;
   const { smooth, keepBoundary, keepShape } = value;
-  if (typeof smooth !== "number" || !(smooth >= 0)) return undefined;
-  return { smooth, keepBoundary: keepBoundary === true, keepShape: keepShape === true };
+  const constraints = readKept(value.constraints ?? []);
+  if (typeof smooth !== "number" || !(smooth >= 0) || !constraints) return undefined;
+  return {
+    smooth,
+    keepBoundary: keepBoundary === true,
+    keepShape: keepShape === true,
+    constraints,
+  };
 }
 
 /** null if it is not a whole design, or if its file is not there. */

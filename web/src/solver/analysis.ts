@@ -3,7 +3,7 @@
 import type { Session } from "@wasm/planish.mjs";
 import type { Analysis, AnalysisModule } from "@wasm/planish_analysis.mjs";
 import analysisUrl from "@wasm/planish_analysis.wasm?url";
-import type { Fairness, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
+import type { AlsoMeasured, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
 
 async function load(): Promise<AnalysisModule> {
   const { default: create } = await import("@wasm/planish_analysis.mjs");
@@ -30,7 +30,7 @@ export class DesignAnalysis {
     this.#analysis = null;
   }
 
-  panels(fairness: Fairness | null, folds: boolean): PanelMeasures | null {
+  panels({ fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures | null {
     const [module, analysis] = this.#current();
     if (!module || !analysis) return null;
     return {
@@ -39,6 +39,7 @@ export class DesignAnalysis {
       damage: analysis.panelDamage(),
       folds: folds ? analysis.panelFolds() : null,
       bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
+      defects: defectsOf ? analysis.defects(defectsOf) : null,
     };
   }
 
@@ -53,6 +54,7 @@ export class DesignAnalysis {
       damage: analysis.panelDamage(),
       folds: analysis.panelFolds(),
       bending: null,
+      defects: null,
     };
   }
 

@@ -7,10 +7,10 @@ import { FoldHold, type HandleList } from "./fold-limit.ts";
 import { openGlb, writeGlb } from "./glb.ts";
 import { LimitedFrames } from "./limited-frames.ts";
 import type {
+  AlsoMeasured,
   BoundarySupport,
   EditMode,
   EditSettings,
-  Fairness,
   FileFormat,
   OpenedMesh,
   Planarising,
@@ -43,8 +43,8 @@ function insist(refusal: string): void {
 
 const planariseBase = (
   session: Session,
-  { smooth, keepBoundary, keepShape }: Planarising,
-): string => session.planarise(smooth, keepBoundary, keepShape);
+  { smooth, keepBoundary, keepShape, constraints }: Planarising,
+): string => session.planarise(smooth, keepBoundary, keepShape, constraints.join("\n"));
 
 function insistReadable(name: string, refusal: string): void {
   insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
@@ -228,7 +228,7 @@ export class Dispatcher {
         this.#postProjected(job);
         return;
       case "panels":
-        this.#postMeasures(job, request.fairness, request.folds);
+        this.#postMeasures(job, request.also);
         return;
       case "measure":
         this.#post({ kind: "panels", job, measures: this.#analysis.measure(request.shape) }, []);
@@ -239,11 +239,9 @@ export class Dispatcher {
     }
   }
 
-  #postMeasures(job: number, fairness: Fairness | null, folds: boolean): void {
-    const measures = this.#analysis.panels(fairness, folds);
-    const arrays = measures
-      ? [measures.figures, measures.health, measures.damage, measures.folds, measures.bending]
-      : [];
+  #postMeasures(job: number, also: AlsoMeasured): void {
+    const measures = this.#analysis.panels(also);
+    const arrays: readonly (Float32Array | Uint8Array | null)[] = Object.values(measures ?? {});
     const buffers = arrays.flatMap((array) => (array ? [array.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);
   }

@@ -82,6 +82,8 @@ export interface Planarising {
   readonly keepBoundary: boolean;
   /** No panel becomes concave, crossing, turned over or collapsed that was not. */
   readonly keepShape: boolean;
+  /** What it becomes beside flat, as EditSettings has them. */
+  readonly constraints: readonly string[];
 }
 
 export type Request =
@@ -115,8 +117,7 @@ export type Request =
   | { kind: "exact"; job: number } // → shown
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
-  /** `fairness`: also how sharply the edit bends at each point, by this operator. */
-  | { kind: "panels"; job: number; fairness: Fairness | null; folds: boolean } // → panels
+  | { kind: "panels"; job: number; also: AlsoMeasured } // → panels
   /** The same of any shape of the mesh that is open, with folds; the design shown stays. */
   | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
@@ -208,6 +209,15 @@ export interface ExploreReport {
 /** Numbers per panel in PanelMeasures. */
 export const PER_PANEL = { figures: 3, health: 4 } as const;
 
+/** What is measured only while someone looks. */
+export interface AlsoMeasured {
+  /** How sharply the edit bends at each point, by this operator. */
+  readonly fairness: Fairness | null;
+  readonly folds: boolean;
+  /** How far panels or points are from the kind of this name. */
+  readonly defectsOf: string | null;
+}
+
 /** What is measured on a finished design. */
 export interface PanelMeasures {
   /** Gap in model units, mm/m, and mm/m or 0 where rounding accounts for it, for every panel. */
@@ -220,6 +230,8 @@ export interface PanelMeasures {
   readonly folds: Float32Array | null;
   /** How sharply the edit bends at every vertex, model units; null if not asked for. */
   readonly bending: Float32Array | null;
+  /** How far every panel or vertex is from a kind, degrees, -1 if free of it; null if not asked for. */
+  readonly defects: Float32Array | null;
 }
 
 /** What the points that move can still do, to first order, everything else staying. */

@@ -3,6 +3,7 @@
 import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
 import { toTargets } from "./design.ts";
+import { KINDS } from "./kept-kind.ts";
 import { panelCount } from "./panel-rows.ts";
 import { stopsShort } from "./stopping-short.ts";
 import {
@@ -10,6 +11,7 @@ import {
   colourBy,
   freedom,
   history,
+  kindDefects,
   measurable,
   mesh,
   panelDamage,
@@ -33,7 +35,8 @@ export function keepPanelFigures(): () => void {
     panelDamage.value = null;
     const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
     const folds = colourBy.value === "fold";
-    client.ask({ kind: "panels", fairness, folds }).then(
+    const defectsOf = KINDS.find((kind) => kind === colourBy.value) ?? null;
+    client.ask({ kind: "panels", also: { fairness, folds, defectsOf } }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
         if (!measures || panelCount(measures.figures) > EAGER) return;
@@ -43,6 +46,7 @@ export function keepPanelFigures(): () => void {
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
           panelFolds.value = measures.folds;
+          kindDefects.value = measures.defects;
         });
         if ((selectedPanel.peek() ?? 0) >= panelCount(measures.figures)) selectedPanel.value = null;
       },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
-import { foldEnd, planarityEnd, planarityShare } from "../scene/ramp.ts";
+import { defectEnd, foldEnd, planarityEnd, planarityShare } from "../scene/ramp.ts";
 import { type OpenedMesh, PER_PANEL, type Shape } from "../solver/protocol.ts";
 
 export interface Histogram {
@@ -13,8 +13,9 @@ export interface Histogram {
 }
 
 const BINS = 16;
-/** Degrees: below is rounding. */
+/** Degrees: below is rounding, of coordinates of any size. */
 const LEAST_FOLD = 1e-4;
+const LEAST_DEFECT = 1e-6;
 
 /** @param share place on the ramp, 0 for what is at rest */
 function count(values: ArrayLike<number>, end: number, share: (x: number) => number): Histogram {
@@ -63,6 +64,13 @@ export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 export function ofFolds(folds: Float32Array): Histogram {
   const end = foldEnd(folds);
   return count(folds, end, (fold) => (fold < LEAST_FOLD ? 0 : fold / end));
+}
+
+/** Degrees by which panels or nodes miss a kind, up to the legend's end. */
+export function ofDefects(defects: Float32Array): Histogram {
+  const end = defectEnd(defects);
+  const bound = defects.filter((defect) => defect >= 0);
+  return count(bound, end, (defect) => (defect < LEAST_DEFECT ? 0 : defect / end));
 }
 
 /** mm/m of panels, on the legend's logarithmic scale. @param figures gap, mm/m, excess for each */

@@ -6,6 +6,8 @@ import type { MeshReport } from "../solver/protocol.ts";
 export const KINDS = ["circular", "conical"] as const;
 export type Kind = (typeof KINDS)[number];
 
+export const isKind = (word: string): word is Kind => KINDS.some((kind) => kind === word);
+
 /** The command line's own, degrees. */
 const TOLERANCE = 1e-9;
 
@@ -26,8 +28,16 @@ export function readKept(value: unknown): readonly string[] | null {
   return right && new Set(value.map(kindOf)).size === value.length ? value : null;
 }
 
+/** Those of `kept` and `kind`, in the order of KINDS. */
+export function withKind(kept: readonly string[], kind: Kind): readonly string[] {
+  return KINDS.flatMap((name) => {
+    const same = kept.filter((one) => kindOf(one) === name);
+    return same.length === 0 && name === kind ? [kindText(kind)] : same;
+  });
+}
+
 /** Degrees: where half of the panels or nodes miss a kind by less, the mesh is meant to be so. */
-const MEANT = 0.05;
+export const MEANT = 0.05;
 
 export const isMeant = (report: MeshReport, kind: Kind): boolean =>
   (report.kinds[kind]?.median ?? Number.POSITIVE_INFINITY) < MEANT;

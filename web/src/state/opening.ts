@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Opening samples, planarising what is not flat. Each is one step of the history.
-import type { OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
+import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
-import { isKeptBy, kindOf } from "./kept-kind.ts";
+import { isKeptBy, type Kind, kindOf, withKind } from "./kept-kind.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
@@ -68,22 +68,40 @@ export const openSample = (name: string): Promise<void> =>
 const NOT_FLAT =
   "Some panels cannot become flat and keep their shape. Fairer reaches further; the nearest flat mesh comes without “Panels keep their shape” under Advanced.";
 
-/** Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step. */
-export async function planariseNow(): Promise<void> {
+/** What the mesh became is not what was asked for; "" where it is. */
+function missed(asked: readonly string[], report: MeshReport): string {
+  if (!baseFlat.value) return NOT_FLAT;
+  const kinds = asked.map(kindOf).filter((kind) => kind && !isKeptBy(report, kind));
+  return kinds.length > 0
+    ? `The mesh cannot become ${kinds.join(" and ")} and keep its shape.`
+    : "";
+}
+
+/**
+ * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step.
+ * @param kind what it becomes beside flat and what is kept already
+ */
+export async function planariseNow(kind?: Kind): Promise<void> {
   const design = draft.value;
   if (!design) return;
   const { handles, settings } = design;
   const tolerance = refusedTolerance.value ?? settings.tolerance;
-  const how = { ...planarising.value, keepShape: settings.keepShape };
-  const answer = await run("making every panel flat", { kind: "planarise", how }, "opened");
+  const constraints = kind ? withKind(settings.constraints, kind) : settings.constraints;
+  const how = { ...planarising.value, keepShape: settings.keepShape, constraints };
+  const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
+  const answer = await run(doing, { kind: "planarise", how }, "opened");
   if (!answer) return;
-  draft.value = { ...design, settings: { ...settings, tolerance } };
+  draft.value = { ...design, settings: { ...settings, tolerance, constraints } };
   adopt(design.source, how, answer.mesh);
-  if (!baseFlat.value) notice.value = NOT_FLAT;
+  const words = missed(constraints, answer.mesh.report);
+  if (words) notice.value = words;
   if (handles.length > 0 && baseFlat.value) await commitEdit({ ...draft.value, handles }, "solve");
 }
 
-export const planarise = (): Promise<void> => inTurn(planariseNow);
+export const planarise = (): Promise<void> => inTurn(() => planariseNow());
+
+/** Makes the mesh itself circular or conical, which its edits then keep. */
+export const makeKept = (kind: Kind): Promise<void> => inTurn(() => planariseNow(kind));
 
 /** The first visit: the painted sample becomes live, and one point asks to be dragged. */
 export async function openFirst(): Promise<void> {

@@ -6,6 +6,7 @@ import type { Snapshot } from "../share/saved-record.ts";
 import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
+import type { Kind } from "./kept-kind.ts";
 import { FAIR_FLAT } from "./planarising.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
 import { turnsLeft } from "./turns.ts";
@@ -32,6 +33,7 @@ export type ColourBy =
   | "fairness"
   | "health"
   | "remake"
+  | Kind
   | "none";
 
 /** False until the page can be used. */
@@ -83,6 +85,9 @@ export const panelHealth = signal<Float32Array | null>(null);
 export const panelDamage = signal<Uint8Array | null>(null);
 /** The sharpest fold of every panel with a neighbour, degrees; null while nobody looks. */
 export const panelFolds = signal<Float32Array | null>(null);
+/** How far panels (circular) or points (conical) are from that kind, degrees, -1 if free of it; null
+ * while nobody looks. */
+export const kindDefects = signal<Float32Array | null>(null);
 /** How sharply the edit bends at every point, model units; null while nobody looks. */
 export const bending = signal<Float32Array | null>(null);
 /** Whether someone looks at what the edit leaves free. */

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 import type { Histogram as Counts } from "../state/histogram.ts";
-import { ofBending, ofDisplacement, ofFolds, ofMoves, ofPlanarity } from "../state/histogram.ts";
+import {
+  ofBending,
+  ofDefects,
+  ofDisplacement,
+  ofFolds,
+  ofMoves,
+  ofPlanarity,
+} from "../state/histogram.ts";
+import { isKind } from "../state/kept-kind.ts";
 import { movesOn } from "../state/moves.ts";
 import {
   bending,
   colourBy,
   draft,
   figures,
+  kindDefects,
   mesh,
   panelFigures,
   panelFolds,
@@ -47,6 +56,15 @@ function shown(): Shown | null {
       counts: ofFolds(panelFolds.value),
       what: ["panel folds", "panels fold"],
       rest: "flat with their neighbours",
+    };
+  if (isKind(kind) && kindDefects.value)
+    return {
+      counts: ofDefects(kindDefects.value),
+      what:
+        kind === "circular"
+          ? ["panel misses it", "panels miss it"]
+          : ["node misses it", "nodes miss it"],
+      rest: kind,
     };
   if (kind === "fairness" && bending.value)
     return {

@@ -2,7 +2,8 @@
 // Circular panels and conical nodes, kept by edits of meshes that are made of them.
 import { FIRST_SETTINGS } from "../state/design.ts";
 import { commitSettings } from "../state/editing.ts";
-import { isKeptBy, isMeant, KINDS, type Kind, kindOf, kindText } from "../state/kept-kind.ts";
+import { isKeptBy, isMeant, KINDS, type Kind, kindOf, withKind } from "../state/kept-kind.ts";
+import { makeKept } from "../state/opening.ts";
 import { mesh, ready, settings } from "../state/store.ts";
 
 const LABELS: Readonly<Record<Kind, string>> = {
@@ -15,10 +16,13 @@ const isOn = (kind: Kind): boolean => kept().some((one) => kindOf(one) === kind)
 
 function choose(kind: Kind, on: boolean): void {
   const others = kept().filter((one) => kindOf(one) !== kind);
-  const all = on ? [...others, kindText(kind)] : others;
-  const constraints = KINDS.flatMap((name) => all.filter((one) => kindOf(one) === name));
-  void commitSettings({ constraints });
+  void commitSettings({ constraints: on ? withKind(others, kind) : others });
 }
+
+const MAKE: Readonly<Record<Kind, string>> = {
+  circular: "Make panels circular",
+  conical: "Make nodes conical",
+};
 
 /** What the mesh itself is, where an edit cannot keep it. */
 function nearWords(kind: Kind): string {
@@ -26,7 +30,7 @@ function nearWords(kind: Kind): string {
   const defects = report?.kinds[kind];
   if (!report || !defects || isKeptBy(report, kind)) return "";
   const worst = Number((defects.worst ?? 0).toPrecision(2));
-  return `The mesh misses it by up to ${worst}°: “planish project --constraint ${kind}” makes it so first.`;
+  return `The mesh misses it by up to ${worst}°. Making it so moves points of the mesh itself.`;
 }
 
 function KeptKind({ kind }: { kind: Kind }) {
@@ -42,10 +46,26 @@ function KeptKind({ kind }: { kind: Kind }) {
         />
         <span>{LABELS[kind]}</span>
       </label>
-      {words && <p class="quiet small">{words}</p>}
+      {words && (
+        <>
+          <p class="quiet small">{words}</p>
+          <button
+            type="button"
+            class="button"
+            disabled={!ready.value}
+            onClick={() => void makeKept(kind)}
+          >
+            {MAKE[kind]}
+          </button>
+        </>
+      )}
     </>
   );
 }
+
+/** Whether there is anything in the mesh that could miss it. */
+const isPossible = (kind: Kind): boolean =>
+  isOn(kind) || mesh.value?.report.kinds[kind]?.worst !== undefined;
 
 /** Offered where a mesh is meant to be so, or where it is on; the others stand in Advanced. */
 function isOffered(kind: Kind): boolean {
@@ -56,7 +76,7 @@ function isOffered(kind: Kind): boolean {
 export function KeptKinds({ offered }: { offered: boolean }) {
   return (
     <>
-      {KINDS.filter((kind) => isOffered(kind) === offered).map((kind) => (
+      {KINDS.filter((kind) => isPossible(kind) && isOffered(kind) === offered).map((kind) => (
         <KeptKind key={kind} kind={kind} />
       ))}
     </>

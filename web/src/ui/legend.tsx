@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
 import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
-import { cssGradient, foldEnd } from "../scene/ramp.ts";
+import { cssGradient, defectEnd, foldEnd } from "../scene/ramp.ts";
 import { formatDegrees } from "../state/fold.ts";
-import { bending, type ColourBy, colourBy, figures, panelFolds, unit } from "../state/store.ts";
+import { isKind, type Kind } from "../state/kept-kind.ts";
+import {
+  bending,
+  type ColourBy,
+  colourBy,
+  figures,
+  kindDefects,
+  mesh,
+  panelFolds,
+  unit,
+} from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
 
@@ -22,6 +32,8 @@ const CHOICES: readonly (readonly [ColourBy, string])[] = [
   ["fairness", "Fairness"],
   ["health", "Panel health"],
   ["remake", "Make again"],
+  ["circular", "Circular"],
+  ["conical", "Conical"],
   ["none", "Nothing"],
 ];
 
@@ -34,7 +46,9 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   );
 }
 
-function ends(kind: "displacement" | "fairness" | "fold"): readonly [string, string] {
+type Linear = "displacement" | "fairness" | "fold" | Kind;
+
+function ends(kind: Linear): readonly [string, string] {
   const { maxDisplacement } = figures.value;
   if (kind === "displacement")
     return ["0 mm, untouched", formatLength(maxDisplacement, unit.value)];
@@ -42,11 +56,15 @@ function ends(kind: "displacement" | "fairness" | "fold"): readonly [string, str
     const end = panelFolds.value ? foldEnd(panelFolds.value) : 0;
     return ["0°, flat", formatDegrees(end)];
   }
+  if (isKind(kind)) {
+    const end = kindDefects.value ? defectEnd(kindDefects.value) : 0;
+    return ["0°, kept", formatDegrees(end)];
+  }
   const sharpest = bending.value?.reduce((most, bend) => Math.max(most, bend), 0) ?? 0;
   return ["0 mm, smooth", formatLength(sharpest, unit.value)];
 }
 
-function Ends({ of }: { of: "displacement" | "fairness" | "fold" }) {
+function Ends({ of }: { of: Linear }) {
   const [low, high] = ends(of);
   return (
     <div class="legend-ends">
@@ -70,7 +88,17 @@ function Scale() {
       {kind === "planarity" ? <PlanarityScale /> : <Ends of={kind} />}
       {kind === "fairness" && <p class="legend-note">Difference between neighbours' moves</p>}
       {kind === "fold" && <p class="legend-note">Each panel's sharpest with a neighbour</p>}
+      {kind === "circular" && <p class="legend-note">Opposite angles from 180° together</p>}
+      {kind === "conical" && <p class="legend-note">Opposite angles' sums from each other</p>}
     </>
+  );
+}
+
+/** Kinds of constraints only where the mesh has panels or nodes that could miss them. */
+function choices(): readonly (readonly [ColourBy, string])[] {
+  const kinds = mesh.value?.report.kinds;
+  return CHOICES.filter(
+    ([kind]) => !isKind(kind) || kind === colourBy.value || kinds?.[kind]?.worst !== undefined,
   );
 }
 
@@ -88,7 +116,7 @@ export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | n
             colourBy.value = CHOICES.find(([kind]) => kind === currentTarget.value)?.[0] ?? "none";
           }}
         >
-          {CHOICES.map(([kind, label]) => (
+          {choices().map(([kind, label]) => (
             <option key={kind} value={kind}>
               {label}
             </option>

@@ -14,6 +14,8 @@ namespace planish {
 struct KeptConstraint {
   std::string kind;        ///< a name of constraints/registry.hpp, for example "circular"
   double tolerance = 0.0;  ///< largest measure of a finished mesh, > 0, in the kind's unit
+
+  friend bool operator==(const KeptConstraint&, const KeptConstraint&) = default;
 };
 
 /// The first rule that `constraints` break, naming the kind; nullopt if none.

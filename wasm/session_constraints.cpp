@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+/// What holds the points of a session's mesh: kinds beside planarity, stated limits, supports; and
+/// how an opened mesh comes to keep them.
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "json_text.hpp"
+#include "planish/io/number.hpp"
+#include "session.hpp"
+
+namespace planish {
+namespace {
+
+/// No stream: it would bring the library's locales along, a tenth of the module.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<KeptConstraint> read_constraints(std::string_view lines) {
+  std::vector<KeptConstraint> constraints;
+  for (const std::string_view line : lines_of(lines)) {
+    const std::size_t colon = line.find(':');
+    const std::string_view kind = line.substr(0, colon);
+    const bool own = colon == std::string_view::npos;
+    const std::optional<double> tolerance =
+        own ? own_tolerance(kind).value_or(1.0) : parse_number(line.substr(colon + 1));
+    constraints.push_back({std::string(kind), tolerance.value_or(0.0)});
+  }
+  return constraints;
+}
+
+Refusal Session::planarise(const Planarising& how) {
+  if (const auto problem = find_problem(how)) return *problem;
+  Mesh opened = base_;
+  if (before_planarising_.cols() > 0) opened.positions = before_planarising_;
+  const ProjectionResult result = planish::planarise(opened, how, progress_);
+  const bool sound = how.keep_shape && !result.moved.empty() &&
+                     result.report.status == SolveStatus::kToleranceNotMet;
+  if (!result.report.usable() && !sound) {
+    return std::to_string(result.failing_faces.size()) +
+           (how.constraints.empty() ? " panels cannot be made flat" : " panels cannot be made so") +
+           "; the mesh is as it was.";
+  }
+  Positions before = opened.positions;
+  Mesh flat = std::move(opened);
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  const double max_move = result.max_move;
+  adopt(std::move(flat), warnings_);
+  before_planarising_ = std::move(before);
+  report_ =
+      JsonText().add("status", status_name(result.report.status)).add("maxMove", max_move).text();
+  return std::nullopt;
+}
+
+/// An engine that does not know the constraints is refused by the edit, not by the order of calls.
+void Session::renew_solver() {
+  if (find_problem(options_)) {
+    solver_.reset();
+  } else if (solver_) {
+    solver_->set_options(options_);
+  }
+}
+
+Refusal Session::set_constraints(const std::string& lines) {
+  std::vector<KeptConstraint> constraints = read_constraints(lines);
+  if (const auto problem = find_problem(constraints)) return *problem;
+  if (constraints.empty() && options_.constraints.empty()) return std::nullopt;
+  options_.constraints = std::move(constraints);
+  constraints_fit_ = options_.constraints.empty();
+  renew_solver();
+  return std::nullopt;
+}
+
+/// Looked at once for a base, as the supports are.
+Refusal Session::require_kept_constraints() {
+  if (const auto problem = find_problem(options_)) return *problem;
+  if (constraints_fit_) return std::nullopt;
+  if (const auto broken = find_broken_constraint(base_, options_)) return *broken;
+  constraints_fit_ = true;
+  return std::nullopt;
+}
+
+Refusal Session::set_limits(const std::string& lines) {
+  std::vector<StatedLimit> limits;
+  for (const std::string_view line : lines_of(lines)) {
+    auto limit = parse_stated_limit(line);
+    if (!limit) return "A limit must be one of " + known_limits() + ".";
+    limits.push_back(std::move(*limit));
+  }
+  if (const auto problem = find_problem(limits)) return *problem;
+  if (limits.empty() && options_.bounds.empty()) return std::nullopt;
+  options_.bounds = std::move(limits);
+  renew_solver();
+  return std::nullopt;
+}
+
+Refusal Session::require_no_limits(const char* what) const {
+  if (options_.bounds.empty()) return std::nullopt;
+  return std::string(what) + " no limits yet: turn them off first.";
+}
+
+Refusal Session::set_supports(const std::string& lines) {
+  std::vector<PointSupport> supports;
+  for (const std::string_view line : lines_of(lines)) {
+    auto support = parse_point_support(line);
+    if (!support) return "A support must be one of " + std::string(known_supports());
+    supports.push_back(std::move(*support));
+  }
+  if (const auto problem = find_problem(supports)) return *problem;
+  supports_ = std::move(supports);
+  supports_fit_ = supports_.empty();
+  return std::nullopt;
+}
+
+/// The supports are looked at once for a base, not in every frame: that costs O(n).
+Refusal Session::take_targets(EditTargets& targets) {
+  if (const auto problem = find_problem(targets, base_)) return *problem;
+  if (!supports_fit_) {
+    if (const auto problem = find_problem(supports_, base_)) return *problem;
+  }
+  supports_fit_ = true;
+  targets.supports = supports_;
+  return std::nullopt;
+}
+
+}  // namespace planish
