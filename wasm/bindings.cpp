@@ -147,6 +147,8 @@ val variation_displacements(const Session& s) {
   return copy(all);
 }
 val base_positions(const Session& s) { return copy(s.base().positions); }
+void keep_frame(Session& s) { s.keep_frame(); }
+void go_back(Session& s) { s.go_back(); }
 val before_planarising(const Session& s) { return copy(s.before_planarising()); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
@@ -188,6 +190,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("setConstraints", &set_constraints)
       .function("setSupports", &set_supports)
       .function("edit", &edit)
+      .function("keepFrame", &keep_frame)
+      .function("goBack", &go_back)
       .function("restore", &restore)
       .function("explore", &explore)
       .function("vary", &vary)

@@ -56,6 +56,9 @@ export interface Session {
     continuation: number,
     budgetSeconds: number,
   ): string;
+  /** Marks where a drag stands; after goBack() its next frame follows that one again. */
+  keepFrame(): void;
+  goBack(): void;
   restore(
     handles: Float64Array,
     pins: Int32Array,

@@ -117,6 +117,14 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   return std::nullopt;
 }
 
+void Session::keep_frame() {
+  if (solver_) solver_->keep_frame();
+}
+
+void Session::go_back() {
+  if (solver_) solver_->go_back();
+}
+
 Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
                          const Positions& positions, bool keep_variations) {
   if (const Refusal refusal = take_targets(targets)) return refusal;

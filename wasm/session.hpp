@@ -69,6 +69,10 @@ class Session {
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
   /// report says it, and whether a solve at once ends lower.
   [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);
+  /// Marks where a drag stands; go_back() makes its next frame follow that one again. What is shown
+  /// stays.
+  void keep_frame();
+  void go_back();
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
   /// @param keep_variations the design is one of the family found last, or its centre
   [[nodiscard]] Refusal restore(EditTargets targets, const std::vector<int>& moved,

@@ -55,8 +55,7 @@ void HandleEditSolver::State::rebuild() {
   terms_->fill(options_, problem_);
   problem_.slides = slides_.get();
   state_limits();
-  drag_support_.clear();
-  last_exact_.reset();
+  forget_drag();
 }
 
 /// Costs what the supports hold, and nothing from one frame to the next.
@@ -68,8 +67,7 @@ void HandleEditSolver::State::set_supports(const std::vector<PointSupport>& supp
     slides_ = std::make_unique<VertexSlides>(model_->mesh, supports, model_->unit());
   problem_.slides = slides_.get();
   make_verdict();
-  drag_support_.clear();
-  last_exact_.reset();
+  forget_drag();
 }
 
 /// The rows of the stated limits, and a verdict that knows them.
@@ -122,8 +120,7 @@ void HandleEditSolver::State::set_targets(const EditTargets& targets) {
   // What was exact before may have moved what is pinned, kept or out of reach now.
   pins_ = std::move(pins);
   limited_to_ = std::move(limited_to);
-  drag_support_.clear();
-  last_exact_.reset();
+  forget_drag();
 }
 
 /// The base mesh as a design.
@@ -232,6 +229,10 @@ HandleEditResult HandleEditSolver::solve(const EditTargets& targets, const Progr
 HandleEditResult HandleEditSolver::drag(const EditTargets& targets, double budget_seconds) {
   return state_->drag(targets, budget_seconds);
 }
+
+void HandleEditSolver::keep_frame() { state_->keep_frame(); }
+
+void HandleEditSolver::go_back() { state_->go_back(); }
 
 HandleEditResult solve_handle_edit(const Mesh& mesh, const EditTargets& targets,
                                    const HandleEditOptions& options) {

@@ -55,6 +55,27 @@ NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
   return total;
 }
 
+void HandleEditSolver::State::forget_drag() {
+  drag_support_.clear();
+  last_exact_.reset();
+  kept_frame_.reset();
+}
+
+void HandleEditSolver::State::keep_frame() {
+  kept_frame_ = {drag_support_, last_exact_, field_->snapshot()};
+}
+
+void HandleEditSolver::State::go_back() {
+  if (!kept_frame_) {
+    drag_support_.clear();
+    last_exact_.reset();
+    return;
+  }
+  drag_support_ = kept_frame_->support;
+  last_exact_ = kept_frame_->last_exact;
+  field_->restore(kept_frame_->field);
+}
+
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {
   const Stopwatch watch;
   set_targets(targets);

@@ -26,11 +26,14 @@ class HandleEditSolver::State {
   void set_options(const HandleEditOptions& options);
   HandleEditResult solve(const EditTargets& targets, const Progress& progress);
   HandleEditResult drag(const EditTargets& targets, double budget_seconds);
+  void keep_frame();
+  void go_back();
 
  private:
   void rebuild();
   void state_limits();
   void make_verdict();
+  void forget_drag();
   [[nodiscard]] bool is_bounded() const;
   void set_targets(const EditTargets& targets);
   void set_supports(const std::vector<PointSupport>& supports);
@@ -75,8 +78,15 @@ class HandleEditSolver::State {
   EditTargets targets_;  ///< of the solve
   std::vector<int> drag_support_;
   std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
-  std::vector<int> pins_;                  ///< ascending
-  std::vector<int> limited_to_;            ///< handles that what may move depends on, ascending
+  /// What keep_frame() saw.
+  struct KeptFrame {
+    std::vector<int> support;
+    std::optional<ExactDesign> last_exact;
+    DisplacementField::Snapshot field;
+  };
+  std::optional<KeptFrame> kept_frame_;
+  std::vector<int> pins_;        ///< ascending
+  std::vector<int> limited_to_;  ///< handles that what may move depends on, ascending
   double setup_seconds_ = 0.0;
 };
 

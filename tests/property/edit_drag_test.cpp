@@ -87,6 +87,28 @@ TEST_P(DragOn, ReturningToTheStartMovesNothing) {
   EXPECT_LT(solver.drag(at(0.0), kAmpleSeconds).report.max_displacement, 1e-6);
 }
 
+TEST_P(DragOn, GoingBackIsAsIfTheFramesSinceHadNotBeen) {
+  HandleEditSolver straight(mesh, {}), astray(mesh, {});
+  for (const double share : {0.2, 0.4, 0.6}) {
+    (void)straight.drag(at(share), kAmpleSeconds);
+    (void)astray.drag(at(share), kAmpleSeconds);
+  }
+  astray.keep_frame();
+  for (const double share : {1.5, -1.0, 3.0}) {
+    (void)astray.drag(at(share, {0.7, -0.4, 1.0}), kAmpleSeconds);
+    astray.go_back();
+  }
+  for (const double share : {0.7, 0.8}) {
+    SCOPED_TRACE(share);
+    EXPECT_TRUE(testing::same_bits(apply(mesh, straight.drag(at(share), kAmpleSeconds)),
+                                   apply(mesh, astray.drag(at(share), kAmpleSeconds))));
+  }
+  // What was kept for other options or pins is no way back.
+  astray.set_options({.smoothness = 10.0});
+  astray.go_back();
+  expect_exact(astray.drag(at(0.5), kAmpleSeconds));
+}
+
 TEST_P(DragOn, JumpsAndNewHandlesStayExact) {
   HandleEditSolver solver(mesh, {});
   expect_exact(solver.drag(at(1.0), kAmpleSeconds));

@@ -135,6 +135,12 @@ class HandleEditSolver {
   /// Stops early, with the last exact state, once `budget_seconds` is spent.
   [[nodiscard]] HandleEditResult drag(const EditTargets& targets, double budget_seconds);
 
+  /// Marks where the drag stands, for go_back(). Costs what moved.
+  void keep_frame();
+  /// The next frame follows the one that was kept last, as if none had been since; where none was,
+  /// or where options, pins or supports changed, it starts afresh.
+  void go_back();
+
  private:
   class State;
   std::unique_ptr<State> state_;

@@ -266,11 +266,13 @@ export class Dispatcher {
     }
     if (mode !== "drag") this.#hold = new FoldHold();
     const once = (handles: HandleList, settled: boolean): number => {
-      attempt(handles, settled ? "solve" : mode);
+      if (settled && mode === "drag") session.goBack();
+      attempt(handles, settled && mode !== "drag" ? "solve" : mode);
       return growthOf(JSON.parse(session.report()) as ShapeReport);
     };
     const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
     const taken = this.#hold.take(limit, targets.handles, once, patience);
+    if (mode === "drag") session.keepFrame();
     this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
   }
 

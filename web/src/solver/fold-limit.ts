@@ -13,7 +13,7 @@ export interface FoldLimit {
 
 /**
  * An edit of these handles; by how many degrees its sharpest fold grew. A frame follows the edit before
- * it; `settled` ones do not, so that an edit that folded leaves nothing behind.
+ * it; a `settled` one follows what was taken last, so that an edit that folded leaves nothing behind.
  */
 export type Attempt = (handles: HandleList, settled: boolean) => number;
 
