@@ -45,7 +45,8 @@ NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
     terms_->assign(now, options_, problem_);
     keep(follow(fresh, *trial_, interruption));
     if (total.status == SolveStatus::kCancelled) break;
-    fresh = !is_acceptable(finish_->finish(problem_, newton_->support(), *trial_, kept_));
+    fresh = total.status == SolveStatus::kSingularSystem ||
+            !is_acceptable(finish_->finish(problem_, newton_->support(), *trial_, kept_));
   }
   terms_->assign(targets, options_, problem_);
   if (total.status == SolveStatus::kCancelled) return total;
@@ -104,9 +105,10 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
        ++turn) {  // the next frames go on with it
     design = finish_->finish(problem_, drag_support_, *field_, kept_);
   }
-  if (is_acceptable(design)) {
-    last_exact_ = std::move(design);
-  } else {  // the last exact state stands; the next frame starts afresh
+  const bool acceptable = is_acceptable(design);
+  if (acceptable) last_exact_ = std::move(design);
+  if (!acceptable || report.status == SolveStatus::kSingularSystem) {
+    // No way on from here: the last exact state stands; the next frame starts afresh.
     drag_support_.clear();
     report.status = SolveStatus::kIterationLimit;
   }
