@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { readSettings, writeSettings } from "../../web/src/share/reading.ts";
 import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/state/design.ts";
 
 it("another mesh starts with what the page has controls for, and with nothing unseen", () => {
@@ -31,4 +32,11 @@ it("another mesh starts with what the page has controls for, and with nothing un
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
   expect(settingsForNew(FIRST_SETTINGS)).toEqual(FIRST_SETTINGS);
+});
+
+it("a link names nothing that is usual", () => {
+  const first = [1000, 1, 1, "second", "newton"];
+  expect(writeSettings(DEFAULT_SETTINGS)).toEqual([...first, "shape"]);
+  expect(writeSettings({ ...DEFAULT_SETTINGS, keepShape: false })).toEqual(first);
+  expect(readSettings(first)).toEqual({ ...DEFAULT_SETTINGS, keepShape: false });
 });

@@ -111,8 +111,8 @@ const SHAPE = "shape";
 
 /**
  * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
- * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then a list of
- * stated limits and kept kinds, which have no "=".
+ * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then
+ * a list of stated limits and kept kinds, which have no "=".
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
@@ -141,17 +141,23 @@ function readWeightsAndRest(value: readonly unknown[]): WeightsAndRest | null {
   return { attraction, locality, smoothness, fairness, engine, ...rest };
 }
 
+const writeRest = ({ sparsity, hardHandles, tolerance, maxIterations }: EditSettings) => [
+  sparsity,
+  hardHandles ? 1 : 0,
+  tolerance,
+  maxIterations,
+];
+
 export function writeSettings(settings: EditSettings): unknown[] {
   const { attraction, locality, smoothness, fairness, engine } = settings;
-  const { sparsity, hardHandles, tolerance, maxIterations } = settings;
   const { reach, reachLength, keepBoundary, boundarySupport, softness } = settings;
   const boundary = (keepBoundary ? 1 : 0) + 2 * BOUNDARY_SUPPORTS.indexOf(boundarySupport);
   const first = [attraction, locality, smoothness, fairness, engine];
-  const rest = [sparsity, hardHandles ? 1 : 0, tolerance, maxIterations];
+  const rest = writeRest(settings);
   const path = settings.continuation;
   const limits = [reach, reachLength, boundary, softness, ...(path > 0 ? [path] : [])];
   const limited = limits.some((number) => number !== 0);
-  const usual = JSON.stringify(readRest(rest)) === JSON.stringify(readRest([]));
+  const usual = String(rest) === String(writeRest(DEFAULT_SETTINGS));
   const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];
   const whole = settings.keepShape ? [...named, SHAPE] : named;
   const listed = [...settings.limits, ...settings.constraints];
