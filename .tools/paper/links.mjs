@@ -13,53 +13,11 @@ async function loadPlanish() {
   return create({ wasmBinary: readFileSync(new URL("planish.wasm", built)) });
 }
 
-/** What a link carries, from a design of docs/formats.md; its mark is the command line's. */
-function toRecipe(design, camera) {
-  const { source, planarised, unit, handles, pins, options, variations, result } = design;
-  const [variation] = variations ?? [];
-  return {
-    source: { kind: "sample", name: source.sample, size: source.size },
-    planarised,
-    handles: [
-      ...handles.map(([vertex, ...target]) => ({ vertex, target, pinned: false })),
-      ...pins.map((vertex) => ({ vertex, target: [0, 0, 0], pinned: true })),
-    ],
-    settings: {
-      attraction: options.attraction,
-      locality: options.locality,
-      smoothness: options.smoothness,
-      fairness: options.fairness,
-      engine: options.solver,
-      sparsity: options.sparsity,
-      hardHandles: options.hard,
-      tolerance: options.tolerance,
-      maxIterations: options.max_iterations,
-      reach: options.reach ?? 0,
-      reachLength: options.reach_length ?? 0,
-      keepBoundary: options.keep_boundary ?? false,
-      softness: options.softness ?? 0,
-      keepShape: options.shape ?? false,
-      boundarySupport: "none",
-      limits: options.bounds ?? [],
-      continuation: 0,
-    },
-    families: variation
-      ? [
-          {
-            coefficients: variation.coefficients,
-            asked: variation.dimension,
-            eigenbasis: variation.eigen,
-          },
-        ]
-      : [],
-    unit,
-    camera,
-    mark: {
-      hash: Number.parseInt(result.hash, 16),
-      moved: result.moved,
-      probes: result.probes.flat(),
-    },
-  };
+/** What a link carries, as the page reads a design; its mark is the command line's. */
+function toRecipe(design, camera, { readDesign }) {
+  const read = readDesign(JSON.stringify(design));
+  if (!read.ok) throw new Error(read.reason);
+  return { ...read.value, camera };
 }
 
 /** The worker's side of the page, asked without a worker. */
@@ -97,6 +55,7 @@ const PAGE = {
   link: "/web/src/share/link.ts",
   recipe: "/web/src/state/recipe.ts",
   design: "/web/src/state/design.ts",
+  text: "/web/src/share/design-text.ts",
   dispatch: "/web/src/solver/dispatch.ts",
 };
 
@@ -123,11 +82,11 @@ async function withPageModules(use) {
 /** One { link, moved, deviation } per { design, camera }: its fragment ("#v1=…"), and how far apart
  * page and command line are, model units. */
 export const linksOf = (views) =>
-  withPageModules(async ({ link, recipe, design, dispatch }) => {
+  withPageModules(async ({ link, recipe, design, text, dispatch }) => {
     const solver = new Solver(dispatch, await loadPlanish());
     const links = [];
     for (const view of views) {
-      const native = toRecipe(view.design, view.camera);
+      const native = toRecipe(view.design, view.camera, text);
       const { base, shape } = await solver.replay(native, design);
       const mark = recipe.markOf(shape);
       const deviation = recipe.deviation(native.mark, shape, base);
