@@ -34,14 +34,14 @@ Json source_json(const DesignSource& source) {
   return json;
 }
 
-/// What was added to the format later is written only where it is not the default, so that older
-/// readers go on reading what they know.
 void add_constraints(Json& json, const std::vector<KeptConstraint>& constraints) {
   for (const KeptConstraint& one : constraints) {
     json["constraints"].push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
   }
 }
 
+/// What was added to the format later is written only where it is not the default, so that older
+/// readers go on reading what they know.
 Json options_json(const HandleEditOptions& options) {
   Json json = {{"attraction", options.attraction},
                {"locality", options.locality},

@@ -59,7 +59,7 @@ NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
 void HandleEditSolver::State::forget_drag() {
   drag_support_.clear();
   last_exact_.reset();
-  kept_frame_.reset();
+  kept_frame_ = {};
 }
 
 void HandleEditSolver::State::keep_frame() {
@@ -67,14 +67,9 @@ void HandleEditSolver::State::keep_frame() {
 }
 
 void HandleEditSolver::State::go_back() {
-  if (!kept_frame_) {
-    drag_support_.clear();
-    last_exact_.reset();
-    return;
-  }
-  drag_support_ = kept_frame_->support;
-  last_exact_ = kept_frame_->last_exact;
-  field_->restore(kept_frame_->field);
+  drag_support_ = kept_frame_.support;
+  last_exact_ = kept_frame_.last_exact;
+  field_->restore(kept_frame_.field);
 }
 
 HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, double budget_seconds) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What an edit keeps between its solves. Its functions stand in four files: handle_edit.cpp sets
 /// up and hands out, handle_edit_search.cpp finds a certified design, handle_edit_parts.cpp goes
-/// there in parts, handle_edit_drag.cpp makes
-/// the frames of a drag.
+/// there in parts, handle_edit_drag.cpp makes the frames of a drag.
 #pragma once
 
 #include <memory>
@@ -78,13 +77,13 @@ class HandleEditSolver::State {
   EditTargets targets_;  ///< of the solve
   std::vector<int> drag_support_;
   std::optional<ExactDesign> last_exact_;  ///< of the drag, with the pins of the targets
-  /// What keep_frame() saw.
+  /// What keep_frame() saw; empty: the drag's start.
   struct KeptFrame {
     std::vector<int> support;
     std::optional<ExactDesign> last_exact;
     DisplacementField::Snapshot field;
   };
-  std::optional<KeptFrame> kept_frame_;
+  KeptFrame kept_frame_;
   std::vector<int> pins_;        ///< ascending
   std::vector<int> limited_to_;  ///< handles that what may move depends on, ascending
   double setup_seconds_ = 0.0;
