@@ -11,6 +11,7 @@ import type { Palette } from "./palette.ts";
 import {
   defectEnd,
   foldEnd,
+  largest,
   makeRamp,
   planarityEnd,
   planarityShare,
@@ -43,7 +44,10 @@ export class PanelColours {
     this.#panelRamp = makeRamp(palette.planarity);
   }
 
-  /** `figures`: of points for fairness and conical nodes, of panels otherwise; null for the points' displacement. */
+  /**
+   * `figures`: of points for fairness and conical nodes, of panels otherwise; null for the points'
+   * displacement.
+   */
   choose(kind: ColourBy, figures: Float32Array | null): void {
     this.#kind = kind;
     this.#figures = figures;
@@ -80,8 +84,7 @@ export class PanelColours {
   }
 
   #paintPoints(values: Float32Array): void {
-    const largest = values.reduce((most, value) => Math.max(most, value), 0);
-    const end = this.#kind === "conical" ? defectEnd(values) : largest;
+    const end = this.#kind === "conical" ? defectEnd(values) : largest(values);
     values.forEach((value, vertex) => {
       const t = end > 0 ? value / end : 0;
       for (const corner of row(this.#mesh.topology.corners, vertex)) {
@@ -92,8 +95,9 @@ export class PanelColours {
 
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
-   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: convex neutral, concave in the middle of the ramp,
-   * self-crossing at its end. What must be made again: see remakePlace().
+   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: convex
+   * neutral, concave in the middle of the ramp, self-crossing at its end. What must be made again:
+   * see remakePlace().
    */
   #placeOf(figures: Float32Array): (panel: number) => number {
     if (this.#kind === "health") return (f) => (figures[PER_PANEL.health * f] ?? 0) / 2;

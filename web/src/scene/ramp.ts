@@ -42,16 +42,18 @@ export function planarityShare(mmPerM: number, end: number): number {
   return 0.15 + (0.85 * Math.log10(mmPerM / FLAT)) / Math.log10(end / FLAT);
 }
 
+/** The largest of `values`, at least `least`. */
+export const largest = (values: Float32Array, least = 0): number =>
+  values.reduce((most, value) => Math.max(most, value), least);
+
 /** Degrees at the end of the ramp of folds, at least: where a crease begins to be seen as one. */
 const CREASE = 30;
 
 /** Degrees at the end of the ramp of folds: those of a crease, or the sharpest fold. */
-export const foldEnd = (folds: Float32Array): number =>
-  folds.reduce((sharpest, fold) => Math.max(sharpest, fold), CREASE);
+export const foldEnd = (folds: Float32Array): number => largest(folds, CREASE);
 
 /** Degrees at the end of the ramp of a kind's defects: the worst, at least what still counts as kept. */
-export const defectEnd = (defects: Float32Array): number =>
-  defects.reduce((worst, defect) => Math.max(worst, defect), MEANT);
+export const defectEnd = (defects: Float32Array): number => largest(defects, MEANT);
 
 /** Place on the ramp by the core's PanelChange: unchanged, cut again at the end, a new bevel between. */
 export const remakePlace = (change: number): number => [0, 1, 0.5][change] ?? 0;

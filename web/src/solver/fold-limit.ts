@@ -78,7 +78,7 @@ export class FoldHold {
       this.#at = tried;
       return attempt(between(from, to, length > 0 ? tried / length : 1), settled) <= degrees;
     };
-    // A frame that follows one which held is cheap; a search on a fine mesh takes seconds.
+    // A frame that follows one which held is cheap; a search takes several.
     if (guess < length && holds(guess, false)) {
       this.#held = guess;
       return between(from, to, guess / length);

@@ -14,8 +14,6 @@ const TOLERANCE = 1e-9;
 export const kindOf = (kept: string): Kind | undefined =>
   KINDS.find((kind) => kept.startsWith(`${kind}:`));
 
-export const kindText = (kind: Kind, tolerance = TOLERANCE): string => `${kind}:${tolerance}`;
-
 export const kindTolerance = (kept: string): number => Number(kept.slice(kept.indexOf(":") + 1));
 
 const isKept = (value: unknown): value is string =>
@@ -32,7 +30,7 @@ export function readKept(value: unknown): readonly string[] | null {
 export function withKind(kept: readonly string[], kind: Kind): readonly string[] {
   return KINDS.flatMap((name) => {
     const same = kept.filter((one) => kindOf(one) === name);
-    return same.length === 0 && name === kind ? [kindText(kind)] : same;
+    return same.length === 0 && name === kind ? [`${kind}:${TOLERANCE}`] : same;
   });
 }
 

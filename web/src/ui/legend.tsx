@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { RefObject } from "preact";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
-import { cssGradient, defectEnd, foldEnd } from "../scene/ramp.ts";
+import { cssGradient, defectEnd, foldEnd, largest } from "../scene/ramp.ts";
 import { formatDegrees } from "../state/fold.ts";
 import { isKind, type Kind } from "../state/kept-kind.ts";
 import {
@@ -60,7 +60,7 @@ function ends(kind: Linear): readonly [string, string] {
     const end = kindDefects.value ? defectEnd(kindDefects.value) : 0;
     return ["0°, kept", formatDegrees(end)];
   }
-  const sharpest = bending.value?.reduce((most, bend) => Math.max(most, bend), 0) ?? 0;
+  const sharpest = bending.value ? largest(bending.value) : 0;
   return ["0 mm, smooth", formatLength(sharpest, unit.value)];
 }
 
