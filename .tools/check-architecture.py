@@ -31,6 +31,7 @@ ARROWS = {
     "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
     "point_support": {"mesh", "adjacency", "read_result"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
+    "mesh_standing": BASE | {"adjacency", "constraints"},
     "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
     "mesh_check": {"mesh", "topology", "read_result"},
     "checksum": {"mesh"},  # crc32, mesh_hash
@@ -40,9 +41,9 @@ ARROWS = {
     "shapes": {"mesh", "trigonometry"},
     "problem": GEOMETRY | {"point_support"},
     "engines": PROBLEM,
-    "handle_edit": ENGINES,
+    "handle_edit": ENGINES | {"mesh_standing"},
     "subspace": ENGINES,
-    "projection": ENGINES,
+    "projection": ENGINES | {"mesh_standing"},
     "slider_stops": GEOMETRY | {"subspace"},
     "planarising": {"constraints", "mesh", "report", "adjacency", "projection"},
     "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
@@ -75,7 +76,6 @@ FILE_GROUPS = {
     "handle_edit_parts": "handle_edit",
     "handle_edit_drag": "handle_edit",
     "area_vector": "mesh",
-    "mesh_standing": "projection",
     "sound_projection": "projection",
     "panel_health": "metrics",
     "point_support_text": "point_support",

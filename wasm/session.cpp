@@ -12,6 +12,7 @@
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
 #include "planish/mesh_check.hpp"
+#include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
 #include "planish/stopwatch.hpp"
@@ -149,17 +150,15 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (const Refusal refusal = require_no_limits("Variations keep")) return refusal;
-  if (!options_.constraints.empty()) {
-    return "Variations keep panels flat and nothing else: let go of circular and conical first.";
-  }
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  if (worst_panel(current_, moved_).excess > options_.tolerance)
-    return "Make the design exact first.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
   const std::vector<int> held = held_in_variations(base_, targets_, options_);
-  Subspace found = compute_subspace(base_, current_, close, options, held, progress_);
+  const KeptKinds kept = kept_kinds(options_.tolerance, options_.constraints);
+  if (!measure_standing(shown_mesh(), adjacency_, kept).failing.empty())
+    return "Make the design exact first.";
+  Subspace found = compute_subspace(base_, current_, close, options, held, kept, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   prepare_variation();

@@ -8,10 +8,26 @@
 #include <utility>
 
 #include "design_output.hpp"
-#include "planish/metrics.hpp"
+#include "planish/adjacency.hpp"
+#include "planish/mesh_standing.hpp"
 #include "planish/slider_stops.hpp"
 
 namespace planish::cli {
+namespace {
+
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+MeshStanding standing(const EditRun& run, const Positions& positions, const KeptKinds& kept) {
+  Mesh mesh = run.base.mesh;
+  mesh.positions = positions;
+  return measure_standing(mesh, build_adjacency(mesh), kept);
+}
+
+}  // namespace
 
 std::vector<OptionRow> family_option_rows() {
   return {{"--dimension", "S", "number of variations, 1 … 24"},
@@ -24,9 +40,6 @@ SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOpt
   if (!edit.bounds.empty()) {
     throw CommandError(kWrongUsage,
                        "--bound: variations keep no stated limits; limits are for edit");
-  }
-  if (!edit.constraints.empty()) {
-    throw CommandError(kWrongUsage, "--constraint: variations keep panels flat and nothing else");
   }
   SubspaceOptions options;
   const auto dimension = arguments.value("--dimension");
@@ -67,8 +80,9 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
 Family find_family(const EditRun& run, const HandleEditOptions& edit,
                    const SubspaceOptions& options, const Progress& progress) {
   Family family{edit, options, held_in_variations(run.base.mesh, run.targets, edit), {}};
-  family.subspace = compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets),
-                                     options, family.held, progress);
+  family.subspace =
+      compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets), options,
+                       family.held, kept_kinds(edit.tolerance, edit.constraints), progress);
   return family;
 }
 
@@ -108,12 +122,17 @@ Design variation_design(const EditRun& run, const Family& family, const Variatio
 std::optional<std::string> not_exact_sentence(const EditRun& run, const Family& family,
                                               const Variation& variation) {
   if (variation.exact) return std::nullopt;
-  const PlanaritySummary flatness = planarity_summary(run.base.mesh, variation.positions);
-  if (flatness.max_excess <= family.edit.tolerance) return std::nullopt;
-  std::array<char, 32> worst{};
-  std::snprintf(worst.data(), worst.size(), "%.3g", flatness.max_excess);
-  return std::string("panels are up to ") + worst.data() +
-         " mm/m out of flat, as the sliders show them; --exact makes them flat";
+  const KeptKinds kept = kept_kinds(family.edit.tolerance, family.edit.constraints);
+  const Violations worst = standing(run, variation.positions, kept).worst;
+  if (is_within(worst, kept)) return std::nullopt;
+  std::string sentence = "panels are up to " + three_digits(worst[0].excess) + " mm/m out of flat";
+  kept.for_each([&](auto tag, std::size_t kind) {
+    using Kind = typename decltype(tag)::type;
+    if (kind == 0) return;
+    sentence += " and " + three_digits(worst[kind].excess) + " " + std::string(Kind::kUnit) +
+                " out of " + std::string(Kind::kName);
+  });
+  return sentence + ", as the sliders show them; --exact makes them so";
 }
 
 namespace {
@@ -133,7 +152,8 @@ Json stops_json(const std::vector<SliderRange>& ranges) {
 }
 
 /// The report's figures become those of the variation; the edit before it keeps its own.
-void add_variation(Json& json, const EditRun& run, const Positions& after) {
+void add_variation(Json& json, const EditRun& run, const HandleEditOptions& edit,
+                   const Positions& after) {
   for (const char* key : {"objective", "moved_vertices", "max_displacement", "handle_error"}) {
     json["edit"][key] = json[key];
   }
@@ -145,6 +165,12 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
   }
   json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
+  if (json.contains("violations")) {
+    const KeptKinds kept = kept_kinds(edit.tolerance, edit.constraints);
+    json["violations"] =
+        violations_json(kind_violations(kept, standing(run, run.base.mesh.positions, kept).worst,
+                                        standing(run, after, kept).worst));
+  }
   json["handle_error"] = handle_error;
 }
 
@@ -153,7 +179,7 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
 Json exploration_json(const EditRun& run, const Family& family, const Variation& variation) {
   const Subspace& subspace = family.subspace;
   Json json = edit_json(run, variation.positions, family.edit.engine);
-  add_variation(json, run, variation.positions);
+  add_variation(json, run, family.edit, variation.positions);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   json["subspace"]["stops"] = stops_json(slider_ranges(
       run.base.mesh, run.edited, subspace, variation.values.head(subspace.dimension())));

@@ -134,8 +134,6 @@ Json subspace_json(const SubspaceReport& report, int dimension) {
           {"support_sizes", report.support_sizes}};
 }
 
-namespace {
-
 Json violations_json(const std::vector<KindViolation>& violations) {
   Json json = Json::array();
   for (const KindViolation& one : violations) {
@@ -146,8 +144,6 @@ Json violations_json(const std::vector<KindViolation>& violations) {
   }
   return json;
 }
-
-}  // namespace
 
 void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["status"] = status_name(report.status);

@@ -50,6 +50,8 @@ void print_sentence(const std::optional<std::string>& sentence);
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
 
 /// Status, objective, counts and times of a solve.
+[[nodiscard]] Json violations_json(const std::vector<KindViolation>& violations);
+
 void add_solve(Json& json, const SolveReport& report, Engine engine);
 
 /// Writes `json` to the place that --report names. Without that option, to standard output if

@@ -110,8 +110,9 @@ class Player {
     options.engine = design_.options.engine;
     std::vector<int> close;
     for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
+    const KeptKinds kept = kept_kinds(design_.options.tolerance, design_.options.constraints);
     Subspace found =
-        compute_subspace(result_.base, result_.shape, close, options, held_, progress_);
+        compute_subspace(result_.base, result_.shape, close, options, held_, kept, progress_);
     if (found.dimension() == 0) return false;
     Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
     const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());

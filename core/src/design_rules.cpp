@@ -31,9 +31,6 @@ std::optional<std::string> find_problem(const Design& design) {
     if (auto problem = find_problem(*design.planarised)) return "planarised: " + *problem;
   }
   if (auto problem = find_problem(design.options)) return "options: " + *problem;
-  if (!design.options.constraints.empty() && !design.variations.empty()) {
-    return "variations: they keep panels flat and nothing else; leave options.constraints out";
-  }
   if (!design.options.bounds.empty() && !design.variations.empty()) {
     return "variations: they keep no stated limits yet; leave options.bounds out";
   }

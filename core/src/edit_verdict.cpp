@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "planish/mesh_standing.hpp"
 #include "planish/panel_health.hpp"
 
 namespace planish {
@@ -88,11 +89,9 @@ SolveStatus EditVerdict::honest(SolveStatus status, const ExactDesign& design) c
 
 void EditVerdict::add_to(SolveReport& report, const ExactDesign& design) const {
   const Violations after = violations_with(design);
-  kept_.for_each([&](auto tag, std::size_t kind) {
-    using Kind = typename decltype(tag)::type;
-    report.violations.push_back(
-        {Kind::kName, Kind::kUnit, base_.worst(kind).measure, after[kind].measure});
-  });
+  Violations before{};
+  for (std::size_t kind = 0; kind < before.size(); ++kind) before[kind] = base_.worst(kind);
+  report.violations = kind_violations(kept_, before, after);
   report.planarity_before = report.violations.front().before_max;
   report.planarity_after = report.violations.front().after_max;
   if (bounds_.limits == nullptr) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh_standing.hpp"
+#include "planish/mesh_standing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +59,16 @@ MeshStanding measure_standing(const Mesh& mesh, const Adjacency& adjacency, cons
   });
   standing.failing = failures.worst_first();
   return standing;
+}
+
+std::vector<KindViolation> kind_violations(const KeptKinds& kept, const Violations& before,
+                                           const Violations& after) {
+  std::vector<KindViolation> list;
+  kept.for_each([&](auto tag, std::size_t kind) {
+    using Kind = typename decltype(tag)::type;
+    list.push_back({Kind::kName, Kind::kUnit, before[kind].measure, after[kind].measure});
+  });
+  return list;
 }
 
 std::vector<int> vertices_of(const Mesh& mesh, const std::vector<int>& faces) {

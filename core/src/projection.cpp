@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh_standing.hpp"
 #include "planish/adjacency.hpp"
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/nearest_flat.hpp"
 #include "planish/engines/working_set_newton.hpp"
 #include "planish/index.hpp"
+#include "planish/mesh_standing.hpp"
 #include "planish/stopwatch.hpp"
 #include "sound_projection.hpp"
 
@@ -184,12 +184,7 @@ void record_moves(const Mesh& mesh, const Positions& after, ProjectionResult& re
 
 void add_violations(const KeptKinds& kept, const Violations& before, const Violations& after,
                     SolveReport& report) {
-  report.violations.clear();
-  kept.for_each([&](auto tag, std::size_t kind) {
-    using Kind = typename decltype(tag)::type;
-    report.violations.push_back(
-        {Kind::kName, Kind::kUnit, before[kind].measure, after[kind].measure});
-  });
+  report.violations = kind_violations(kept, before, after);
   report.planarity_before = report.violations.front().before_max;
   report.planarity_after = report.violations.front().after_max;
 }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh_standing.hpp"
 #include "planish/engines/exact_finish.hpp"
 #include "planish/engines/fair_flat.hpp"
 #include "planish/index.hpp"
+#include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 #include "planish/stopwatch.hpp"

@@ -45,7 +45,8 @@ struct Candidate {
 class SubspaceBuilder {
  public:
   SubspaceBuilder(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                  const std::vector<int>& pins, const SubspaceOptions& options);
+                  const std::vector<int>& pins, const SubspaceOptions& options,
+                  const KeptKinds& kept);
 
   Subspace build(const Progress& progress);
 
@@ -80,10 +81,10 @@ Mesh with_positions(const Mesh& base, const Positions& positions) {
 
 SubspaceBuilder::SubspaceBuilder(const Mesh& base, const Positions& edited,
                                  const std::vector<int>& close, const std::vector<int>& pins,
-                                 const SubspaceOptions& options)
+                                 const SubspaceOptions& options, const KeptKinds& kept)
     : options_(options),
       mesh_(with_positions(base, edited)),
-      model_(mesh_, options.fairness),
+      model_(mesh_, options.fairness, kept),
       edit_((edited - base.positions) / model_.unit()) {
   cut_patch(close, pins);
 }
@@ -306,9 +307,9 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
                           const SubspaceOptions& options, const std::vector<int>& pins,
-                          const Progress& progress) {
+                          const KeptKinds& kept, const Progress& progress) {
   const Stopwatch watch;
-  Subspace result = SubspaceBuilder(base, edited, close, pins, options).build(progress);
+  Subspace result = SubspaceBuilder(base, edited, close, pins, options, kept).build(progress);
   result.report.solve_seconds = watch.seconds();
   return result;
 }

@@ -2,18 +2,15 @@
 /// Edits that keep vertices conical: what the constraint promises, measured without its code.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <variant>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 #include "planish/projection.hpp"
+#include "support/cones.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
@@ -22,45 +19,11 @@ namespace {
 
 constexpr double kConical = 1e-9;  ///< degrees
 
-/// The angle between two edges in degrees, from the chord of their unit vectors.
-double angle_between(const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
-  const double half = 0.5 * (first.normalized() - second.normalized()).norm();
-  return 2.0 * std::asin(std::min(1.0, half)) * 180.0 / std::numbers::pi;
-}
-
-/// Worst |ω₁ − ω₂ + ω₃ − ω₄| over the inner vertices of valence 4; their angles are collected face
-/// by face, opposite ones being those of faces that share the vertex alone.
-double worst_cone_defect(const Mesh& mesh, const Positions& positions) {
-  const Adjacency adjacency = build_adjacency(mesh);
-  double worst = 0.0;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const auto faces = adjacency.faces[v];
-    if (adjacency.boundary[static_cast<std::size_t>(v)] != 0 || faces.size() != 4) continue;
-    const auto first = mesh.face(faces[0]);
-    double sum = 0.0;
-    for (const int f : faces) {
-      const auto face = mesh.face(f);
-      const auto here = std::find(face.begin(), face.end(), v) - face.begin();
-      const auto n = static_cast<std::ptrdiff_t>(face.size());
-      const int next = face[static_cast<std::size_t>((here + 1) % n)];
-      const int last = face[static_cast<std::size_t>((here + n - 1) % n)];
-      const Eigen::Vector3d p = positions.col(v);
-      const double angle = angle_between(positions.col(next) - p, positions.col(last) - p);
-      const auto shared = std::count_if(face.begin(), face.end(), [&](int w) {
-        return std::find(first.begin(), first.end(), w) != first.end();
-      });
-      sum += shared == 2 ? -angle : angle;
-    }
-    worst = std::max(worst, std::abs(sum));
-  }
-  return worst;
-}
-
 std::vector<KeptConstraint> conical() { return {{"conical", kConical}}; }
 
 void expect_conical(const Mesh& mesh, const HandleEditResult& result) {
   const Positions after = apply(mesh, result);
-  EXPECT_LE(worst_cone_defect(mesh, after), kConical);
+  EXPECT_LE(testing::worst_cone_defect(mesh, after), kConical);
   EXPECT_LE(planarity_summary(mesh, after).max_excess, testing::kPromise);
   for (int f = 0; f < mesh.face_count(); ++f) {
     EXPECT_EQ(panel_damage(mesh.positions, after, mesh.face(f)), PanelDamage::kNone) << f;
@@ -70,7 +33,7 @@ void expect_conical(const Mesh& mesh, const HandleEditResult& result) {
 
 TEST(EditConical, KeepsVerticesConicalOnTheDome) {
   const Mesh mesh = testing::sample("dome", 16);
-  ASSERT_LT(worst_cone_defect(mesh, mesh.positions), 1e-10);
+  ASSERT_LT(testing::worst_cone_defect(mesh, mesh.positions), 1e-10);
   HandleEditOptions options;
   options.constraints = conical();
   const EditTargets targets = testing::pull(mesh, 8 * 16 + 8, {0.0, 0.0, 0.3});
@@ -79,7 +42,7 @@ TEST(EditConical, KeepsVerticesConicalOnTheDome) {
   EXPECT_FALSE(result.moved.empty());
   EXPECT_EQ(result.report.violations.back().kind, "conical");
   EXPECT_LE(result.report.violations.back().after_max, kConical);
-  EXPECT_GT(worst_cone_defect(mesh, apply(mesh, solve_handle_edit(mesh, targets))), 0.1);
+  EXPECT_GT(testing::worst_cone_defect(mesh, apply(mesh, solve_handle_edit(mesh, targets))), 0.1);
 }
 
 TEST(EditConical, AndCircularHoldTogether) {
@@ -98,7 +61,7 @@ TEST(EditConical, TheSaddleIsMadeConicalAndStaysSo) {
   const auto bytes = testing::shared_mesh_bytes("pq_conical_saddle.obj");
   if (!bytes) GTEST_SKIP() << "skipped: no shared meshes";
   Mesh mesh = std::get<MeshFile>(read_mesh(*bytes, MeshFormat::kObj)).mesh;
-  EXPECT_GT(worst_cone_defect(mesh, mesh.positions), 0.01);
+  EXPECT_GT(testing::worst_cone_defect(mesh, mesh.positions), 0.01);
   ProjectionOptions project;
   project.constraints = conical();
   const ProjectionResult exact = project_to_planar(mesh, project);
@@ -106,7 +69,7 @@ TEST(EditConical, TheSaddleIsMadeConicalAndStaysSo) {
   for (std::size_t k = 0; k < exact.moved.size(); ++k) {
     mesh.positions.col(exact.moved[k]) = exact.moved_positions.col(static_cast<Eigen::Index>(k));
   }
-  ASSERT_LE(worst_cone_defect(mesh, mesh.positions), kConical);
+  ASSERT_LE(testing::worst_cone_defect(mesh, mesh.positions), kConical);
   ASSERT_LE(planarity_summary(mesh).max_excess, testing::kPromise);
   EXPECT_LT(exact.max_move, 0.01);
   HandleEditOptions options;

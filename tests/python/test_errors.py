@@ -99,6 +99,9 @@ class Errors(InFolder):
         self.assert_says(planish.UsageError, "dimension", edit.explore, 25)
         self.assert_says(planish.UsageError, "coefficients needs 2 values, here are 3",
                          edit.explore(2), [1, 2, 3])
+        dome = planish.Mesh.read("sample:dome:12")
+        circular = planish.edit(dome, {66: (0, 0, 0.3)}, constraints=["circular"])
+        self.assertEqual(circular.explore(2).dimension, 2)
         bounded = planish.edit(mesh, {20: (0, 0, 0.1)}, bounds={"fold": 60})
         self.assert_says(planish.UsageError, "bound: variations keep no stated limits",
                          bounded.explore, 2)

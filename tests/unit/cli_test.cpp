@@ -466,8 +466,25 @@ TEST_F(Cli, AnEditThatCannotKeepItsConstraintSaysWhy) {
   EXPECT_NE(err().find("one of circular"), std::string::npos) << err();
   EXPECT_EQ(run("edit sample:dome:12" + constraint + "circular:0"), 2);
   EXPECT_EQ(run("edit sample:dome:12 --solver alm" + constraint + "circular"), 2);
-  EXPECT_EQ(run("explore sample:dome:12 --dimension 2" + constraint + "circular"), 2);
   EXPECT_EQ(run("edit sample:vault:12" + constraint + "planar:1e-3 --report -"), 0) << err();
+}
+
+TEST_F(Cli, VariationsKeepTheConstraintsOfTheEdit) {
+  const std::string explore =
+      "explore sample:dome:12 --handle 66+=0,0,0.3 --constraint circular --dimension 2 "
+      "--coefficients 0.3,0 --report - ";
+  const auto defect = [&] {
+    const auto report = nlohmann::json::parse(out());
+    EXPECT_EQ(report["violations"][1]["kind"], "circular");
+    return report["violations"][1]["after_max"].get<double>();
+  };
+  ASSERT_EQ(run(explore), 0) << err();
+  EXPECT_GT(defect(), 1e-3);
+  EXPECT_NE(err().find(" deg out of circular, as the sliders show them; --exact"),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run(explore + "--exact"), 0) << err();
+  EXPECT_LE(defect(), 1e-9);
 }
 
 /// Two squares side by side: lifting the corner edge of one by its length folds them by 45 degrees.

@@ -9,6 +9,7 @@
 #include "planish/design_text.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/shapes.hpp"
+#include "support/circles.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {
@@ -140,6 +141,21 @@ TEST(Design, KeepsItsConstraintsWhenReplayed) {
   EXPECT_TRUE(replay_or_fail(design).verified);
   design.options.constraints.clear();
   EXPECT_FALSE(replay_or_fail(design).verified);
+}
+
+TEST(Design, KeepsItsConstraintsInVariationsWhenReplayed) {
+  Design design = lifted_vault(0.3);
+  design.source = SampleSource{"dome", kSize};
+  design.targets.handles[0].target = make_sample("dome", kSize)->positions.col(kLifted);
+  design.targets.handles[0].target.z() += 0.3;
+  design.options.constraints = {{"circular", 1e-9}};
+  const Positions edited = replay_or_fail(design).shape;
+  design.variations = {{{.dimension = 2}, {0.3, -0.2}, true}};
+  const Replay varied = replay_or_fail(design);
+  EXPECT_GT((varied.shape - edited).norm(), 0.01);
+  EXPECT_LE(testing::inscribed_defect(varied.base, varied.shape), 1e-9);
+  design.result = varied.mark;
+  EXPECT_TRUE(replay_or_fail(design).verified);
 }
 
 TEST(Design, WithoutAnEditIsItsBase) {

@@ -327,8 +327,11 @@ TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
     EXPECT_FALSE(session.moved().empty());
     EXPECT_LE(worst(), 1e-8);
   }
-  EXPECT_NE(session.explore({.dimension = 2}), std::nullopt);
-  EXPECT_EQ(session.make_exact(), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  ASSERT_EQ(session.vary(Eigen::Vector2d(0.2, -0.1)), std::nullopt);
+  EXPECT_NE(session.explore({.dimension = 2}), std::nullopt) << "not circular as the sliders go";
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_LE(worst(), 1e-8);
   ASSERT_EQ(session.set_constraints(""), std::nullopt);
   EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
@@ -54,12 +55,14 @@ struct Subspace {
 };
 
 /// Computes the basis at `edited` = p⁰ + d, for the displacement d from `base`.
-/// Both meshes share faces; `edited` must be flat. `close` is Ψ, usually the handles.
+/// Both meshes share faces; `edited` keeps the kinds of `kept`. `close` is Ψ, usually the handles.
 /// @param pins vertices that no vector moves
+/// @param kept the kinds whose rows the vectors keep to first order
 [[nodiscard]] Subspace compute_subspace(const Mesh& base, const Positions& edited,
                                         const std::vector<int>& close,
                                         const SubspaceOptions& options,
                                         const std::vector<int>& pins = {},
+                                        const KeptKinds& kept = KeptKinds(),
                                         const Progress& progress = {});
 
 /// Positions of the support rows for coefficients x: origin + B (scale ∘ x). Touches nothing else.

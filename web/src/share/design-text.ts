@@ -365,10 +365,6 @@ function readRoot(value: unknown): DesignText {
   check(variations.length <= MOST.variations, `variations must be at most ${MOST.variations}.`);
   const options = readOptions(root.options);
   check(
-    variations.length === 0 || options.constraints.length === 0,
-    "variations: they keep panels flat and nothing else; leave options.constraints out.",
-  );
-  check(
     variations.length === 0 || options.limits.length === 0,
     "variations: they keep no stated limits yet; leave options.bounds out.",
   );

@@ -121,8 +121,6 @@ export const baseFlat = computed(
 );
 /** Whether limits are stated for the panels of an edit. */
 export const limited = computed(() => (settings.value?.limits.length ?? 0) > 0);
-/** Whether an edit keeps kinds of constraints beside planarity. */
-export const constrained = computed(() => (settings.value?.constraints.length ?? 0) > 0);
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
 export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
 export const busy = computed(() => activity.value !== null || turnsLeft.value > 0);

@@ -2,7 +2,6 @@
 import { explore } from "../state/exploring.ts";
 import { fillGallery, gallery } from "../state/gallery.ts";
 import {
-  constrained,
   dimension,
   draft,
   eigenbasis,
@@ -47,16 +46,15 @@ async function exploreAndShow(): Promise<void> {
 
 /** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
-  const held = limited.value || constrained.value;
-  const possible = ready.value && figures.value.movedVertices > 0 && !held;
+  const possible = ready.value && figures.value.movedVertices > 0 && !limited.value;
   return (
     <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>
       <p class="quiet">
-        Variations of the edit that keep every panel flat. Most stay about it; some also move points
-        elsewhere, as the colours show.
+        Variations of the edit that keep every panel flat, and circular or conical where the edit
+        does. Most stay about it; some also move points elsewhere, as the colours show.
       </p>
       <Slider
         label="Dimension"
@@ -98,12 +96,8 @@ export function ExploreSection() {
       >
         Find variations
       </button>
-      {held && (
-        <p class="quiet small">
-          {limited.value
-            ? "Variations keep no limits yet: turn the limits off first."
-            : "Variations keep panels flat and nothing else: let go of circular and conical first."}
-        </p>
+      {limited.value && (
+        <p class="quiet small">Variations keep no limits yet: turn the limits off first.</p>
       )}
       <VariationSliders />
       <ContinueButton />

@@ -8,6 +8,7 @@
 #include "planish/constraints/elements.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/mesh.hpp"
+#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -20,6 +21,11 @@ struct MeshStanding {
 /// @param adjacency of `mesh`; may be empty where no kept kind hangs on stars
 [[nodiscard]] MeshStanding measure_standing(const Mesh& mesh, const Adjacency& adjacency,
                                             const KeptKinds& kept);
+
+/// What a report says of every kept kind, planarity first.
+[[nodiscard]] std::vector<KindViolation> kind_violations(const KeptKinds& kept,
+                                                         const Violations& before,
+                                                         const Violations& after);
 
 /// The corners of `faces`, ascending, no duplicates.
 [[nodiscard]] std::vector<int> vertices_of(const Mesh& mesh, const std::vector<int>& faces);
