@@ -52,8 +52,13 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
   const colours = page.getByRole("combobox", { name: "Colour by" });
   await colours.selectOption("Circular");
   await page.getByText(/^\d+ panels miss it, \d+ circular$/).waitFor();
+  const table = page.getByRole("table", { name: "Panels" });
+  const worst = () => table.getByRole("row").nth(1).getByRole("cell").first().innerText();
+  await table.getByRole("columnheader", { name: "Circular" }).getByRole("button").click();
+  await expect.poll(async () => Number(await worst())).toBeGreaterThan(1);
   await page.getByRole("button", { name: "Make panels circular" }).click();
   await idle(page);
+  await expect.poll(worst).toBe("0");
   await expect.poll(() => circular.isChecked()).toBe(true);
   await expect.poll(() => status(page)).toMatch(/planarised first: \d+ points moved by up to/);
   await page.getByText(/^0 panels miss it, \d+ circular$/).waitFor();

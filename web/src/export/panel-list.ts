@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of panels as a file for spreadsheets.
-import { OUTLINES, panelCount, rowOf } from "../state/panel-rows.ts";
+import type { Kind } from "../state/kept-kind.ts";
+import { type MeasuredPanels, OUTLINES, panelCount, rowOf } from "../state/panel-rows.ts";
 import { convert, type Unit } from "../state/units.ts";
 
 const COLUMNS = [
@@ -19,14 +20,20 @@ const REMAKE = ["no", "yes", "bevel"] as const;
 /** As many digits as were measured. */
 const digits = (value: number): string => String(Number(value.toPrecision(7)));
 
-/** One line a panel in their order, after one that names the columns; lines end as RFC 4180 says. */
-export function panelList(figures: Float32Array, health: Float32Array, unit: Unit): string {
+/** One line a panel in their order, after one that names the columns; lines end as RFC 4180 says.
+ * @param kind whose defects were measured */
+export function panelList(panels: MeasuredPanels, unit: Unit, kind: Kind | null): string {
   const mm = (length: number): string => digits(convert(length, unit, "mm"));
-  const lines = Array.from({ length: panelCount(figures) }, (_, panel) => {
-    const row = rowOf(panel, figures, health);
+  const columns = kind ? [...COLUMNS, `${kind}_defect_deg`] : COLUMNS;
+  const lines = Array.from({ length: panelCount(panels.figures) }, (_, panel) => {
+    const row = rowOf(panel, panels);
     const shape = OUTLINES[row.outline] ?? "";
     const again = REMAKE[row.changed] ?? "";
-    return [panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge), shape, again];
+    const missed = row.defect < 0 ? "" : digits(row.defect);
+    return [
+      ...[panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge), shape, again],
+      ...(kind ? [missed] : []),
+    ];
   });
-  return [COLUMNS, ...lines].map((line) => `${line.join(",")}\r\n`).join("");
+  return [columns, ...lines].map((line) => `${line.join(",")}\r\n`).join("");
 }

@@ -7,7 +7,6 @@ import { onChanges } from "../state/connection.ts";
 import type { Point } from "../state/design.ts";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { commitSettings, handleOf, previewSettings } from "../state/editing.ts";
-import { isKind } from "../state/kept-kind.ts";
 import { fetchPart } from "../state/later.ts";
 import {
   deselect,
@@ -88,7 +87,7 @@ function figuresOf(kind: ColourBy): Float32Array | null {
   if (kind === "health" || kind === "remake") return panelHealth.value;
   if (kind === "fairness") return bending.value;
   if (kind === "fold") return panelFolds.value;
-  if (isKind(kind)) return kindDefects.value;
+  if (kindDefects.value?.kind === kind) return kindDefects.value.values;
   return kind === "planarity" ? panelFigures.value : null;
 }
 

@@ -3,7 +3,6 @@
 import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
 import { toTargets } from "./design.ts";
-import { KINDS } from "./kept-kind.ts";
 import { panelCount } from "./panel-rows.ts";
 import { stopsShort } from "./stopping-short.ts";
 import {
@@ -20,6 +19,7 @@ import {
   panelHealth,
   ready,
   selectedPanel,
+  shownKind,
   watchFreedom,
 } from "./store.ts";
 
@@ -35,7 +35,7 @@ export function keepPanelFigures(): () => void {
     panelDamage.value = null;
     const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
     const folds = colourBy.value === "fold";
-    const defectsOf = KINDS.find((kind) => kind === colourBy.value) ?? null;
+    const defectsOf = shownKind.value;
     client.ask({ kind: "panels", also: { fairness, folds, defectsOf } }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
@@ -46,7 +46,8 @@ export function keepPanelFigures(): () => void {
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
           panelFolds.value = measures.folds;
-          kindDefects.value = measures.defects;
+          const values = measures.defects;
+          kindDefects.value = defectsOf && values && { kind: defectsOf, values };
         });
         if ((selectedPanel.peek() ?? 0) >= panelCount(measures.figures)) selectedPanel.value = null;
       },

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
+
 import { defectEnd, foldEnd, planarityEnd, planarityShare } from "../scene/ramp.ts";
 import { type OpenedMesh, PER_PANEL, type Shape } from "../solver/protocol.ts";
+import { LEAST_DEFECT } from "./kept-kind.ts";
 
 export interface Histogram {
   /** How many lie in each equal part of the ramp; those at rest are not among them. */
@@ -15,7 +17,6 @@ export interface Histogram {
 const BINS = 16;
 /** Degrees: below is rounding, of coordinates of any size. */
 const LEAST_FOLD = 1e-4;
-const LEAST_DEFECT = 1e-6;
 
 /** @param share place on the ramp, 0 for what is at rest */
 function count(values: ArrayLike<number>, end: number, share: (x: number) => number): Histogram {

@@ -40,6 +40,9 @@ export const MEANT = 0.05;
 export const isMeant = (report: MeshReport, kind: Kind): boolean =>
   (report.kinds[kind]?.median ?? Number.POSITIVE_INFINITY) < MEANT;
 
+/** Degrees: less is rounding. */
+export const LEAST_DEFECT = 1e-6;
+
 /** Whether an edit can keep it on this mesh. */
 export const isKeptBy = (report: MeshReport, kind: Kind): boolean =>
   (report.kinds[kind]?.excess ?? Number.POSITIVE_INFINITY) <= TOLERANCE;

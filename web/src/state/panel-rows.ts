@@ -5,6 +5,14 @@ import { PER_PANEL } from "../solver/protocol.ts";
 
 export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
 
+/** Of every panel, one after the other. */
+export interface MeasuredPanels {
+  readonly figures: Float32Array;
+  readonly health: Float32Array;
+  /** Degrees by which panels miss a kind of constraint, -1 if free of it; null while nobody looks. */
+  readonly defects: Float32Array | null;
+}
+
 export interface PanelRow {
   readonly panel: number;
   /** Model units. */
@@ -20,12 +28,14 @@ export interface PanelRow {
   readonly angle: number;
   /** The core's PanelChange: 0 unchanged, 1 to be cut again, 2 only a new bevel. */
   readonly changed: number;
+  /** Degrees; -1: it misses nothing. */
+  readonly defect: number;
 }
 
 export type PanelColumn = keyof PanelRow;
 
 /** Where a column's value is: the array, and the place among a panel's numbers. */
-const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", number]>> = {
+const PLACES: Readonly<Record<PanelColumn, readonly [keyof MeasuredPanels, number]>> = {
   panel: ["figures", 0],
   gap: ["figures", 0],
   mmPerM: ["figures", 1],
@@ -34,16 +44,19 @@ const PLACES: Readonly<Record<PanelColumn, readonly ["figures" | "health", numbe
   edge: ["health", 1],
   angle: ["health", 2],
   changed: ["health", 3],
+  defect: ["defects", 0],
 };
 
 const { figures: FIGURES, health: HEALTH } = PER_PANEL;
+const STRIDES = { ...PER_PANEL, defects: 1 } as const;
 
 export const panelCount = (figures: Float32Array): number => figures.length / FIGURES;
 
-export function rowOf(panel: number, figures: Float32Array, health: Float32Array): PanelRow {
+export function rowOf(panel: number, { figures, health, defects }: MeasuredPanels): PanelRow {
   const [gap = 0, mmPerM = 0, excess = 0] = figures.subarray(FIGURES * panel);
   const [outline = 0, edge = 0, angle = 0, changed = 0] = health.subarray(HEALTH * panel);
-  return { panel, gap, mmPerM, excess, outline, edge, angle, changed };
+  const defect = defects?.[panel] ?? -1;
+  return { panel, gap, mmPerM, excess, outline, edge, angle, changed, defect };
 }
 
 export interface PanelOrder {
@@ -55,27 +68,26 @@ export interface PanelOrder {
 
 /** The first `count` panels in this order; panels that are equal stay in theirs. */
 export function firstPanels(
-  figures: Float32Array,
-  health: Float32Array,
+  panels: MeasuredPanels,
   { key, descending, changedOnly }: PanelOrder,
   count: number,
 ): PanelRow[] {
   const [array, place] = PLACES[key];
-  const [values, stride] = [array === "figures" ? figures : health, PER_PANEL[array]];
+  const [values, stride] = [panels[array], STRIDES[array]];
   const value = (panel: number): number =>
-    key === "panel" ? panel : (values[stride * panel + place] ?? 0);
+    key === "panel" ? panel : (values?.[stride * panel + place] ?? 0);
   const before = (a: number, b: number): boolean =>
     descending ? value(a) > value(b) : value(a) < value(b);
   const first: number[] = [];
-  for (let panel = 0; panel < panelCount(figures); ++panel) {
-    if (changedOnly && health[HEALTH * panel + 3] === 0) continue;
+  for (let panel = 0; panel < panelCount(panels.figures); ++panel) {
+    if (changedOnly && panels.health[HEALTH * panel + 3] === 0) continue;
     const last = first.at(-1);
     if (first.length === count && last !== undefined && !before(panel, last)) continue;
     const at = first.findIndex((other) => before(panel, other));
     first.splice(at < 0 ? first.length : at, 0, panel);
     first.length = Math.min(first.length, count);
   }
-  return first.map((panel) => rowOf(panel, figures, health));
+  return first.map((panel) => rowOf(panel, panels));
 }
 
 /** Panels of one class, by number: `outline` a place in OUTLINES, `changed` the core's PanelChange. */

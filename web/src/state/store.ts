@@ -6,7 +6,7 @@ import type { Snapshot } from "../share/saved-record.ts";
 import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
-import type { Kind } from "./kept-kind.ts";
+import { isKind, type Kind, kindOf } from "./kept-kind.ts";
 import { FAIR_FLAT } from "./planarising.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
 import { turnsLeft } from "./turns.ts";
@@ -87,7 +87,9 @@ export const panelDamage = signal<Uint8Array | null>(null);
 export const panelFolds = signal<Float32Array | null>(null);
 /** How far panels (circular) or points (conical) are from that kind, degrees, -1 if free of it; null
  * while nobody looks. */
-export const kindDefects = signal<Float32Array | null>(null);
+export const kindDefects = signal<{ readonly kind: Kind; readonly values: Float32Array } | null>(
+  null,
+);
 /** How sharply the edit bends at every point, model units; null while nobody looks. */
 export const bending = signal<Float32Array | null>(null);
 /** Whether someone looks at what the edit leaves free. */
@@ -121,6 +123,13 @@ export const baseFlat = computed(
 );
 /** Whether limits are stated for the panels of an edit. */
 export const limited = computed(() => (settings.value?.limits.length ?? 0) > 0);
+/** The kind of constraint whose measure is shown: that of the colours, or the first that is kept. */
+export const shownKind = computed((): Kind | null => {
+  const colour = colourBy.value;
+  if (isKind(colour)) return colour;
+  const kept = settings.value?.constraints[0];
+  return (kept ? kindOf(kept) : null) ?? null;
+});
 export const canUndo = computed(() => (history.value?.past.length ?? 0) > 0);
 export const canRedo = computed(() => (history.value?.future.length ?? 0) > 0);
 export const busy = computed(() => activity.value !== null || turnsLeft.value > 0);

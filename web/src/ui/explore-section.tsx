@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { explore } from "../state/exploring.ts";
 import { fillGallery, gallery } from "../state/gallery.ts";
-import {
-  dimension,
-  draft,
-  eigenbasis,
-  figures,
-  limited,
-  ready,
-} from "../state/store.ts";
+import { dimension, draft, eigenbasis, figures, limited, ready } from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 

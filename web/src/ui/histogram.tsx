@@ -8,7 +8,6 @@ import {
   ofMoves,
   ofPlanarity,
 } from "../state/histogram.ts";
-import { isKind } from "../state/kept-kind.ts";
 import { movesOn } from "../state/moves.ts";
 import {
   bending,
@@ -57,9 +56,9 @@ function shown(): Shown | null {
       what: ["panel folds", "panels fold"],
       rest: "flat with their neighbours",
     };
-  if (isKind(kind) && kindDefects.value)
+  if (kindDefects.value?.kind === kind)
     return {
-      counts: ofDefects(kindDefects.value),
+      counts: ofDefects(kindDefects.value.values),
       what:
         kind === "circular"
           ? ["panel misses it", "panels miss it"]

@@ -57,7 +57,7 @@ function ends(kind: Linear): readonly [string, string] {
     return ["0°, flat", formatDegrees(end)];
   }
   if (isKind(kind)) {
-    const end = kindDefects.value ? defectEnd(kindDefects.value) : 0;
+    const end = kindDefects.value?.kind === kind ? defectEnd(kindDefects.value.values) : 0;
     return ["0°, kept", formatDegrees(end)];
   }
   const sharpest = bending.value ? largest(bending.value) : 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { flatnessWords } from "../state/flatness.ts";
+import { measuredPanels } from "../state/measured-panels.ts";
 import { OUTLINES, type PanelRow, rowOf } from "../state/panel-rows.ts";
-import { mesh, panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
+import { mesh, selectedPanel, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 
 /** ", convex, smallest angle 87°, shortest edge 604 mm" */
@@ -15,8 +16,7 @@ export function PanelFigure() {
   const offsets = mesh.value?.offsets;
   if (panel === null || !offsets) return null;
   const corners = (offsets[panel + 1] ?? 0) - (offsets[panel] ?? 0);
-  const [figures, health] = [panelFigures.value, panelHealth.value];
-  const row = figures && health && rowOf(panel, figures, health);
+  const row = measuredPanels.value && rowOf(panel, measuredPanels.value);
   return (
     <span>
       <strong>Panel {panel}</strong> {corners} corners

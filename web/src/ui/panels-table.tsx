@@ -5,6 +5,8 @@ import { save } from "../export/exporting.ts";
 import { panelList } from "../export/panel-list.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
+import { type Kind, LEAST_DEFECT } from "../state/kept-kind.ts";
+import { measuredPanels } from "../state/measured-panels.ts";
 import {
   countHealth,
   firstPanels,
@@ -14,7 +16,7 @@ import {
   type PanelRow,
   panelCount,
 } from "../state/panel-rows.ts";
-import { panelFigures, panelHealth, selectedPanel, unit } from "../state/store.ts";
+import { kindDefects, selectedPanel, unit } from "../state/store.ts";
 import { convert } from "../state/units.ts";
 
 const ROWS = 8;
@@ -65,6 +67,31 @@ const COLUMNS: readonly Column[] = [
   },
 ];
 
+const MISSED: Readonly<Record<Kind, Column>> = {
+  circular: {
+    key: "defect",
+    name: "Circular",
+    unit: "°",
+    meaning: "By how much opposite angles miss 180°",
+    largest: true,
+  },
+  conical: {
+    key: "defect",
+    name: "Conical",
+    unit: "°",
+    meaning: "By how much the panel's worst node misses ω₁ + ω₃ = ω₂ + ω₄",
+    largest: true,
+  },
+};
+
+/** A kind that is looked at takes the place of the distance: the table is no wider. */
+const columnsFor = (kind: Kind | null): readonly Column[] =>
+  kind ? COLUMNS.map((column) => (column.key === "gap" ? MISSED[kind] : column)) : COLUMNS;
+
+/** Two digits, as a kind's figures are everywhere; rounding alone is 0. */
+const defectWords = (degrees: number): string =>
+  degrees < 0 ? "–" : degrees < LEAST_DEFECT ? "0" : String(Number(degrees.toPrecision(2)));
+
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
 function Summary({ health }: { health: Float32Array }) {
@@ -77,7 +104,7 @@ function Summary({ health }: { health: Float32Array }) {
   );
 }
 
-function Row({ row }: { row: PanelRow }) {
+function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
   const { panel, angle, edge, outline } = row;
   const { gap, cell } = flatnessWords(row.gap, row.mmPerM, row.excess, unit.value);
   return (
@@ -94,7 +121,7 @@ function Row({ row }: { row: PanelRow }) {
           {panel}
         </button>
       </th>
-      <td>{gap.replace(" mm", "")}</td>
+      <td>{kind ? defectWords(row.defect) : gap.replace(" mm", "")}</td>
       <td>{cell}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
       <td>{convert(edge, unit.value, "mm").toFixed(0)}</td>
@@ -104,15 +131,16 @@ function Row({ row }: { row: PanelRow }) {
 }
 
 interface HeadProps {
+  readonly columns: readonly Column[];
   readonly order: PanelOrder;
   readonly onSort: (column: Column) => void;
 }
 
-function Head({ order: { key, descending }, onSort }: HeadProps) {
+function Head({ columns, order: { key, descending }, onSort }: HeadProps) {
   return (
     <thead>
       <tr>
-        {COLUMNS.map((column) => (
+        {columns.map((column) => (
           <th
             key={column.key}
             scope="col"
@@ -147,15 +175,18 @@ function Head({ order: { key, descending }, onSort }: HeadProps) {
 export function PanelsTable() {
   const order = useSignal<PanelOrder>({ key: "mmPerM", descending: true, changedOnly: false });
   const wanted = useSignal(ROWS);
-  const [figures, health] = [panelFigures.value, panelHealth.value];
-  if (!figures || health?.length !== PER_PANEL.health * panelCount(figures)) return null;
+  const measured = measuredPanels.value;
+  if (!measured) return null;
+  const { figures, health } = measured;
+  if (health.length !== PER_PANEL.health * panelCount(figures)) return null;
+  const kind = kindDefects.value?.kind ?? null;
   const { key, descending, changedOnly } = order.value;
   const sort = (column: Column): void => {
     const again = column.key === key;
     const down = again ? !descending : column.largest;
     order.value = { key: column.key, descending: down, changedOnly };
   };
-  const rows = firstPanels(figures, health, order.value, wanted.value);
+  const rows = firstPanels(measured, order.value, wanted.value);
   const total = changedOnly ? countHealth(health).changed : panelCount(figures);
   const more = Math.min(MORE, total - rows.length);
   return (
@@ -173,10 +204,10 @@ export function PanelsTable() {
       </label>
       <div class="panels-frame">
         <table class="panels" aria-label="Panels">
-          <Head order={order.value} onSort={sort} />
+          <Head columns={columnsFor(kind)} order={order.value} onSort={sort} />
           <tbody>
             {rows.map((row) => (
-              <Row key={row.panel} row={row} />
+              <Row key={row.panel} row={row} kind={kind} />
             ))}
           </tbody>
         </table>
@@ -191,7 +222,7 @@ export function PanelsTable() {
           class="button small"
           title="Saves the table of all panels, for spreadsheets"
           onClick={() => {
-            const text = panelList(figures, health, unit.value);
+            const text = panelList(measured, unit.value, kind);
             save(new Blob([text], { type: "text/csv" }), "-panels.csv");
           }}
         >

@@ -2,9 +2,10 @@
 import "./legend-scales.css";
 import { FABRICATION_LIMIT, planarityEnd, planarityShare } from "../scene/ramp.ts";
 import { flatnessWords, isFlat } from "../state/flatness.ts";
+import { measuredPanels } from "../state/measured-panels.ts";
 import { firstPanels } from "../state/panel-rows.ts";
 import { showNextPanel } from "../state/selection.ts";
-import { figures, panelFigures, panelHealth, unit } from "../state/store.ts";
+import { figures, panelFigures, unit } from "../state/store.ts";
 
 /** Power of ten, mm/m, of the first tick; what is flat lies a decade below. */
 const FIRST = -5;
@@ -35,11 +36,10 @@ const WORST = { key: "mmPerM", descending: true, changedOnly: false } as const;
 function Worst() {
   const { worstGap, worstMmPerM, worstExcess } = figures.value;
   const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
-  const [measured, health] = [panelFigures.value, panelHealth.value];
-  if (isFlat(figures.value) || !measured || !health)
+  const measured = measuredPanels.value;
+  if (isFlat(figures.value) || !measured)
     return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
-  const goTo = (): void =>
-    showNextPanel(firstPanels(measured, health, WORST, 1).map(({ panel }) => panel));
+  const goTo = (): void => showNextPanel(firstPanels(measured, WORST, 1).map(({ panel }) => panel));
   return (
     <button type="button" class="legend-note worst-panel" title="Go to this panel" onClick={goTo}>
       {`Worst panel ${sentence}`}

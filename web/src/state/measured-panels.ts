@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What was measured of every panel, in one place for tables and lists.
+import { computed } from "@preact/signals";
+import type { Polygons } from "../mesh/display-mesh.ts";
+import type { MeasuredPanels } from "./panel-rows.ts";
+import { kindDefects, mesh, panelFigures, panelHealth } from "./store.ts";
+
+/** Of every panel the worst of its points; -1 where none is bound. */
+export function worstOfPoints(
+  defects: Float32Array,
+  faces: Pick<Polygons, "offsets" | "vertices">,
+) {
+  const { offsets, vertices } = faces;
+  return Float32Array.from({ length: offsets.length - 1 }, (_, panel) =>
+    vertices
+      .subarray(offsets[panel], offsets[panel + 1])
+      .reduce((worst, v) => Math.max(worst, defects[v] ?? -1), -1),
+  );
+}
+
+export const measuredPanels = computed((): MeasuredPanels | null => {
+  const [figures, health, faces] = [panelFigures.value, panelHealth.value, mesh.value];
+  if (!figures || !health || !faces) return null;
+  const missed = kindDefects.value;
+  const defects = missed?.kind === "conical" ? worstOfPoints(missed.values, faces) : missed?.values;
+  return { figures, health, defects: defects ?? null };
+});
