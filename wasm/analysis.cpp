@@ -75,13 +75,9 @@ std::vector<float> Analysis::panel_folds() const {
 
 std::vector<float> Analysis::defects(const std::string& kind) const {
   std::vector<float> degrees;
-  ConstraintKinds::for_each([&](auto tag) {
-    using Kind = typename decltype(tag)::type;
-    if (Kind::kName != kind) return;
-    for (const auto& defect : kind_defects<Kind>(base_, adjacency_, current_)) {
-      degrees.push_back(defect ? static_cast<float>(defect->measure) : -1.0F);
-    }
-  });
+  for (const auto& defect : kind_defects(kind, base_, adjacency_, current_)) {
+    degrees.push_back(defect ? static_cast<float>(defect->measure) : -1.0F);
+  }
   return degrees;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "planish/adjacency.hpp"
@@ -12,20 +13,26 @@
 
 namespace planish {
 
-/// One for each face or vertex of `mesh` at `positions`, 3 × n; nullopt where the kind bounds
-/// nothing: at triangles, and at vertices that are not inside or not of valence 4.
-template <class Kind>
-std::vector<std::optional<Violation>> kind_defects(const Mesh& mesh, const Adjacency& adjacency,
-                                                   const Positions& positions) {
+/// One for each face or vertex of `mesh` at `positions`, 3 × n; nullopt where nothing called `name`
+/// has rows: at triangles, and at vertices that are not inside.
+inline std::vector<std::optional<Violation>> kind_defects(std::string_view name, const Mesh& mesh,
+                                                          const Adjacency& adjacency,
+                                                          const Positions& positions) {
   MeshElements elements(mesh, adjacency);
   std::vector<std::optional<Violation>> defects;
-  for (int e = 0; e < elements.count(Kind::kElement); ++e) {
-    const auto element = elements.of(Kind::kElement, e);
-    const bool bounded =
-        Kind::kElement == Element::kFace ? element.size() > 3 : element.size() == 5;
-    defects.push_back(bounded ? std::optional(violation_of<Kind>(positions, element))
-                              : std::nullopt);
-  }
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kName != name) return;
+    std::vector<typename Kind::Row> rows;
+    defects.resize(static_cast<std::size_t>(elements.count(Kind::kElement)));
+    for (int e = 0; e < elements.count(Kind::kElement); ++e) {
+      const auto element = elements.of(Kind::kElement, e);
+      rows.clear();
+      Kind::append_rows(mesh.positions, element, rows);
+      if (rows.empty()) continue;
+      defects[static_cast<std::size_t>(e)] = violation_of<Kind>(positions, element);
+    }
+  });
   return defects;
 }
 

@@ -54,11 +54,10 @@ JsonText violations_text(const SolveReport& solve) {
 }
 
 /// Of one kind, on the elements that it bounds: half of them are below `median`, degrees.
-template <class Kind>
-JsonText defects(const Mesh& mesh, const Adjacency& adjacency) {
+JsonText defects(std::string_view kind, const Mesh& mesh, const Adjacency& adjacency) {
   std::vector<double> measures;
   Violation worst;
-  for (const auto& defect : kind_defects<Kind>(mesh, adjacency, mesh.positions)) {
+  for (const auto& defect : kind_defects(kind, mesh, adjacency, mesh.positions)) {
     if (!defect) continue;
     measures.push_back(defect->measure);
     worst.raise_to(*defect);
@@ -72,11 +71,12 @@ JsonText defects(const Mesh& mesh, const Adjacency& adjacency) {
 
 JsonText kinds_text(const Mesh& mesh, const Adjacency& adjacency) {
   JsonText text;
+  std::string_view last = PlanarPolygon::kName;
   ConstraintKinds::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
-    if constexpr (!std::is_same_v<Kind, PlanarPolygon>) {
-      text.add(Kind::kName, defects<Kind>(mesh, adjacency));
-    }
+    if (Kind::kName == last) return;
+    last = Kind::kName;
+    text.add(Kind::kName, defects(Kind::kName, mesh, adjacency));
   });
   return text;
 }

@@ -125,13 +125,12 @@ std::optional<std::string> not_exact_sentence(const EditRun& run, const Family& 
   const KeptKinds kept = kept_kinds(family.edit.tolerance, family.edit.constraints);
   const Violations worst = standing(run, variation.positions, kept).worst;
   if (is_within(worst, kept)) return std::nullopt;
-  std::string sentence = "panels are up to " + three_digits(worst[0].excess) + " mm/m out of flat";
-  kept.for_each([&](auto tag, std::size_t kind) {
-    using Kind = typename decltype(tag)::type;
-    if (kind == 0) return;
-    sentence += " and " + three_digits(worst[kind].excess) + " " + std::string(Kind::kUnit) +
-                " out of " + std::string(Kind::kName);
-  });
+  std::string sentence;
+  for (const KindViolation& one : kind_violations(kept, worst, worst)) {
+    sentence += sentence.empty() ? "panels are up to " : " and ";
+    sentence += three_digits(one.after_max) + " " + std::string(one.unit) + " out of ";
+    sentence += one.kind == PlanarPolygon::kName ? "flat" : one.kind;
+  }
   return sentence + ", as the sliders show them; --exact makes them so";
 }
 

@@ -66,7 +66,10 @@ std::vector<KindViolation> kind_violations(const KeptKinds& kept, const Violatio
   std::vector<KindViolation> list;
   kept.for_each([&](auto tag, std::size_t kind) {
     using Kind = typename decltype(tag)::type;
-    list.push_back({Kind::kName, Kind::kUnit, before[kind].measure, after[kind].measure});
+    if (list.empty() || list.back().kind != Kind::kName) list.push_back({Kind::kName, Kind::kUnit});
+    KindViolation& named = list.back();
+    if (!(before[kind].measure <= named.before_max)) named.before_max = before[kind].measure;
+    if (!(after[kind].measure <= named.after_max)) named.after_max = after[kind].measure;
   });
   return list;
 }

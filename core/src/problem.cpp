@@ -73,7 +73,7 @@ void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
     for (const int id : Kind::kElement == Element::kFace ? patch.face_ids : patch.star_ids) {
       for (int e = offsets[at(id)]; e < offsets[at(id) + 1]; ++e) {
         typename Kind::Row row = rows[at(e)];
-        if (!localise(row, local_of_, patch.free_count)) continue;
+        if (!localise(row.vertices, local_of_, patch.free_count)) continue;
         patch.equations.of<Kind>().push_back(row);
         patch.equation_ids.push_back(first + e);
       }
@@ -123,12 +123,20 @@ void PatchCutter::add_corners(const MeshModel& model, int f, Patch& patch) {
   append_corner_shapes(model.points, model.face(f), patch.corners);
   for (std::size_t k = kept; k < patch.corners.size(); ++k) {
     CornerShape corner = patch.corners[k];
-    for (int& w : corner.vertices) w = local(w, patch);
-    const bool touches = std::any_of(corner.vertices.begin(), corner.vertices.end(),
-                                     [&](int w) { return w < patch.free_count; });
-    if (touches) patch.corners[kept++] = corner;
+    if (enter(corner.vertices, patch)) patch.corners[kept++] = corner;
   }
   patch.corners.resize(kept);
+}
+
+/// Gives a row's vertices local numbers, new ones to those that have none.
+/// @returns whether one of them is free
+bool PatchCutter::enter(std::span<int> vertices, Patch& patch) {
+  bool touches = false;
+  for (int& v : vertices) {
+    v = local(v, patch);
+    touches = touches || v < patch.free_count;
+  }
+  return touches;
 }
 
 /// The stated limits' rows of one face. Those of two panels come with the first of the two.
@@ -137,10 +145,7 @@ void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
     using Kind = typename decltype(tag)::type;
     if (other >= 0 && face_mark_[at(other)] == stamp_) return;
     typename Kind::Row here = row;
-    for (int& w : here.vertices) w = local(w, patch);
-    const bool touches = std::any_of(here.vertices.begin(), here.vertices.end(),
-                                     [&](int w) { return w < patch.free_count; });
-    if (touches) patch.limits.of<Kind>().push_back(std::move(here));
+    if (enter(here.vertices, patch)) patch.limits.of<Kind>().push_back(std::move(here));
   });
 }
 
@@ -241,6 +246,15 @@ ObjectiveTerms objective(const Patch& patch) {
     result.fairness += 0.5 * patch.fairness_weight * sum.squaredNorm();
   });
   return result;
+}
+
+bool localise(std::span<int> vertices, const std::vector<int>& local, int free_count) {
+  bool touches = false;
+  for (int& v : vertices) {
+    v = local[at(v)];
+    touches = touches || v < free_count;
+  }
+  return touches;
 }
 
 void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) {

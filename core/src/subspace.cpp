@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <list>
 
 #include "planish/engines/augmented_lagrangian.hpp"
 #include "planish/engines/subspace_splitting.hpp"
@@ -54,7 +55,7 @@ class SubspaceBuilder {
   void cut_patch(const std::vector<int>& close, const std::vector<int>& pins);
   void set_weights();
   [[nodiscard]] std::vector<Eigen::Matrix3Xd> starts() const;
-  void rank(std::vector<Candidate>& candidates) const;
+  void rank(std::list<Candidate>& candidates) const;
   [[nodiscard]] bool add_newton_vector(SubspaceVectorSolver& solver);
   [[nodiscard]] bool add_alm_vector(SubspaceVectorSolver& solver);
   void accept(const Eigen::Matrix3Xd& t);
@@ -152,13 +153,13 @@ std::vector<Eigen::Matrix3Xd> SubspaceBuilder::starts() const {
 
 /// Lowest objective first, those that overlap the edit before those that do not: a lower objective
 /// elsewhere on the patch is a good local edit, but not a variation of this one.
-void SubspaceBuilder::rank(std::vector<Candidate>& candidates) const {
+void SubspaceBuilder::rank(std::list<Candidate>& candidates) const {
   constexpr double kOverlap = 0.25;
   const Eigen::RowVectorXd footprint = direction_.colwise().norm();
   for (Candidate& candidate : candidates) {
     candidate.overlaps = candidate.vector.colwise().norm().dot(footprint) >= kOverlap;
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+  candidates.sort([](const auto& a, const auto& b) {
     return a.overlaps != b.overlaps ? a.overlaps : a.objective < b.objective;
   });
 }
@@ -168,7 +169,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
   constexpr std::size_t kTried = 5;
   constexpr std::size_t kFinished = 2;
   constexpr int kTrialSteps = 3;
-  std::vector<Candidate> candidates;
+  std::list<Candidate> candidates;
   for (Eigen::Matrix3Xd& start : starts()) {
     if (!solver.make_admissible(basis_, start)) continue;
     candidates.push_back({solver.objective(start), false, std::move(start)});

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "planish/adjacency.hpp"
+#include "planish/constraints/conical_star.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/metrics.hpp"
@@ -18,6 +20,14 @@ namespace planish {
 namespace {
 
 constexpr double kConical = 1e-9;  ///< degrees
+
+std::vector<int> star_of(const Mesh& mesh, int vertex) {
+  const Adjacency adjacency = build_adjacency(mesh);
+  const auto around = adjacency.neighbours[vertex];
+  std::vector<int> star{vertex};
+  star.insert(star.end(), around.begin(), around.end());
+  return star;
+}
 
 std::vector<KeptConstraint> conical() { return {{"conical", kConical}}; }
 
@@ -54,6 +64,32 @@ TEST(EditConical, AndCircularHoldTogether) {
   expect_conical(mesh, result);
   ASSERT_EQ(result.report.violations.size(), 3u);
   EXPECT_LE(result.report.violations[1].after_max, 1e-9);
+}
+
+/// Around a vertex of any valence a mesh is made conical, and an edit beside it keeps it so.
+TEST(EditConical, HoldsAtOtherValences) {
+  for (const int valence : {5, 6, 7}) {
+    SCOPED_TRACE(valence);
+    Mesh mesh = testing::sectors(valence, 4);
+    ProjectionOptions project;
+    project.constraints = conical();
+    const ProjectionResult exact = project_to_planar(mesh, project);
+    ASSERT_TRUE(exact.report.usable()) << status_name(exact.report.status);
+    mesh.positions(Eigen::all, exact.moved) = exact.moved_positions;
+    ASSERT_LE(testing::axis_spread(mesh, mesh.positions, 0), 10.0 * kConical);
+    ASSERT_LE(testing::worst_cone_defect(mesh, mesh.positions), kConical);
+    ASSERT_LE(planarity_summary(mesh).max_excess, testing::kPromise);
+    const EditTargets targets = testing::pull(mesh, mesh.face(0)[1], {0.0, 0.0, 0.2});
+    HandleEditOptions options;
+    options.constraints = conical();
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    expect_conical(mesh, result);
+    EXPECT_FALSE(result.moved.empty());
+    EXPECT_LE(testing::axis_spread(mesh, apply(mesh, result), 0), 10.0 * kConical);
+    const Positions flat = apply(mesh, solve_handle_edit(mesh, targets));
+    EXPECT_GT(testing::axis_spread(mesh, flat, 0), 0.1);
+    EXPECT_GT(star_defect(flat, star_of(mesh, 0)), 0.1);
+  }
 }
 
 /// Issue 12: the public conical mesh made exactly so, then six edits of 7 × 7 points.

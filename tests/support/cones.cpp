@@ -2,11 +2,17 @@
 #include "cones.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/area_vector.hpp"
 
 namespace planish::testing {
 namespace {
@@ -43,6 +49,62 @@ double worst_cone_defect(const Mesh& mesh, const Positions& positions) {
     worst = std::max(worst, std::abs(sum));
   }
   return worst;
+}
+
+double axis_spread(const Mesh& mesh, const Positions& positions, int vertex) {
+  const Adjacency adjacency = build_adjacency(mesh);
+  const auto faces = adjacency.faces[vertex];
+  Eigen::Matrix3Xd normals(3, static_cast<Eigen::Index>(faces.size()));
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    normals.col(static_cast<Eigen::Index>(k)) =
+        area_vector(positions, mesh.face(faces[k])).normalized();
+  }
+  const Eigen::Matrix3Xd centred = normals.colwise() - normals.rowwise().mean();
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(centred, Eigen::ComputeFullU);
+  const Eigen::RowVectorXd along = svd.matrixU().col(2).transpose() * normals;
+  const Eigen::ArrayXd angles = along.transpose().array().acos() * 180.0 / std::numbers::pi;
+  return angles.maxCoeff() - angles.minCoeff();
+}
+
+Mesh sectors(int valence, int rings) {
+  std::map<std::array<int, 3>, int>
+      numbers;  // by sector, steps along its first side and its second
+  std::vector<Eigen::Vector3d> points;
+  const auto direction = [&](int sector) -> Eigen::Vector2d {
+    const double angle = 2.0 * std::numbers::pi * sector / valence;
+    return {std::cos(angle), std::sin(angle)};
+  };
+  const auto number = [&](int sector, int i, int j) {
+    if (i == 0) {  // the second side is the next sector's first
+      sector = j == 0 ? 0 : (sector + 1) % valence;
+      std::swap(i, j);
+    }
+    const auto [entry, fresh] =
+        numbers.emplace(std::array{sector, i, j}, static_cast<int>(points.size()));
+    if (fresh) {
+      const Eigen::Vector2d p = i * direction(sector) + j * direction(sector + 1);
+      points.emplace_back(p.x(), p.y(), -0.06 * p.x() * p.x() - 0.03 * p.y() * p.y());
+    }
+    return entry->second;
+  };
+  Mesh mesh;
+  (void)number(0, 0, 0);
+  for (int sector = 0; sector < valence; ++sector) {
+    for (int i = 0; i < rings; ++i) {
+      for (int j = 0; j < rings; ++j) {
+        for (const int v : {number(sector, i, j), number(sector, i + 1, j),
+                            number(sector, i + 1, j + 1), number(sector, i, j + 1)}) {
+          mesh.face_vertices.push_back(v);
+        }
+        mesh.face_offsets.push_back(static_cast<int>(mesh.face_vertices.size()));
+      }
+    }
+  }
+  mesh.positions.resize(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    mesh.positions.col(static_cast<Eigen::Index>(v)) = points[v];
+  }
+  return mesh;
 }
 
 }  // namespace planish::testing

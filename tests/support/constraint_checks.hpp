@@ -27,13 +27,14 @@ class ConstraintCheck {
   using Flat = Eigen::Matrix<double, kUnknowns, 1>;
   using Square = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-  /// An uneven convex ring of `size` points, about 0.2 away from round, and from flat unless the
-  /// kind presumes flat faces.
+  /// An uneven convex ring of `size` points, about kUneven away from round, and from flat unless
+  /// the kind presumes flat faces.
   ConstraintCheck(int size, unsigned seed) : points_(3, size), element_(at(size)) {
     const Eigen::Matrix3Xd noise = random_points(seed, size);
     for (int k = 0; k < size; ++k) {
       const double angle = 2.0 * std::acos(-1.0) * k / size;
-      points_.col(k) = Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0) + 0.2 * noise.col(k);
+      points_.col(k) =
+          Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0) + kUneven * noise.col(k);
     }
     if constexpr (requires { Kind::kPresumesFlat; }) points_.row(2).setConstant(0.5);
     if (Kind::kElement == Element::kVertex) points_.col(0) = Eigen::Vector3d(0.1, 0.0, 0.6);
@@ -104,6 +105,9 @@ class ConstraintCheck {
 
  private:
   static constexpr double kStep = 1e-5;
+  /// Planes about a vertex turn by more than points of a panel move.
+  static constexpr double kUneven = Kind::kElement == Element::kVertex ? 0.05 : 0.2;
+  static constexpr double kLongest = 0.1;
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -157,7 +161,8 @@ class ConstraintCheck {
         }
       }
       if (values.cwiseAbs().maxCoeff() < 1e-14) break;
-      const Eigen::VectorXd delta = jacobian.completeOrthogonalDecomposition().solve(-values);
+      Eigen::VectorXd delta = jacobian.completeOrthogonalDecomposition().solve(-values);
+      delta *= std::min(1.0, kLongest / delta.norm());  // to a state near the first one
       points_ += Eigen::Map<const Positions>(delta.data(), 3, points_.cols());
     }
     ASSERT_LT(worst(), 1e-11) << Kind::kName << ": the rows could not be met";

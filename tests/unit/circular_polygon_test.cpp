@@ -95,7 +95,7 @@ TEST(CircleDefect, RoundingFarFromTheOriginIsNoExcess) {
 TEST(CircleFreedom, IsFarSmallerThanThatOfFlatPanels) {
   const Mesh mesh = testing::sample("dome", 16);
   KeptKinds circular;
-  circular.keep(*kind_index("circular"), 1e-9);
+  circular.keep("circular", 1e-9);
   const auto freedom = [&](int rings, const KeptKinds& kept) {
     const std::vector<int> free = testing::ring_neighbourhood(mesh, 8 * 16 + 8, rings);
     const auto found = measure_freedom(mesh, build_adjacency(mesh), mesh.positions, free, {}, kept);

@@ -59,11 +59,22 @@ TEST(RowBatches, NumberTheirRowsThrough) {
   EXPECT_TRUE(rows.empty());
 }
 
-TEST(ConstraintKinds, HaveNamesOfTheirOwn) {
+/// Kinds of one name follow each other, and are one to whoever asks and whoever is told.
+TEST(ConstraintKinds, HaveNamesOfTheirOwnOrShareAllThatIsSaid) {
   std::set<std::string_view> names;
+  std::string_view last, unit;
+  double tolerance = 0.0;
   ConstraintKinds::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
-    EXPECT_TRUE(names.insert(Kind::kName).second) << Kind::kName;
+    if (Kind::kName == last) {
+      EXPECT_EQ(Kind::kUnit, unit) << Kind::kName;
+      EXPECT_EQ(Kind::kTolerance, tolerance) << Kind::kName;
+    } else {
+      EXPECT_TRUE(names.insert(Kind::kName).second) << Kind::kName;
+    }
+    last = Kind::kName;
+    unit = Kind::kUnit;
+    tolerance = Kind::kTolerance;
     EXPECT_FALSE(Kind::kUnit.empty()) << Kind::kName;
     EXPECT_GT(Kind::kTolerance, 0.0) << Kind::kName;
   });

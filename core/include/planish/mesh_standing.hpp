@@ -22,7 +22,7 @@ struct MeshStanding {
 [[nodiscard]] MeshStanding measure_standing(const Mesh& mesh, const Adjacency& adjacency,
                                             const KeptKinds& kept);
 
-/// What a report says of every kept kind, planarity first.
+/// What a report says of the kept kinds, name by name, planarity first.
 [[nodiscard]] std::vector<KindViolation> kind_violations(const KeptKinds& kept,
                                                          const Violations& before,
                                                          const Violations& after);

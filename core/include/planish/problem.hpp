@@ -157,6 +157,7 @@ class PatchCutter {
   void begin(const EditProblem& problem, std::span<const int> free, Patch& patch);
   void add_rows(const EditProblem& problem, int owners, Patch& patch);
   void add_face(const EditProblem& problem, int face, Patch& patch);
+  bool enter(std::span<int> vertices, Patch& patch);
   void add_corners(const MeshModel& model, int face, Patch& patch);
   void add_limits(const MeshLimits& limits, int face, Patch& patch);
   void add_stars(const MeshModel& model, int vertex, Patch& patch);
@@ -174,15 +175,7 @@ class PatchCutter {
 
 /// Renames the vertices of a row. @param local new name by old one
 /// @returns whether one of them is free: less than `free_count`
-template <class Row>
-[[nodiscard]] bool localise(Row& row, const std::vector<int>& local, int free_count) {
-  bool touches = false;
-  for (int& v : row.vertices) {
-    v = local[static_cast<std::size_t>(v)];
-    touches = touches || v < free_count;
-  }
-  return touches;
-}
+[[nodiscard]] bool localise(std::span<int> vertices, const std::vector<int>& local, int free_count);
 
 /// The corners of a row, displaced; the free ones by `displacement` (3 × free, or 3 × local).
 template <class Row>

@@ -12,7 +12,7 @@ std::string known_kinds() {
   std::string names;
   ConstraintKinds::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
-    if (Kind::kName == PlanarPolygon::kName) return;
+    if (Kind::kName == PlanarPolygon::kName || names.ends_with(Kind::kName)) return;
     names += (names.empty() ? "" : ", ") + std::string(Kind::kName);
   });
   return names;
@@ -26,7 +26,8 @@ std::optional<std::string> find_problem(const std::vector<KeptConstraint>& const
     if (constraint.kind == PlanarPolygon::kName) {
       return "constraints: planar is always kept; tolerance is how exactly";
     }
-    if (!kind_index(constraint.kind)) return "constraints: a kind must be one of " + known_kinds();
+    if (!own_tolerance(constraint.kind))
+      return "constraints: a kind must be one of " + known_kinds();
     if (!(constraint.tolerance > 0.0) || !std::isfinite(constraint.tolerance)) {
       return "constraints: the tolerance of " + constraint.kind + " must be greater than 0";
     }
@@ -41,7 +42,7 @@ std::optional<std::string> find_problem(const std::vector<KeptConstraint>& const
 KeptKinds kept_kinds(double tolerance, const std::vector<KeptConstraint>& constraints) {
   KeptKinds kept(tolerance);
   for (const KeptConstraint& constraint : constraints) {
-    if (const auto kind = kind_index(constraint.kind)) kept.keep(*kind, constraint.tolerance);
+    kept.keep(constraint.kind, constraint.tolerance);
   }
   return kept;
 }

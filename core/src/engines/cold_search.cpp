@@ -61,11 +61,12 @@ class ColdSearch {
       contender.start = start;
       keep(newton_.run_cold(problem_, start, coarse, field_, interrupted_), contender);
       if (std::isfinite(contender.outcome.objective) && !contender.outcome.records.empty()) {
-        contenders_.push_back(std::move(contender));
+        const auto after =
+            std::upper_bound(contenders_.begin(), contenders_.end(), contender, &lower);
+        contenders_.insert(after, std::move(contender));
       }
       if (!problem_.sparse || total_.status == SolveStatus::kCancelled) break;
     }
-    std::stable_sort(contenders_.begin(), contenders_.end(), &lower);
   }
 
   /// The promising ones to the last smoothing; the best of those that got there.

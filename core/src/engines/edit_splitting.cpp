@@ -40,19 +40,17 @@ EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
 
 /// The pattern of AᵀA + EᵀE on the free vertices.
 RaggedRows EditSplitting::graph() const {
-  return coupling_graph(patch_.free_count, [&](const auto& join) {
-    for (int f = 0; f < patch_.faces.size(); ++f) {
-      const auto face = patch_.faces[f];
-      if (!is_large(f)) {
-        join_all(face, join);
-        continue;
-      }
-      for (const int v : face) join(v, face.back());
+  Cliques cliques;
+  for (int f = 0; f < patch_.faces.size(); ++f) {
+    const auto face = patch_.faces[f];
+    if (!is_large(f)) {
+      cliques.add(face);
+      continue;
     }
-    for (int r = 0; r < patch_.fairness_vertices.size(); ++r) {
-      join_all(patch_.fairness_vertices[r], join);
-    }
-  });
+    for (const int v : face) cliques.add(v, face.back());
+  }
+  for (int r = 0; r < patch_.fairness_vertices.size(); ++r) cliques.add(patch_.fairness_vertices[r]);
+  return cliques.graph(patch_.free_count);
 }
 
 /// μ (I + MᵀM) + ω_f EᵀE, (17).

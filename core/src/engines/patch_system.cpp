@@ -66,14 +66,14 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
 }
 
 void PatchSystem::build_graph() {
-  graph_ = coupling_graph(patch_->free_count, [&](const auto& join) {
-    patch_->equations.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
-    for (const CornerShape& corner : patch_->corners) join_all(corner.vertices, join);
-    patch_->limits.for_each([&](int, const auto& row) { join_all(row.vertices, join); });
-    for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-      join_all(patch_->fairness_vertices[r], join);
-    }
-  });
+  Cliques cliques;
+  patch_->equations.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
+  for (const CornerShape& corner : patch_->corners) cliques.add(corner.vertices);
+  patch_->limits.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
+  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
+    cliques.add(patch_->fairness_vertices[r]);
+  }
+  graph_ = cliques.graph(patch_->free_count);
 }
 
 /// One slot per edge of the graph: equations and fairness rows then look edges up by row.
@@ -99,30 +99,33 @@ std::size_t PatchSystem::edge(int row, int column) const {
 /// Where the blocks of each row of a batch go.
 template <class Batches>
 void PatchSystem::place_rows(const Batches& rows, RowPlaces& places) const {
-  const int n = patch_->free_count;
   places.free.clear();
   places.order.clear();
   places.slots.clear();
-  rows.for_each([&](int, const auto& row) {
-    const auto& vertices = row.vertices;
-    const std::size_t first = places.order.size();
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      if (vertices[k] < n) places.order.push_back(static_cast<int>(k));
-    }
-    const auto order = places.order.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(order, places.order.end(), [&](int a, int b) {
-      return cholesky_.position(vertices[at(a)]) > cholesky_.position(vertices[at(b)]);
-    });
-    places.free.push_back(static_cast<int>(places.order.size() - first));
-    for (auto late = order; late != places.order.end(); ++late) {
-      const int column = vertices[at(*late)];
-      for (auto early = order; early != late; ++early) {
-        // *early is eliminated later than *late: it is the row.
-        places.slots.push_back(edge_slots_[edge(vertices[at(*early)], column)]);
-      }
-      places.slots.push_back(diagonal_[at(column)]);
-    }
+  rows.for_each([&](int, const auto& row) { place_row(row.vertices, places); });
+}
+
+void PatchSystem::place_row(std::span<const int> vertices, RowPlaces& places) const {
+  const std::size_t first = places.order.size();
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (vertices[k] < patch_->free_count) places.order.push_back(static_cast<int>(k));
+  }
+  const auto order = places.order.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(order, places.order.end(), [&](int a, int b) {
+    return cholesky_.position(vertices[at(a)]) > cholesky_.position(vertices[at(b)]);
   });
+  places.free.push_back(static_cast<int>(places.order.size() - first));
+  for (auto late = order; late != places.order.end(); ++late) {
+    const int column = vertices[at(*late)];
+    for (auto early = order; early != late; ++early) {
+      // *early is eliminated later than *late: it is the row. Where a row names a vertex twice, its
+      // blocks are zero.
+      const int later = vertices[at(*early)];
+      places.slots.push_back(later == column ? diagonal_[at(column)]
+                                             : edge_slots_[edge(later, column)]);
+    }
+    places.slots.push_back(diagonal_[at(column)]);
+  }
 }
 
 void PatchSystem::place_shapes() {

@@ -37,7 +37,8 @@ Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<i
   ConstraintKinds::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
     for (typename Kind::Row row : patch.equations.of<Kind>()) {
-      if (localise(row, local, result.free_count)) result.equations.of<Kind>().push_back(row);
+      if (localise(row.vertices, local, result.free_count))
+        result.equations.of<Kind>().push_back(row);
     }
   });
   return result;

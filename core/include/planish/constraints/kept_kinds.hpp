@@ -15,16 +15,6 @@
 
 namespace planish {
 
-/// The place of the kind called `name` in ConstraintKinds; nullopt if there is none.
-[[nodiscard]] constexpr std::optional<std::size_t> kind_index(std::string_view name) {
-  std::optional<std::size_t> found;
-  ConstraintKinds::for_each([&](auto tag) {
-    using Kind = typename decltype(tag)::type;
-    if (Kind::kName == name) found = ConstraintKinds::index_of<Kind>();
-  });
-  return found;
-}
-
 /// The tolerance that the kind called `name` has of its own, in its unit; nullopt if there is none.
 [[nodiscard]] constexpr std::optional<double> own_tolerance(std::string_view name) {
   std::optional<double> found;
@@ -40,11 +30,16 @@ class KeptKinds {
  public:
   /// Planarity alone. @param tolerance mm/m, > 0 [MET-3]
   explicit KeptKinds(double tolerance = PlanarPolygon::kTolerance) {
-    keep(ConstraintKinds::index_of<PlanarPolygon>(), tolerance);
+    keep(PlanarPolygon::kName, tolerance);
   }
 
-  /// @param tolerance of the kind's measure, in its unit, > 0
-  void keep(std::size_t kind, double tolerance) { tolerances_[kind] = tolerance; }
+  /// Every kind called `name`. @param tolerance of their measure, in its unit, > 0
+  void keep(std::string_view name, double tolerance) {
+    ConstraintKinds::for_each([&](auto tag) {
+      using Kind = typename decltype(tag)::type;
+      if (Kind::kName == name) tolerances_[ConstraintKinds::index_of<Kind>()] = tolerance;
+    });
+  }
 
   [[nodiscard]] bool has(std::size_t kind) const { return tolerances_[kind] > 0.0; }
   [[nodiscard]] double tolerance(std::size_t kind) const { return tolerances_[kind]; }

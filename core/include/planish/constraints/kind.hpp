@@ -48,7 +48,8 @@ constexpr std::size_t block_index(int k, int l) {
   return first + static_cast<std::size_t>(l);
 }
 
-/// One equation on `kArity` vertices: data that was made once for the base mesh, and three pure
+/// One equation on `kArity` vertices (or fewer: a vertex may stand twice, if nothing is read at its
+/// later places): data that was made once for the base mesh, and three pure
 /// functions, found by argument-dependent lookup. The residual is a length, in the unit of the
 /// positions. Where it is zero, the gradient is its derivative and the Hessian, along directions
 /// that keep it, the gradient's; elsewhere they may leave out multiples of the residual.

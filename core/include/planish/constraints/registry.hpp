@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// All kinds of constraints. A new one is its own file and one line here.
+/// All kinds of constraints. A new one is its own file and one line here. Kinds of one name are
+/// kept together, and a report has the worst of them; they follow each other.
 #pragma once
 
 #include "planish/constraints/circular_polygon.hpp"
+#include "planish/constraints/conical_star.hpp"
 #include "planish/constraints/conical_vertex.hpp"
 #include "planish/constraints/constraint_rows.hpp"
 #include "planish/constraints/planar_polygon.hpp"
@@ -12,7 +14,8 @@ namespace planish {
 using ConstraintKinds = KindList<  //
     PlanarPolygon,                 //
     CircularPolygon,               //
-    ConicalVertex                  //
+    ConicalVertex,                 //
+    ConicalStar                    //
     >;
 static_assert(ConstraintKinds::all([](auto tag) {
   return ConstraintKind<typename decltype(tag)::type>;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "planish/engines/row_jacobian.hpp"
@@ -81,6 +82,7 @@ class PatchSystem {
   [[nodiscard]] std::size_t edge(int row, int column) const;
   template <class Batches>
   void place_rows(const Batches& rows, RowPlaces& places) const;
+  void place_row(std::span<const int> vertices, RowPlaces& places) const;
   void place_shapes();
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
