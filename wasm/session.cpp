@@ -86,10 +86,9 @@ Refusal Session::require_flat_base() const {
 }
 
 Refusal Session::set_options(HandleEditOptions options) {
-  options.constraints.clear();
+  options.constraints = options_.constraints;
   options.bounds = options_.bounds;
   if (const auto problem = find_problem(options)) return *problem;
-  options.constraints = std::move(options_.constraints);
   options_ = std::move(options);
   renew_solver();
   return std::nullopt;

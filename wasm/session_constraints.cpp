@@ -63,13 +63,8 @@ Refusal Session::planarise(const Planarising& how) {
   return std::nullopt;
 }
 
-/// An engine that does not know the constraints is refused by the edit, not by the order of calls.
 void Session::renew_solver() {
-  if (find_problem(options_)) {
-    solver_.reset();
-  } else if (solver_) {
-    solver_->set_options(options_);
-  }
+  if (solver_) solver_->set_options(options_);
 }
 
 Refusal Session::set_constraints(const std::string& lines) {
@@ -84,7 +79,6 @@ Refusal Session::set_constraints(const std::string& lines) {
 
 /// Looked at once for a base, as the supports are.
 Refusal Session::require_kept_constraints() {
-  if (const auto problem = find_problem(options_)) return *problem;
   if (constraints_fit_) return std::nullopt;
   if (const auto broken = find_broken_constraint(base_, options_)) return *broken;
   constraints_fit_ = true;

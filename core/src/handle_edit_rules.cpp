@@ -24,9 +24,6 @@ std::optional<std::string> find_problem(const HandleEditOptions& options) {
     return "tolerance must be a number greater than 0 (mm/m)";
   }
   if (auto problem = find_problem(options.constraints)) return problem;
-  if (!options.constraints.empty() && options.engine != Engine::kNewton) {
-    return "constraints: the engine alm knows planarity alone; others need newton";
-  }
   if (auto problem = find_problem(options.bounds)) return problem;
   if (options.max_iterations < 0) return "max_iterations must be at least 0";
   return std::nullopt;

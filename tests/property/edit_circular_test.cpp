@@ -131,8 +131,6 @@ TEST(ProjectCircular, MakesAMeshExactlySo) {
   EXPECT_LE(result.report.violations[1].after_max, kCircular);
   EXPECT_EQ(find_broken_constraint(round, circular()), std::nullopt);
   EXPECT_TRUE(project_to_planar(round, options).moved.empty());
-  options.engine = Engine::kAugmentedLagrangian;
-  EXPECT_NE(find_problem(options), std::nullopt);
 }
 
 TEST(EditCircular, ABaseThatIsNotCircularIsNamed) {
@@ -154,9 +152,6 @@ TEST(EditCircular, OptionsThatMeanNothingAreNamed) {
   EXPECT_NE(find_problem(options)->find("twice"), std::string::npos);
   options.constraints = {{"planar", 1e-9}};
   EXPECT_NE(find_problem(options)->find("always kept"), std::string::npos);
-  options = circular();
-  options.engine = Engine::kAugmentedLagrangian;
-  EXPECT_NE(find_problem(options)->find("newton"), std::string::npos);
 }
 
 }  // namespace

@@ -66,6 +66,33 @@ TEST(EditConical, AndCircularHoldTogether) {
   EXPECT_LE(result.report.violations[1].after_max, 1e-9);
 }
 
+/// Two engines that search in different ways agree on what the least edit is.
+TEST(EditConical, TheReferenceEngineAgrees) {
+  struct Case {
+    int size;
+    std::vector<KeptConstraint> kept;
+  };
+  const KeptConstraint circular{"circular", 1e-9};
+  for (const Case& one :
+       {Case{12, {circular}}, Case{12, conical()}, Case{8, {circular, conical().front()}}}) {
+    SCOPED_TRACE(one.kept.back().kind);
+    const Mesh mesh = testing::sample("dome", one.size);
+    const int middle = (one.size / 2) * one.size + one.size / 2;
+    const EditTargets targets = testing::pull(mesh, middle, {0.0, 0.0, 0.6});
+    HandleEditOptions options;
+    options.constraints = one.kept;
+    const HandleEditResult newton = solve_handle_edit(mesh, targets, options);
+    options.engine = Engine::kAugmentedLagrangian;
+    const HandleEditResult reference = solve_handle_edit(mesh, targets, options);
+    ASSERT_TRUE(reference.report.usable());
+    for (const KindViolation& kind : reference.report.violations) {
+      EXPECT_LE(kind.after_max, kind.kind == "planar" ? testing::kPromise : kConical);
+    }
+    EXPECT_GE(reference.report.objective.total(), (1.0 - 1e-6) * newton.report.objective.total());
+    EXPECT_LE(reference.report.objective.total(), 1.02 * newton.report.objective.total());
+  }
+}
+
 /// Around a vertex of any valence a mesh is made conical, and an edit beside it keeps it so.
 TEST(EditConical, HoldsAtOtherValences) {
   for (const int valence : {5, 6, 7}) {

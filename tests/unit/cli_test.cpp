@@ -465,7 +465,6 @@ TEST_F(Cli, AnEditThatCannotKeepItsConstraintSaysWhy) {
   EXPECT_EQ(run("edit sample:dome:12" + constraint + "round"), 2);
   EXPECT_NE(err().find("one of circular"), std::string::npos) << err();
   EXPECT_EQ(run("edit sample:dome:12" + constraint + "circular:0"), 2);
-  EXPECT_EQ(run("edit sample:dome:12 --solver alm" + constraint + "circular"), 2);
   EXPECT_EQ(run("edit sample:vault:12" + constraint + "planar:1e-3 --report -"), 0) << err();
 }
 

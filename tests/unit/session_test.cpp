@@ -336,16 +336,12 @@ TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
 }
 
-TEST(Session, RefusesKindsThatTheBaseOrTheEngineDoesNotKeep) {
+TEST(Session, RefusesKindsThatTheBaseDoesNotKeep) {
   Session session = open_vault();
   ASSERT_EQ(session.set_constraints("circular"), std::nullopt) << "the base is not asked yet";
   const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
   ASSERT_NE(refusal, std::nullopt);
   EXPECT_NE(refusal->find("the base mesh is not circular"), std::string::npos) << *refusal;
-  HandleEditOptions paper;
-  paper.engine = Engine::kAugmentedLagrangian;
-  ASSERT_EQ(session.set_options(paper), std::nullopt);
-  EXPECT_NE(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
   ASSERT_EQ(session.set_constraints(""), std::nullopt);
   EXPECT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
 }

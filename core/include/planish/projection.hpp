@@ -25,7 +25,7 @@ struct ProjectionOptions {
   /// history, flatness wins.
   bool keep_shape = true;
   double tolerance = 1e-6;  ///< of every panel's FacePlanarity::excess, mm/m, > 0
-  /// Kept beside planarity; needs the Newton engine.
+  /// Kept beside planarity.
   std::vector<KeptConstraint> constraints = {};
   int max_iterations = 0;  ///< 0 picks the engine's own limit
 };

@@ -3,13 +3,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "coupling_graph.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
-EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
-  const auto corners = static_cast<Eigen::Index>(patch.faces.values.size());
+namespace {
+
+/// Residual of a row, and its gradient into the second argument, 3 × arity.
+using RowAt = std::function<double(const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&)>;
+
+/// Moves `points` to the nearest that keep a row, by Newton's method: each step is the nearest
+/// point of the plane that touches the row at the last one.
+void move_to_nearest(const RowAt& row_at, Eigen::Matrix3Xd& points) {
+  constexpr int kMostSteps = 20;
+  constexpr double kSettled = 1e-13;
+  const Eigen::Matrix3Xd from = points;
+  Eigen::Matrix3Xd slope(3, points.cols());
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double here = row_at(points, slope);
+    const double miss = here + slope.cwiseProduct(from - points).sum();
+    const Eigen::Matrix3Xd next = from - (miss / slope.squaredNorm()) * slope;
+    const double moved = (next - points).norm();
+    points = std::isfinite(moved) ? next : from;
+    if (!(moved > kSettled)) break;
+  }
+}
+
+}  // namespace
+
+EditSplitting::EditSplitting(Patch& patch) : patch_(patch), blocks_(patch.faces) {
+  add_row_blocks();
+  const auto corners = static_cast<Eigen::Index>(blocks_.values.size());
   const int n = patch.free_count;
   analysed_.analyze(graph(), 1);
   rows_ = std::max(1.0, static_cast<double>(3 * (n + corners)));
@@ -38,18 +64,27 @@ EditSplitting::EditSplitting(Patch& patch) : patch_(patch) {
   });
 }
 
+/// Flatness has its faces; every row of another kind is a block of its own.
+void EditSplitting::add_row_blocks() {
+  for_each_row_beside_planarity([&](const auto& row) {
+    blocks_.values.insert(blocks_.values.end(), row.vertices.begin(), row.vertices.end());
+    blocks_.offsets.push_back(static_cast<int>(blocks_.values.size()));
+  });
+}
+
 /// The pattern of AᵀA + EᵀE on the free vertices.
 RaggedRows EditSplitting::graph() const {
   Cliques cliques;
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const auto face = patch_.faces[f];
+  for (int f = 0; f < blocks_.size(); ++f) {
+    const auto block = blocks_[f];
     if (!is_large(f)) {
-      cliques.add(face);
+      cliques.add(block);
       continue;
     }
-    for (const int v : face) cliques.add(v, face.back());
+    for (const int v : block) cliques.add(v, block.back());
   }
-  for (int r = 0; r < patch_.fairness_vertices.size(); ++r) cliques.add(patch_.fairness_vertices[r]);
+  for (int r = 0; r < patch_.fairness_vertices.size(); ++r)
+    cliques.add(patch_.fairness_vertices[r]);
   return cliques.graph(patch_.free_count);
 }
 
@@ -63,8 +98,8 @@ void EditSplitting::assemble(double penalty, SparseCholesky& factor) const {
     values[static_cast<std::size_t>(factor.slot(row, column).offset)] += value;
   };
   for (int v = 0; v < n; ++v) add(v, v, penalty);
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const auto face = patch_.faces[f];
+  for (int f = 0; f < blocks_.size(); ++f) {
+    const auto face = blocks_[f];
     const double size = static_cast<double>(face.size());
     for (std::size_t k = 0; k < face.size(); ++k) {
       if (is_large(f)) {
@@ -102,11 +137,11 @@ bool EditSplitting::set_penalty(double penalty) {
   return true;
 }
 
-/// M(p + d): each face's corners less their mean (or less the last corner).
+/// M(p + d): each block's corners less their mean (or less the last corner).
 void EditSplitting::apply_map(const Positions& displacement, Positions& out) const {
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const auto face = patch_.faces[f];
-    const Eigen::Index begin = patch_.faces.offsets[at(f)];
+  for (int f = 0; f < blocks_.size(); ++f) {
+    const auto face = blocks_[f];
+    const Eigen::Index begin = blocks_.offsets[at(f)];
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < face.size(); ++k) {
       const Eigen::Vector3d here = patch_.points.col(face[k]) + displacement.col(face[k]);
@@ -124,9 +159,9 @@ void EditSplitting::apply_map(const Positions& displacement, Positions& out) con
 /// out += Mᵀ corners, on the free vertices.
 void EditSplitting::add_transposed_map(const Positions& corners, Positions& out) const {
   const int n = patch_.free_count;
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const auto face = patch_.faces[f];
-    const Eigen::Index begin = patch_.faces.offsets[at(f)];
+  for (int f = 0; f < blocks_.size(); ++f) {
+    const auto face = blocks_[f];
+    const Eigen::Index begin = blocks_.offsets[at(f)];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < face.size(); ++k) {
       sum += corners.col(begin + static_cast<Eigen::Index>(k));
@@ -162,8 +197,8 @@ void EditSplitting::shrink_vertices() {
 /// (15) and (16).
 void EditSplitting::project_faces() {
   for (int f = 0; f < patch_.faces.size(); ++f) {
-    const Eigen::Index begin = patch_.faces.offsets[at(f)];
-    const auto size = static_cast<Eigen::Index>(patch_.faces[f].size());
+    const Eigen::Index begin = blocks_.offsets[at(f)];
+    const auto size = static_cast<Eigen::Index>(blocks_[f].size());
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (Eigen::Index k = begin; k < begin + size; ++k) {
       const Eigen::Vector3d c = mapped_.col(k) - z_multiplier_.col(k) / penalty_;
@@ -176,9 +211,28 @@ void EditSplitting::project_faces() {
   }
 }
 
+/// The same for the other rows: z − (M(p + d) − λ/μ) along the row's gradient at z, and c(z) = 0.
+void EditSplitting::project_rows() {
+  int block = patch_.faces.size();
+  Eigen::Matrix3Xd points;
+  for_each_row_beside_planarity([&]<class Row>(const Row& row) {
+    const Eigen::Index begin = blocks_.offsets[at(block++)];
+    points = mapped_.middleCols(begin, Row::kArity) -
+             z_multiplier_.middleCols(begin, Row::kArity) / penalty_;
+    const auto row_at = [&row](const Eigen::Matrix3Xd& here, Eigen::Matrix3Xd& slope) {
+      const RowPoints<Row::kArity> fixed = here;
+      slope = gradient(row, fixed);
+      return residual(row, fixed);
+    };
+    move_to_nearest(row_at, points);
+    z_.middleCols(begin, Row::kArity) = points;
+  });
+}
+
 void EditSplitting::update_auxiliaries() {
   shrink_vertices();
   project_faces();
+  project_rows();
 }
 
 void EditSplitting::update_primal() {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// (3) and (8) in the split form (11): y = d, z = M(p + d), each step in closed form.
+/// (3) and (8) in the split form (11): y = d, z = M(p + d). Each step is in closed form, but for
+/// rows of kinds beside planarity, which a few steps of Newton's method project on.
 #pragma once
 
 #include <Eigen/Core>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 #include "planish/engines/sparse_cholesky.hpp"
@@ -11,8 +13,9 @@
 
 namespace planish {
 
-/// The Splitting of run_alm() for an edit on a patch. M centres a face's corners; for faces of more
-/// than kLargeFace corners it subtracts the last corner as in (9), which keeps MᵀM sparse.
+/// The Splitting of run_alm() for an edit on a patch. M centres the corners of a block: a face, or
+/// a row of another kind than planarity. For faces of more than kLargeFace corners it subtracts the
+/// last corner as in (9), which keeps MᵀM sparse.
 class EditSplitting {
  public:
   static constexpr int kLargeFace = 32;
@@ -32,17 +35,30 @@ class EditSplitting {
   [[nodiscard]] int factorizations() const { return static_cast<int>(factors_.size()); }
 
  private:
+  template <class Visit>
+  void for_each_row_beside_planarity(const Visit& visit) const {
+    ConstraintKinds::for_each([&](auto tag) {
+      using Kind = typename decltype(tag)::type;
+      if constexpr (!std::is_same_v<Kind, PlanarPolygon>) {
+        for (const auto& row : patch_.equations.of<Kind>()) visit(row);
+      }
+    });
+  }
+
+  void add_row_blocks();
   [[nodiscard]] RaggedRows graph() const;
   void assemble(double penalty, SparseCholesky& factor) const;
   void apply_map(const Positions& displacement, Positions& out) const;
   void add_transposed_map(const Positions& corners, Positions& out) const;
   void shrink_vertices();
   void project_faces();
-  [[nodiscard]] bool is_large(int face) const {
-    return static_cast<int>(patch_.faces[face].size()) > kLargeFace;
+  void project_rows();
+  [[nodiscard]] bool is_large(int block) const {
+    return static_cast<int>(blocks_[block].size()) > kLargeFace;
   }
 
   Patch& patch_;
+  RaggedRows blocks_;  ///< local vertices: the patch's faces, then rows of other kinds
   std::map<double, SparseCholesky> factors_;  ///< by penalty, each made once (Sec. 3.5)
   SparseCholesky analysed_;
   SparseCholesky* factor_ = nullptr;
