@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -126,9 +124,7 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
 /// What the package does not hold as it was asked for.
 void print_shortfalls(const CuttingReport& report, bool flat) {
   if (!flat) {
-    std::array<char, 32> worst{};
-    std::snprintf(worst.data(), worst.size(), "%.3g", report.flatness);
-    print_message(std::string("not flat: a panel is out of its plane by ") + worst.data() +
+    print_message("not flat: a panel is out of its plane by " + three_digits(report.flatness) +
                   " mm/m; its outline is not exact");
   }
   if (!report.vanished.empty()) {

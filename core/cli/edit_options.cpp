@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "edit_options.hpp"
 
-#include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/metrics.hpp"
+#include "report.hpp"
 
 namespace planish::cli {
 namespace {
@@ -279,11 +278,9 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Pro
 
 std::optional<std::string> planarised_sentence(const FlatBase& base) {
   if (!base.planarised) return std::nullopt;
-  std::array<char, 32> most{};
-  std::snprintf(most.data(), most.size(), "%.3g", base.planarised->max_move);
   return "not flat; planarised first, which moved " +
-         std::to_string(base.planarised->moved.size()) + " vertices by up to " + most.data() +
-         " (units of the mesh)";
+         std::to_string(base.planarised->moved.size()) + " vertices by up to " +
+         three_digits(base.planarised->max_move) + " (units of the mesh)";
 }
 
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,

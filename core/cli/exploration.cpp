@@ -2,8 +2,6 @@
 #include "exploration.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -15,16 +13,10 @@
 namespace planish::cli {
 namespace {
 
-std::string three_digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
-MeshStanding standing(const EditRun& run, const Positions& positions, const KeptKinds& kept) {
+Violations violations_of(const EditRun& run, const Positions& positions, const KeptKinds& kept) {
   Mesh mesh = run.base.mesh;
   mesh.positions = positions;
-  return measure_standing(mesh, build_adjacency(mesh), kept);
+  return measure_standing(mesh, build_adjacency(mesh), kept).worst;
 }
 
 }  // namespace
@@ -123,7 +115,7 @@ std::optional<std::string> not_exact_sentence(const EditRun& run, const Family& 
                                               const Variation& variation) {
   if (variation.exact) return std::nullopt;
   const KeptKinds kept = kept_kinds(family.edit.tolerance, family.edit.constraints);
-  const Violations worst = standing(run, variation.positions, kept).worst;
+  const Violations worst = violations_of(run, variation.positions, kept);
   if (is_within(worst, kept)) return std::nullopt;
   std::string sentence;
   for (const KindViolation& one : kind_violations(kept, worst, worst)) {
@@ -166,9 +158,12 @@ void add_variation(Json& json, const EditRun& run, const HandleEditOptions& edit
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
   if (json.contains("violations")) {
     const KeptKinds kept = kept_kinds(edit.tolerance, edit.constraints);
-    json["violations"] =
-        violations_json(kind_violations(kept, standing(run, run.base.mesh.positions, kept).worst,
-                                        standing(run, after, kept).worst));
+    const Violations worst = violations_of(run, after, kept);
+    std::vector<KindViolation> kinds = kind_violations(kept, worst, worst);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      kinds[k].before_max = run.report.violations[k].before_max;  // the edit measured the base
+    }
+    json["violations"] = violations_json(kinds);
   }
   json["handle_error"] = handle_error;
 }

@@ -95,11 +95,15 @@ Json info_json(const MeshFile& file) {
   return json;
 }
 
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
 std::optional<std::string> outcome_sentence(const SolveReport& report) {
-  std::array<char, 32> short_of{};
-  std::snprintf(short_of.data(), short_of.size(), "%.3g", report.handle_error);
   if (report.status == SolveStatus::kInfeasibleHandles) {
-    return std::string("stopped ") + short_of.data() +
+    return "stopped " + three_digits(report.handle_error) +
            " short of a target (units of the mesh): flat panels within the bounds were not found "
            "any nearer";
   }

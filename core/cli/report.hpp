@@ -44,14 +44,18 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 /// Where an edit stopped short of a target or has no certificate; nullopt where all is well.
 [[nodiscard]] std::optional<std::string> outcome_sentence(const SolveReport& report);
 
+/// A figure as sentences say it.
+[[nodiscard]] std::string three_digits(double value);
+
 /// Says `sentence`, if there is one, on standard error.
 void print_sentence(const std::optional<std::string>& sentence);
 
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);
 
-/// Status, objective, counts and times of a solve.
+/// How far a mesh is from each kind that is kept, before and after.
 [[nodiscard]] Json violations_json(const std::vector<KindViolation>& violations);
 
+/// Status, objective, counts and times of a solve.
 void add_solve(Json& json, const SolveReport& report, Engine engine);
 
 /// Writes `json` to the place that --report names. Without that option, to standard output if

@@ -7,18 +7,13 @@
 #include <limits>
 
 #include "planish/constraints/planar_polygon.hpp"
+#include "planish/constraints/vector_pair.hpp"
 
 namespace planish {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;  ///< of a radian
 constexpr double kAreaShare = 1e-6;             ///< of the squared perimeter: less is no area
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d result;
-  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return result;
-}
 
 /// Unit area vector, or zero for a face without area.
 Eigen::Vector3d face_normal(const Positions& positions, std::span<const int> face) {
@@ -45,7 +40,7 @@ EdgeCurvature edge_curvature(const Eigen::Vector3d& n, const Eigen::Vector3d& x,
                              const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
   return {2.0 * n.dot(y.cross(z)) * Eigen::Matrix3d::Identity(),
           2.0 * x * z.cross(n).transpose() + 2.0 * n.cross(z) * y.transpose() -
-              z.squaredNorm() * skew(n)};
+              z.squaredNorm() * cross_matrix(n)};
 }
 
 /// The angle between two edges, in degrees; accurate near 0 and 180 too.

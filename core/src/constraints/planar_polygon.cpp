@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planish/constraints/vector_pair.hpp"
+
 namespace planish {
 namespace {
 
@@ -22,12 +24,6 @@ Eigen::Matrix3d adjugate(const Eigen::Matrix3d& a) {
 Eigen::Vector3d decomposed_direction(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   return solver.eigenvectors().col(0);
-}
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d result;
-  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return result;
 }
 
 /// Index into `face` of the vertex that maximises `measure`.
@@ -142,9 +138,9 @@ FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) 
 
 CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation, const FourPoints& points) {
   const double scale = scale_at(equation, points);
-  const Eigen::Matrix3d b = scale * skew(points.col(1) - points.col(0));
-  const Eigen::Matrix3d c = scale * skew(points.col(2) - points.col(0));
-  const Eigen::Matrix3d d = scale * skew(points.col(3) - points.col(0));
+  const Eigen::Matrix3d b = scale * cross_matrix(points.col(1) - points.col(0));
+  const Eigen::Matrix3d c = scale * cross_matrix(points.col(2) - points.col(0));
+  const Eigen::Matrix3d d = scale * cross_matrix(points.col(3) - points.col(0));
   // ∂(d × b)/∂b = [d]×, ∂(b × c)/∂b = −[c]×, ∂(b × c)/∂c = [b]×; the blocks of vertex 0 follow
   // because moving all four points together changes nothing.
   const Eigen::Matrix3d& h21 = d;

@@ -79,7 +79,7 @@ const MISSED: Readonly<Record<Kind, Column>> = {
     key: "defect",
     name: "Conical",
     unit: "°",
-    meaning: "By how much the panel's worst node misses ω₁ + ω₃ = ω₂ + ω₄",
+    meaning: "By how much the panel's worst node misses its cone",
     largest: true,
   },
 };
