@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A long day: a hundred edits, undone and redone, leave nothing behind that grows.
-import type { Page } from "playwright-core";
+import type { CDPSession, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { holdSolvers, insideSolver } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
@@ -56,12 +56,22 @@ WebAssembly.instantiate = async (...given) => {
   return instance;
 };`;
 
+/** The fewest nodes over two seconds: Chromium frees a replaced part of a page only some collections later. */
+async function fewestNodes(session: CDPSession, page: Page): Promise<number> {
+  let fewest = Number.POSITIVE_INFINITY;
+  for (let round = 0; round < 20; ++round) {
+    await session.send("HeapProfiler.collectGarbage");
+    const { nodes } = await session.send("Memory.getDOMCounters");
+    fewest = Math.min(fewest, nodes);
+    await page.waitForTimeout(100);
+  }
+  return fewest;
+}
+
 async function held(page: Page): Promise<Held> {
   const session = await page.context().newCDPSession(page);
-  await session.send("HeapProfiler.collectGarbage");
-  await session.send("HeapProfiler.collectGarbage");
+  const nodes = await fewestNodes(session, page);
   const { usedSize } = await session.send("Runtime.getHeapUsage");
-  const { nodes } = await session.send("Memory.getDOMCounters");
   const gpu = await page.evaluate(() => (window as unknown as CountingWindow).gpu);
   await session.detach();
   const [worker] = page.workers();
@@ -99,7 +109,7 @@ it("a hundred edits do not grow the page, the solver or the graphics", async () 
   expect(after.solver).toBe(before.solver);
   expect(after.buffers).toBeLessThanOrEqual(before.buffers + 4);
   expect(after.textures).toBeLessThanOrEqual(before.textures + 2);
-  expect(after.nodes).toBeLessThanOrEqual(before.nodes + 200);
+  expect(after.nodes).toBeLessThanOrEqual(before.nodes + 20);
   // The history keeps what moved in each step: some 100 points × 28 bytes, and the report.
   expect(after.heap - before.heap).toBeLessThan(4e6);
   await page.context().close();
