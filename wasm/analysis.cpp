@@ -5,9 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "json_text.hpp"
 #include "kind_defects.hpp"
-#include "planish/edit_freedom.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/folds.hpp"
 #include "planish/metrics.hpp"
@@ -87,7 +85,7 @@ std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {
   return {bends.begin(), bends.end()};
 }
 
-std::string Analysis::freedom(const EditTargets& targets) const {
+std::optional<EditFreedom> Analysis::freedom(const EditTargets& targets) const {
   std::vector<int> free = moved_;
   std::vector<Pull> pulls;
   for (const Handle& handle : targets.handles) {
@@ -100,18 +98,7 @@ std::string Analysis::freedom(const EditTargets& targets) const {
     return std::find(targets.pins.begin(), targets.pins.end(), v) != targets.pins.end();
   };
   free.erase(std::remove_if(free.begin(), free.end(), pinned), free.end());
-  const auto found = measure_freedom(base_, adjacency_, current_, free, pulls);
-  if (!found) return "{}";
-  std::vector<int> holding;
-  for (const HoldingPanel& panel : found->holding) holding.push_back(panel.face);
-  return JsonText()
-      .add("points", found->points)
-      .add("equations", found->equations)
-      .add("rank", found->rank)
-      .add("freedom", found->freedom())
-      .add("borne", found->borne)
-      .add("holding", holding)
-      .text();
+  return measure_freedom(base_, adjacency_, current_, free, pulls);
 }
 
 }  // namespace planish

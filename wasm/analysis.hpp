@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planish/adjacency.hpp"
+#include "planish/edit_freedom.hpp"
 #include "planish/energies.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
@@ -38,9 +39,8 @@ class Analysis {
   [[nodiscard]] std::vector<float> defects(const std::string& kind) const;
   /// How sharply the edit bends at each vertex, model units, see bending().
   [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
-  /// JSON: points, equations, rank, freedom, borne, and the panels that hold the handles back, most
-  /// first; {} where there are too many points, see measure_freedom().
-  [[nodiscard]] std::string freedom(const EditTargets& targets) const;
+  /// nullopt where there are too many points, see measure_freedom().
+  [[nodiscard]] std::optional<EditFreedom> freedom(const EditTargets& targets) const;
 
  private:
   Mesh base_;

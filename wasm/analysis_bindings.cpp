@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +15,10 @@ namespace {
 
 using emscripten::val;
 using planish::Analysis;
+using planish::EditFreedom;
 using planish::EditTargets;
 using planish::FairnessKind;
+using planish::HoldingPanel;
 using planish::Mesh;
 using planish::Positions;
 
@@ -51,14 +54,28 @@ val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
 val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
 val defects(const Analysis& a, const std::string& kind) { return copy(a.defects(kind)); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
+/// A plain object; null where there is none.
+val to_value(const std::optional<EditFreedom>& freedom) {
+  if (!freedom) return val::null();
+  val holding = val::array();
+  for (const HoldingPanel& panel : freedom->holding) holding.call<void>("push", panel.face);
+  val object = val::object();
+  object.set("points", freedom->points);
+  object.set("equations", freedom->equations);
+  object.set("rank", freedom->rank);
+  object.set("freedom", freedom->freedom());
+  object.set("borne", freedom->borne);
+  object.set("holding", holding);
+  return object;
+}
 /// `handles` holds vertex, x, y, z for each.
-std::string freedom(const Analysis& a, const val& handles, const val& pins) {
+val freedom(const Analysis& a, const val& handles, const val& pins) {
   const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
   EditTargets targets{.handles = {}, .pins = to_indices(pins)};
   for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
     targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
   }
-  return a.freedom(targets);
+  return to_value(a.freedom(targets));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "report_values.hpp"
 #include "session.hpp"
 
 namespace {
@@ -158,9 +159,10 @@ val moved(const Session& s) { return copy(s.moved()); }
 val moved_positions(const Session& s) { return copy(s.moved_positions()); }
 val projected_moved(const Session& s) { return copy(s.projected().moved); }
 val projected_positions(const Session& s) { return copy(s.projected().positions); }
-std::string projected_report(const Session& s) { return s.projected_report(); }
-std::string mesh_report(const Session& s) { return s.mesh_report(); }
-std::string report(const Session& s) { return s.report(); }
+val projected_report(const Session& s) { return to_value(s.projected_report()); }
+val mesh_report(const Session& s) { return to_value(s.mesh_report()); }
+val shape_report(const Session& s) { return to_value(s.shape_report()); }
+val variations_report(const Session& s) { return to_value(s.variations_report()); }
 
 }  // namespace
 
@@ -213,7 +215,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("projectedPositions", &projected_positions)
       .function("projectedReport", &projected_report)
       .function("meshReport", &mesh_report)
-      .function("report", &report);
+      .function("shapeReport", &shape_report)
+      .function("variationsReport", &variations_report);
   emscripten::value_object<HandleEditOptions>("HandleEditOptions")
       .field("attraction", &HandleEditOptions::attraction)
       .field("locality", &HandleEditOptions::locality)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together.
-// Operations return "" when done, otherwise one sentence that says why nothing changed.
+// What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together. Operations
+// return "" when done, otherwise one sentence that says why nothing changed.
+
+import type { MeshReport, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
+
+export type * from "./planish_reports.d.ts";
 
 /** Opaque enumerator. */
 export interface EnumValue {
@@ -73,8 +77,7 @@ export interface Session {
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
-  /** obj, off or ply. */
-  write(format: string): Uint8Array;
+  write(format: "obj" | "off" | "ply"): Uint8Array;
   variationSupport(): Int32Array;
   variationDisplacements(): Float64Array;
   basePositions(): Float64Array;
@@ -88,9 +91,10 @@ export interface Session {
   movedPositions(): Float64Array;
   projectedMoved(): Int32Array;
   projectedPositions(): Float64Array;
-  projectedReport(): string;
-  meshReport(): string;
-  report(): string;
+  projectedReport(): ShapeReport;
+  meshReport(): MeshReport;
+  shapeReport(): ShapeReport;
+  variationsReport(): VariationsReport;
   delete(): void;
 }
 

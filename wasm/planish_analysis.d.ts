@@ -2,6 +2,20 @@
 // What analysis_bindings.cpp lists, by hand.
 import type { EnumValue } from "./planish.d.ts";
 
+/** What the points that move can still do, to first order, everything else staying. */
+export interface FreedomReport {
+  readonly points: number;
+  readonly equations: number;
+  /** Numerical rank of the flatness equations at these points. */
+  readonly rank: number;
+  /** 3 · points − rank. */
+  readonly freedom: number;
+  /** Share of the pull to the targets that the panels bear, 0 … 1. */
+  readonly borne: number;
+  /** Panels that hold the handles back, most first. */
+  readonly holding: readonly number[];
+}
+
 /** One base mesh and the design shown on it. */
 export interface Analysis {
   show(moved: Int32Array, positions: Float64Array): void;
@@ -17,8 +31,8 @@ export interface Analysis {
   defects(kind: string): Float32Array;
   /** How sharply the edit bends at every vertex, model units. */
   vertexBending(kind: EnumValue): Float32Array;
-  /** JSON; "{}" where too many points move. `handles`: vertex, x, y, z for each. */
-  freedom(handles: Float64Array, pins: Int32Array): string;
+  /** null where too many points move. `handles`: vertex, x, y, z for each. */
+  freedom(handles: Float64Array, pins: Int32Array): FreedomReport | null;
   delete(): void;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "json_text.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
@@ -76,7 +75,8 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   targets_ = {};
   supports_fit_ = supports_.empty();
   constraints_fit_ = options_.constraints.empty();
-  report_ = "{}";
+  lower_at_once_ = false;
+  report_unsolved(0.0);
 }
 
 Refusal Session::require_flat_base() const {
@@ -113,7 +113,7 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   targets_ = std::move(targets);
   show(result.moved, result.moved_positions);
   follows_path_ = drag;
-  write_report(result.report, watch.seconds());
+  renew_report(result.report, watch.seconds());
   return std::nullopt;
 }
 
@@ -139,9 +139,7 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
   if (!keep_variations) subspace_.reset();
   targets_ = std::move(targets);
   show(moved, positions);
-  SolveReport unchanged;
-  unchanged.status = SolveStatus::kConverged;
-  write_report(unchanged, 0.0);
+  report_unsolved(0.0);
   return std::nullopt;
 }
 
@@ -161,16 +159,9 @@ Refusal Session::explore(const SubspaceOptions& options) {
   if (found.dimension() == 0) return "No variation was found around this edit.";
   subspace_ = std::move(found);
   prepare_variation();
-  const SubspaceReport& r = subspace_->report;
-  report_ = JsonText()
-                .add("status", status_name(r.status))
-                .add("dimension", subspace_->dimension())
-                .add("correlation", r.correlation)
-                .add("orthonormalityError", r.orthonormality_error)
-                .add("tangencyError", r.tangency_error)
-                .add("supportSizes", r.support_sizes)
-                .add("seconds", watch.seconds())
-                .text();
+  variations_report_ = {.subspace = subspace_->report,
+                        .dimension = static_cast<int>(subspace_->dimension()),
+                        .seconds = watch.seconds()};
   return std::nullopt;
 }
 
@@ -203,9 +194,7 @@ Refusal Session::vary(const Eigen::VectorXd& coefficients) {
     varied_shape_.positions.col(varied_rows_[k]) = varied_.col(static_cast<Eigen::Index>(k));
   }
   show(varied_shape_.moved, varied_shape_.positions);
-  SolveReport instant;
-  instant.status = SolveStatus::kConverged;
-  write_report(instant, watch.seconds());
+  report_unsolved(watch.seconds());
   return std::nullopt;
 }
 
@@ -220,7 +209,7 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   SolveReport report;
   if (const Refusal refusal = project(positions, report)) return refusal;
   projected_ = shape_of(positions);
-  projected_report_ = shape_report(positions, projected_.moved, report, watch.seconds());
+  projected_report_ = report_of(positions, projected_.moved, report, watch.seconds());
   return std::nullopt;
 }
 
@@ -244,7 +233,7 @@ Refusal Session::make_exact() {
   if (const Refusal refusal = project(positions, report)) return refusal;
   const Shape exact = shape_of(positions);
   show(exact.moved, exact.positions);
-  write_report(report, watch.seconds());
+  renew_report(report, watch.seconds());
   return std::nullopt;
 }
 
@@ -272,9 +261,8 @@ void Session::show(const std::vector<int>& moved, const Positions& positions) {
   dirty_.insert(dirty_.end(), moved_.begin(), moved_.end());
 }
 
-Session::Worst Session::worst_panel(const Positions& positions,
-                                    const std::vector<int>& moved) const {
-  Worst worst = base_worst_;
+WorstPanel Session::worst_panel(const Positions& positions, const std::vector<int>& moved) const {
+  WorstPanel worst = base_worst_;
   if (!is_base_flat() && !moved.empty()) {
     return worst_of(planarity_summary(base_, positions));
   }
@@ -291,7 +279,7 @@ Session::Worst Session::worst_panel(const Positions& positions,
   return worst;
 }
 
-Session::Worst Session::worst_of(const PlanaritySummary& planarity) {
+WorstPanel Session::worst_of(const PlanaritySummary& planarity) {
   return {.gap = planarity.worst_gap, .mm_per_m = planarity.max, .excess = planarity.max_excess};
 }
 

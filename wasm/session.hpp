@@ -18,6 +18,7 @@
 #include "planish/planarising.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
+#include "session_report.hpp"
 
 namespace planish {
 
@@ -97,13 +98,13 @@ class Session {
   [[nodiscard]] Positions moved_positions() const;
   /// What project_variation() found.
   [[nodiscard]] const Shape& projected() const { return projected_; }
-  /// JSON as report() would be after showing it.
-  [[nodiscard]] const std::string& projected_report() const { return projected_report_; }
-  /// JSON about the base mesh: counts, planarity, what planarising moved, warnings.
-  [[nodiscard]] std::string mesh_report() const;
-  /// JSON about the last operation that changed the design. `handleError` is that of the design
-  /// shown: a variation moves the handles too.
-  [[nodiscard]] const std::string& report() const { return report_; }
+  /// As shape_report() would be after showing it.
+  [[nodiscard]] const ShapeReport& projected_report() const { return projected_report_; }
+  [[nodiscard]] MeshReport mesh_report() const;
+  /// Of the design shown.
+  [[nodiscard]] const ShapeReport& shape_report() const { return shape_report_; }
+  /// Of the last explore().
+  [[nodiscard]] const VariationsReport& variations_report() const { return variations_report_; }
   /// Vertex, x, y, z of every vertex that changed since the last call, in display coordinates:
   /// (p − centre) · scale, so that float32 keeps its digits wherever the model lies.
   [[nodiscard]] std::vector<float> take_changes();
@@ -116,12 +117,6 @@ class Session {
   [[nodiscard]] GlbVariations variations() const;
 
  private:
-  /// See FacePlanarity.
-  struct Worst {
-    double gap = 0.0, mm_per_m = 0.0;  ///< of the one panel that is worst in mm/m
-    double excess = 0.0;               ///< of whichever panel it is largest
-  };
-
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
@@ -137,22 +132,25 @@ class Session {
   /// `positions` projected; a sentence if that fails, with both left as they are.
   [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
   [[nodiscard]] Shape shape_of(const Positions& positions) const;
-  [[nodiscard]] static Worst worst_of(const PlanaritySummary& planarity);
+  [[nodiscard]] static WorstPanel worst_of(const PlanaritySummary& planarity);
   [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
   /// `positions` differ from the base at most at `moved`.
-  [[nodiscard]] Worst worst_panel(const Positions& positions, const std::vector<int>& moved) const;
+  [[nodiscard]] WorstPanel worst_panel(const Positions& positions,
+                                       const std::vector<int>& moved) const;
   [[nodiscard]] double largest_move(const Positions& positions,
                                     const std::vector<int>& moved) const;
   [[nodiscard]] Mesh shown_mesh() const;
-  [[nodiscard]] std::string shape_report(const Positions& positions, const std::vector<int>& moved,
-                                         const SolveReport& solve, double seconds) const;
-  void write_report(const SolveReport& solve, double seconds);
+  [[nodiscard]] ShapeReport report_of(const Positions& positions, const std::vector<int>& moved,
+                                      SolveReport solve, double seconds) const;
+  void renew_report(SolveReport solve, double seconds);
+  /// Of a design that nothing had to be solved for.
+  void report_unsolved(double seconds);
 
   Mesh base_;
   Positions before_planarising_;
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
-  Worst base_worst_;
+  WorstPanel base_worst_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double scale_ = 1.0;
 
@@ -172,8 +170,9 @@ class Session {
   Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
   std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
   Shape projected_;
-  std::string projected_report_ = "{}";
-  std::string report_ = "{}";
+  ShapeReport projected_report_;
+  ShapeReport shape_report_;
+  VariationsReport variations_report_;
   Progress progress_;
 };
 

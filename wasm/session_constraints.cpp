@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "json_text.hpp"
 #include "planish/io/number.hpp"
 #include "session.hpp"
 
@@ -55,11 +54,8 @@ Refusal Session::planarise(const Planarising& how) {
   for (std::size_t k = 0; k < result.moved.size(); ++k) {
     flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
   }
-  const double max_move = result.max_move;
   adopt(std::move(flat), warnings_);
   before_planarising_ = std::move(before);
-  report_ =
-      JsonText().add("status", status_name(result.report.status)).add("maxMove", max_move).text();
   return std::nullopt;
 }
 

@@ -8,6 +8,8 @@ const read = (name: string): string =>
   readFileSync(new URL(`../../wasm/${name}.d.ts`, import.meta.url), "utf8");
 const declarations = read("planish");
 
+const reports = read("planish_reports");
+
 /** Names that the body of `interface <name>` declares at its first level. */
 function declared(name: string, text = declarations): string[] {
   const body = new RegExp(`interface ${name} \\{([\\s\\S]*?)\\n\\}`).exec(text)?.[1] ?? "";
@@ -31,6 +33,49 @@ it("declares every bound member of Session and binds every declared one", async 
   const { Session } = await loadPlanish();
   const session = new Session();
   expect(boundTo(session)).toEqual(declared("Session"));
+  session.delete();
+});
+
+it("declares every field of every report", async () => {
+  const module = await loadPlanish();
+  const session = new module.Session();
+  expect(session.openSample("vault", 9)).toBe("");
+  const fields = (report: object): string[] => Object.keys(report).sort();
+  const mesh = session.meshReport();
+  expect(fields(mesh)).toEqual(declared("MeshReport", reports));
+  expect(fields(mesh.kinds)).toEqual(["circular", "conical"]);
+  for (const kind of Object.values(mesh.kinds))
+    expect(fields(kind)).toEqual(declared("KindDefects", reports));
+  expect(mesh).toMatchObject({ vertices: 81, faces: 64, faceSizes: { 4: 64 }, warnings: [] });
+  const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * 40);
+  const target = Float64Array.of(40, x, y, z + 0.5);
+  expect(session.setLimits("fold=80")).toBe("");
+  expect(session.edit(module.EditMode.solve, target, new Int32Array(0), 0, 1)).toBe("");
+  const shape = session.shapeReport();
+  expect(fields(shape)).toEqual(declared("ShapeReport", reports));
+  expect(fields(shape.sharpestFold)).toEqual(declared("SharpestFold", reports));
+  expect(fields(shape.optimality)).toEqual(declared("Optimality", reports));
+  expect(fields(shape.bounds)).toEqual(["fold"]);
+  expect(shape.movedVertices).toBe(session.moved().length);
+  expect(shape.residuals.every((residual) => residual >= 0)).toBe(true);
+  expect(structuredClone(shape)).toEqual(shape);
+  expect(session.setLimits("")).toBe("");
+  expect(session.edit(module.EditMode.solve, target, new Int32Array(0), 0, 1)).toBe("");
+  const options = {
+    dimension: 2,
+    fairnessWeight: 3,
+    sparsityWeight: 1,
+    closenessWeight: 0,
+    correlation: 0.95,
+    reach: 2,
+    eigenbasis: false,
+    fairness: module.FairnessKind.second,
+    engine: module.Engine.newton,
+  };
+  expect(session.explore(options)).toBe("");
+  const variations = session.variationsReport();
+  expect(fields(variations)).toEqual(declared("VariationsReport", reports));
+  expect(variations.supportSizes.length).toBe(variations.dimension);
   session.delete();
 });
 
@@ -58,6 +103,9 @@ it("declares every bound member of Analysis; it measures what a session shows", 
   expect(analysis.panelDamage().filter((damage) => damage > 0).length).toBeGreaterThan(0);
   analysis.show(Int32Array.of(middle), Float64Array.of(x, y, z + 0.5));
   expect(analysis.vertexBending(FairnessKind.second)[middle]).toBeCloseTo(1, 6);
+  const freedom = analysis.freedom(Float64Array.of(middle, x, y, z + 1), new Int32Array(0));
+  const declaredFields = declared("FreedomReport", read("planish_analysis"));
+  expect(Object.keys(freedom ?? {}).sort()).toEqual(declaredFields);
   analysis.delete();
   session.delete();
 });

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
@@ -125,11 +124,10 @@ class User {
   }
 
   void check_report(const char* what) {
-    const auto report = nlohmann::json::parse(session_.report());
-    if (!report.contains("movedVertices")) return;  // of explore(): nothing has moved
-    EXPECT_EQ(report["movedVertices"].get<std::size_t>(), session_.moved().size()) << what;
+    const ShapeReport& report = session_.shape_report();
+    EXPECT_EQ(report.moved_vertices, static_cast<int>(session_.moved().size())) << what;
     const double worst = testing::worst_svd_mm_per_m(base(), session_.current());
-    EXPECT_NEAR(report["worstMmPerM"].get<double>(), worst, 1e-3 * worst + 1e-6) << what;
+    EXPECT_NEAR(report.worst.mm_per_m, worst, 1e-3 * worst + 1e-6) << what;
   }
 
   /// What a viewer shows that only ever heard of changes.
@@ -153,8 +151,7 @@ class User {
     base_ = base().positions;
     history_ = {Step{{}, {}, Positions(3, 0), true}};
     present_ = 0;
-    flat_ = nlohmann::json::parse(session_.mesh_report())["worstExcess"].get<double>() <=
-            HandleEditOptions{}.tolerance;
+    flat_ = session_.mesh_report().worst.excess <= HandleEditOptions{}.tolerance;
     check_design(what, flat_);
   }
 
@@ -219,7 +216,7 @@ class User {
     options.eigenbasis = pick(4) == 0;
     const Refusal refusal = session_.explore(options);
     if (refusal) return check_unchanged(refusal, "explore");
-    sliders_ = nlohmann::json::parse(session_.report())["dimension"].get<int>();
+    sliders_ = session_.variations_report().dimension;
     check_design("explore", true);
   }
 

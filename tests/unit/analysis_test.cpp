@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "planish/panel_health.hpp"
@@ -98,10 +97,11 @@ TEST(Analysis, FarFromTheEditNothingBends) {
 
 TEST(Analysis, CountsWhatTheEditLeavesFree) {
   const EditedVault vault;
-  const auto found = nlohmann::json::parse(vault.analysis.freedom(vault.targets));
-  EXPECT_EQ(found["points"].get<std::size_t>(), vault.result.moved.size());
-  EXPECT_EQ(found["freedom"].get<int>(), 3 * found["points"].get<int>() - found["rank"].get<int>());
-  EXPECT_LE(found["rank"].get<int>(), found["equations"].get<int>());
+  const auto found = vault.analysis.freedom(vault.targets);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->points, static_cast<int>(vault.result.moved.size()));
+  EXPECT_EQ(found->freedom(), 3 * found->points - found->rank);
+  EXPECT_LE(found->rank, found->equations);
 }
 
 TEST(Analysis, NamesThePanelsAtAHandleThatIsHeld) {
@@ -111,16 +111,19 @@ TEST(Analysis, NamesThePanelsAtAHandleThatIsHeld) {
     if (v != kPulled) targets.pins.push_back(v);
   }
   const Analysis analysis(mesh);
-  const auto found = nlohmann::json::parse(analysis.freedom(targets));
-  EXPECT_EQ(found["freedom"].get<int>(), 0);
-  EXPECT_NEAR(found["borne"].get<double>(), 1.0, 1e-9);
+  const auto found = analysis.freedom(targets);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->freedom(), 0);
+  EXPECT_NEAR(found->borne, 1.0, 1e-9);
   std::set<int> around;
   for (int f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     if (std::find(face.begin(), face.end(), kPulled) != face.end()) around.insert(f);
   }
-  ASSERT_FALSE(found["holding"].empty());
-  for (const int face : found["holding"]) EXPECT_TRUE(around.contains(face)) << face;
+  ASSERT_FALSE(found->holding.empty());
+  for (const HoldingPanel& panel : found->holding) {
+    EXPECT_TRUE(around.contains(panel.face)) << panel.face;
+  }
 }
 
 }  // namespace

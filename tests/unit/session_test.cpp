@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "support/mesh_builders.hpp"
 
@@ -36,13 +35,14 @@ TEST(Session, RefusesBeforeAMeshIsOpen) {
 
 TEST(Session, ARefusedFileLeavesTheSessionAsItWas) {
   Session session = open_vault();
-  const std::string before = session.mesh_report();
+  const Mesh before = session.base();
   const Refusal refusal = session.open_file("v 0 0 0\nf 1 2 3\n", "obj");
   ASSERT_NE(refusal, std::nullopt);
   EXPECT_NE(refusal->find("line 2"), std::string::npos) << *refusal;
   EXPECT_NE(session.open_file("", "dwg"), std::nullopt);
   EXPECT_NE(session.open_sample("castle", 9), std::nullopt);
-  EXPECT_EQ(session.mesh_report(), before);
+  EXPECT_TRUE(testing::same_bits(session.base().positions, before.positions));
+  EXPECT_EQ(session.base().face_vertices, before.face_vertices);
 }
 
 /// A wide panel that is far out of flat in millimetres, a small one that is so in mm/m.
@@ -56,16 +56,16 @@ TEST(Session, BothFiguresOfTheWorstPanelAreOfOnePanel) {
   const Positions& base = session.base().positions;
   const FacePlanarity wide = face_planarity(base, session.base().face(0));
   const FacePlanarity small = face_planarity(base, session.base().face(1));
-  const auto opened = nlohmann::json::parse(session.mesh_report());
-  EXPECT_EQ(opened["worstGap"].get<double>(), small.gap);
-  EXPECT_EQ(opened["worstMmPerM"].get<double>(), small.mm_per_m);
+  const WorstPanel opened = session.mesh_report().worst;
+  EXPECT_EQ(opened.gap, small.gap);
+  EXPECT_EQ(opened.mm_per_m, small.mm_per_m);
   // The same of a design: now the wide panel is worse in both.
   const Positions lifted = base.col(3) + Eigen::Vector3d(0, 0, 9);
   ASSERT_EQ(session.restore({}, {3}, lifted), std::nullopt);
   const FacePlanarity wider = face_planarity(session.current(), session.base().face(0));
-  const auto shown = nlohmann::json::parse(session.report());
-  EXPECT_EQ(shown["worstGap"].get<double>(), wider.gap);
-  EXPECT_EQ(shown["worstMmPerM"].get<double>(), wider.mm_per_m);
+  const WorstPanel shown = session.shape_report().worst;
+  EXPECT_EQ(shown.gap, wider.gap);
+  EXPECT_EQ(shown.mm_per_m, wider.mm_per_m);
   EXPECT_GT(wider.mm_per_m, wide.mm_per_m);
 }
 
@@ -73,20 +73,20 @@ TEST(Session, SaysByHowMuchPlanarisingMovedThePoints) {
   Session session;
   ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
   const Positions opened = session.base().positions;
-  const auto before = nlohmann::json::parse(session.mesh_report())["planarising"];
-  EXPECT_EQ(before["moved"].get<int>(), 0);
-  EXPECT_EQ(before["largest"].get<double>(), 0.0);
+  const MeshReport before = session.mesh_report();
+  EXPECT_EQ(before.planarised_vertices, 0);
+  EXPECT_EQ(before.planarised_most, 0.0);
   EXPECT_EQ(session.before_planarising().cols(), 0);
   ASSERT_EQ(session.planarise(), std::nullopt);
-  const auto after = nlohmann::json::parse(session.mesh_report())["planarising"];
-  EXPECT_EQ(after["moved"].get<int>(), moved_vertex_count(opened, session.base().positions));
-  EXPECT_EQ(after["largest"].get<double>(),
-            (opened - session.base().positions).colwise().norm().maxCoeff());
-  EXPECT_GT(after["largest"].get<double>(), 0.1);
+  const MeshReport after = session.mesh_report();
+  EXPECT_EQ(after.planarised_vertices, moved_vertex_count(opened, session.base().positions));
+  EXPECT_EQ(after.planarised_most, (opened - session.base().positions).colwise().norm().maxCoeff());
+  EXPECT_GT(after.planarised_most, 0.1);
   EXPECT_EQ(session.before_planarising(), opened);
   // Again, now that there is nothing to do: it still tells of the file.
   ASSERT_EQ(session.planarise(), std::nullopt);
-  EXPECT_EQ(nlohmann::json::parse(session.mesh_report())["planarising"], after);
+  EXPECT_EQ(session.mesh_report().planarised_vertices, after.planarised_vertices);
+  EXPECT_EQ(session.mesh_report().planarised_most, after.planarised_most);
   ASSERT_EQ(session.open_sample("vault", 9), std::nullopt);
   EXPECT_EQ(session.before_planarising().cols(), 0);
 }
@@ -104,12 +104,18 @@ TEST(Session, WhatAMeshBecomesDependsOnTheFileAndTheLastChoiceAlone) {
   EXPECT_NE(twice.base().positions, fair);
 }
 
+/// How far the base is from circular panels.
+KindSpread circular_of(const Session& session) {
+  for (const KindSpread& spread : session.mesh_report().kinds) {
+    if (spread.kind == "circular") return spread;
+  }
+  ADD_FAILURE() << "no panel of this mesh could miss its circle";
+  return {};
+}
+
 TEST(Session, AMeshBecomesCircularAndItsEditsKeepThat) {
   Session session = open_vault();
-  const auto defect = [&] {
-    const auto report = nlohmann::json::parse(session.mesh_report());
-    return report["kinds"]["circular"]["excess"].get<double>();
-  };
+  const auto defect = [&] { return circular_of(session).excess; };
   EXPECT_GT(defect(), 0.05);
   ASSERT_EQ(session.planarise({.constraints = read_constraints("circular")}), std::nullopt);
   EXPECT_LE(defect(), 1e-9);
@@ -130,17 +136,17 @@ TEST(Session, AFlatBaseGivesBothFiguresOfThePanelThatIsWorstInMmPerM) {
   bent.row(2) += Eigen::RowVector2d(1.0, 0.2);
   ASSERT_EQ(session.restore({}, {3, 7}, bent), std::nullopt);
   const FacePlanarity small = face_planarity(session.current(), session.base().face(1));
-  const auto shown = nlohmann::json::parse(session.report());
-  EXPECT_EQ(shown["worstGap"].get<double>(), small.gap);
-  EXPECT_EQ(shown["worstMmPerM"].get<double>(), small.mm_per_m);
+  const WorstPanel shown = session.shape_report().worst;
+  EXPECT_EQ(shown.gap, small.gap);
+  EXPECT_EQ(shown.mm_per_m, small.mm_per_m);
 }
 
 TEST(Session, AnEditIsLocalAndFlat) {
   Session session = open_vault();
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
-  const auto report = nlohmann::json::parse(session.report());
-  EXPECT_LE(report["worstMmPerM"].get<double>(), kToleranceMmPerM);
-  EXPECT_EQ(report["movedVertices"].get<std::size_t>(), session.moved().size());
+  const ShapeReport& report = session.shape_report();
+  EXPECT_LE(report.worst.mm_per_m, kToleranceMmPerM);
+  EXPECT_EQ(report.moved_vertices, static_cast<int>(session.moved().size()));
   int differing = 0;
   for (Eigen::Index v = 0; v < session.current().cols(); ++v) {
     if (session.current().col(v) != session.base().positions.col(v)) ++differing;
@@ -199,10 +205,10 @@ TEST(Session, ReleaseKeepsWhatTheDragShowed) {
   ASSERT_EQ(session.edit(EditMode::kRelease, targets, 10.0), std::nullopt);
   EXPECT_LT(differs(), 0.01);
   const Positions released = session.current();
-  const auto report = nlohmann::json::parse(session.report());
-  targets.continuation = report["continuation"];
+  const ShapeReport& report = session.shape_report();
+  targets.continuation = report.continuation;
   EXPECT_GT(targets.continuation, 0);
-  EXPECT_EQ(report["lowerAtOnce"], false);
+  EXPECT_FALSE(report.lower_at_once);
 
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   EXPECT_EQ(session.current(), released) << "bit by bit, from the recipe alone";
@@ -260,9 +266,7 @@ TEST(Session, RefusesSupportsThatTheBaseHasNot) {
 }
 
 /// Degrees, as the report says it.
-double sharpest_fold_of(const Session& session) {
-  return nlohmann::json::parse(session.report())["sharpestFold"]["after"];
-}
+double sharpest_fold_of(const Session& session) { return session.shape_report().fold.degrees; }
 
 TEST(Session, LimitsHoldInEveryEditFromThereOn) {
   Session session = open_vault();
@@ -273,7 +277,7 @@ TEST(Session, LimitsHoldInEveryEditFromThereOn) {
   const EditTargets targets = lift(session, 1.2);
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   ASSERT_GT(sharpest_fold_of(session), 20.1);
-  EXPECT_TRUE(nlohmann::json::parse(session.report())["bounds"].empty());
+  EXPECT_TRUE(session.shape_report().solve.bounds.empty());
   ASSERT_EQ(session.set_limits("fold=20\nangle=45:135\n"), std::nullopt);
   ASSERT_EQ(session.set_options(soft), std::nullopt) << "options leave the limits alone";
   for (int frame = 1; frame <= 8; ++frame) {
@@ -286,9 +290,15 @@ TEST(Session, LimitsHoldInEveryEditFromThereOn) {
     EXPECT_LE(sharpest_fold_of(session), 20.1);
     EXPECT_FALSE(session.moved().empty());
   }
-  const auto bounds = nlohmann::json::parse(session.report())["bounds"];
-  EXPECT_FALSE(bounds["fold"].empty()) << "the panels that the limit holds back";
-  EXPECT_TRUE(bounds.contains("angle"));
+  const std::vector<BoundStanding>& bounds = session.shape_report().solve.bounds;
+  ASSERT_EQ(bounds.size(), 2U);
+  for (const BoundStanding& bound : bounds) {
+    if (bound.name == "fold") {
+      EXPECT_FALSE(bound.binding.empty()) << "the panels that the limit holds back";
+    } else {
+      EXPECT_EQ(bound.name, "angle");
+    }
+  }
   ASSERT_EQ(session.set_limits(""), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   EXPECT_GT(sharpest_fold_of(session), 20.1);
@@ -313,14 +323,16 @@ TEST(Session, WhatKeepsNoLimitsRefusesThemInWords) {
 TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   Session session;
   ASSERT_EQ(session.open_sample("dome", 17), std::nullopt);
-  const auto circular = nlohmann::json::parse(session.mesh_report())["kinds"]["circular"];
-  EXPECT_LE(circular["excess"].get<double>(), 1e-9);
-  EXPECT_LE(circular["median"], circular["worst"]);
+  const KindSpread circular = circular_of(session);
+  EXPECT_LE(circular.excess, 1e-9);
+  EXPECT_LE(circular.median, circular.worst);
   EXPECT_NE(session.set_constraints("round"), std::nullopt);
   EXPECT_NE(session.set_constraints("circular:0"), std::nullopt);
   ASSERT_EQ(session.set_constraints("circular\n"), std::nullopt);
   const auto worst = [&] {
-    return nlohmann::json::parse(session.report())["violations"]["circular"]["after"].get<double>();
+    const std::vector<KindViolation>& kept = session.shape_report().solve.violations;
+    EXPECT_EQ(kept.back().kind, "circular");
+    return kept.back().after_max;
   };
   for (const EditMode mode : {EditMode::kDrag, EditMode::kRelease, EditMode::kSolve}) {
     ASSERT_EQ(session.edit(mode, lift(session, 0.3), 10.0), std::nullopt);
@@ -427,7 +439,7 @@ TEST(Session, TheReportSpeaksOfTheDesignShown) {
   Session session = open_vault();
   const EditTargets targets = lift(session, 0.5);
   const auto expect_told = [&] {
-    const double told = nlohmann::json::parse(session.report())["handleError"].get<double>();
+    const double told = session.shape_report().handle_error;
     EXPECT_EQ(told, furthest(session, targets));
     return told;
   };

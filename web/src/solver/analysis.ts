@@ -61,9 +61,7 @@ export class DesignAnalysis {
   freedom({ handles, pins }: Targets): FreedomReport | null {
     const [, analysis] = this.#current();
     if (!analysis) return null;
-    const text = analysis.freedom(Float64Array.from(handles), Int32Array.from(pins));
-    const report = JSON.parse(text) as Partial<FreedomReport>;
-    return report.points === undefined ? null : (report as FreedomReport);
+    return analysis.freedom(Float64Array.from(handles), Int32Array.from(pins));
   }
 
   #current(): [AnalysisModule, Analysis] | [null, null] {

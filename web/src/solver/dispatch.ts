@@ -65,7 +65,7 @@ function sentence(error: unknown): string {
 }
 
 function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
-  const report = JSON.parse(session.meshReport()) as OpenedMesh["report"];
+  const report = session.meshReport();
   return {
     report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
@@ -213,7 +213,7 @@ export class Dispatcher {
         return;
       case "explore":
         insist(session.explore(this.#exploreOptions(request.dimension, request.eigenbasis)));
-        this.#post({ kind: "explored", job, report: JSON.parse(session.report()) }, []);
+        this.#post({ kind: "explored", job, report: session.variationsReport() }, []);
         return;
       case "vary":
         insist(session.vary(Float64Array.from(request.coefficients)));
@@ -268,7 +268,7 @@ export class Dispatcher {
     const once = (handles: HandleList, settled: boolean): number => {
       if (settled && mode === "drag") session.goBack();
       attempt(handles, settled && mode !== "drag" ? "solve" : mode);
-      return growthOf(JSON.parse(session.report()) as ShapeReport);
+      return growthOf(session.shapeReport());
     };
     const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
     const taken = this.#hold.take(limit, targets.handles, once, patience);
@@ -280,7 +280,7 @@ export class Dispatcher {
   #postFrame(job: number, targets: Targets): void {
     const session = this.#session;
     const shape = { moved: session.moved(), positions: session.movedPositions() };
-    const kept = this.#frames.instead({ report: JSON.parse(session.report()), shape });
+    const kept = this.#frames.instead({ report: session.shapeReport(), shape });
     if (kept) insist(this.#show(targets, kept.shape, false));
     this.#postShown(job, false, null, kept?.report);
   }
@@ -313,7 +313,7 @@ export class Dispatcher {
   #postProjected(job: number): void {
     const session = this.#session;
     const [moved, positions] = [session.projectedMoved(), session.projectedPositions()];
-    const report = JSON.parse(session.projectedReport());
+    const report = session.projectedReport();
     const reply: Reply = { kind: "projected", job, shape: { moved, positions }, report };
     this.#post(reply, [moved.buffer, positions.buffer]);
   }
@@ -347,7 +347,7 @@ export class Dispatcher {
   ): void {
     const session = this.#session;
     const changes = session.takeChanges();
-    const report = told ?? JSON.parse(session.report());
+    const report = told ?? session.shapeReport();
     const shape = withShape
       ? { moved: session.moved(), positions: session.movedPositions() }
       : null;

@@ -3,10 +3,14 @@
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
 // Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
+import type * as Reports from "@wasm/planish.mjs";
+import type { FreedomReport } from "@wasm/planish_analysis.mjs";
 import type { CuttingOptions } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { FoldLimit, HandleList } from "./fold-limit.ts";
 
+export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
+export type { FreedomReport } from "@wasm/planish_analysis.mjs";
 export type { CuttingOptions } from "@wasm/planish_shop.mjs";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
@@ -124,87 +128,16 @@ export type Request =
   | { kind: "export"; job: number; format: FileFormat; design: string } // → exported
   | { kind: "package"; job: number; options: CuttingOptions }; // → packaged
 
-export interface MeshReport {
-  readonly vertices: number;
-  readonly faces: number;
-  readonly faceSizes: Readonly<Record<string, number>>;
-  readonly boundaryLoops: number;
-  readonly components: number;
-  readonly nonmanifoldEdges: number;
-  readonly isolatedVertices: number;
-  readonly meanEdge: number;
-  readonly degreesOfFreedom: number;
-  readonly worstGap: number;
-  readonly worstMmPerM: number;
-  /** mm/m beyond what rounding accounts for: the mesh is flat where a tolerance allows it. */
-  readonly worstExcess: number;
-  /** Points that planarising moved, and the longest way, model units; zeros if there was none. */
-  readonly planarising: { readonly moved: number; readonly largest: number };
-  /** How far the mesh is from being circular or conical, by that name. */
-  readonly kinds: Readonly<Record<string, KindDefects>>;
-  readonly centre: readonly [number, number, number];
-  readonly scale: number;
-  readonly warnings: readonly string[];
-}
+/** The core's ShapeReport; less of it in records from before there was more. */
+export type ShapeReport = Omit<Reports.ShapeReport, Younger> &
+  Partial<Pick<Reports.ShapeReport, Exclude<Younger, "sharpestFold">>> & {
+    readonly sharpestFold: SharpestFold | null;
+  };
+type Younger = "sharpestFold" | "continuation" | "lowerAtOnce" | "bounds" | "violations";
 
-/** Degrees; none where no panel or node could miss the kind. `excess`: beyond rounding. */
-export interface KindDefects {
-  readonly median?: number;
-  readonly worst?: number;
-  readonly excess?: number;
-}
-
-/** Degrees between neighbouring panels. */
-export interface SharpestFold {
-  readonly before: number;
-  readonly after: number;
-  /** The two that meet so now; absent where nobody measured them. */
-  readonly panels?: readonly number[];
-}
-
-export interface ShapeReport {
-  readonly status: string;
-  readonly movedVertices: number;
-  readonly maxDisplacement: number;
-  readonly worstGap: number;
-  readonly worstMmPerM: number;
-  /** mm/m: of the panel for which the rounding of its coordinates accounts least; often 0. */
-  readonly worstExcess: number;
-  /** Degrees between neighbouring panels that the edit touches; null in records from before it. */
-  readonly sharpestFold: SharpestFold | null;
-  readonly handleError: number;
-  readonly objective: number;
-  /** Of EditSettings; absent in records from before it. */
-  readonly continuation?: number;
-  /** Whether the same edit at once ends lower than along its path. */
-  readonly lowerAtOnce?: boolean;
-  readonly iterations: number;
-  readonly seconds: number;
-  readonly residuals: readonly number[];
-  /** How far from a first-order point; without fields where nothing was certified. */
-  readonly optimality: Optimality | NotCertified;
-  /** The panels that each stated limit holds back, by its name; absent where nobody looked. */
-  readonly bounds?: Readonly<Record<string, readonly number[]>>;
-  /** Worst defect of each kept kind, degrees; absent where nobody looked. */
-  readonly violations?: Readonly<Record<string, { before: number; after: number }>>;
-}
-
-/** The core's Optimality; null: not a finite number. */
-export interface Optimality {
-  readonly stationarity: number | null;
-  readonly outside: number | null;
-  readonly certifiedVertices: number;
-}
-
-type NotCertified = Readonly<Record<string, never>>;
-
-export interface ExploreReport {
-  readonly status: string;
-  readonly dimension: number;
-  readonly correlation: readonly number[];
-  readonly supportSizes: readonly number[];
-  readonly seconds: number;
-}
+/** `panels`: absent where nobody measured them. */
+export type SharpestFold = Omit<Reports.SharpestFold, "panels"> &
+  Partial<Pick<Reports.SharpestFold, "panels">>;
 
 /** Numbers per panel in PanelMeasures. */
 export const PER_PANEL = { figures: 3, health: 4 } as const;
@@ -234,20 +167,6 @@ export interface PanelMeasures {
   readonly defects: Float32Array | null;
 }
 
-/** What the points that move can still do, to first order, everything else staying. */
-export interface FreedomReport {
-  readonly points: number;
-  readonly equations: number;
-  /** Numerical rank of the flatness equations at these points. */
-  readonly rank: number;
-  /** 3 · points − rank. */
-  readonly freedom: number;
-  /** Share of the pull to the targets that the panels bear, 0 … 1. */
-  readonly borne: number;
-  /** Panels that hold the handles back, most first. */
-  readonly holding: readonly number[];
-}
-
 /** What of a cutting package's header is said on the page, see docs/fabrication.md. */
 export interface CuttingHeader {
   readonly counts: { readonly panels: number; readonly drawn: number };
@@ -263,7 +182,7 @@ export interface CuttingHeader {
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
 export interface OpenedMesh extends DisplayMesh {
-  readonly report: MeshReport;
+  readonly report: Reports.MeshReport;
   readonly positions: Float64Array;
 }
 
@@ -300,7 +219,7 @@ export type Reply =
       shape: Shape | null;
       taken: HandleList | null;
     }
-  | { kind: "explored"; job: number; report: ExploreReport }
+  | { kind: "explored"; job: number; report: Reports.VariationsReport }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** null until `measurable`. */
   | { kind: "panels"; job: number; measures: PanelMeasures | null }

@@ -25,7 +25,7 @@ export async function warmUp(planish: PlanishModule): Promise<void> {
       const target = Float64Array.of(VERTEX, x, y, z + 0.05 * frame);
       session.edit(frame < FRAMES ? drag : release, target, pins, 0, 1);
       session.takeChanges();
-      session.report();
+      session.shapeReport();
     }
   } finally {
     session.delete();
