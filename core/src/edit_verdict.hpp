@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base_violations.hpp"
+#include "engines/exact_finish.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/constraints/mesh_limits.hpp"
-#include "planish/engines/exact_finish.hpp"
 #include "planish/problem.hpp"
 #include "planish/solve_report.hpp"
 

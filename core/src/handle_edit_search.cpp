@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "edit_reach.hpp"
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/cold_search.hpp"
 #include "handle_edit_state.hpp"
-#include "planish/engines/augmented_lagrangian.hpp"
-#include "planish/engines/cold_search.hpp"
 #include "softness.hpp"
 
 namespace planish {

@@ -11,8 +11,8 @@
 #include "base_violations.hpp"
 #include "edit_terms.hpp"
 #include "edit_verdict.hpp"
-#include "planish/engines/exact_finish.hpp"
-#include "planish/engines/working_set_newton.hpp"
+#include "engines/exact_finish.hpp"
+#include "engines/working_set_newton.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/problem.hpp"
 

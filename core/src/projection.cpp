@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/exact_finish.hpp"
+#include "engines/nearest_flat.hpp"
+#include "engines/working_set_newton.hpp"
 #include "planish/adjacency.hpp"
-#include "planish/engines/augmented_lagrangian.hpp"
-#include "planish/engines/exact_finish.hpp"
-#include "planish/engines/nearest_flat.hpp"
-#include "planish/engines/working_set_newton.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/stopwatch.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "planish/engines/exact_finish.hpp"
-#include "planish/engines/fair_flat.hpp"
+#include "engines/exact_finish.hpp"
+#include "engines/fair_flat.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"

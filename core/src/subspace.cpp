@@ -7,10 +7,10 @@
 #include <cmath>
 #include <list>
 
-#include "planish/engines/augmented_lagrangian.hpp"
-#include "planish/engines/subspace_splitting.hpp"
-#include "planish/engines/subspace_vector.hpp"
-#include "planish/engines/working_set.hpp"
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/subspace_splitting.hpp"
+#include "engines/subspace_vector.hpp"
+#include "engines/working_set.hpp"
 #include "planish/index.hpp"
 #include "planish/problem.hpp"
 #include "planish/stopwatch.hpp"

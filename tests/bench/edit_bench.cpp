@@ -6,7 +6,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "planish/engines/edit_splitting.hpp"
+#include "engines/edit_splitting.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/subspace.hpp"
 #include "support/scenes.hpp"

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "planish/engines/sparse_cholesky.hpp"
+#include "engines/sparse_cholesky.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish::bench {

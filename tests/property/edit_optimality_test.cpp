@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "planish/engines/optimality.hpp"
-#include "planish/engines/patch_system.hpp"
-#include "planish/engines/working_set_newton.hpp"
+#include "engines/optimality.hpp"
+#include "engines/patch_system.hpp"
+#include "engines/working_set_newton.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/index.hpp"
 #include "support/scenes.hpp"

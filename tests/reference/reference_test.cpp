@@ -9,8 +9,8 @@
 #include <numeric>
 #include <string>
 
+#include "engines/edit_splitting.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/engines/edit_splitting.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/projection.hpp"

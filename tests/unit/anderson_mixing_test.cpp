@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/anderson_mixing.hpp"
+#include "engines/anderson_mixing.hpp"
 
 #include <gtest/gtest.h>
 

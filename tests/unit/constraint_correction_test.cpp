@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/constraint_correction.hpp"
+#include "engines/constraint_correction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/edit_splitting.hpp"
+#include "engines/edit_splitting.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "planish/engines/augmented_lagrangian.hpp"
+#include "engines/augmented_lagrangian.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

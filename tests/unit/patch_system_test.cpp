@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 
 #include <gtest/gtest.h>
 

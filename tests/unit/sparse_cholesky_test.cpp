@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/sparse_cholesky.hpp"
+#include "engines/sparse_cholesky.hpp"
 
 #include <gtest/gtest.h>
 

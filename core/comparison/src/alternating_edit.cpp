@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/edit_splitting.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/engines/augmented_lagrangian.hpp"
-#include "planish/engines/edit_splitting.hpp"
 
 namespace planish::comparison {
 

@@ -2,8 +2,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "engines/constraint_correction.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/engines/constraint_correction.hpp"
 #include "planish/index.hpp"
 
 namespace planish::comparison {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "engines/constraint_correction.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/engines/constraint_correction.hpp"
 
 namespace planish::comparison {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "engines/constraint_correction.hpp"
 #include "held_boundary.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/engines/constraint_correction.hpp"
 #include "tangent_space.hpp"
 
 namespace planish::comparison {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/augmented_lagrangian.hpp"
+#include "engines/augmented_lagrangian.hpp"
 
 #include <numeric>
 
-#include "planish/engines/edit_splitting.hpp"
+#include "engines/edit_splitting.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

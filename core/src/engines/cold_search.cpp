@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/cold_search.hpp"
+#include "engines/cold_search.hpp"
 
 #include <algorithm>
 #include <array>

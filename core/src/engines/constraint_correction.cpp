@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/constraint_correction.hpp"
+#include "engines/constraint_correction.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "coupling_graph.hpp"
+#include "engines/coupling_graph.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/displacement_field.hpp"
+#include "engines/displacement_field.hpp"
 
 #include "planish/index.hpp"
 

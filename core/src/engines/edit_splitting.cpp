@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/edit_splitting.hpp"
+#include "engines/edit_splitting.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "coupling_graph.hpp"
+#include "engines/coupling_graph.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

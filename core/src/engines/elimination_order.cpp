@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "elimination_order.hpp"
+#include "engines/elimination_order.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>

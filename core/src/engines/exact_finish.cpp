@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/exact_finish.hpp"
+#include "engines/exact_finish.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "engines/constraint_correction.hpp"
 #include "planish/constraints/elements.hpp"
-#include "planish/engines/constraint_correction.hpp"
 #include "planish/index.hpp"
 #include "planish/metrics.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/fair_flat.hpp"
+#include "engines/fair_flat.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 
 namespace planish {
 namespace {

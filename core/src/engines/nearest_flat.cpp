@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/nearest_flat.hpp"
+#include "engines/nearest_flat.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "planish/engines/anderson_mixing.hpp"
-#include "planish/engines/constraint_correction.hpp"
+#include "engines/anderson_mixing.hpp"
+#include "engines/constraint_correction.hpp"
 
 namespace planish {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/optimality.hpp"
+#include "engines/optimality.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panel_kernels.hpp"
+#include "engines/panel_kernels.hpp"
 
 #include <Eigen/Core>
 #include <cmath>

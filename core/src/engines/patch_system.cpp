@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "coupling_graph.hpp"
+#include "engines/coupling_graph.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/row_jacobian.hpp"
+#include "engines/row_jacobian.hpp"
 
 #include <algorithm>
 

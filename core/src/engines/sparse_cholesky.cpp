@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/sparse_cholesky.hpp"
+#include "engines/sparse_cholesky.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cassert>
 #include <numeric>
 
-#include "elimination_order.hpp"
-#include "panel_kernels.hpp"
+#include "engines/elimination_order.hpp"
+#include "engines/panel_kernels.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

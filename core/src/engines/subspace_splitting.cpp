@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/subspace_splitting.hpp"
+#include "engines/subspace_splitting.hpp"
 
 #include <cmath>
 

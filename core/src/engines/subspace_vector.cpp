@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/subspace_vector.hpp"
+#include "engines/subspace_vector.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/working_set.hpp"
+#include "engines/working_set.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/engines/working_set_newton.hpp"
+#include "engines/working_set_newton.hpp"
 
 #include <algorithm>
 #include <cmath>

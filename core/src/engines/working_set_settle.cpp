@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "planish/engines/optimality.hpp"
-#include "planish/engines/working_set_newton.hpp"
+#include "engines/optimality.hpp"
+#include "engines/working_set_newton.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "engines/sparse_cholesky.hpp"
 #include "planish/adjacency.hpp"
-#include "planish/engines/sparse_cholesky.hpp"
 #include "planish/index.hpp"
 
 namespace planish {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "planish/engines/row_jacobian.hpp"
-#include "planish/engines/sparse_cholesky.hpp"
+#include "engines/row_jacobian.hpp"
+#include "engines/sparse_cholesky.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

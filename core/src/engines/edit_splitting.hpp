@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "planish/engines/sparse_cholesky.hpp"
+#include "engines/sparse_cholesky.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

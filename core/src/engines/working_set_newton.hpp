@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "planish/engines/displacement_field.hpp"
-#include "planish/engines/patch_system.hpp"
-#include "planish/engines/working_set.hpp"
+#include "engines/displacement_field.hpp"
+#include "engines/patch_system.hpp"
+#include "engines/working_set.hpp"
 #include "planish/problem.hpp"
 #include "planish/solve_report.hpp"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "planish/engines/displacement_field.hpp"
-#include "planish/engines/working_set.hpp"
+#include "engines/displacement_field.hpp"
+#include "engines/working_set.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

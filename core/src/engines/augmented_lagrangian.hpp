@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "planish/engines/displacement_field.hpp"
+#include "engines/displacement_field.hpp"
 #include "planish/problem.hpp"
 #include "planish/solve_report.hpp"
 

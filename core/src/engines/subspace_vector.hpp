@@ -10,8 +10,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "planish/engines/constraint_correction.hpp"
-#include "planish/engines/patch_system.hpp"
+#include "engines/constraint_correction.hpp"
+#include "engines/patch_system.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

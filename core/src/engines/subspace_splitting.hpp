@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "planish/engines/patch_system.hpp"
+#include "engines/patch_system.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {

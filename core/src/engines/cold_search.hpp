@@ -2,7 +2,7 @@
 /// A minimum of the handle edit from nothing: several starts race, the best one wins. [WSN-5]
 #pragma once
 
-#include "planish/engines/working_set_newton.hpp"
+#include "engines/working_set_newton.hpp"
 
 namespace planish {
 
