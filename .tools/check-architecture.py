@@ -60,6 +60,7 @@ ARROWS = {
 # Files whose group is not their directory or stem.
 FILE_GROUPS = {
     "index": "mesh",
+    "refusal": "mesh",
     "logarithm": "trigonometry",
     "stopwatch": "report",
     "solve_report": "report",

@@ -17,13 +17,11 @@
 #include "planish/metrics.hpp"
 #include "planish/planarising.hpp"
 #include "planish/projection.hpp"
+#include "planish/refusal.hpp"
 #include "planish/subspace.hpp"
 #include "session_report.hpp"
 
 namespace planish {
-
-/// One sentence that says why nothing changed; nullopt if the operation was done.
-using Refusal = std::optional<std::string>;
 
 /// How an edit is to be computed.
 enum class EditMode {

@@ -23,15 +23,17 @@ function polyline(points, colour, label) {
     <text x="${last[0] - 6}" y="${last[1] - 10}" text-anchor="end" fill="${colour}">${label}</text>`;
 }
 
-/** ‖h‖, ‖r‖ and μ of every outer step: [objective, primal, dual, penalty] rows. */
+/** ‖h‖, ‖r‖ and μ of every outer step of the reference engine. */
 export function residualChart(records) {
   const { width, height, left, right, top, bottom } = SIZE;
   const columns = [
-    [1, "#b3402a", "‖h‖, primal"],
-    [2, "#2453d6", "‖r‖, dual"],
-    [3, "#5a5a5a", "μ, penalty"],
+    ["primal_residual", "#b3402a", "‖h‖, primal"],
+    ["dual_residual", "#2453d6", "‖r‖, dual"],
+    ["penalty", "#5a5a5a", "μ, penalty"],
   ];
-  const values = records.flatMap((row) => row.slice(1)).filter((x) => x > 0);
+  const values = records
+    .flatMap((record) => columns.map(([column]) => record[column]))
+    .filter((x) => x > 0);
   const low = Math.floor(Math.log10(Math.min(...values)));
   const high = Math.ceil(Math.log10(Math.max(...values)));
   const x = (k) => left + ((width - left - right) * k) / Math.max(1, records.length - 1);
@@ -44,7 +46,7 @@ export function residualChart(records) {
   }
   const lines = columns.map(([column, colour, label]) =>
     polyline(
-      records.map((row, k) => [x(k), y(Math.max(row[column], 10 ** low))]),
+      records.map((record, k) => [x(k), y(Math.max(record[column], 10 ** low))]),
       colour,
       label,
     ),

@@ -61,8 +61,15 @@ Json measure_json(const EditMeasure& measure) {
 Json records_json(const std::vector<IterationRecord>& records) {
   Json list = Json::array();
   for (const IterationRecord& record : records) {
-    list.push_back(
-        {record.objective, record.primal_residual, record.dual_residual, record.penalty});
+    Json entry = {{"objective", record.objective}, {"primal_residual", record.primal_residual}};
+    if (record.penalty > 0.0) {
+      entry["dual_residual"] = record.dual_residual;
+      entry["penalty"] = record.penalty;
+    } else {
+      entry["step"] = record.step;
+      entry["smoothing"] = record.smoothing;
+    }
+    list.push_back(std::move(entry));
   }
   return list;
 }
@@ -167,7 +174,7 @@ Command compare_command() {
   std::vector<OptionRow> rows = edit_option_rows();
   rows.insert(rows.end(),
               {{"--dimension", "S", "also families of variations at the result, and a projection"},
-               {"--records", "", "objective, residuals and penalty of every outer step"},
+               {"--records", "", "what was measured in every outer step"},
                kOutputRow,
                kReportRow});
   return {"compare", "METHOD MESH <edit options> [-o OUT] [--report R.json]",

@@ -74,7 +74,7 @@ class Player {
   Player(const Design& design, const Progress& progress) : design_(design), progress_(progress) {}
 
   /// A sentence if the base cannot be had.
-  std::optional<std::string> open(const Mesh* given) {
+  Refusal open(const Mesh* given) {
     auto opened = source_mesh(design_.source, given);
     if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
     result_.base = std::move(std::get<Mesh>(opened));

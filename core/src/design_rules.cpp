@@ -10,7 +10,7 @@
 namespace planish {
 namespace {
 
-std::optional<std::string> find_problem(const DesignVariation& variation) {
+Refusal find_problem(const DesignVariation& variation) {
   if (auto problem = planish::find_problem(variation.options)) return problem;
   if (variation.coefficients.size() > static_cast<std::size_t>(variation.options.dimension)) {
     return "coefficients must be at most as many as dimension";
@@ -22,7 +22,7 @@ std::optional<std::string> find_problem(const DesignVariation& variation) {
 
 }  // namespace
 
-std::optional<std::string> find_problem(const Design& design) {
+Refusal find_problem(const Design& design) {
   constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
   if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
     return "unit must be mm, cm, m, km, in or ft";

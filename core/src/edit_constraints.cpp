@@ -7,11 +7,10 @@
 
 namespace planish {
 
-std::optional<std::string> find_broken_constraint(const Mesh& mesh,
-                                                  const HandleEditOptions& options) {
+Refusal find_broken_constraint(const Mesh& mesh, const HandleEditOptions& options) {
   const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
   if (options.constraints.empty()) return std::nullopt;
-  std::optional<std::string> broken;
+  Refusal broken;
   const Adjacency adjacency = build_adjacency(mesh);
   MeshElements elements(mesh, adjacency);
   kept.for_each([&](auto tag, std::size_t kind) {

@@ -43,7 +43,7 @@ double largest_move(const EditTargets& targets, const MeshModel& model) {
 
 void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
   rest_ = free_term(options, edit_weights(options, 0.0, problem.model->unit()));
-  problem.sparse = rest_.norm_weight > 0.0;
+  problem.seeks_support = rest_.norm_weight > 0.0;
   const int count = problem.model->vertex_count();
   problem.terms.resize(at(count));
   for (int v = 0; v < count; ++v) {

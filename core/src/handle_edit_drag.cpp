@@ -8,8 +8,8 @@
 namespace planish {
 
 /// A frame's steps, from the support that the engine holds or, `fresh`, from nothing.
-NewtonOutcome HandleEditSolver::State::follow(bool fresh, DisplacementField& field,
-                                              const Interruption& interruption) {
+EngineOutcome HandleEditSolver::State::follow(bool fresh, DisplacementField& field,
+                                              const Progress& progress) {
   NewtonOptions options;
   options.stop = 3e-5;
   // A frame that changes to another minimum may take dozens of steps; the next frames go on with
@@ -17,19 +17,19 @@ NewtonOutcome HandleEditSolver::State::follow(bool fresh, DisplacementField& fie
   options.max_steps = 7;
   if (fresh) {
     field.clear();
-    return newton_->run_cold(problem_, {3, 16, 0.05}, options, field, interruption);
+    return newton_->run_cold(problem_, {3, 16, 0.05}, options, field, progress);
   }
   options.first_smoothing = 1e-3;
-  return newton_->run_warm(problem_, options, field, interruption);
+  return newton_->run_warm(problem_, options, field, progress);
 }
 
 /// As a drag in equal steps would, one that is not acceptable included: the next starts afresh. At
 /// the targets it goes on to a minimum. [PTH-1]
-NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& options,
-                                                          const Interruption& interruption) {
+EngineOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& options,
+                                                          const Progress& progress) {
   const EditTargets targets = targets_;
-  NewtonOutcome total;
-  const auto keep = [&](NewtonOutcome outcome) {
+  EngineOutcome total;
+  const auto keep = [&](EngineOutcome outcome) {
     outcome.steps += total.steps;
     outcome.factorizations += total.factorizations;
     total = std::move(outcome);
@@ -43,7 +43,7 @@ NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
       if (step < targets.continuation) handle.target = base + share * (handle.target - base);
     }
     terms_->assign(now, options_, problem_);
-    keep(follow(fresh, *trial_, interruption));
+    keep(follow(fresh, *trial_, progress));
     if (total.status == SolveStatus::kCancelled) break;
     fresh = total.status == SolveStatus::kSingularSystem ||
             !is_acceptable(finish_->finish(problem_, newton_->support(), *trial_, kept_));
@@ -52,7 +52,7 @@ NewtonOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
   if (total.status == SolveStatus::kCancelled) return total;
   NewtonOptions last = options;
   last.first_smoothing = 1e-3;
-  keep(newton_->run_warm(problem_, last, *trial_, interruption));
+  keep(newton_->run_warm(problem_, last, *trial_, progress));
   return total;
 }
 
@@ -84,12 +84,12 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
     report.status = SolveStatus::kConverged;
     return result_of(*last_exact_, std::move(report));
   }
-  const Interruption out_of_time = [&](const IterationRecord&) {
-    return watch.seconds() > budget_seconds;
+  const Progress in_time = [&](const IterationRecord&) {
+    return watch.seconds() > budget_seconds ? Flow::kStop : Flow::kContinue;
   };
   SolveReport report;
   if (!fresh) newton_->set_support(drag_support_);
-  const NewtonOutcome outcome = follow(fresh, *field_, out_of_time);
+  const EngineOutcome outcome = follow(fresh, *field_, in_time);
   drag_support_ = newton_->support();
   report.status =
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;

@@ -19,9 +19,6 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   options.max_steps = 60;
   std::vector<Eigen::Vector3d> targets;
   for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);
-  const Interruption interruption = [&](const IterationRecord& record) {
-    return progress && progress(record) == Flow::kStop;
-  };
   ExactDesign best = unmoved();
   trial_->clear();
   if (slides_ != nullptr) slides_->open();
@@ -35,14 +32,14 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
     for (std::size_t k = 0; k < targets.size(); ++k) {
       problem_.terms[at(problem_.handles[k])].target = share * targets[k];
     }
-    const NewtonOutcome outcome =
-        reached == 0.0 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, interruption)
-                       : newton_->run_warm(problem_, options, *trial_, interruption);
+    const EngineOutcome outcome =
+        reached == 0.0 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, progress)
+                       : newton_->run_warm(problem_, options, *trial_, progress);
     report.iterations += outcome.steps;
     report.factorizations += outcome.factorizations;
     SolveReport turned;
     turned.status = outcome.status;
-    choose_sides(options, interruption, turned);
+    choose_sides(options, progress, turned);
     report.iterations += turned.iterations;
     report.factorizations += turned.factorizations;
     ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, kept_);
@@ -64,7 +61,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   }
   if (reached < 1.0 || report.status == SolveStatus::kCancelled) return best;
   report.status = SolveStatus::kIterationLimit;
-  ExactDesign settled = settle(options, interruption, report);
+  ExactDesign settled = settle(options, progress, report);
   if (is_acceptable(settled)) return settled;
   report.optimality.reset();
   return best;

@@ -9,7 +9,7 @@
 #include "planish/handle_edit.hpp"
 
 namespace planish {
-std::optional<std::string> find_problem(const HandleEditOptions& options) {
+Refusal find_problem(const HandleEditOptions& options) {
   const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!weight(options.attraction) || options.attraction == 0.0) {
     return "attraction must be a number greater than 0";
@@ -29,13 +29,13 @@ std::optional<std::string> find_problem(const HandleEditOptions& options) {
   return std::nullopt;
 }
 
-std::optional<std::string> find_continuation_problem(const EditTargets& targets) {
+Refusal find_continuation_problem(const EditTargets& targets) {
   const bool in_range = targets.continuation >= 0 && targets.continuation <= kMostContinuation;
   if (!in_range) return "continuation must be 0 (at once) or from 1 to 1000 steps";
   return std::nullopt;
 }
 
-std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh) {
+Refusal find_problem(const EditTargets& targets, const Mesh& mesh) {
   std::vector<int> seen;
   for (const Handle& handle : targets.handles) {
     const std::string name = "handle " + std::to_string(handle.vertex);

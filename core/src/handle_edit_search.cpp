@@ -13,21 +13,18 @@ namespace planish {
 ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
   NewtonOptions options;
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
-  const Interruption interruption = [&](const IterationRecord& record) {
-    return progress && progress(record) == Flow::kStop;
-  };
   const bool by_softness = options_.softness > 0.0 && has_reach(options_);
-  NewtonOutcome outcome = targets_.continuation > 0 ? continue_from_base(options, interruption)
+  EngineOutcome outcome = targets_.continuation > 0 ? continue_from_base(options, progress)
                           : by_softness
-                              ? soften(options, interruption)
-                              : find_minimum(problem_, options, *newton_, *trial_, interruption);
+                              ? soften(options, progress)
+                              : find_minimum(problem_, options, *newton_, *trial_, progress);
   report.status = outcome.status;
   report.iterations += outcome.steps;
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
-  choose_sides(options, interruption, report);
-  ExactDesign design = settle(options, interruption, report);
-  if (limits_ != nullptr) approach_limits(options, interruption, design, report);
+  choose_sides(options, progress, report);
+  ExactDesign design = settle(options, progress, report);
+  if (limits_ != nullptr) approach_limits(options, progress, design, report);
   return design;
 }
 
@@ -37,15 +34,15 @@ bool HandleEditSolver::State::turns(const ExactDesign& design) {
 }
 
 /// Which side of its outline each point goes to, before anything is settled. [SUP-3]
-void HandleEditSolver::State::choose_sides(const NewtonOptions& options,
-                                           const Interruption& interruption, SolveReport& report) {
+void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const Progress& progress,
+                                           SolveReport& report) {
   if (slides_ == nullptr || !slides_->has_outline()) return;
   NewtonOptions step = options;
   step.first_smoothing = 1e-3;
   for (int round = 0; round < kMostOutlineTurns && report.status != SolveStatus::kCancelled;
        ++round) {
     if (!turns(finish_->finish(problem_, newton_->support(), *trial_, kept_))) return;
-    const NewtonOutcome way = newton_->run_warm(problem_, step, *trial_, interruption);
+    const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
     report.status = way.status;
     report.iterations += way.steps;
     report.factorizations += way.factorizations;
@@ -55,7 +52,7 @@ void HandleEditSolver::State::choose_sides(const NewtonOptions& options,
 /// From where the search kept clear of the stated limits, to where they are: along the path of
 /// minima as the barrier on them fades, for as long as each is a certified one. [LIM-2]
 void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
-                                              const Interruption& interruption, ExactDesign& design,
+                                              const Progress& progress, ExactDesign& design,
                                               SolveReport& report) {
   constexpr double kShrink = 0.1;
   NewtonOptions step = options;
@@ -63,11 +60,11 @@ void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
   while (problem_.limit_weight > kLastLimitWeight && report.status == SolveStatus::kConverged) {
     problem_.limit_weight *= kShrink;
     SolveReport nearer = report;
-    const NewtonOutcome way = newton_->run_warm(problem_, step, *trial_, interruption);
+    const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
     nearer.iterations += way.steps;
     nearer.factorizations += way.factorizations;
     nearer.status = way.status;
-    ExactDesign next = settle(options, interruption, nearer);
+    ExactDesign next = settle(options, progress, nearer);
     report.iterations = nearer.iterations;
     report.factorizations = nearer.factorizations;
     if (nearer.status != SolveStatus::kConverged) break;
@@ -80,8 +77,8 @@ void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
 /// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
 /// step from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
 /// cold start fell into. [SOF-2]
-NewtonOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
-                                              const Interruption& interruption) {
+EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
+                                              const Progress& progress) {
   NewtonOptions coarse = options;
   coarse.last_smoothing = 0.0045;
   coarse.stop = 1e-3;
@@ -89,14 +86,14 @@ NewtonOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
   now.softness = kSoftest;
   terms_->assign(targets_, now, problem_);
   trial_->clear();
-  NewtonOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, interruption);
+  EngineOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, progress);
   for (bool last = false; !last && outcome.status != SolveStatus::kCancelled;) {
     now.softness = std::max(options_.softness, now.softness - 1.0);
     last = now.softness == options_.softness;
     terms_->assign(targets_, now, problem_);
     NewtonOptions step = last ? options : coarse;
     step.first_smoothing = 0.015;
-    NewtonOutcome next = newton_->run_warm(problem_, step, *trial_, interruption);
+    EngineOutcome next = newton_->run_warm(problem_, step, *trial_, progress);
     next.steps += outcome.steps;
     next.factorizations += outcome.factorizations;
     outcome = std::move(next);
@@ -106,16 +103,16 @@ NewtonOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
 }
 
 /// From the state that a search left to a certified design, or to the design of that state.
-ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options,
-                                            const Interruption& interruption, SolveReport& report) {
+ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const Progress& progress,
+                                            SolveReport& report) {
   const DisplacementField::Snapshot found = trial_->snapshot();
   const std::vector<int> support = newton_->support();
   const bool spent = options_.max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
   if (report.status != SolveStatus::kCancelled && !spent) {
-    NewtonOutcome fine;
+    EngineOutcome fine;
     ExactDesign design;
     for (int round = 0; round == 0 || (round < kMostOutlineTurns && turns(design)); ++round) {
-      fine = newton_->settle(problem_, options, *trial_, interruption);
+      fine = newton_->settle(problem_, options, *trial_, progress);
       report.iterations += fine.steps;
       report.factorizations += fine.factorizations;
       design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
@@ -140,12 +137,13 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   trial_->clear();
   AlmOptions options;
   if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
-  const AlmOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, progress);
+  std::vector<int> support;
+  const EngineOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, support, progress);
   report.status = outcome.status;
-  report.iterations = outcome.inner_steps;
+  report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
   report.records = outcome.records;
-  return finish_->finish(problem_, outcome.support, *trial_, kept_);
+  return finish_->finish(problem_, support, *trial_, kept_);
 }
 
 ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {

@@ -37,16 +37,14 @@ class HandleEditSolver::State {
   void set_targets(const EditTargets& targets);
   void set_supports(const std::vector<PointSupport>& supports);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
-  ExactDesign settle(const NewtonOptions& options, const Interruption& interruption,
-                     SolveReport& report);
+  ExactDesign settle(const NewtonOptions& options, const Progress& progress, SolveReport& report);
   [[nodiscard]] bool turns(const ExactDesign& design);
-  void choose_sides(const NewtonOptions& options, const Interruption& interruption,
-                    SolveReport& report);
-  void approach_limits(const NewtonOptions& options, const Interruption& interruption,
-                       ExactDesign& design, SolveReport& report);
-  NewtonOutcome follow(bool fresh, DisplacementField& field, const Interruption& interruption);
-  NewtonOutcome continue_from_base(const NewtonOptions& options, const Interruption& interruption);
-  NewtonOutcome soften(const NewtonOptions& options, const Interruption& interruption);
+  void choose_sides(const NewtonOptions& options, const Progress& progress, SolveReport& report);
+  void approach_limits(const NewtonOptions& options, const Progress& progress, ExactDesign& design,
+                       SolveReport& report);
+  EngineOutcome follow(bool fresh, DisplacementField& field, const Progress& progress);
+  EngineOutcome continue_from_base(const NewtonOptions& options, const Progress& progress);
+  EngineOutcome soften(const NewtonOptions& options, const Progress& progress);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   HandleEditResult result_of(const ExactDesign& design, SolveReport report);

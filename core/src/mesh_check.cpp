@@ -12,14 +12,13 @@
 #include "disjoint_sets.hpp"
 #include "edge_table.hpp"
 #include "io/sentence.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 namespace {
 
 /// Twice the area over the squared perimeter below which a face counts as a line.
 constexpr double kNoArea = 1e-12;
-
-using Refusal = std::optional<std::string>;
 
 std::string at_line(const std::vector<int>& lines, int element) {
   if (lines.empty()) return "";

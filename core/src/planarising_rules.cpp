@@ -7,7 +7,7 @@
 
 namespace planish {
 
-std::optional<std::string> find_problem(const Planarising& how) {
+Refusal find_problem(const Planarising& how) {
   if (!std::isfinite(how.fairness_weight) || how.fairness_weight < 0.0) {
     return "smooth must be a number of at least 0";
   }

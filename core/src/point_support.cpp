@@ -69,7 +69,7 @@ std::string name_of(const PointSupport& support) {
   return "supports: " + text.substr(0, text.find(':'));
 }
 
-std::optional<std::string> find_inside(const PointSupport& support, const Mesh& mesh) {
+Refusal find_inside(const PointSupport& support, const Mesh& mesh) {
   const std::vector<int> boundary = boundary_vertices(mesh);
   for (const int v : points_of(support, mesh)) {
     if (!std::binary_search(boundary.begin(), boundary.end(), v)) {
@@ -79,8 +79,7 @@ std::optional<std::string> find_inside(const PointSupport& support, const Mesh& 
   return std::nullopt;
 }
 
-std::optional<std::string> find_unsupported(const PointSupport& support, const Mesh& mesh,
-                                            double most) {
+Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double most) {
   for (const int v : support.vertices) {
     if (v >= mesh.vertex_count()) {
       return name_of(support) + ": there is no vertex " + std::to_string(v) + "; the mesh has " +
@@ -101,8 +100,7 @@ std::optional<std::string> find_unsupported(const PointSupport& support, const M
 
 }  // namespace
 
-std::optional<std::string> find_problem(const std::vector<PointSupport>& supports,
-                                        const Mesh& mesh) {
+Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh) {
   if (auto problem = find_problem(supports)) return problem;
   if (supports.empty()) return std::nullopt;
   const double most = kSupportReach * mean_edge_length(mesh);

@@ -86,7 +86,7 @@ double direction_length(const PointSupport& support) {
   return Eigen::Map<const Eigen::Vector3d>(support.numbers.data() + first).norm();
 }
 
-std::optional<std::string> find_problem(const PointSupport& support) {
+Refusal find_problem(const PointSupport& support) {
   const std::string name = "supports: " + form_text(support);
   const auto& numbers = support.numbers;
   if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) {
@@ -125,7 +125,7 @@ std::string point_support_text(const PointSupport& support) {
   return text;
 }
 
-std::optional<std::string> find_problem(const std::vector<PointSupport>& supports) {
+Refusal find_problem(const std::vector<PointSupport>& supports) {
   constexpr std::size_t kMost = 1000;
   if (supports.size() > kMost) return "supports: at most 1000";
   for (const PointSupport& support : supports) {

@@ -37,13 +37,13 @@ class Projector {
 
   /// α_d ‖t̃‖², every vertex free. [PRO-2]
   void penalise_squares() {
-    problem_.sparse = false;
+    problem_.seeks_support = false;
     for (VertexTerm& term : problem_.terms) term.square_weight = 2.0 * options_.distance_weight;
   }
 
   /// α_d Σ w_i ‖t̃_i‖ with w_i = s / (s + ‖p̃_i − p⁰_i‖): 1 where nothing moved yet. [PRO-3]
   void penalise_unmoved(const Positions& reference) {
-    problem_.sparse = true;
+    problem_.seeks_support = true;
     const Positions moved = (model_.mesh.positions - reference) / model_.unit();
     const double largest = moved.cols() > 0 ? moved.colwise().norm().maxCoeff() : 0.0;
     const double soft = std::max(0.05 * largest, 1e-6);
@@ -92,7 +92,7 @@ void Projector::solve_nearest(const Progress& progress) {
   if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
   // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
   nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
-  NearestFlatOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
+  EngineOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
   for (int k = 0; k < patch.free_count; ++k) {
     field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
   }
@@ -106,16 +106,13 @@ void Projector::solve_newton(const std::vector<int>& failing, const Progress& pr
   WorkingSetNewton newton(model_);
   NewtonOptions options;
   options.max_steps = options_.max_iterations > 0 ? options_.max_iterations : 2 * kNewtonLimit;
-  const Interruption interrupted = [&](const IterationRecord& record) {
-    return progress && progress(record) == Flow::kStop;
-  };
   const std::vector<int> seeds = vertices_of(model_.mesh, failing);
   double gap = 0.0;
   for (const int f : failing)
     gap = std::max(gap, face_planarity(model_.points, model_.face(f)).gap);
-  const NewtonOutcome outcome =
-      newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, interrupted);
-  support_ = problem_.sparse ? newton.support() : everything();
+  const EngineOutcome outcome =
+      newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, progress);
+  support_ = problem_.seeks_support ? newton.support() : everything();
   report_.status = outcome.status;
   report_.iterations += outcome.steps;
   report_.factorizations += outcome.factorizations;
@@ -125,10 +122,11 @@ void Projector::solve_newton(const std::vector<int>& failing, const Progress& pr
 void Projector::solve_augmented_lagrangian(const Progress& progress) {
   AlmOptions options;
   if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
-  const AlmOutcome outcome = solve_edit_by_alm(problem_, options, field_, progress);
-  support_ = problem_.sparse ? outcome.support : everything();
+  std::vector<int> support;
+  const EngineOutcome outcome = solve_edit_by_alm(problem_, options, field_, support, progress);
+  support_ = problem_.seeks_support ? support : everything();
   report_.status = outcome.status;
-  report_.iterations = outcome.inner_steps;
+  report_.iterations = outcome.steps;
   report_.factorizations = outcome.factorizations;
   report_.records = outcome.records;
 }
@@ -137,7 +135,7 @@ ProjectionResult Projector::run(const std::vector<int>& failing, const Progress&
   const Stopwatch watch;
   if (options_.engine == Engine::kAugmentedLagrangian) {
     solve_augmented_lagrangian(progress);
-  } else if (!problem_.sparse && problem_.fairness_weight == 0.0) {
+  } else if (!problem_.seeks_support && problem_.fairness_weight == 0.0) {
     solve_nearest(progress);
   } else {
     solve_newton(failing, progress);
@@ -344,7 +342,7 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
 
 }  // namespace
 
-std::optional<std::string> find_problem(const ProjectionOptions& options) {
+Refusal find_problem(const ProjectionOptions& options) {
   const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!weight(options.fairness_weight)) return "fairness_weight must be a number of at least 0";
   if (!weight(options.distance_weight) || options.distance_weight == 0.0) {

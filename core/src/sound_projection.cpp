@@ -33,7 +33,7 @@ class SoundProjector {
         cutter_(model_.vertex_count(), mesh.face_count(),
                 static_cast<int>(model_.fairness.rows())) {
     problem_.model = &model_;
-    problem_.sparse = false;
+    problem_.seeks_support = false;
     problem_.shape_weight = kShapeWeight;
     problem_.terms.resize(at(model_.vertex_count()));
     release();
@@ -122,7 +122,7 @@ SoundProjection SoundProjector::attempt(double fairness_weight, double first_pen
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
   FairFlatOptions newton{.first_penalty = first_penalty};
   if (options_.max_iterations > 0) newton.max_steps = options_.max_iterations;
-  FairFlatOutcome outcome = find_fair_flat(patch, newton, progress, displacement);
+  EngineOutcome outcome = find_fair_flat(patch, newton, progress, displacement);
   DisplacementField field(model_.vertex_count(), static_cast<int>(model_.equations.size()));
   for (int k = 0; k < patch.free_count; ++k) {
     field.set_displacement(patch.vertices[at(k)], displacement.col(k));

@@ -38,7 +38,7 @@ bool parse_two(std::string_view text, char mark, StatedLimit& limit) {
   return true;
 }
 
-std::optional<std::string> find_problem(const StatedLimit& limit) {
+Refusal find_problem(const StatedLimit& limit) {
   const std::string name = "bounds: " + limit.name;
   if (!is_known(limit.name)) return "bounds: a limit must be one of " + known_limits();
   if (!std::isfinite(limit.least) || !std::isfinite(limit.most)) return name + " must be finite";
@@ -75,7 +75,7 @@ std::optional<std::string> limit_form(std::string_view name) {
   return form;
 }
 
-std::optional<std::string> find_problem(const std::vector<StatedLimit>& limits) {
+Refusal find_problem(const std::vector<StatedLimit>& limits) {
   constexpr std::size_t kMost = 16;
   if (limits.size() > kMost) return "bounds: at most 16";
   for (const StatedLimit& limit : limits) {

@@ -198,7 +198,7 @@ bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
     SubspaceSplitting splitting(patch_, basis_, start);
     AlmOptions options;
     options.max_outer = 300;
-    steps_ += run_alm(splitting, options, {}).inner_steps;
+    steps_ += run_alm(splitting, options, {}).steps;
     Eigen::Matrix3Xd t = splitting.vector();
     if (!t.allFinite() || !solver.make_admissible(basis_, t)) continue;
     solver.sparsify(basis_, kSparsifyShare, t);

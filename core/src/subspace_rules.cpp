@@ -6,7 +6,7 @@
 
 namespace planish {
 
-std::optional<std::string> find_problem(const SubspaceOptions& options) {
+Refusal find_problem(const SubspaceOptions& options) {
   constexpr int kMostDimensions = 24;
   const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (options.dimension < 1 || options.dimension > kMostDimensions) {

@@ -25,12 +25,12 @@ class ColdSearch : public ::testing::Test {
 TEST_F(ColdSearch, DependsOnTheProblemAlone) {
   WorkingSetNewton newton(on_mesh.model);
   DisplacementField field = fresh_field();
-  const NewtonOutcome first = find_minimum(on_mesh.problem, {}, newton, field, {});
+  const EngineOutcome first = find_minimum(on_mesh.problem, {}, newton, field, {});
   const auto state = field.snapshot();
   const std::vector<int> support = newton.support();
   field.scale(3.0);  // what an earlier run left
   newton.set_support({0, 1, 2});
-  const NewtonOutcome again = find_minimum(on_mesh.problem, {}, newton, field, {});
+  const EngineOutcome again = find_minimum(on_mesh.problem, {}, newton, field, {});
   EXPECT_EQ(first.objective, again.objective);
   EXPECT_EQ(support, newton.support());
   EXPECT_EQ(state.displacement, field.snapshot().displacement);
@@ -39,8 +39,8 @@ TEST_F(ColdSearch, DependsOnTheProblemAlone) {
 TEST_F(ColdSearch, EndsNoHigherThanItsFirstStart) {
   WorkingSetNewton newton(on_mesh.model);
   DisplacementField field = fresh_field();
-  const NewtonOutcome single = newton.run_cold(on_mesh.problem, {3, 16, 0.05}, {}, field, {});
-  const NewtonOutcome best = find_minimum(on_mesh.problem, {}, newton, field, {});
+  const EngineOutcome single = newton.run_cold(on_mesh.problem, {3, 16, 0.05}, {}, field, {});
+  const EngineOutcome best = find_minimum(on_mesh.problem, {}, newton, field, {});
   EXPECT_EQ(best.status, SolveStatus::kConverged);
   EXPECT_LE(best.objective, 1.001 * single.objective);
   EXPECT_FALSE(best.records.empty());
@@ -50,8 +50,10 @@ TEST_F(ColdSearch, StopsWhenAsked) {
   WorkingSetNewton newton(on_mesh.model);
   DisplacementField field = fresh_field();
   int steps = 0;
-  const auto after_five = [&](const IterationRecord&) { return ++steps == 5; };
-  const NewtonOutcome outcome = find_minimum(on_mesh.problem, {}, newton, field, after_five);
+  const auto after_five = [&](const IterationRecord&) {
+    return ++steps == 5 ? Flow::kStop : Flow::kContinue;
+  };
+  const EngineOutcome outcome = find_minimum(on_mesh.problem, {}, newton, field, after_five);
   EXPECT_EQ(outcome.status, SolveStatus::kCancelled);
   EXPECT_EQ(steps, 5);
 }

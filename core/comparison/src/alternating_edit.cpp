@@ -14,13 +14,13 @@ ComparedEdit edit_by_alternation(const EditTask& task, int inner_limit, int step
   options.max_inner = inner_limit;
   options.max_outer = step_budget;  // a dual update costs one step at least
   int left = step_budget;
-  AlmRun run = run_alm(splitting, options, [&](const IterationRecord&) {
+  EngineOutcome run = run_alm(splitting, options, [&](const IterationRecord&) {
     left -= inner_limit;
     return left <= 0 ? Flow::kStop : Flow::kContinue;
   });
   ComparedEdit result;
   result.finished = run.status == SolveStatus::kConverged;
-  result.steps = run.inner_steps;
+  result.steps = run.steps;
   result.records = std::move(run.records);
   result.positions = displaced(model, patch);
   return result;

@@ -22,7 +22,7 @@ EditProblem pose(const EditTask& task, const MeshModel& model, bool hold_handles
   VertexTerm rest;
   if (task.options.sparsity == Sparsity::kL21) rest.norm_weight = task.options.locality;
   if (task.options.sparsity == Sparsity::kL2) rest.square_weight = task.options.locality;
-  problem.sparse = rest.norm_weight > 0.0;
+  problem.seeks_support = rest.norm_weight > 0.0;
   problem.terms.assign(at(model.vertex_count()), rest);
   for (const Handle& handle : task.targets.handles) {
     VertexTerm& term = problem.terms[at(handle.vertex)];

@@ -16,6 +16,7 @@
 #include "planish/mesh_hash.hpp"
 #include "planish/planarising.hpp"
 #include "planish/projection.hpp"
+#include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 #include "planish/subspace.hpp"
 
@@ -72,7 +73,7 @@ struct Design {
 };
 
 /// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const Design& design);
+[[nodiscard]] Refusal find_problem(const Design& design);
 
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);

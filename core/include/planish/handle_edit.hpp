@@ -14,6 +14,7 @@
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
 #include "planish/point_support.hpp"
+#include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
@@ -82,18 +83,17 @@ struct HandleEditOptions {
 inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 
 /// The first rule that `options` breaks, naming the field; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const HandleEditOptions& options);
+[[nodiscard]] Refusal find_problem(const HandleEditOptions& options);
 
 /// Why `mesh` is no base for an edit with these constraints: the constraint beside planarity that
 /// it breaks itself, and its worst panel; nullopt if it keeps them all. O(n).
-[[nodiscard]] std::optional<std::string> find_broken_constraint(const Mesh& mesh,
-                                                                const HandleEditOptions& options);
+[[nodiscard]] Refusal find_broken_constraint(const Mesh& mesh, const HandleEditOptions& options);
 
 /// Why the steps of `targets` are none.
-[[nodiscard]] std::optional<std::string> find_continuation_problem(const EditTargets& targets);
+[[nodiscard]] Refusal find_continuation_problem(const EditTargets& targets);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const EditTargets& targets, const Mesh& mesh);
+[[nodiscard]] Refusal find_problem(const EditTargets& targets, const Mesh& mesh);
 
 /// Vertices that no edit of `targets` moves, whatever the handles do: the pins, with keep_boundary
 /// the boundary, with a reach everything outside it. Handles are never among them. Ascending; O(n).

@@ -10,6 +10,7 @@
 #include "planish/constraints/kept_constraint.hpp"
 #include "planish/mesh.hpp"
 #include "planish/projection.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 
@@ -28,7 +29,7 @@ struct Planarising {
 /// What designs of the time before there was a choice mean.
 inline const Planarising kNearestFlat{0.0, false, false, {}};
 
-[[nodiscard]] std::optional<std::string> find_problem(const Planarising& how);
+[[nodiscard]] Refusal find_problem(const Planarising& how);
 
 /// kToleranceNotMet with keep_shape: the panels' shape does not allow more; the positions are sound
 /// and as flat as was found.

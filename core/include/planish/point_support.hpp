@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planish/mesh.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 
@@ -43,7 +44,7 @@ struct PointSupport {
 [[nodiscard]] std::string_view known_supports();
 
 /// The first rule that `supports` break on whatever mesh, naming the support; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const std::vector<PointSupport>& supports);
+[[nodiscard]] Refusal find_problem(const std::vector<PointSupport>& supports);
 
 /// How far a point may be from its plane or line in the base, share of the mean edge: what files
 /// round away. It keeps that distance.
@@ -51,8 +52,7 @@ inline constexpr double kSupportReach = 1e-4;
 
 /// The first rule that `supports` break on `mesh`: vertices that it does not have, points that are
 /// not on their plane or line. nullopt if none. O(points).
-[[nodiscard]] std::optional<std::string> find_problem(const std::vector<PointSupport>& supports,
-                                                      const Mesh& mesh);
+[[nodiscard]] Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh);
 
 /// The vertices that a support names, ascending.
 [[nodiscard]] std::vector<int> points_of(const PointSupport& support, const Mesh& mesh);

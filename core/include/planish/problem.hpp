@@ -76,8 +76,7 @@ struct EditProblem {
   std::vector<int> handles;       ///< vertices whose term is a handle's
   double fairness_weight = 0.0;   ///< ω_f ≥ 0
   std::vector<int> region;        ///< ascending: where vertices may move; empty: anywhere
-  /// Whether (almost) every vertex has a norm weight: then few move, and a working set finds them.
-  bool sparse = true;
+  bool seeks_support = true;      ///< few vertices move, and the solve finds which; else all may
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
   const MeshLimits* limits = nullptr;       ///< of `model`, in solver units; null: none are stated
   double limit_weight = kFirstLimitWeight;  ///< t > 0 of the barrier on their rows

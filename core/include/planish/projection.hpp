@@ -10,6 +10,7 @@
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
+#include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
@@ -30,7 +31,7 @@ struct ProjectionOptions {
   int max_iterations = 0;  ///< 0 picks the engine's own limit
 };
 
-[[nodiscard]] std::optional<std::string> find_problem(const ProjectionOptions& options);
+[[nodiscard]] Refusal find_problem(const ProjectionOptions& options);
 
 struct ProjectionResult {
   std::vector<int> moved;     ///< ascending vertex indices

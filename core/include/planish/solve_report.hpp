@@ -28,8 +28,10 @@ enum class SolveStatus {
 struct IterationRecord {
   double objective = 0.0;        ///< mean-edge units, weights included
   double primal_residual = 0.0;  ///< constraint violation, mean-edge units
-  double dual_residual = 0.0;    ///< distance from stationarity
-  double penalty = 0.0;          ///< μ of [ALM-2]; the smoothing ε for the Newton engine
+  double step = 0.0;             ///< longest way of a vertex in it, mean-edge units; not ALM
+  double smoothing = 0.0;        ///< ε of [WSN-3], mean-edge units; 0 where nothing is smoothed
+  double dual_residual = 0.0;    ///< [ALM-5]; ALM alone
+  double penalty = 0.0;          ///< μ of [ALM-2]; ALM alone
 };
 
 /// What a progress callback asks for.

@@ -11,6 +11,7 @@
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
+#include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
@@ -27,7 +28,7 @@ struct SubspaceOptions {
   Engine engine = Engine::kNewton;
 };
 
-[[nodiscard]] std::optional<std::string> find_problem(const SubspaceOptions& options);
+[[nodiscard]] Refusal find_problem(const SubspaceOptions& options);
 
 /// How good the basis is; every figure is measured on the result.
 struct SubspaceReport {

@@ -20,7 +20,7 @@ std::string known_kinds() {
 
 }  // namespace
 
-std::optional<std::string> find_problem(const std::vector<KeptConstraint>& constraints) {
+Refusal find_problem(const std::vector<KeptConstraint>& constraints) {
   std::vector<std::string_view> seen;
   for (const KeptConstraint& constraint : constraints) {
     if (constraint.kind == PlanarPolygon::kName) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engines/displacement_field.hpp"
+#include "engines/engine_outcome.hpp"
 #include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -30,12 +30,6 @@ struct AlmResiduals {
   double dual = 0.0;    ///< ‖r‖ = ‖μ A (d − d_previous)‖ / √(number of rows)
 };
 
-struct AlmRun {
-  SolveStatus status = SolveStatus::kIterationLimit;
-  int outer_steps = 0, inner_steps = 0;
-  std::vector<IterationRecord> records;  ///< one per dual update
-};
-
 /// The only augmented Lagrangian loop: (3), (7) and (8) differ in their Splitting alone. It owns
 /// the order of the steps of Fig. 7; the splitting owns d, x and λ. [ALM-1]
 ///
@@ -47,9 +41,9 @@ struct AlmRun {
 ///   double update_multipliers()   λ ← λ + μ h; returns the primal residual      [ALM-1]
 ///   double objective()
 template <class Splitting>
-[[nodiscard]] AlmRun run_alm(Splitting& splitting, const AlmOptions& options,
-                             const Progress& progress) {
-  AlmRun run;
+[[nodiscard]] EngineOutcome run_alm(Splitting& splitting, const AlmOptions& options,
+                                    const Progress& progress) {
+  EngineOutcome run;
   const auto ended = [&](SolveStatus status) {
     run.status = status;
     return std::move(run);
@@ -57,17 +51,21 @@ template <class Splitting>
   double penalty = options.penalty;
   AlmResiduals previous{0.0, 0.0};
   if (!splitting.set_penalty(penalty)) return ended(SolveStatus::kSingularSystem);
-  for (; run.outer_steps < options.max_outer; ++run.outer_steps) {
+  for (int outer = 0; outer < options.max_outer; ++outer) {
     AlmResiduals now;
     for (int inner = 0; inner < options.max_inner; ++inner) {
       splitting.update_auxiliaries();
       splitting.update_primal();
-      ++run.inner_steps;
+      ++run.steps;
       now.dual = splitting.dual_residual();
       if (now.dual <= options.dual_tolerance) break;
     }
     now.primal = splitting.update_multipliers();
-    run.records.push_back({splitting.objective(), now.primal, now.dual, penalty});
+    run.objective = splitting.objective();
+    run.records.push_back({.objective = run.objective,
+                           .primal_residual = now.primal,
+                           .dual_residual = now.dual,
+                           .penalty = penalty});
     if (!std::isfinite(now.primal + now.dual)) return ended(SolveStatus::kNonFinite);
     if (now.primal <= options.primal_tolerance && now.dual <= options.dual_tolerance) {
       return ended(SolveStatus::kConverged);
@@ -76,7 +74,7 @@ template <class Splitting>
       return ended(SolveStatus::kCancelled);
     }
     // Sec. 3.3: only when ‖h‖ falls too slowly against ‖r̂‖, and never past the bound. [ALM-4]
-    const bool slow = run.outer_steps > 0 && now.primal > options.primal_tolerance &&
+    const bool slow = outer > 0 && now.primal > options.primal_tolerance &&
                       now.primal * previous.dual > previous.primal * now.dual;
     if (slow && penalty * options.penalty_growth <= options.largest_penalty) {
       penalty *= options.penalty_growth;
@@ -87,16 +85,11 @@ template <class Splitting>
   return run;
 }
 
-/// How the reference engine ended; the field holds d, and `support` the vertices with y_i ≠ 0.
-struct AlmOutcome {
-  SolveStatus status = SolveStatus::kIterationLimit;
-  std::vector<int> support;
-  int outer_steps = 0, inner_steps = 0, factorizations = 0;
-  std::vector<IterationRecord> records;  ///< one per dual update
-};
-
 /// (3) or (8) by the reference engine: the whole mesh, then the rest of the problem on the support.
-[[nodiscard]] AlmOutcome solve_edit_by_alm(const EditProblem& problem, const AlmOptions& options,
-                                           DisplacementField& field, const Progress& progress);
+/// @param field d, the result
+/// @param support the vertices with y_i ≠ 0, and fixed handles; ascending
+[[nodiscard]] EngineOutcome solve_edit_by_alm(const EditProblem& problem, const AlmOptions& options,
+                                              DisplacementField& field, std::vector<int>& support,
+                                              const Progress& progress);
 
 }  // namespace planish

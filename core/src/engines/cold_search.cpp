@@ -18,7 +18,7 @@ constexpr double kPromising = 1.05;   ///< coarse objective, relative to the bes
 
 struct Contender {
   StartSet start;
-  NewtonOutcome outcome;
+  EngineOutcome outcome;
   std::vector<int> support;
   DisplacementField::Snapshot state;
 };
@@ -26,19 +26,15 @@ struct Contender {
 class ColdSearch {
  public:
   ColdSearch(const EditProblem& problem, const NewtonOptions& options, WorkingSetNewton& newton,
-             DisplacementField& field, const Interruption& interrupted)
-      : problem_(problem),
-        options_(options),
-        newton_(newton),
-        field_(field),
-        interrupted_(interrupted) {}
+             DisplacementField& field, const Progress& progress)
+      : problem_(problem), options_(options), newton_(newton), field_(field), progress_(progress) {}
 
-  NewtonOutcome run() {
+  EngineOutcome run() {
     race();
     field_.clear();
     newton_.set_support(problem_.handles);
     if (contenders_.empty()) return total_;
-    Contender& winner = problem_.sparse ? run_on() : contenders_.front();
+    Contender& winner = problem_.seeks_support ? run_on() : contenders_.front();
     field_.restore(winner.state);
     newton_.set_support(winner.support);
     if (total_.status != SolveStatus::kCancelled) total_.status = winner.outcome.status;
@@ -51,7 +47,7 @@ class ColdSearch {
   /// Every start as far as the coarse smoothing, best first.
   void race() {
     NewtonOptions coarse = options_;
-    if (problem_.sparse) {
+    if (problem_.seeks_support) {
       coarse.last_smoothing = kCoarse;
       coarse.stop = kCoarseStop;
     }
@@ -59,13 +55,13 @@ class ColdSearch {
       field_.clear();
       Contender contender;
       contender.start = start;
-      keep(newton_.run_cold(problem_, start, coarse, field_, interrupted_), contender);
+      keep(newton_.run_cold(problem_, start, coarse, field_, progress_), contender);
       if (std::isfinite(contender.outcome.objective) && !contender.outcome.records.empty()) {
         const auto after =
             std::upper_bound(contenders_.begin(), contenders_.end(), contender, &lower);
         contenders_.insert(after, std::move(contender));
       }
-      if (!problem_.sparse || total_.status == SolveStatus::kCancelled) break;
+      if (!problem_.seeks_support || total_.status == SolveStatus::kCancelled) break;
     }
   }
 
@@ -80,7 +76,7 @@ class ColdSearch {
       if (winner != nullptr && contender.outcome.objective > promising) break;
       field_.restore(contender.state);
       newton_.set_support(contender.support);
-      keep(newton_.run_on(problem_, contender.start, rest, field_, interrupted_), contender);
+      keep(newton_.run_on(problem_, contender.start, rest, field_, progress_), contender);
       const bool valid = std::isfinite(contender.outcome.objective);
       if (valid && (winner == nullptr || lower(contender, *winner))) winner = &contender;
     }
@@ -88,7 +84,7 @@ class ColdSearch {
   }
 
   /// Adds the outcome of a run that used field_.
-  void keep(NewtonOutcome outcome, Contender& contender) {
+  void keep(EngineOutcome outcome, Contender& contender) {
     total_.steps += outcome.steps;
     total_.factorizations += outcome.factorizations;
     if (outcome.status == SolveStatus::kCancelled) total_.status = outcome.status;
@@ -108,17 +104,17 @@ class ColdSearch {
   const NewtonOptions& options_;
   WorkingSetNewton& newton_;
   DisplacementField& field_;
-  const Interruption& interrupted_;
+  const Progress& progress_;
   std::vector<Contender> contenders_;
-  NewtonOutcome total_;
+  EngineOutcome total_;
 };
 
 }  // namespace
 
-NewtonOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
+EngineOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
                            WorkingSetNewton& newton, DisplacementField& field,
-                           const Interruption& interrupted) {
-  return ColdSearch(problem, options, newton, field, interrupted).run();
+                           const Progress& progress) {
+  return ColdSearch(problem, options, newton, field, progress).run();
 }
 
 }  // namespace planish

@@ -12,8 +12,8 @@ namespace planish {
 /// Without a norm term there is one start.
 /// @param field the winner's state, newton.support() its support
 /// @returns the winner's status and records; steps and factorizations of all
-NewtonOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
+EngineOutcome find_minimum(const EditProblem& problem, const NewtonOptions& options,
                            WorkingSetNewton& newton, DisplacementField& field,
-                           const Interruption& interrupted);
+                           const Progress& progress);
 
 }  // namespace planish

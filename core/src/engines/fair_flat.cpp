@@ -146,11 +146,13 @@ class FairFlat {
 
 /// One stage; true when it ended by itself.
 bool run_stage(FairFlat& solver, int most_steps, double settled, const Progress& progress,
-               FairFlatOutcome& outcome) {
+               EngineOutcome& outcome) {
   for (int k = 0; k < most_steps; ++k) {
     ++outcome.steps;
     if (!solver.step()) return false;
-    outcome.records.push_back({solver.objective(), solver.violation(), solver.length(), 0.0});
+    outcome.records.push_back({.objective = solver.objective(),
+                               .primal_residual = solver.violation(),
+                               .step = solver.length()});
     if (progress && progress(outcome.records.back()) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
       return false;
@@ -162,9 +164,9 @@ bool run_stage(FairFlat& solver, int most_steps, double settled, const Progress&
 
 }  // namespace
 
-FairFlatOutcome find_fair_flat(const Patch& patch, const FairFlatOptions& options,
-                               const Progress& progress, Eigen::Matrix3Xd& displacement) {
-  FairFlatOutcome outcome;
+EngineOutcome find_fair_flat(const Patch& patch, const FairFlatOptions& options,
+                             const Progress& progress, Eigen::Matrix3Xd& displacement) {
+  EngineOutcome outcome;
   if (patch.free_count == 0) {
     outcome.status = SolveStatus::kConverged;
     return outcome;

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engines/engine_outcome.hpp"
 #include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -19,19 +19,13 @@ struct FairFlatOptions {
   double settled = 1e-6;  ///< step at which the last stage ends, mean edges, > 0
 };
 
-struct FairFlatOutcome {
-  /// kConverged: flat to 1e-5 mean edges, and no step of the last stage leads further.
-  SolveStatus status = SolveStatus::kIterationLimit;
-  int steps = 0, factorizations = 0;
-  std::vector<IterationRecord> records;
-};
-
 /// Newton's method on the Lagrangian of [PB-1] without norm terms, with the exact curvature of rows
 /// and bound. A factor serves as many steps as they halve: at 100 K vertices it costs forty times
-/// what a step does. The state is never beyond the bound, whatever the status.
+/// what a step does. The state is never beyond the bound, whatever the status; kConverged: flat to
+/// 1e-5 mean edges, and no step of the last stage leads further.
 /// @param patch fairness and square weights only; a shape weight of 0 leaves the bound out
 /// @param displacement 3 × free, start (within the bound) and result
-FairFlatOutcome find_fair_flat(const Patch& patch, const FairFlatOptions& options,
-                               const Progress& progress, Eigen::Matrix3Xd& displacement);
+EngineOutcome find_fair_flat(const Patch& patch, const FairFlatOptions& options,
+                             const Progress& progress, Eigen::Matrix3Xd& displacement);
 
 }  // namespace planish

@@ -104,9 +104,9 @@ class NearestFlat {
 
 }  // namespace
 
-NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
-                                     const Progress& progress, Eigen::Matrix3Xd& displacement) {
-  NearestFlatOutcome outcome;
+EngineOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
+                                const Progress& progress, Eigen::Matrix3Xd& displacement) {
+  EngineOutcome outcome;
   if (patch.equations.empty()) {
     outcome.status = SolveStatus::kConverged;
     return outcome;
@@ -125,7 +125,9 @@ NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOption
       break;
     }
     if (!solver.step()) break;
-    outcome.records.push_back({solver.objective(), solver.violation(), solver.move(), 0.0});
+    outcome.records.push_back({.objective = solver.objective(),
+                               .primal_residual = solver.violation(),
+                               .step = solver.move()});
     if (progress && progress(outcome.records.back()) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
       break;

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "engines/engine_outcome.hpp"
 #include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -16,12 +16,6 @@ struct NearestFlatOptions {
   double settled = 5e-5;
 };
 
-struct NearestFlatOutcome {
-  SolveStatus status = SolveStatus::kIterationLimit;
-  int steps = 0, factorizations = 0;
-  std::vector<IterationRecord> records;
-};
-
 /// Sequential quadratic programming with the identity as Hessian: each step is the minimum-norm
 /// solution t⁺ = Jᵀ(J Jᵀ + ρI)⁻¹(J t − c), one scalar factor per equation, so 100 K panels are a
 /// matter of tenths of a second. Anderson mixing shortens the linearly convergent tail; steps that
@@ -29,7 +23,7 @@ struct NearestFlatOutcome {
 /// rounding.
 /// @param patch usually the whole mesh
 /// @param displacement 3 × free, start and result
-NearestFlatOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
-                                     const Progress& progress, Eigen::Matrix3Xd& displacement);
+EngineOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& options,
+                                const Progress& progress, Eigen::Matrix3Xd& displacement);
 
 }  // namespace planish

@@ -44,51 +44,49 @@ void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start
   start_ = std::move(joined);
 }
 
-NewtonOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
+EngineOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
                                          const NewtonOptions& options, DisplacementField& field,
-                                         const Interruption& interrupted) {
+                                         const Progress& progress) {
   support_ = problem.handles;
   lay_out(problem, start);
   NewtonOptions cold = options;
   cold.first_smoothing = start.first_smoothing;
-  return run(problem, handle_scale(problem), cold, field, interrupted);
+  return run(problem, handle_scale(problem), cold, field, progress);
 }
 
-NewtonOutcome WorkingSetNewton::run_on(const EditProblem& problem, const StartSet& start,
+EngineOutcome WorkingSetNewton::run_on(const EditProblem& problem, const StartSet& start,
                                        const NewtonOptions& options, DisplacementField& field,
-                                       const Interruption& interrupted) {
+                                       const Progress& progress) {
   lay_out(problem, start);
-  return run(problem, handle_scale(problem), options, field, interrupted);
+  return run(problem, handle_scale(problem), options, field, progress);
 }
 
-NewtonOutcome WorkingSetNewton::run_warm(const EditProblem& problem, const NewtonOptions& options,
-                                         DisplacementField& field,
-                                         const Interruption& interrupted) {
+EngineOutcome WorkingSetNewton::run_warm(const EditProblem& problem, const NewtonOptions& options,
+                                         DisplacementField& field, const Progress& progress) {
   std::vector<int> joined = problem.handles;
   joined.insert(joined.end(), support_.begin(), support_.end());
   std::sort(joined.begin(), joined.end());
   joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
   support_ = std::move(joined);
   start_.clear();
-  return run(problem, handle_scale(problem), options, field, interrupted);
+  return run(problem, handle_scale(problem), options, field, progress);
 }
 
-NewtonOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span<const int> seeds,
+EngineOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span<const int> seeds,
                                            double scale, const NewtonOptions& options,
-                                           DisplacementField& field,
-                                           const Interruption& interrupted) {
+                                           DisplacementField& field, const Progress& progress) {
   support_.assign(seeds.begin(), seeds.end());
   std::sort(support_.begin(), support_.end());
   start_ = support_;
-  return run(problem, scale, options, field, interrupted);
+  return run(problem, scale, options, field, progress);
 }
 
 void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                                           double relative_smoothing, DisplacementField& field) {
   std::vector<int> next;
-  if (!sparse_ && !problem.region.empty()) {
+  if (!seeks_support_ && !problem.region.empty()) {
     next = problem.region;
-  } else if (!sparse_) {
+  } else if (!seeks_support_) {
     next.resize(at(model_.vertex_count()));
     std::iota(next.begin(), next.end(), 0);
   } else {
@@ -186,10 +184,14 @@ WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& op
   return StepResult::kAccepted;
 }
 
+double WorkingSetNewton::violation() const {
+  return trial_residuals_.size() > 0 ? trial_residuals_.cwiseAbs().maxCoeff() : 0.0;
+}
+
 void WorkingSetNewton::find_support(double smoothing) {
   support_.clear();
   for (int k = 0; k < patch_.free_count; ++k) {
-    const bool moving = !sparse_ || patch_.terms[at(k)].handle ||
+    const bool moving = !seeks_support_ || patch_.terms[at(k)].handle ||
                         state_.displacement.col(k).norm() > 2.0 * smoothing ||
                         state_.norm_dual.col(k).norm() > kDualActive;
     if (moving) support_.push_back(patch_.vertices[at(k)]);
@@ -197,15 +199,15 @@ void WorkingSetNewton::find_support(double smoothing) {
   std::sort(support_.begin(), support_.end());
 }
 
-NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
+EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
                                     const NewtonOptions& options, DisplacementField& field,
-                                    const Interruption& interrupted) {
-  NewtonOutcome outcome;
+                                    const Progress& progress) {
+  EngineOutcome outcome;
   const int before = system_.factorizations();
-  sparse_ = problem.sparse;
+  seeks_support_ = problem.seeks_support;
   double smoothing = options.first_smoothing * scale;
   const double last = options.last_smoothing * scale;
-  if (!sparse_) smoothing = last;
+  if (!seeks_support_) smoothing = last;
   shift_ = 0.0;
   working_.clear();
   std::vector<int> fixed_seeds;
@@ -230,10 +232,11 @@ NewtonOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
     }
     const double previous = objective;
     objective = system_.energy(state_.displacement, 0.0);
-    const double violation =
-        trial_residuals_.size() > 0 ? trial_residuals_.cwiseAbs().maxCoeff() : 0.0;
-    outcome.records.push_back({objective, violation, largest_move_, smoothing});
-    if (interrupted && interrupted(outcome.records.back())) {
+    outcome.records.push_back({.objective = objective,
+                               .primal_residual = violation(),
+                               .step = largest_move_,
+                               .smoothing = smoothing});
+    if (progress && progress(outcome.records.back()) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
       break;
     }

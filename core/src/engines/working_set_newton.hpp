@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "engines/displacement_field.hpp"
+#include "engines/engine_outcome.hpp"
 #include "engines/patch_system.hpp"
 #include "engines/working_set.hpp"
 #include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -53,18 +53,6 @@ struct StartSet {
 /// Largest displacement asked for: the length that smoothing is measured against.
 [[nodiscard]] double handle_scale(const EditProblem& problem);
 
-/// How a run ended; the field holds the state in every case.
-struct NewtonOutcome {
-  SolveStatus status = SolveStatus::kIterationLimit;
-  double objective = 0.0;  ///< [PB-1] of the working set's state, not yet exact
-  int steps = 0;
-  int factorizations = 0;
-  std::vector<IterationRecord> records;
-};
-
-/// Asked between steps; true ends the run.
-using Interruption = std::function<bool(const IterationRecord&)>;
-
 /// One engine per mesh; the state lives in the field that the caller passes. Costs follow the
 /// working set: O(n) memory once, nothing O(n) per run unless the problem has no norm term.
 class WorkingSetNewton {
@@ -72,31 +60,32 @@ class WorkingSetNewton {
   explicit WorkingSetNewton(const MeshModel& model);
 
   /// From `field` = 0 with the vertices of `start` in the first working set.
-  NewtonOutcome run_cold(const EditProblem& problem, const StartSet& start,
+  EngineOutcome run_cold(const EditProblem& problem, const StartSet& start,
                          const NewtonOptions& options, DisplacementField& field,
-                         const Interruption& interrupted);
+                         const Progress& progress);
 
   /// Goes on with a cold run that was stopped at a coarse smoothing: from its field and support(),
   /// with the same start set, at options.first_smoothing.
-  NewtonOutcome run_on(const EditProblem& problem, const StartSet& start,
+  EngineOutcome run_on(const EditProblem& problem, const StartSet& start,
                        const NewtonOptions& options, DisplacementField& field,
-                       const Interruption& interrupted);
+                       const Progress& progress);
 
   /// From the field of an earlier run and its support().
-  NewtonOutcome run_warm(const EditProblem& problem, const NewtonOptions& options,
-                         DisplacementField& field, const Interruption& interrupted);
+  EngineOutcome run_warm(const EditProblem& problem, const NewtonOptions& options,
+                         DisplacementField& field, const Progress& progress);
 
-  /// From `field` = 0 on the whole mesh or, if sparse, around `seeds`, which need not be handles.
+  /// From `field` = 0 on the whole mesh or, where a support is sought, around `seeds`, which need
+  /// not be handles.
   /// @param scale the length that smoothing is a share of, > 0
-  NewtonOutcome run_around(const EditProblem& problem, std::span<const int> seeds, double scale,
+  EngineOutcome run_around(const EditProblem& problem, std::span<const int> seeds, double scale,
                            const NewtonOptions& options, DisplacementField& field,
-                           const Interruption& interrupted);
+                           const Progress& progress);
 
   /// From the field of a run and its support() to a first-order point of the problem: the working
   /// set grows by what moves at its rim, ε falls until it is nothing, and what is at rest then
   /// leaves the support. kConverged: so it ended; otherwise the budget did. [OPT-2]
-  NewtonOutcome settle(const EditProblem& problem, const NewtonOptions& options,
-                       DisplacementField& field, const Interruption& interrupted);
+  EngineOutcome settle(const EditProblem& problem, const NewtonOptions& options,
+                       DisplacementField& field, const Progress& progress);
 
   /// The conditions at a design near the state that the last settle() left, with its multipliers.
   /// @param vertices ascending; @param displacement 3 × |vertices|, all other vertices at rest
@@ -112,18 +101,20 @@ class WorkingSetNewton {
 
   /// Sets start_ to the vertices of `start`.
   void lay_out(const EditProblem& problem, const StartSet& start);
-  NewtonOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
-                    DisplacementField& field, const Interruption& interrupted);
+  EngineOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
+                    DisplacementField& field, const Progress& progress);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                           double relative_smoothing, DisplacementField& field);
   [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);
   [[nodiscard]] bool search_line(const NewtonOptions& options, double smoothing, double decrease);
+  /// Largest |c| after the last step.
+  [[nodiscard]] double violation() const;
   void find_support(double smoothing);
   void set_out(const EditProblem& problem);
   void lay_open(const EditProblem& problem, DisplacementField& field);
   [[nodiscard]] std::vector<int> movers_at_rim(double smoothing) const;
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
-                               NewtonOutcome& outcome);
+                               EngineOutcome& outcome);
   void keep_support(double smoothing);
 
   const MeshModel& model_;
@@ -133,7 +124,7 @@ class WorkingSetNewton {
   PatchSystem system_;
   PatchState state_;
   std::vector<int> support_, start_, working_;
-  bool sparse_ = true;
+  bool seeks_support_ = true;
 
   // One step's work space, kept so that the loop does not allocate.
   Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;

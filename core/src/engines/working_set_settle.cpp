@@ -62,7 +62,7 @@ std::vector<int> WorkingSetNewton::movers_at_rim(double smoothing) const {
 
 /// Newton's steps at one ε on one working set. True once the gradient is zero.
 bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
-                                 NewtonOutcome& outcome) {
+                                 EngineOutcome& outcome) {
   for (int step = 0; step < kStepsPerRun; ++step) {
     system_.residuals(state_.displacement, residuals_);
     system_.lagrangian_gradient(state_, smoothing, gradient_);
@@ -77,19 +77,19 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
   return false;
 }
 
-NewtonOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonOptions& options,
-                                       DisplacementField& field, const Interruption& interrupted) {
-  NewtonOutcome outcome;
+EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonOptions& options,
+                                       DisplacementField& field, const Progress& progress) {
+  EngineOutcome outcome;
   const int before = system_.factorizations();
   const double scale = handle_scale(problem);
-  sparse_ = problem.sparse;
+  seeks_support_ = problem.seeks_support;
   NewtonOptions exact = options;
   set_out(problem);
-  if (!sparse_) {
+  if (!seeks_support_) {
     working_.resize(at(model_.vertex_count()));
     std::iota(working_.begin(), working_.end(), 0);
   }
-  double smoothing = sparse_ ? kFirst * scale : kLast * scale;
+  double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
   shift_ = 0.0;
   lay_open(problem, field);
@@ -97,15 +97,20 @@ NewtonOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     return outcome;
   }
   for (int run = 0; run < kMostRuns && work < kMostWork; ++run) {
-    const bool last = !sparse_ || smoothing <= kLast * scale;
+    const bool last = !seeks_support_ || smoothing <= kLast * scale;
     exact.stationary = last ? kStationary : kFollowed;
-    exact.penalty = sparse_ ? std::max(options.penalty, kPenalty / smoothing) : options.penalty;
+    exact.penalty =
+        seeks_support_ ? std::max(options.penalty, kPenalty / smoothing) : options.penalty;
     const int first = outcome.steps;
     const bool done = settle_at(smoothing, exact, outcome);
     work += static_cast<double>((outcome.steps - first) * patch_.free_count);
     field.store(patch_, state_);
     outcome.objective = system_.energy(state_.displacement, 0.0);
-    if (interrupted && interrupted({outcome.objective, 0.0, largest_move_, smoothing})) {
+    const IterationRecord record{.objective = outcome.objective,
+                                 .primal_residual = violation(),
+                                 .step = largest_move_,
+                                 .smoothing = smoothing};
+    if (progress && progress(record) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
       break;
     }
@@ -144,7 +149,7 @@ void WorkingSetNewton::keep_support(double smoothing) {
   support_.clear();
   for (int k = 0; k < patch_.free_count; ++k) {
     const VertexTerm& term = patch_.terms[at(k)];
-    const bool rests = sparse_ && !term.handle && term.norm_weight > 0.0 &&
+    const bool rests = seeks_support_ && !term.handle && term.norm_weight > 0.0 &&
                        state_.displacement.col(k).norm() <= kAtRest * smoothing;
     if (rests) {
       state_.displacement.col(k).setZero();

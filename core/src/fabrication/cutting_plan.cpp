@@ -61,8 +61,7 @@ std::optional<double> metres_in(const std::string& unit) {
   return std::nullopt;
 }
 
-std::optional<std::string> find_problem(const CuttingOptions& options, const Mesh& mesh,
-                                        bool has_base) {
+Refusal find_problem(const CuttingOptions& options, const Mesh& mesh, bool has_base) {
   if (!metres_in(options.model_unit)) return "model_unit must be mm, cm, m, km, in or ft";
   if (!metres_in(options.unit)) return "unit must be mm, cm, m, km, in or ft";
   if (!is_length(options.gap)) return "gap must be at least 0";

@@ -96,7 +96,7 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 std::variant<tinygltf::Model, std::string> load_glb_model(std::string_view bytes) {
-  if (std::optional<std::string> refusal = refuse_size(bytes)) return *refusal;
+  if (Refusal refusal = refuse_size(bytes)) return *refusal;
   if (std::string problem = refuse_container(bytes); !problem.empty()) return problem;
   const std::string_view json = bytes.substr(kHeader + kChunkHeader, word_at(bytes, kHeader));
   constexpr int kDeepest = 64;

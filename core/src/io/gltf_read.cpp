@@ -28,11 +28,6 @@ struct Piece {
   std::optional<std::vector<int>> sizes;
 };
 
-/// Thrown inside this file only; read_glb_design() turns it into a ReadError.
-struct Refusal {
-  std::string message;
-};
-
 /// The bytes of an accessor: element k starts at data + k · stride.
 struct ElementView {
   const unsigned char* data = nullptr;
@@ -42,8 +37,8 @@ struct ElementView {
 template <class T>
 const T& element_of(const std::vector<T>& items, int index, const char* what) {
   if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
-    throw Refusal{std::string("the GLB file refers to ") + what + " " + std::to_string(index) +
-                  ", which it does not have"};
+    throw ReadError{std::string("the GLB file refers to ") + what + " " + std::to_string(index) +
+                    ", which it does not have"};
   }
   return items[static_cast<std::size_t>(index)];
 }
@@ -53,7 +48,7 @@ const T& element_of(const std::vector<T>& items, int index, const char* what) {
 ElementView view_of(const tinygltf::Model& model, int index, std::uint64_t element_size) {
   const tinygltf::Accessor& accessor = element_of(model.accessors, index, "accessor");
   const std::string name = "accessor " + std::to_string(index);
-  if (accessor.sparse.isSparse) throw Refusal{name + " is sparse, which is not supported here"};
+  if (accessor.sparse.isSparse) throw ReadError{name + " is sparse, which is not supported here"};
   const auto& view = element_of(model.bufferViews, accessor.bufferView, "buffer view");
   const auto& buffer = element_of(model.buffers, view.buffer, "buffer");
   const std::uint64_t size = buffer.data.size(), start = view.byteOffset, length = view.byteLength;
@@ -63,7 +58,7 @@ ElementView view_of(const tinygltf::Model& model, int index, std::uint64_t eleme
   const bool fits = view_fits && count >= 1 && stride >= element_size && count <= size &&
                     stride <= size && element_size <= length - offset &&
                     (count - 1) * stride <= length - offset - element_size;
-  if (!fits) throw Refusal{name + " reaches outside of the file's data"};
+  if (!fits) throw ReadError{name + " reaches outside of the file's data"};
   return {buffer.data.data() + start + offset, static_cast<std::size_t>(stride),
           static_cast<std::size_t>(count)};
 }
@@ -72,7 +67,7 @@ Positions read_points(const tinygltf::Model& model, int index) {
   const tinygltf::Accessor& accessor = element_of(model.accessors, index, "accessor");
   if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
       accessor.type != TINYGLTF_TYPE_VEC3) {
-    throw Refusal{"accessor " + std::to_string(index) + " should hold points of 3 floats"};
+    throw ReadError{"accessor " + std::to_string(index) + " should hold points of 3 floats"};
   }
   const ElementView view = view_of(model, index, 3 * sizeof(float));
   Positions points(3, static_cast<Eigen::Index>(view.count));
@@ -91,7 +86,7 @@ std::size_t index_size(int component) {
   if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return 1;
   if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return 2;
   if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return 4;
-  throw Refusal{"a list of indices has a type that glTF does not allow"};
+  throw ReadError{"a list of indices has a type that glTF does not allow"};
 }
 
 std::vector<int> read_indices(const tinygltf::Model& model, int index, Eigen::Index vertex_count) {
@@ -108,15 +103,15 @@ std::vector<int> read_indices(const tinygltf::Model& model, int index, Eigen::In
       std::uint32_t value = 0;
       std::memcpy(&value, view.data + k * view.stride, size);
       if (value >= static_cast<std::uint64_t>(vertex_count)) {
-        throw Refusal{"triangle " + std::to_string(k / 3) + " uses vertex " +
-                      std::to_string(value) + ", but the mesh has " +
-                      count_text(static_cast<std::size_t>(vertex_count), "vertex", "vertices")};
+        throw ReadError{"triangle " + std::to_string(k / 3) + " uses vertex " +
+                        std::to_string(value) + ", but the mesh has " +
+                        count_text(static_cast<std::size_t>(vertex_count), "vertex", "vertices")};
       }
       indices.push_back(static_cast<int>(value));
     }
   }
   if (indices.size() % 3 != 0)
-    throw Refusal{"the number of triangle corners is not a multiple of 3"};
+    throw ReadError{"the number of triangle corners is not a multiple of 3"};
   return indices;
 }
 
@@ -170,7 +165,7 @@ class Allowance {
   explicit Allowance(std::size_t count) : left_(count) {}
 
   void take(std::size_t count) {
-    if (count > left_) throw Refusal{"the GLB file repeats its meshes too often"};
+    if (count > left_) throw ReadError{"the GLB file repeats its meshes too often"};
     left_ -= count;
   }
 
@@ -184,7 +179,7 @@ void append_pieces(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
         primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
-      throw Refusal{"the GLB file holds triangle strips; save it with single triangles"};
+      throw ReadError{"the GLB file holds triangle strips; save it with single triangles"};
     }
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES) continue;
     const auto position = primitive.attributes.find("POSITION");
@@ -206,7 +201,7 @@ std::vector<Piece> collect_pieces(const tinygltf::Model& model, std::size_t byte
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
       waiting.emplace_back(*node, matrix);
   };
-  if (model.scenes.empty()) throw Refusal{"the GLB file holds no scene"};
+  if (model.scenes.empty()) throw ReadError{"the GLB file holds no scene"};
   const auto& scene = element_of(model.scenes, std::max(model.defaultScene, 0), "scene");
   push(scene.nodes, Eigen::Matrix4d::Identity());
   std::vector<char> entered(model.nodes.size(), 0);
@@ -223,7 +218,7 @@ std::vector<Piece> collect_pieces(const tinygltf::Model& model, std::size_t byte
     }
     push(node.children, matrix);
   }
-  if (pieces.empty()) throw Refusal{"the GLB file holds no triangles"};
+  if (pieces.empty()) throw ReadError{"the GLB file holds no triangles"};
   return pieces;
 }
 
@@ -267,7 +262,7 @@ FaceList panels_of(const Piece& piece, std::vector<std::string>& warnings) {
         "triangles, so their order may have changed");
     return *faces;
   }
-  throw Refusal{
+  throw ReadError{
       "another program changed the triangles, and the panels cannot be recovered from them"};
 }
 
@@ -370,8 +365,8 @@ std::variant<GlbFile, ReadError> read_glb_design(std::string_view bytes) {
     glb.file.warnings.insert(glb.file.warnings.end(), file.warnings.begin(), file.warnings.end());
     check_base(glb);
     return glb;
-  } catch (const Refusal& refusal) {
-    return ReadError{refusal.message};
+  } catch (const ReadError& error) {  // thrown inside this file only
+    return error;
   }
 }
 

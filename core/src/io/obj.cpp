@@ -125,7 +125,7 @@ std::string one_line(std::string_view name) {
 }  // namespace
 
 ReadResult read_obj(std::string_view bytes) {
-  if (std::optional<std::string> refusal = refuse_as_text(bytes)) return ReadError{*refusal};
+  if (Refusal refusal = refuse_as_text(bytes)) return ReadError{*refusal};
   if (bytes.empty()) return ReadError{"the file is empty"};
   ObjDraft draft;
   TextLines line(bytes, TextLines::Continuation::kBackslash);

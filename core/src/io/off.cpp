@@ -125,7 +125,7 @@ bool counts_from_one(const Mesh& mesh) {
 }  // namespace
 
 ReadResult read_off(std::string_view bytes) {
-  if (std::optional<std::string> refusal = refuse_as_text(bytes)) return ReadError{*refusal};
+  if (Refusal refusal = refuse_as_text(bytes)) return ReadError{*refusal};
   OffDraft draft;
   TextLines line(bytes);
   for (const auto step : {read_header, read_vertices, read_faces}) {

@@ -254,7 +254,7 @@ void append_binary_body(const Mesh& mesh, PlyEncoding encoding, bool small_faces
 }  // namespace
 
 ReadResult read_ply(std::string_view bytes) {
-  if (std::optional<std::string> refusal = refuse_size(bytes)) return ReadError{*refusal};
+  if (Refusal refusal = refuse_size(bytes)) return ReadError{*refusal};
   const auto header_or_problem = read_ply_header(bytes);
   if (const auto* problem = std::get_if<std::string>(&header_or_problem)) {
     return ReadError{*problem};

@@ -75,15 +75,15 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::optional<std::string> refuse_size(std::string_view bytes) {
+Refusal refuse_size(std::string_view bytes) {
   if (bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return std::nullopt;
   }
   return "the file is larger than 2 GiB";
 }
 
-std::optional<std::string> refuse_as_text(std::string_view bytes) {
-  if (std::optional<std::string> refusal = refuse_size(bytes)) return refusal;
+Refusal refuse_as_text(std::string_view bytes) {
+  if (Refusal refusal = refuse_size(bytes)) return refusal;
   int line = 1;
   for (const char c : bytes) {
     if (c == '\n') ++line;

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "planish/refusal.hpp"
+
 namespace planish {
 
 /// The lines of `bytes`, ended by LF, CR LF or CR; a byte order mark at the start is skipped.
@@ -46,9 +48,9 @@ class TextLines {
 
 /// A sentence if `bytes` hold a control character that no text has, naming its line; also if they
 /// are more than the 2 GiB that 32-bit counts can index.
-[[nodiscard]] std::optional<std::string> refuse_as_text(std::string_view bytes);
+[[nodiscard]] Refusal refuse_as_text(std::string_view bytes);
 
 /// The same limit for binary formats.
-[[nodiscard]] std::optional<std::string> refuse_size(std::string_view bytes);
+[[nodiscard]] Refusal refuse_size(std::string_view bytes);
 
 }  // namespace planish

@@ -209,7 +209,7 @@ std::optional<OffsetKind> offset_kind(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<std::string> find_problem(const OffsetOptions& options) {
+Refusal find_problem(const OffsetOptions& options) {
   if (!(std::abs(options.distance) <= kLargestCoordinate)) {
     return "distance must be a number from -1e100 to 1e100";
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planish/constraints/kept_kinds.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 
@@ -19,8 +20,7 @@ struct KeptConstraint {
 };
 
 /// The first rule that `constraints` break, naming the kind; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(
-    const std::vector<KeptConstraint>& constraints);
+[[nodiscard]] Refusal find_problem(const std::vector<KeptConstraint>& constraints);
 
 /// Planarity to `tolerance` (mm/m) and `constraints`, which break no rule.
 [[nodiscard]] KeptKinds kept_kinds(double tolerance,

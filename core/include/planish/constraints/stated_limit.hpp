@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/refusal.hpp"
+
 namespace planish {
 
 /// One limit. It is relative to the base: what exceeds it there may not get worse, and blocks
@@ -19,7 +21,7 @@ struct StatedLimit {
 };
 
 /// The first rule that `limits` break, naming the limit; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const std::vector<StatedLimit>& limits);
+[[nodiscard]] Refusal find_problem(const std::vector<StatedLimit>& limits);
 
 /// "fold=MAX", "fold=+MAX", "angle=MIN:MAX", "edge=MIN:MAX", "area=MAX" or "sheet=WxH".
 /// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s

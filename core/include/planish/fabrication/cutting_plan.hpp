@@ -11,6 +11,7 @@
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/mesh.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 
@@ -29,8 +30,7 @@ struct CuttingOptions {
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
 /// @param has_base whether there is a mesh to compare with
-[[nodiscard]] std::optional<std::string> find_problem(const CuttingOptions& options,
-                                                      const Mesh& mesh, bool has_base);
+[[nodiscard]] Refusal find_problem(const CuttingOptions& options, const Mesh& mesh, bool has_base);
 
 /// Metres in one `unit`; nullopt for another word.
 [[nodiscard]] std::optional<double> metres_in(const std::string& unit);

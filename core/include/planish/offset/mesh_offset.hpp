@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "planish/mesh.hpp"
+#include "planish/refusal.hpp"
 
 namespace planish {
 
@@ -33,7 +34,7 @@ struct OffsetOptions {
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
-[[nodiscard]] std::optional<std::string> find_problem(const OffsetOptions& options);
+[[nodiscard]] Refusal find_problem(const OffsetOptions& options);
 
 /// Smallest, mean and largest.
 struct Spread {
