@@ -12,6 +12,7 @@ processor time of one thread, so that a busy machine does not count; ratios are 
 import argparse
 import json
 import math
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -33,9 +34,10 @@ def cpu_model():
     return " ".join(name.split()) or "unknown cpu"
 
 
-def run(binary):
+def run(binary, *options):
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     text = subprocess.run(
-        [binary, "--benchmark_format=json"], check=True, capture_output=True, text=True
+        [binary, "--benchmark_format=json", *options], check=True, capture_output=True, text=True, env=environment
     ).stdout
     return json.loads(text)
 
@@ -148,6 +150,46 @@ def certificates_part():
             f"stationarity and the bound outside hold to 1e-4 in {check['met']} of those. Not in: {missed}."]
 
 
+SOLVERS = {"planish": "block Cholesky", "simplicial": "Eigen SimplicialLLT",
+           "cholmod_simplicial": "CHOLMOD simplicial", "cholmod_supernodal": "CHOLMOD supernodal"}
+
+
+def cholesky(raw, machine):
+    """Medians in ms of the benchmarks Cholesky/<sample>/<rings>/<solver>/<step>."""
+    patches = {}
+    for item in raw["benchmarks"]:
+        if item.get("error_occurred"):
+            raise SystemExit(f"{item['name']}: {item['error_message']}")
+        if item.get("aggregate_name") != "median":
+            continue
+        _, sample, rings, solver, step = item["run_name"].split("/")
+        patch = patches.setdefault(f"{sample}, {rings} rings", {"vertices": int(item["vertices"]), "ms": {}})
+        patch["ms"].setdefault(solver, {})[step] = item["cpu_time"]
+    return {"processor": machine, "date": raw["context"]["date"][:10], "patches": patches}
+
+
+def cholesky_part():
+    """What --cholesky left."""
+    measured = kept("cholesky")
+    if measured is None:
+        return []
+    others = [name for name in SOLVERS if name != "planish"]
+    rows = []
+    for name, patch in measured["patches"].items():
+        ours = patch["ms"]["planish"]
+        cells = [name, str(patch["vertices"])]
+        for step in ("analyze", "factorize", "solve"):
+            ratios = (f"{patch['ms'][o][step] / ours[step]:.1f}" if o in patch["ms"] else "–" for o in others)
+            cells += [number(ours[step]), " / ".join(ratios)]
+        rows.append(cells)
+    return ["## Factoring a patch",
+            f"The matrix of a Newton step on patches of {len(rows)} sizes, {measured['processor']}, {measured['date']}: "
+            f"our block Cholesky, in ms, and how many times as long {', '.join(SOLVERS[o] for o in others)} take "
+            "(with one thread of OpenBLAS). Factoring includes writing the values; every solver's backward error is "
+            "checked. [Decision 19](decisions/0019-block-cholesky.md) says what follows.",
+            table(["patch", "vertices", "analyse", "others", "factor", "others", "solve", "others"], rows)]
+
+
 def markdown(data):
     results = data["results"]
 
@@ -248,7 +290,7 @@ def markdown(data):
             [[number(get("SubspaceOfSix/32")), number(get("SliderTick/316"))]],
         ),
         "![Cost against mesh size and against edit size](benchmarks.svg)\n",
-        *(part.rstrip("\n") + "\n" for part in survey_part() + certificates_part()),
+        *(part.rstrip("\n") + "\n" for part in cholesky_part() + survey_part() + certificates_part()),
     ]
     return "\n".join(parts)
 
@@ -335,11 +377,17 @@ def main():
     parser.add_argument("--binary", default=str(ROOT / "build/native/tests/bench/planish_bench"))
     parser.add_argument("--from", dest="source", help="raw Google Benchmark JSON instead of a run")
     parser.add_argument("--kept", action="store_true", help="the figures that are committed, without a run")
+    parser.add_argument("--cholesky", action="store_true", help="measures the factorizations alone")
     arguments = parser.parse_args()
     machine = cpu_model()
     folder = ROOT / "docs/benchmarks"
     slug = re.sub(r"[^a-z0-9]+", "-", machine.lower()).strip("-")
-    if arguments.kept:
+    if arguments.cholesky:
+        raw = run(arguments.binary, "--benchmark_filter=Cholesky", "--benchmark_repetitions=9",
+                  "--benchmark_min_time=0.03", "--benchmark_report_aggregates_only=true")
+        text = json.dumps(cholesky(raw, machine), indent=1) + "\n"
+        (folder / "cholesky.json").write_text(text, encoding="utf-8")
+    if arguments.kept or arguments.cholesky:
         runs = [json.loads(path.read_text(encoding="utf-8")) for path in folder.glob("*.json")]
         data = max((r for r in runs if "machine" in r), key=lambda r: r["context"]["date"])
         (ROOT / "docs/benchmarks.md").write_text(markdown(data), encoding="utf-8")
@@ -347,7 +395,7 @@ def main():
     if arguments.source:
         raw = json.loads(Path(arguments.source).read_text(encoding="utf-8"))
     else:
-        raw = run(arguments.binary)
+        raw = run(arguments.binary, "--benchmark_filter=-Cholesky")
     data = compact(raw, machine)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / f"{slug}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
