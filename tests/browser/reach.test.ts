@@ -180,6 +180,41 @@ it("raw weights are the command line's, in Advanced; Softness takes over again",
   await page.context().close();
 });
 
+/** Millimetres that panels allow, and that were asked for, of the note that says so. */
+async function allowed(page: Page): Promise<readonly number[]> {
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  const [, got, asked] = /allow (\d+) of (\d+) mm/.exec((await why.textContent()) ?? "") ?? [];
+  return [Number(got), Number(asked)];
+}
+
+it("where a drag stops, one press each goes on towards the same target", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 140 });
+  await page.getByText(/^Held back: /).waitFor();
+  await expect.poll(() => page.locator(".pull.open").count()).toBe(1);
+  await page.mouse.up();
+  await idle(page);
+  const [got, asked] = await allowed(page);
+  expect(got).toBeLessThan(0.8 * (asked ?? Number.NaN));
+  let before = got ?? Number.NaN;
+  for (const way of ["Reach 9 panels", "Softer"]) {
+    await page.getByRole("button", { name: way, exact: true }).click();
+    await idle(page);
+    const [now, same] = await allowed(page);
+    expect(same).toBe(asked);
+    expect(now, way).toBeGreaterThan(before);
+    before = now ?? Number.NaN;
+  }
+  await page.getByRole("button", { name: "Meet it exactly" }).click();
+  await idle(page);
+  expect(await page.getByText(/^Panels allow/).count()).toBe(0);
+  await expect.poll(() => page.locator(".pull.open").count()).toBe(0);
+  const [there] = await handleRows(page);
+  expect(there?.target[2]).toBeGreaterThan(9.5);
+  await page.context().close();
+});
+
 it("a long drag is held back before panels fold sharply; Shift goes through", async () => {
   const page = await site.open();
   const at = await hintedPoint(page);

@@ -41,7 +41,7 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
       targets: { handles: [VERTEX, ...target], pins: [] },
       settings: FIRST_SETTINGS,
       budget: 10,
-      limit: { degrees: LIMIT, from },
+      limit: { degrees: LIMIT, short: Number.POSITIVE_INFINITY, from },
     });
     if (frame?.kind !== "shown") throw new Error(`frame ${k} was refused`);
     const { sharpestFold, maxDisplacement } = frame.report;

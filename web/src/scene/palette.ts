@@ -7,6 +7,8 @@ export interface Palette {
   readonly ghost: string;
   /** The outline of the selected panel: at least 3 : 1 on a panel. */
   readonly selected: string;
+  /** The outline of panels at a limit. */
+  readonly limit: string;
   readonly sky: string;
   readonly ground: string;
   readonly shadow: number;
@@ -22,6 +24,7 @@ export const LIGHT: Palette = {
   edge: "#14120E",
   ghost: "#2456D6",
   selected: "#2456D6",
+  limit: "#E8590C",
   sky: "#FFFFFF",
   ground: "#D9D2C3",
   shadow: 0.16,
@@ -35,6 +38,7 @@ export const DARK: Palette = {
   edge: "#08090A",
   ghost: "#7EA2FF",
   selected: "#1D3FA8",
+  limit: "#8A1C00",
   sky: "#DCE3EA",
   ground: "#33363B",
   shadow: 0.45,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line around the selected panel.
+// The line around panels: the one that is selected, those at a limit.
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -17,22 +17,20 @@ export class PanelOutline {
     this.object.renderOrder = 1;
   }
 
-  /** `corners`: x, y, z of each corner in order. */
-  draw(corners: Float32Array): void {
-    const count = corners.length / 3;
-    const lines = new Float32Array(2 * corners.length);
-    for (let k = 0; k < count; ++k) {
-      const next = (k + 1) % count;
-      lines.set(corners.subarray(3 * k, 3 * k + 3), 6 * k);
-      lines.set(corners.subarray(3 * next, 3 * next + 3), 6 * k + 3);
+  /** Of each panel: x, y, z of each corner in order. */
+  draw(panels: readonly Float32Array[]): void {
+    const lines = new Float32Array(panels.reduce((sum, corners) => sum + 2 * corners.length, 0));
+    let at = 0;
+    for (const corners of panels) {
+      for (let k = 0; k < corners.length; k += 3, at += 6) {
+        const next = (k + 3) % corners.length;
+        lines.set(corners.subarray(k, k + 3), at);
+        lines.set(corners.subarray(next, next + 3), at + 3);
+      }
     }
     this.object.geometry.dispose();
     this.object.geometry = new LineSegmentsGeometry().setPositions(lines);
-    this.object.visible = true;
-  }
-
-  clear(): void {
-    this.object.visible = false;
+    this.object.visible = lines.length > 0;
   }
 
   setColour(colour: string): void {

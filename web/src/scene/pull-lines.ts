@@ -8,6 +8,8 @@ export interface Pull {
   readonly vertex: number;
   /** Display coordinates. */
   readonly to: Point;
+  /** The handle stopped on the way there. */
+  readonly open: boolean;
 }
 
 /** More lines than this would hide the model. */
@@ -31,6 +33,8 @@ export class PullLines {
   set(pulls: readonly Pull[]): void {
     this.#pulls = pulls.slice(0, LIMIT);
     this.#lines.resize(this.#pulls.length);
+    for (const [k, { open }] of this.#pulls.entries())
+      this.#lines.at(k)?.classList.toggle("open", open);
   }
 
   /** `base`: display coordinates of all points before the edit. */

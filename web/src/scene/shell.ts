@@ -26,6 +26,8 @@ import { PanelOutline } from "./panel-outline.ts";
 
 /** Triangles above which a mesh is shown before its shadow, which takes as long again. */
 const LATE_SHADOW = 400_000;
+/** More outlines than this would hide the model. */
+const MARKED = 400;
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.08;
 
@@ -46,6 +48,7 @@ export class Shell {
   /** Display units. */
   readonly #meanEdge: number;
   readonly #outline = new PanelOutline();
+  readonly #limits = new PanelOutline();
   readonly #ghost: Ghost;
   readonly #dirtyCorners = new DirtyRange();
   readonly #dirtyTriangles = new DirtyRange();
@@ -54,6 +57,7 @@ export class Shell {
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
   #outlined: number | null = null;
+  #atLimit: readonly number[] = [];
   /** Display units: the displacement at the ramp's end is at least this. */
   #scale = 0;
 
@@ -70,7 +74,8 @@ export class Shell {
     this.#edges = makeEdgeLines(mesh.topology, mesh.display, 1.1);
     this.#meanEdge = meanEdge(mesh.topology, mesh.display);
     this.#ghost = new Ghost(this.base);
-    this.group.add(this.#panels, this.#edges.object, this.#ghost.object, this.#outline.object);
+    const lines = [this.#edges, this.#ghost, this.#limits, this.#outline];
+    this.group.add(this.#panels, ...lines.map(({ object }) => object));
     this.setPalette(palette);
   }
 
@@ -113,6 +118,7 @@ export class Shell {
     this.#edges.setColour(palette.edge);
     this.#ghost.setColour(palette.ghost);
     this.#outline.setColour(palette.selected);
+    this.#limits.setColour(palette.limit);
     this.#colourAll();
   }
 
@@ -131,6 +137,7 @@ export class Shell {
     this.#uploadPositions();
     this.#drawGhost();
     if (this.#outlined !== null) this.outlinePanel(this.#outlined);
+    if (this.#atLimit.length > 0) this.markLimits(this.#atLimit);
   }
 
   /** Gives several structures one scale of displacement, display units. */
@@ -152,15 +159,21 @@ export class Shell {
   /** Draws a line around one panel and gives its corners; null for none. */
   outlinePanel(panel: number | null): Float32Array | null {
     this.#outlined = panel;
-    const begin = panel === null ? 0 : (this.offsets[panel] ?? 0);
-    const end = panel === null ? 0 : (this.offsets[panel + 1] ?? 0);
-    if (end <= begin) {
-      this.#outline.clear();
-      return null;
-    }
-    const corners = this.corners.slice(3 * begin, 3 * end);
-    this.#outline.draw(corners);
+    const corners = panel === null ? null : this.#cornersOf(panel);
+    this.#outline.draw(corners ? [corners] : []);
     return corners;
+  }
+
+  /** Draws a line around panels that let an edit go no further. */
+  markLimits(panels: readonly number[]): void {
+    if (panels.length === 0 && this.#atLimit.length === 0) return;
+    this.#atLimit = panels;
+    this.#limits.draw(panels.slice(0, MARKED).flatMap((panel) => this.#cornersOf(panel) ?? []));
+  }
+
+  #cornersOf(panel: number): Float32Array | null {
+    const [begin, end] = [this.offsets[panel] ?? 0, this.offsets[panel + 1] ?? 0];
+    return end > begin ? this.corners.slice(3 * begin, 3 * end) : null;
   }
 
   showBase(on: boolean): void {
@@ -172,6 +185,7 @@ export class Shell {
   setSize(width: number, height: number): void {
     this.#edges.setSize(width, height);
     this.#outline.setSize(width, height);
+    this.#limits.setSize(width, height);
   }
 
   /** `pixel`: what one spans, display units. */
@@ -193,6 +207,7 @@ export class Shell {
     this.#panels.material.dispose();
     this.#edges.dispose();
     this.#outline.dispose();
+    this.#limits.dispose();
     this.#ghost.dispose();
   }
 

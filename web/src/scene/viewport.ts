@@ -17,6 +17,7 @@ import {
   visit,
 } from "../state/selection.ts";
 import { sensibleVertex } from "../state/sensible-vertex.ts";
+import { settled, shortfalls } from "../state/shortfall.ts";
 import {
   baseFlat,
   bending,
@@ -43,6 +44,7 @@ import {
   snapping,
   visited,
 } from "../state/store.ts";
+import { beyond, panelsAtLimit } from "../state/wanted.ts";
 import type { Subject } from "./clearance.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
@@ -372,9 +374,15 @@ export class Viewport {
     return [at(0), at(1), at(2)];
   }
 
+  /** To where the handles were asked to go; those that stop on the way leave their target open. */
   #pulls(): Pull[] {
-    const pulled = handles.value.filter(({ pinned }) => !pinned);
-    return pulled.map(({ vertex, target }) => ({ vertex, to: this.#toDisplay(target) }));
+    const held = beyond.value;
+    const short = new Set(shortfalls.value.flatMap((s) => (s.noticeable ? [s.vertex] : [])));
+    const asked = (held?.handles ?? handles.value).filter(({ pinned }) => !pinned);
+    return asked.map(({ vertex, target }) => {
+      const open = held !== null || (settled.value && short.has(vertex));
+      return { vertex, to: this.#toDisplay(target), open };
+    });
   }
 
   #follow(): void {
@@ -403,6 +411,10 @@ export class Viewport {
         end: () => void commitSettings({ reach: settings.value?.reach ?? 0, reachLength: 0 }),
       }),
       effect(() => this.#outline(selectedPanel.value)),
+      effect(() => {
+        this.#shell?.markLimits(panelsAtLimit.value);
+        this.stage.invalidate();
+      }),
       effect(() => {
         this.#shell?.showBase(showBefore.value);
         this.#overlay.showPulls(!showBefore.value);

@@ -3,9 +3,7 @@
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { DesignAnalysis } from "./analysis.ts";
-import { FoldHold, type HandleList } from "./fold-limit.ts";
 import { openGlb, writeGlb } from "./glb.ts";
-import { LimitedFrames } from "./limited-frames.ts";
 import type {
   AlsoMeasured,
   BoundarySupport,
@@ -17,11 +15,11 @@ import type {
   Reply,
   Request,
   Shape,
-  ShapeReport,
   Source,
   StoredDesign,
   Targets,
 } from "./protocol.ts";
+import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
 import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
 import { writePackage } from "./shop.ts";
 
@@ -103,14 +101,8 @@ const SUPPORTS: Readonly<Record<BoundarySupport, string>> = {
   outline: "outline:boundary",
 };
 
-/** That a drag may wait for the limit on folds. */
+/** That a drag may wait for its limit. */
 const SEARCH_MS = 2000;
-
-/** Degrees by which an edit sharpened the sharpest fold; one that found no way to move has no fold to tell. */
-function growthOf({ status, movedVertices, sharpestFold }: ShapeReport): number {
-  if (status === "iteration_limit" && movedVertices === 0) return Number.POSITIVE_INFINITY;
-  return sharpestFold ? sharpestFold.after - sharpestFold.before : 0;
-}
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
@@ -120,8 +112,7 @@ export class Dispatcher {
   readonly #session: Session;
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
-  #hold = new FoldHold();
-  #frames = new LimitedFrames();
+  #hold = new PullHold();
   #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
@@ -256,33 +247,22 @@ export class Dispatcher {
       const to = Float64Array.from(handles);
       insist(session.edit(this.#module.EditMode[how], to, pins, steps, budget));
     };
-    if (mode !== "drag") this.#frames = new LimitedFrames();
     if (!limit) {
-      this.#hold = new FoldHold();
+      this.#hold = new PullHold();
       attempt(targets.handles, mode);
-      if (mode === "drag" && settings.limits.length > 0) this.#postFrame(job, targets);
-      else this.#postShown(job, mode !== "drag");
+      this.#postShown(job, mode !== "drag");
       return;
     }
-    if (mode !== "drag") this.#hold = new FoldHold();
-    const once = (handles: HandleList, settled: boolean): number => {
+    if (mode !== "drag") this.#hold = new PullHold();
+    const once = (handles: HandleList, settled: boolean): boolean => {
       if (settled && mode === "drag") session.goBack();
       attempt(handles, settled && mode !== "drag" ? "solve" : mode);
-      return growthOf(session.shapeReport());
+      return isWithin(limit, session.shapeReport());
     };
     const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
-    const taken = this.#hold.take(limit, targets.handles, once, patience);
+    const taken = this.#hold.take(limit.from, targets.handles, once, patience);
     if (mode === "drag") session.keepFrame();
     this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
-  }
-
-  /** A frame of a drag within stated limits. */
-  #postFrame(job: number, targets: Targets): void {
-    const session = this.#session;
-    const shape = { moved: session.moved(), positions: session.movedPositions() };
-    const kept = this.#frames.instead({ report: session.shapeReport(), shape });
-    if (kept) insist(this.#show(targets, kept.shape, false));
-    this.#postShown(job, false, null, kept?.report);
   }
 
   /** Options that stay the same keep the solver's warm start; each message is a copy. */
@@ -298,8 +278,7 @@ export class Dispatcher {
   }
 
   #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
-    this.#hold = new FoldHold();
-    this.#frames = new LimitedFrames();
+    this.#hold = new PullHold();
     this.#setOptions(settings);
     return this.#show(targets, shape, keep);
   }
@@ -339,15 +318,10 @@ export class Dispatcher {
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(
-    job: number,
-    withShape: boolean,
-    taken: HandleList | null = null,
-    told?: ShapeReport,
-  ): void {
+  #postShown(job: number, withShape: boolean, taken: HandleList | null = null): void {
     const session = this.#session;
     const changes = session.takeChanges();
-    const report = told ?? session.shapeReport();
+    const report = session.shapeReport();
     const shape = withShape
       ? { moved: session.moved(), positions: session.movedPositions() }
       : null;

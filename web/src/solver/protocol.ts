@@ -7,7 +7,7 @@ import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport } from "@wasm/planish_analysis.mjs";
 import type { CuttingOptions } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
-import type { FoldLimit, HandleList } from "./fold-limit.ts";
+import type { HandleList, PullLimit } from "./pull-limit.ts";
 
 export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
 export type { FreedomReport } from "@wasm/planish_analysis.mjs";
@@ -104,8 +104,8 @@ export type Request =
       targets: Targets;
       settings: EditSettings;
       budget: number;
-      /** Takes the handles back where panels would fold too sharply; null: never. */
-      limit: FoldLimit | null;
+      /** Takes the handles back to where the edit is within it; null: never. */
+      limit: PullLimit | null;
     } // → shown
   /** `keep`: the design is one of the family that was found last, or its centre. */
   | {

@@ -64,8 +64,8 @@ export function keepFreedom(): () => void {
     const design = history.value?.present;
     measurable.value;
     if (!design || !ready.value) return;
-    const base = mesh.peek()?.positions;
-    const short = base !== undefined && stopsShort(design, base);
+    const opened = mesh.peek();
+    const short = opened !== null && stopsShort(design, opened.positions, opened.report.meanEdge);
     if (!short && !watchFreedom.value) {
       freedom.value = null;
       return;

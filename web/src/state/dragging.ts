@@ -2,7 +2,8 @@
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import type { Question } from "../solver/client.ts";
-import type { FoldLimit, HandleList } from "../solver/fold-limit.ts";
+import type { EditSettings } from "../solver/protocol.ts";
+import type { HandleList, PullLimit } from "../solver/pull-limit.ts";
 import { client, frame } from "./connection.ts";
 import {
   DEFAULT_SETTINGS,
@@ -23,7 +24,9 @@ import {
   setPinned,
   shownPoint,
 } from "./editing.ts";
+import { formatDegrees } from "./fold.ts";
 import { showPresent } from "./showing.ts";
+import { NOTICEABLE } from "./stopping-short.ts";
 import {
   baseFlat,
   draft,
@@ -39,6 +42,7 @@ import {
   selection,
 } from "./store.ts";
 import { inTurn } from "./turns.ts";
+import { wanted } from "./wanted.ts";
 
 /** Where a drag of a point starts: at its target, unless a variation has taken the point away from
  * it; without a target where it is. */
@@ -73,18 +77,38 @@ const END_ON = "This direction points at you: turn the view, or type the coordin
 /** Degrees by which a drag may sharpen the sharpest fold. */
 const FOLD_GROWTH = 10;
 
-const HELD_BACK = `Held back: further, panels would fold more than ${FOLD_GROWTH}° sharper. More reach or softness gets further; Shift goes through.`;
+const HELD = "Held back: ";
+
+/** By its own limit on folds, or by limits that are stated. */
+function heldBack(limit: PullLimit | null): string {
+  const degrees = limit && limit.degrees < Number.POSITIVE_INFINITY ? limit.degrees : null;
+  const stated = (draft.value?.settings.limits.length ?? 0) > 0;
+  if (degrees === null) return `${HELD}further, panels would exceed a limit that you stated.`;
+  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${stated ? ", or exceed a limit that you stated" : ""}. Shift goes through.`;
+}
+
+const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;
+
+/** Whether the drag's own limit on folds acts: not where the raw weights hold, or where one is stated. */
+const ownLimit = ({ softness, limits }: EditSettings): boolean =>
+  softness > 0 && !limits.some((limit) => limit.startsWith("fold="));
 
 /**
- * What holds a drag back: nothing where the raw weights hold, or where a limit on folds is stated,
- * which every frame keeps. One that starts with sharper folds may keep them.
+ * What holds a drag back; null: nothing. One that starts with sharper folds, or with handles further
+ * from their targets, may keep them.
  */
-function foldLimit(grips: readonly Grip[]): FoldLimit | null {
-  const { softness, limits } = draft.value?.settings ?? DEFAULT_SETTINGS;
-  if (softness === 0 || limits.some((limit) => limit.startsWith("fold="))) return null;
-  const { before, after } = figures.value.sharpestFold ?? { before: 0, after: 0 };
-  const from = toTargets(withTargets(grips, [0, 0, 0])).handles;
-  return { degrees: Math.max(FOLD_GROWTH, after - before), from };
+function pullLimit(grips: readonly Grip[]): PullLimit | null {
+  const settings = draft.value?.settings ?? DEFAULT_SETTINGS;
+  const [own, stated] = [ownLimit(settings), settings.limits.length > 0];
+  if (!own && !stated) return null;
+  const { sharpestFold, handleError, maxDisplacement } = figures.value;
+  const { before, after } = sharpestFold ?? { before: 0, after: 0 };
+  const short = maxDisplacement > 0 ? handleError / maxDisplacement : 0;
+  return {
+    degrees: own ? Math.max(FOLD_GROWTH, after - before) : Number.POSITIVE_INFINITY,
+    short: stated ? Math.max(NOTICEABLE, short) : Number.POSITIVE_INFINITY,
+    from: toTargets(withTargets(grips, [0, 0, 0])).handles,
+  };
 }
 
 /** One drag; model units. An offset of exactly 0 along an axis keeps that coordinate's bits. */
@@ -92,15 +116,17 @@ export class Drag {
   readonly #grips: readonly Grip[];
   /** What the drag began with; a lock chosen while it lasts ends with it. */
   readonly #lock = lock.value;
-  readonly #limit: FoldLimit | null;
+  readonly #limit: PullLimit | null;
   #through = false;
   #over = false;
   /** Model units: a pull this long was held back. */
   #furthest = Number.POSITIVE_INFINITY;
+  /** As the last move asked for them; the draft has others where they were held back. */
+  #asked: readonly HandleRow[] = [];
 
   constructor(vertices: readonly number[]) {
     this.#grips = vertices.map((vertex) => ({ vertex, from: askedPoint(vertex) }));
-    this.#limit = foldLimit(this.#grips);
+    this.#limit = pullLimit(this.#grips);
   }
 
   /** `through` the limit on folds. */
@@ -111,10 +137,25 @@ export class Drag {
     if (notice.value === END_ON) notice.value = null;
     this.#through = through;
     const asked = { ...design, handles: withTargets(this.#grips, offset) };
-    void this.#show(asked, editQuestion(asked, "drag", through ? null : this.#limit));
-    const share = through ? 1 : Math.min(1, this.#furthest / Math.hypot(...offset));
+    this.#asked = asked.handles;
+    void this.#show(asked, editQuestion(asked, "drag", this.#limitFor(through)));
+    const share = this.#limitFor(through) ? Math.min(1, this.#furthest / Math.hypot(...offset)) : 1;
     const handles = share < 1 ? withTargets(this.#grips, scale(offset, share)) : asked.handles;
     draft.value = { ...asked, handles };
+    if (share < 1) this.#want(null);
+  }
+
+  /** Nothing goes through what was stated. */
+  #limitFor(through: boolean): PullLimit | null {
+    if (!through || !this.#limit) return this.#limit;
+    const stated = this.#limit.short < Number.POSITIVE_INFINITY;
+    return stated ? { ...this.#limit, degrees: Number.POSITIVE_INFINITY } : null;
+  }
+
+  #want(design: Design | null): void {
+    const degrees = this.#limit?.degrees ?? Number.POSITIVE_INFINITY;
+    const growth = Number.isFinite(degrees) ? degrees : null;
+    wanted.value = { handles: this.#asked, growth, design };
   }
 
   /** The targets go back to where the solver took them. */
@@ -123,9 +164,17 @@ export class Drag {
     if (answer?.kind !== "shown" || this.#over || !draft.value) return;
     const { taken } = answer;
     this.#furthest = taken ? this.#pull(taken) : Number.POSITIVE_INFINITY;
-    if (taken) draft.value = { ...draft.value, handles: withTaken(asked.handles, taken) };
-    if (taken) notice.value = HELD_BACK;
-    else if (notice.value === HELD_BACK) notice.value = null;
+    if (taken) {
+      draft.value = { ...draft.value, handles: withTaken(asked.handles, taken) };
+      this.#want(null);
+    } else this.#letGo();
+    if (taken) notice.value = heldBack(this.#limit);
+    else if (isHeldBack(notice.value)) notice.value = null;
+  }
+
+  /** Nothing holds the pull back. */
+  #letGo(): void {
+    if (wanted.value?.design === null) wanted.value = null;
   }
 
   /** How far the leading point is pulled. */
@@ -150,17 +199,21 @@ export class Drag {
     await inTurn(async () => {
       const design = draft.value;
       if (!design || design === history.value?.present) return;
-      const said = notice.value;
-      await commitEdit(design, "release", null, this.#through ? null : this.#limit);
+      const held = design.handles !== this.#asked;
+      await commitEdit(design, "release", null, this.#limitFor(this.#through));
       const takenBack = !problem.value && draft.value?.handles !== design.handles;
-      if ((said === HELD_BACK && !this.#through) || takenBack) notice.value = HELD_BACK;
+      this.#letGo();
+      if (!held && !takenBack) return;
+      notice.value = heldBack(this.#limit);
+      if (!problem.value) this.#want(history.value?.present ?? null);
     });
   }
 
   /** Escape: the design goes back to where it was. */
   async abandon(): Promise<void> {
     this.#over = true;
-    if (notice.value === HELD_BACK) notice.value = null;
+    if (isHeldBack(notice.value)) notice.value = null;
+    this.#letGo();
     lock.value = this.#lock;
     client.dropStreams();
     await inTurn(showPresent);

@@ -2,8 +2,8 @@
 // Every way to change an edit. Each ends as one step of the history.
 
 import type { Question } from "../solver/client.ts";
-import type { FoldLimit } from "../solver/fold-limit.ts";
 import type { EditMode, EditSettings, ShapeReport } from "../solver/protocol.ts";
+import type { PullLimit } from "../solver/pull-limit.ts";
 import { client, frame, run } from "./connection.ts";
 import {
   type Design,
@@ -38,7 +38,7 @@ export const handleOf = (vertex: number): HandleRow | undefined =>
 export function editQuestion(
   design: Design,
   mode: EditMode,
-  limit: FoldLimit | null = null,
+  limit: PullLimit | null = null,
 ): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0)
@@ -101,7 +101,7 @@ export const commitEdit = (
   next: Design,
   mode: EditMode,
   burst: string | null = null,
-  limit: FoldLimit | null = null,
+  limit: PullLimit | null = null,
 ): Promise<void> =>
   commit({ ...next, variation: null }, editQuestion(next, mode, limit), "computing", burst);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How far the points of the design shown are from where they were asked to go.
 import { computed } from "@preact/signals";
-import { type Design, type HandleRow, leftBehind } from "./design.ts";
-import { shownPoint } from "./editing.ts";
-import { draft, history, unit } from "./store.ts";
+import { type Design, type HandleRow, leftBehind, type Point } from "./design.ts";
+import { basePoint, shownPoint } from "./editing.ts";
+import { isNoticeable } from "./stopping-short.ts";
+import { draft, history, mesh, unit } from "./store.ts";
 import { convert } from "./units.ts";
 
 /** Millimetres: less is not worth a word. */
@@ -13,19 +14,25 @@ export interface Shortfall {
   readonly vertex: number;
   /** Model units. */
   readonly length: number;
+  /** More than a soft handle always is. */
+  readonly noticeable: boolean;
 }
 
-const lengthOf = ({ vertex, target }: HandleRow, design: Design): number => {
-  const at = shownPoint(vertex, design.shape);
-  return Math.hypot(...target.map((x, axis) => x - (at[axis] ?? 0)));
-};
+const between = (a: Point, b: Point): number => Math.hypot(...a.map((x, k) => x - (b[k] ?? 0)));
+
+function shortfallOf({ vertex, target }: HandleRow, design: Design, meanEdge: number): Shortfall {
+  const length = between(target, shownPoint(vertex, design.shape));
+  const noticeable = isNoticeable(length, between(target, basePoint(vertex)), meanEdge);
+  return { vertex, length, noticeable };
+}
 
 /** Of the last finished design; pinned points have no target. */
 export const shortfalls = computed((): readonly Shortfall[] => {
   const design = history.value?.present;
   if (!design) return [];
   const asked = design.handles.filter(({ pinned }) => !pinned);
-  const all = asked.map((row) => ({ vertex: row.vertex, length: lengthOf(row, design) }));
+  const meanEdge = mesh.value?.report.meanEdge ?? 0;
+  const all = asked.map((row) => shortfallOf(row, design, meanEdge));
   return all.filter(({ length }) => convert(length, unit.value, "mm") > SMALLEST);
 });
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Whether a finished edit, not a variation of it, leaves a point noticeably short of where it was asked to go.
+// Whether a point stops noticeably short of where it was asked to go, by an edit, not a variation of it.
 import { type Design, leftBehind } from "./design.ts";
 
-/** Share of the way. Soft handles stop short by a constant that the weights set, about a hundredth
- * of an edge, which is much of a short way. */
-const NOTICEABLE = 0.5;
+/** Share of the way. Soft handles stop short by a hundredth of it, raw weights by a tenth. */
+export const NOTICEABLE = 0.15;
+/** Mean edges: a short way's share is not seen. */
+const SEEN = 0.03;
+
+/** Lengths in model units. */
+export const isNoticeable = (short: number, way: number, meanEdge: number): boolean =>
+  short > NOTICEABLE * way && short > SEEN * meanEdge;
 
 /** `base`: coordinates of all points before the edit. */
-export function stopsShort(design: Design, base: Float64Array): boolean {
+export function stopsShort(design: Design, base: Float64Array, meanEdge: number): boolean {
   if (leftBehind(design)) return false;
   const { handles, report } = design;
   if (report.status === "infeasible_handles") return true;
@@ -16,6 +21,5 @@ export function stopsShort(design: Design, base: Float64Array): boolean {
     .map(({ vertex, target }) =>
       Math.hypot(...target.map((x, axis) => x - (base[3 * vertex + axis] ?? 0))),
     );
-  const longest = Math.max(0, ...ways);
-  return longest > 0 && report.handleError > NOTICEABLE * longest;
+  return isNoticeable(report.handleError, Math.max(0, ...ways), meanEdge);
 }

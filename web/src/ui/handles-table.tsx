@@ -40,7 +40,7 @@ const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part
 /** How far the point is from its target; kept in place while something moves. */
 function Short({ short }: { short: Shortfall }) {
   return (
-    <span class={settled.value ? "short" : "short stale"}>
+    <span class={`short${settled.value ? "" : " stale"}${short.noticeable ? " far" : ""}`}>
       {formatLength(short.length, unit.value)}
       {varied.value ? " from the target, by the variation" : " short"}
     </span>

@@ -31,7 +31,7 @@ const AcceptTolerance = later(() =>
   import("./accept-tolerance.tsx").then((part) => part.AcceptTolerance),
 );
 const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
-const RefusedNote = later(() => import("./refused-note.tsx").then((part) => part.RefusedNote));
+const StoppedNote = later(() => import("./stopped-note.tsx").then((part) => part.StoppedNote));
 const Limits = later(() => import("./limits.tsx").then((part) => part.Limits));
 const KeptKinds = later(() => import("./kept-kinds.tsx").then((part) => part.KeptKinds));
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
@@ -59,10 +59,10 @@ export function Inspector() {
         </h2>
         <NotFlatNote />
         <HandlesTable />
+        <StoppedNote />
         <ReachAndSoftness />
         <KeptKinds offered={true} />
         <Limits />
-        <RefusedNote />
         <Advanced />
         <LastSolve />
       </section>

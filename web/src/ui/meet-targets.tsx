@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 import { commitSettings } from "../state/editing.ts";
+import { stopped } from "../state/going-on.ts";
 import { shortfalls, varied } from "../state/shortfall.ts";
 import { history, ready } from "../state/store.ts";
 
-/** Below handles that stop short of their targets: what to do about it. */
+/** Below handles that stop a little short of their targets; where it is more, a note has all ways on. */
 export function MeetTargets() {
   const exactly = history.value?.present.settings.hardHandles;
-  if (shortfalls.value.length === 0 || varied.value || exactly) return null;
+  if (shortfalls.value.length === 0 || varied.value || exactly || stopped.value) return null;
   return (
     <button
       type="button"

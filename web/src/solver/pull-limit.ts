@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: MIT
-// A drag is held back where panels would fold much sharper than those of the base do.
+// A drag is held back where panels would fold much sharper than those of the base do, and where limits
+// that are stated do not let its handles follow.
+import type { ShapeReport } from "./protocol.ts";
 
 /** Handles are vertex, x, y, z for each, model units. */
 export type HandleList = readonly number[];
 
-export interface FoldLimit {
-  /** By which the sharpest fold may grow. */
+export interface PullLimit {
+  /** By which the sharpest fold may grow; ∞: the drag's own limit on folds does not act. */
   readonly degrees: number;
+  /** By how much of the largest move handles may stop short; ∞: by any. */
+  readonly short: number;
   /** The handles at the start of the drag, in the order of its targets. */
   readonly from: HandleList;
 }
 
+/** Whether an edit is within the limit; one that found no way to move is not. */
+export function isWithin({ degrees, short }: PullLimit, report: ShapeReport): boolean {
+  const { status, movedVertices, sharpestFold, handleError, maxDisplacement } = report;
+  if (status === "iteration_limit" && movedVertices === 0) return false;
+  const growth = sharpestFold ? sharpestFold.after - sharpestFold.before : 0;
+  // ∞ · 0 is no number, and nothing exceeds that.
+  return growth <= degrees && !(handleError > short * maxDisplacement);
+}
+
 /**
- * An edit of these handles; by how many degrees its sharpest fold grew. A frame follows the edit before
- * it; a `settled` one follows what was taken last, so that an edit that folded leaves nothing behind.
+ * An edit of these handles; whether it is within the limit. A frame follows the edit before it; a
+ * `settled` one follows what was taken last, so that an edit that is not leaves nothing behind.
  */
-export type Attempt = (handles: HandleList, settled: boolean) => number;
+export type Attempt = (handles: HandleList, settled: boolean) => boolean;
 
 /** Edits that one frame may try beyond the first. */
 const TRIES = 5;
@@ -42,7 +55,7 @@ const dot = (a: readonly number[], b: readonly number[]): number =>
   a.reduce((sum, x, k) => sum + x * (b[k] ?? 0), 0);
 
 /** Remembers, from frame to frame of one drag, how far its pull may go. */
-export class FoldHold {
+export class PullHold {
   #from = "";
   #way: readonly number[] = [];
   /** Lengths of pulls this way: the longest that held, the shortest that did not. */
@@ -60,7 +73,7 @@ export class FoldHold {
    * its end, which has no such limit, still is.
    */
   take(
-    { degrees, from }: FoldLimit,
+    from: HandleList,
     to: HandleList,
     attempt: Attempt,
     milliseconds = Number.POSITIVE_INFINITY,
@@ -76,7 +89,7 @@ export class FoldHold {
     const guess = this.#turn(from, way, length);
     const holds = (tried: number, settled: boolean): boolean => {
       this.#at = tried;
-      return attempt(between(from, to, length > 0 ? tried / length : 1), settled) <= degrees;
+      return attempt(between(from, to, length > 0 ? tried / length : 1), settled);
     };
     // A frame that follows one which held is cheap; a search takes several.
     if (guess < length && holds(guess, false)) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Where a handle stops, in words, and what is offered to get further.
+import { describe, expect, it } from "vitest";
+import type { EditSettings, ShapeReport } from "../../web/src/solver/protocol.ts";
+import type { Design, Point } from "../../web/src/state/design.ts";
+import {
+  DEFAULT_SETTINGS,
+  FIRST_SETTINGS,
+  NO_REPORT,
+  NO_SHAPE,
+} from "../../web/src/state/design.ts";
+import { gotWords, reasonOf, reasonWords, stopOf, waysOn } from "../../web/src/state/way-on.ts";
+
+const base = (): Point => [1, 0, 0];
+const row = { vertex: 7, target: [1, 0, 3] as Point, pinned: false };
+const EDGE = 1;
+
+const design = (settings: Partial<EditSettings>, report: Partial<ShapeReport> = {}): Design => ({
+  source: { kind: "sample", name: "vault", size: 21 },
+  planarised: null,
+  handles: [row],
+  settings: { ...FIRST_SETTINGS, ...settings },
+  shape: NO_SHAPE,
+  report: { ...NO_REPORT, movedVertices: 9, ...report },
+  variation: null,
+});
+
+describe("where a handle stops", () => {
+  it("is how much of its way it went, of the handle that is furthest from its target", () => {
+    const other = { vertex: 8, target: [1, 0, 1] as Point, pinned: false };
+    const at = (): Point => [1.5, 0, 2.16];
+    const stop = stopOf([other, row], base, at, EDGE);
+    expect(stop).toEqual({ vertex: 8, asked: 1, got: 2.16 });
+    expect(stopOf([row], base, at, EDGE)).toEqual({ vertex: 7, asked: 3, got: 2.16 });
+  });
+
+  it("is no word where it is as good as there, or pinned", () => {
+    expect(stopOf([row], base, () => [1, 0, 2.9], EDGE)).toBeNull();
+    const short = { ...row, target: [1, 0, 0.05] as Point };
+    expect(stopOf([short], base, () => [1, 0, 0.03], EDGE)).toBeNull();
+    expect(stopOf([{ ...row, pinned: true }], base, base, EDGE)).toBeNull();
+  });
+
+  it("is said in one unit where one does", () => {
+    expect(gotWords({ vertex: 7, asked: 0.3, got: 0.216 }, "m")).toBe("216 of 300 mm");
+    expect(gotWords({ vertex: 7, asked: 30, got: 0.216 }, "m")).toBe("216 mm of 30.0 m");
+  });
+});
+
+describe("what stops it", () => {
+  it("is a stated limit only where one acts", () => {
+    const limits = ["fold=25"];
+    expect(reasonOf(design({ limits }, { bounds: { fold: [3] } }), false)).toBe("limits");
+    expect(reasonOf(design({ limits }, { bounds: { fold: [] } }), false)).toBe("panels");
+    expect(reasonOf(design({ limits }, { status: "infeasible_handles" }), false)).toBe("limits");
+    expect(reasonOf(design({}, { status: "infeasible_handles" }), false)).toBe("panels");
+    expect(reasonOf(design({}), true)).toBe("fold");
+    expect(reasonWords("fold", 10)).toBe("Further, folds would be more than 10° sharper.");
+    expect(reasonWords("limits", null)).toContain("a limit that you stated");
+  });
+});
+
+describe("ways on", () => {
+  const labels = (d: Design, ...why: ["fold" | "limits" | "panels", number | null]): string[] =>
+    waysOn(d, ...why).map(({ label }) => label);
+  const fold = { sharpestFold: { before: 5.7, after: 15 } };
+
+  it("past a drag's own limit keep it, but for the one that loosens it", () => {
+    const ways = waysOn(design({}, fold), "fold", 10);
+    expect(ways.map(({ label, growth }) => [label, growth])).toEqual([
+      ["Reach 9 panels", 10],
+      ["Softer", 10],
+      ["Folds up to 26°", 20],
+      ["Let the boundary move", 10],
+      ["Meet it exactly", null],
+    ]);
+    expect(ways.map(({ change }) => change)).toEqual([
+      { reach: 9, reachLength: 0 },
+      { softness: 7 },
+      {},
+      { keepBoundary: false },
+      { hardHandles: true },
+    ]);
+  });
+
+  it("past a stated limit loosen it, and other limits stay", () => {
+    const limits = ["fold=25", "angle=40:140"];
+    const loose = waysOn(design({ limits }), "limits", null).find(({ label }) =>
+      label.startsWith("F"),
+    );
+    expect(loose?.label).toBe("Folds up to 35°");
+    expect(loose?.change).toEqual({ limits: ["fold=35", "angle=40:140"] });
+    expect(labels(design({ limits: ["fold=+5"] }), "limits", null)).toContain(
+      "Folds sharper by 15°",
+    );
+    expect(labels(design({ limits: ["area=2"] }), "limits", null)).toContain("Without limits");
+  });
+
+  it("are only those that are not taken yet", () => {
+    expect(labels(design({ reach: 12, softness: 10 }, fold), "fold", 10)).toEqual([
+      "Reach without limit",
+      "Folds up to 26°",
+      "Let the boundary move",
+      "Meet it exactly",
+    ]);
+    const all = { ...DEFAULT_SETTINGS, hardHandles: true };
+    expect(labels(design(all), "panels", null)).toEqual([]);
+  });
+});

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Where handles were pulled to beyond what a limit let through: the design keeps where they stopped.
+import { computed, signal } from "@preact/signals";
+import type { Design, HandleRow } from "./design.ts";
+import { draft, figures, history, limited } from "./store.ts";
+
+export interface Wanted {
+  /** With the targets that were asked for. */
+  readonly handles: readonly HandleRow[];
+  /** Degrees by which folds might grow where a drag was held back by that; null: by a stated limit. */
+  readonly growth: number | null;
+  /** The design that the pull ended as; null while it lasts. */
+  readonly design: Design | null;
+}
+
+/** The last pull that was held back; whether it still belongs to what is shown, see `beyond`. */
+export const wanted = signal<Wanted | null>(null);
+
+/** Of the pull that goes on, or of the design that the last one ended as. */
+export const beyond = computed((): Wanted | null => {
+  const pull = wanted.value;
+  if (!pull) return null;
+  const present = history.value?.present;
+  const belongs = pull.design === null ? draft.value !== present : pull.design === present;
+  return belongs ? pull : null;
+});
+
+/** Panels that let an edit go no further, as far as its report names them. */
+export const panelsAtLimit = computed((): readonly number[] => {
+  const { bounds, sharpestFold, movedVertices } = figures.value;
+  if (movedVertices === 0) return [];
+  if (limited.value) return [...new Set(Object.values(bounds ?? {}).flat())];
+  return beyond.value && sharpestFold?.panels ? sharpestFold.panels.filter((f) => f >= 0) : [];
+});

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+import { FLAT } from "../state/flatness.ts";
+import { goOn, stopped } from "../state/going-on.ts";
+import { settled } from "../state/shortfall.ts";
+import { history, mesh, ready, unit } from "../state/store.ts";
+import { formatGap } from "../state/units.ts";
+import { gotWords, reasonWords, waysOn } from "../state/way-on.ts";
+import { HoldingPanels } from "./holding-panels.tsx";
+
+/** Where a point stops on its way to its target, why, and one press for each way on. */
+export function StoppedNote() {
+  const [design, found] = [history.value?.present, stopped.value];
+  if (!design || !found) return null;
+  const { stop, reason, growth } = found;
+  const { status, residuals } = design.report;
+  const left = residuals.at(-1);
+  const meanEdge = mesh.value?.report.meanEdge ?? 0;
+  return (
+    <section class="note warn" aria-label="Why the target is not reached">
+      <p>
+        <strong>{`Panels allow ${gotWords(stop, unit.value)} here.`}</strong>{" "}
+        {reasonWords(reason, growth)}
+      </p>
+      {reason === "panels" && <HoldingPanels />}
+      {status === "infeasible_handles" && left !== undefined && 1000 * left > FLAT && (
+        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
+      )}
+      <fieldset class="ways-on" aria-label="Get further">
+        {waysOn(design, reason, growth).map((way) => (
+          <button
+            key={way.label}
+            type="button"
+            class="button small"
+            title={way.title}
+            disabled={!ready.value || !settled.value}
+            onClick={() => void goOn(way)}
+          >
+            {way.label}
+          </button>
+        ))}
+      </fieldset>
+    </section>
+  );
+}
