@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev libstb-dev
-  nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
+  libqrcodegencpp-dev nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
   python3-numpy python3-scipy python3-ezdxf python3-shapely
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
   python3-distributed parallel
@@ -31,7 +31,8 @@ name_missing_tools() {
   for tool in g++ cmake ninja emcc clang-format clang-tidy; do
     command -v "$tool" >/dev/null || missing+=("$tool")
   done
-  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp; do
+  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp \
+    qrcodegen/qrcodegen.hpp; do
     [ -e "/usr/include/$header" ] || missing+=("/usr/include/$header")
   done
   [ -d /usr/src/googletest ] || missing+=(/usr/src/googletest)

@@ -89,7 +89,7 @@ Json reach_json(const Eigen::MatrixXd& basis, const Positions& base, const Posit
 }
 
 /// (8) on the mesh explored with every slider at 0.5.
-Json projection_json(const EditTask& task, Mesh edited, const Subspace& subspace) {
+Json compared_projection_json(const EditTask& task, Mesh edited, const Subspace& subspace) {
   Positions rows;
   evaluate(subspace, Eigen::VectorXd::Constant(subspace.dimension(), 0.5), rows);
   for (std::size_t k = 0; k < subspace.support.size(); ++k) {
@@ -131,7 +131,7 @@ void add_exploration(const EditTask& task, const Positions& positions, int dimen
   json["family"]["processor_seconds"] = local_seconds;
   json["global_family"] = reach_json(global, task.mesh.positions, positions);
   json["global_family"]["processor_seconds"] = global_seconds;
-  json["projection"] = projection_json(task, edited, subspace);
+  json["projection"] = compared_projection_json(task, edited, subspace);
 }
 
 ExitCode run_compare(const Arguments& arguments) {

@@ -25,4 +25,13 @@ std::uint32_t mesh_hash(const Mesh& mesh) {
   return crc32(raw_bytes(mesh.face_vertices.data(), mesh.face_vertices.size()), hash);
 }
 
+std::string hash_text(std::uint32_t hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 28; shift >= 0; shift -= 4) {
+    text += kDigits[hash >> static_cast<unsigned>(shift) & 15u];
+  }
+  return text;
+}
+
 }  // namespace planish

@@ -37,13 +37,14 @@ TEST(CuttingPackage, HoldsTablesDrawingsSheetsAndAMap) {
   options.sheet_width = 3000.0;
   options.sheet_height = 2000.0;
   const CuttingPackage package = write_cutting_package(testing::quad_grid(4, 3), nullptr, options);
-  EXPECT_EQ(names_in(package.zip),
-            (std::vector<std::string>{
-                "package.json", "panels.csv", "edges.csv", "nodes.csv", "map.svg", "panels-mm.dxf",
-                "panels/P-0001-mm.dxf", "panels/P-0002-mm.dxf", "panels/P-0003-mm.dxf",
-                "panels/P-0004-mm.dxf", "panels/P-0005-mm.dxf", "panels/P-0006-mm.dxf",
-                "sheets/sheet-001-mm.dxf", "sheets/sheet-001-mm.svg", "sheets/sheet-002-mm.dxf",
-                "sheets/sheet-002-mm.svg", "sheets/sheet-003-mm.dxf", "sheets/sheet-003-mm.svg"}));
+  EXPECT_EQ(
+      names_in(package.zip),
+      (std::vector<std::string>{
+          "package.json", "panels.csv", "edges.csv", "nodes.csv", "map.svg", "labels.html",
+          "panels-mm.dxf", "panels/P-0001-mm.dxf", "panels/P-0002-mm.dxf", "panels/P-0003-mm.dxf",
+          "panels/P-0004-mm.dxf", "panels/P-0005-mm.dxf", "panels/P-0006-mm.dxf",
+          "sheets/sheet-001-mm.dxf", "sheets/sheet-001-mm.svg", "sheets/sheet-002-mm.dxf",
+          "sheets/sheet-002-mm.svg", "sheets/sheet-003-mm.dxf", "sheets/sheet-003-mm.svg"}));
   EXPECT_EQ(package.report.sheets, 3);  // two squares of a metre on each
   EXPECT_NEAR(package.report.used_fraction, 1.0 / 3.0, 1e-12);
   const auto header = nlohmann::json::parse(package.header);

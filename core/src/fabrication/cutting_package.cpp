@@ -7,15 +7,13 @@
 #include <optional>
 #include <utility>
 
-#include "fabrication/table_writer.hpp"
-#include "planish/constraints/planar_polygon.hpp"
+#include "fabrication/plan_header.hpp"
 #include "planish/fabrication/assembly_map.hpp"
 #include "planish/fabrication/drawing.hpp"
 #include "planish/fabrication/panel_drawing.hpp"
 #include "planish/fabrication/panel_tables.hpp"
 #include "planish/fabrication/sheet_layout.hpp"
 #include "planish/index.hpp"
-#include "planish/io/number.hpp"
 #include "planish/io/zip.hpp"
 
 namespace planish {
@@ -42,9 +40,8 @@ PlanarMotion onto_axes(const BoundingRectangle& r, double x, double y, bool turn
 
 class PackageWriter {
  public:
-  explicit PackageWriter(const CuttingPlan& plan)
-      : plan_(plan), spacing_(kSpacingMetres / metres_in(plan.options.unit).value()) {
-    measure();
+  PackageWriter(const CuttingPlan& plan, const LinkCode& code)
+      : plan_(plan), code_(code), spacing_(kSpacingMetres / metres_in(plan.options.unit).value()) {
     for (int f = 0; f < plan.mesh.face_count(); ++f) {
       if (plan.drawn[at(f)] == 0) continue;
       auto panel = draw_panel(plan, f);
@@ -56,6 +53,7 @@ class PackageWriter {
       panels_.push_back({f, *std::move(panel), rectangle});
     }
     report_.drawn = static_cast<int>(panels_.size());
+    measure_flatness(plan, report_);
   }
 
   CuttingPackage write() {
@@ -66,6 +64,7 @@ class PackageWriter {
     package.header = header(has_sheets);
     add_tables(package.header);
     zip_.add("map.svg", write_assembly_map(plan_));
+    zip_.add("labels.html", write_labels(plan_, drawn_faces(), code_));
     zip_.add("panels-" + plan_.options.unit + ".dxf", write_dxf(all_panels()));
     for (const DrawnPanel& panel : panels_) {
       zip_.add("panels/" + panel_name(panel.face) + "-" + plan_.options.unit + ".dxf",
@@ -78,17 +77,6 @@ class PackageWriter {
   }
 
  private:
-  void measure() {
-    report_.panels = plan_.mesh.face_count();
-    report_.edges = static_cast<int>(plan_.joints.joints.size());
-    report_.nodes = static_cast<int>(plan_.vertex_of_node.size());
-    for (int f = 0; f < report_.panels; ++f) {
-      const FacePlanarity face = face_planarity(plan_.mesh.positions, plan_.mesh.face(f));
-      report_.flatness = std::max(report_.flatness, face.mm_per_m);
-      report_.excess = std::max(report_.excess, face.excess);
-    }
-  }
-
   void add_tables(const std::string& header) {
     const TableText panels = panel_table(plan_);
     const TableText edges = edge_table(plan_);
@@ -101,6 +89,12 @@ class PackageWriter {
     zip_.add("panels.csv", panels.csv);
     zip_.add("edges.csv", edges.csv);
     zip_.add("nodes.csv", nodes.csv);
+  }
+
+  std::vector<int> drawn_faces() const {
+    std::vector<int> faces;
+    for (const DrawnPanel& panel : panels_) faces.push_back(panel.face);
+    return faces;
   }
 
   /// All panels in rows of about the length of the column of rows, in their order.
@@ -173,99 +167,43 @@ class PackageWriter {
   std::string header(bool has_sheets) const;
 
   const CuttingPlan& plan_;
+  const LinkCode& code_;
   double spacing_;  ///< in the package's unit
   std::vector<DrawnPanel> panels_;
   CuttingReport report_;
   ZipWriter zip_;
 };
 
-/// A JSON object, field by field.
-class HeaderText {
- public:
-  HeaderText& raw(std::string_view field, std::string_view json) {
-    text_.append(text_.empty() ? "{" : ",\n").append(json_quoted(field)).append(":").append(json);
-    return *this;
-  }
-  HeaderText& add(std::string_view field, std::string_view text) {
-    return raw(field, json_quoted(text));
-  }
-  HeaderText& add(std::string_view field, double number) {
-    std::string digits;
-    append_exact(digits, number);
-    return raw(field, digits);
-  }
-  HeaderText& add(std::string_view field, const std::vector<int>& faces) {
-    std::string list = "[";
-    for (const int face : faces) {
-      list.append(list.size() > 1 ? "," : "").append(json_quoted(panel_name(face)));
-    }
-    return raw(field, list + "]");
-  }
-  [[nodiscard]] std::string text() const { return text_ + "}"; }
-
- private:
-  std::string text_;
-};
-
-std::string hexadecimal(std::uint32_t hash) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (int shift = 28; shift >= 0; shift -= 4)
-    text += kDigits[hash >> static_cast<unsigned>(shift) & 15u];
-  return text;
-}
-
-std::string remake_text(const CuttingPlan& plan) {
-  if (!plan.remake) return "null";
-  return HeaderText()
-      .add("outline", plan.remake->count(PanelChange::kOutline))
-      .add("bevel", plan.remake->count(PanelChange::kBevel))
-      .add("new", plan.remake->count(PanelChange::kNew))
-      .text();
-}
-
 std::string PackageWriter::header(bool has_sheets) const {
   const CuttingOptions& options = plan_.options;
-  const std::string sheets = has_sheets ? HeaderText()
+  const std::string sheets = has_sheets ? JsonObject()
                                               .add("width", options.sheet_width)
                                               .add("height", options.sheet_height)
                                               .add("spacing", spacing_)
                                               .add("count", report_.sheets)
                                               .add("used_fraction", report_.used_fraction)
                                               .add("method", "rectangles arranged, not nested")
-                                              .add("oversize", report_.oversize)
+                                              .add("oversize", panel_names(report_.oversize))
                                               .text()
                                         : "null";
-  return HeaderText()
-      .add("format", "planish-cutting-package")
-      .raw("version", "1")
-      .add("name", options.name)
-      .add("unit", options.unit)
-      .add("model_unit", options.model_unit)
-      .add("scale", plan_.scale)
-      .add("mesh_hash", hexadecimal(plan_.hash))
-      .add("face_up", "outside")
-      .add("gap", options.gap)
-      .add("thickness", options.thickness)
-      .raw("counts", HeaderText()
-                         .add("panels", report_.panels)
-                         .add("edges", report_.edges)
-                         .add("nodes", report_.nodes)
-                         .add("drawn", report_.drawn)
-                         .text())
-      .raw("remake", remake_text(plan_))
-      .add("flatness_mm_per_m", report_.flatness)
-      .add("vanished", report_.vanished)
+  const std::string labels = JsonObject()
+                                 .add("count", report_.drawn)
+                                 .raw("link", code_.link.empty() ? "null" : json_quoted(code_.link))
+                                 .raw("code", code_.size > 0 ? "true" : "false")
+                                 .text();
+  return plan_header("planish-cutting-package", plan_, report_)
+      .add("text_height", options.text_height)
       .raw("sheets", sheets)
+      .raw("labels", labels)
       .text();
 }
 
 }  // namespace
 
 CuttingPackage write_cutting_package(const Mesh& mesh, const Mesh* base,
-                                     const CuttingOptions& options) {
+                                     const CuttingOptions& options, const LinkCode& code) {
   const CuttingPlan plan = make_cutting_plan(mesh, base, options);
-  return PackageWriter(plan).write();
+  return PackageWriter(plan, code).write();
 }
 
 }  // namespace planish

@@ -66,6 +66,7 @@ Refusal find_problem(const CuttingOptions& options, const Mesh& mesh, bool has_b
   if (!metres_in(options.unit)) return "unit must be mm, cm, m, km, in or ft";
   if (!is_length(options.gap)) return "gap must be at least 0";
   if (!is_length(options.thickness)) return "thickness must be at least 0";
+  if (!is_length(options.text_height)) return "text_height must be at least 0";
   if (!is_length(options.sheet_width) || !is_length(options.sheet_height) ||
       (options.sheet_width > 0.0) != (options.sheet_height > 0.0)) {
     return "sheet must be two lengths greater than 0";
@@ -86,6 +87,7 @@ CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base, const CuttingO
   plan.options = options;
   plan.mesh = mesh;
   plan.hash = mesh_hash(mesh);
+  plan.base_hash = base != nullptr ? mesh_hash(*base) : plan.hash;
   plan.scale = metres_in(options.model_unit).value() / metres_in(options.unit).value();
   plan.mesh.positions *= plan.scale;
   plan.joints = joint_table(plan.mesh);

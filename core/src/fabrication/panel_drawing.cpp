@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fabrication/neighbours.hpp"
 #include "planish/index.hpp"
 #include "trigonometry.hpp"
 
@@ -95,11 +96,16 @@ double fitting_height(const std::string& text, double width, double height) {
   return std::min(height, width / (0.9 * static_cast<double>(text.size())));
 }
 
+/// As it was asked for, but not above `most`; `otherwise` if it was not.
+double text_height(const CuttingPlan& plan, double otherwise, double most) {
+  return plan.options.text_height > 0.0 ? std::min(plan.options.text_height, most) : otherwise;
+}
+
 void add_names(Drawing& drawing, const CuttingPlan& plan, int face, const Outline& cut) {
   const std::string name = panel_name(face);
   const Eigen::Vector2d middle = label_point(cut);
   const double room = clearance(cut, middle);
-  const double height = fitting_height(name, 1.2 * room, 0.4 * room);
+  const double height = fitting_height(name, 1.2 * room, text_height(plan, 0.4 * room, 0.4 * room));
   drawing.texts.push_back({middle, height, 0.0, name});
   const std::string side = "OUTSIDE UP " + plan.options.unit;
   const double small = fitting_height(side, 1.2 * room, 0.5 * height);
@@ -110,11 +116,9 @@ void add_names(Drawing& drawing, const CuttingPlan& plan, int face, const Outlin
 void add_neighbours(Drawing& drawing, const CuttingPlan& plan, int face, const Outline& cut,
                     double largest) {
   for (Eigen::Index k = 0; k < cut.cols(); ++k) {
-    const auto place = at(plan.mesh.face_offsets[at(face)] + static_cast<int>(k));
-    const Joint& joint = plan.joints.joints[at(plan.joints.of_side[place])];
-    if (joint.second.panel < 0) continue;
-    const bool is_first = joint.first.panel == face && joint.first.side == static_cast<int>(k);
-    const std::string name = panel_name(is_first ? joint.second.panel : joint.first.panel);
+    const int neighbour = panel_beyond(plan, face, static_cast<int>(k));
+    if (neighbour < 0) continue;
+    const std::string name = panel_name(neighbour);
     const Eigen::Vector2d side = side_at(cut, k);
     const double length = side.norm();
     const double height = fitting_height(name, 0.6 * length, largest);
@@ -168,7 +172,7 @@ std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
   if (plan.options.gap > 0.0) panel.drawing.loops.push_back({DrawingLayer::kGap, whole});
   panel.drawing.loops.push_back({DrawingLayer::kMark, notch(panel.cut, 0.1 * size)});
   add_names(panel.drawing, plan, face, panel.cut);
-  add_neighbours(panel.drawing, plan, face, panel.cut, 0.05 * size);
+  add_neighbours(panel.drawing, plan, face, panel.cut, text_height(plan, 0.05 * size, 0.12 * size));
   return panel;
 }
 

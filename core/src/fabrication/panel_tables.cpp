@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "fabrication/neighbours.hpp"
 #include "fabrication/table_writer.hpp"
 #include "plane_meeting.hpp"
 #include "planish/adjacency.hpp"
@@ -19,12 +20,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-/// Stands for a neighbour where there is none.
-constexpr const char* kNobody = "-";
-
 std::array<double, 3> triple(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-std::string panel_or_nobody(int panel) { return panel < 0 ? kNobody : panel_name(panel); }
 
 std::string change_of_panel(const CuttingPlan& plan, int face) {
   return plan.remake ? std::string(change_name(plan.remake->panels[at(face)])) : "";
@@ -32,11 +28,6 @@ std::string change_of_panel(const CuttingPlan& plan, int face) {
 
 std::string change_of_node(const CuttingPlan& plan, int vertex) {
   return plan.remake ? std::string(change_name(plan.remake->nodes[at(vertex)])) : "";
-}
-
-const Joint& joint_at(const CuttingPlan& plan, int face, int side) {
-  const auto place = at(plan.mesh.face_offsets[at(face)] + side);
-  return plan.joints.joints[at(plan.joints.of_side[place])];
 }
 
 std::string name_of(const CuttingPlan& plan, const Joint& joint) {
@@ -47,16 +38,12 @@ std::string name_of(const CuttingPlan& plan, const Joint& joint) {
 void add_surroundings(TableWriter& table, const CuttingPlan& plan, int face) {
   std::vector<std::string> nodes;
   std::vector<std::string> edges;
-  std::vector<std::string> neighbours;
   const auto corners = plan.mesh.face(face);
   for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
-    const Joint& joint = joint_at(plan, face, k);
-    const bool is_first = joint.first.panel == face && joint.first.side == k;
     nodes.push_back(node_name(plan.node_of_vertex[at(corners[at(k)])]));
-    edges.push_back(name_of(plan, joint));
-    neighbours.push_back(panel_or_nobody(is_first ? joint.second.panel : joint.first.panel));
+    edges.push_back(name_of(plan, joint_at(plan, face, k)));
   }
-  table.add("nodes", nodes).add("edges", edges).add("neighbours", neighbours);
+  table.add("nodes", nodes).add("edges", edges).add("neighbours", neighbour_names(plan, face));
 }
 
 /// The outline with its frame, and what is measured on it.

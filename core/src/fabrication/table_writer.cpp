@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "fabrication/json_object.hpp"
 #include "planish/io/number.hpp"
 
 namespace planish {
@@ -17,25 +18,6 @@ std::string csv_quoted(std::string_view text) {
 }
 
 }  // namespace
-
-std::string json_quoted(std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (code < 0x20) {
-      quoted += "\\u00";
-      quoted += kHex[code >> 4];
-      quoted += kHex[code & 15];
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "\"";
-}
 
 TableWriter& TableWriter::row() {
   if (rows_ > 0) {

@@ -35,7 +35,4 @@ class TableWriter {
   bool first_ = true;  ///< field of the row
 };
 
-/// `text` as a JSON string, with its quotes.
-[[nodiscard]] std::string json_quoted(std::string_view text);
-
 }  // namespace planish

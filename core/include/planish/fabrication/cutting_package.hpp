@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "planish/fabrication/cutting_plan.hpp"
+#include "planish/fabrication/labels.hpp"
 
 namespace planish {
 
 /// What came of a package; faces by their index.
-struct CuttingReport {
-  int panels = 0, edges = 0, nodes = 0;
-  int drawn = 0;              ///< panels that the drawings show
-  double flatness = 0.0;      ///< of the worst panel, mm/m
-  double excess = 0.0;        ///< the same, less what rounding accounts for: see FacePlanarity
-  std::vector<int> vanished;  ///< the gap leaves nothing of them, or they cross themselves
+struct CuttingReport : DrawnReport {
   std::vector<int> oversize;  ///< larger than a sheet either way
   int sheets = 0;
   double used_fraction = 0.0;  ///< cut area over the area of all sheets; 0 without sheets
@@ -31,7 +27,9 @@ struct CuttingPackage {
 inline constexpr int kMostPackagePanels = 60000;
 
 /// @param mesh at most kMostPackagePanels faces; otherwise as for make_cutting_plan()
+/// @param code what the labels carry
 [[nodiscard]] CuttingPackage write_cutting_package(const Mesh& mesh, const Mesh* base,
-                                                   const CuttingOptions& options);
+                                                   const CuttingOptions& options,
+                                                   const LinkCode& code = {});
 
 }  // namespace planish

@@ -24,6 +24,8 @@ struct CuttingOptions {
   double thickness = 0.0;        ///< ≥ 0; 0: not known, no volume is given
   double sheet_width = 0.0;      ///< both > 0, or both 0: no sheets
   double sheet_height = 0.0;
+  double text_height = 0.0;  ///< ≥ 0, of texts in drawings of panels, less where there is no room;
+                             ///< 0: by the size of the panel
   bool remake_only = false;  ///< draws what must be made again against a base
   std::vector<int> panels;   ///< draws these faces only; empty: no such limit
 };
@@ -37,15 +39,24 @@ struct CuttingOptions {
 
 struct CuttingPlan {
   CuttingOptions options;
-  Mesh mesh;               ///< positions in options.unit
-  std::uint32_t hash = 0;  ///< mesh_hash() of the mesh as given
-  double scale = 1.0;      ///< options.unit in one model unit
+  Mesh mesh;                    ///< positions in options.unit
+  std::uint32_t hash = 0;       ///< mesh_hash() of the mesh as given
+  std::uint32_t base_hash = 0;  ///< of the base as given; without one, `hash`
+  double scale = 1.0;           ///< options.unit in one model unit
   JointTable joints;
   std::vector<FlatPanel> panels;    ///< one a face, in options.unit
   std::vector<int> vertex_of_node;  ///< nodes in the order in which the faces first use them
   std::vector<int> node_of_vertex;  ///< −1 for a vertex without faces
   std::optional<Remake> remake;     ///< against the base, if there is one
   std::vector<char> drawn;          ///< 1 for each face that the drawings show
+};
+
+/// What came of the panels of a plan; faces by their index.
+struct DrawnReport {
+  int drawn = 0;              ///< panels that the drawings or the model show
+  double flatness = 0.0;      ///< of the worst panel, mm/m
+  double excess = 0.0;        ///< the same, less what rounding accounts for: see FacePlanarity
+  std::vector<int> vanished;  ///< the gap leaves nothing of them, or they cross themselves
 };
 
 /// @param mesh must have passed check_mesh(); @param base the same, or nullptr; its panels also say

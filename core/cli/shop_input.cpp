@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "shop_input.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "design_input.hpp"
+#include "edit_options.hpp"
+#include "files.hpp"
+#include "planish/io/gltf.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+namespace {
+
+Mesh with_positions(Mesh mesh, const Positions& positions) {
+  mesh.positions = positions;
+  return mesh;
+}
+
+ShopInput replay_input(const std::string& path) {
+  const OpenedDesign opened = open_design(path);
+  auto result = replay(opened.design, opened.base ? &*opened.base : nullptr, progress_line());
+  clear_progress_line();
+  if (auto* sentence = std::get_if<std::string>(&result)) refuse_file(path, *sentence);
+  auto& replayed = std::get<Replay>(result);
+  Mesh mesh = with_positions(replayed.base, replayed.shape);
+  return {std::move(mesh), std::move(replayed.base), opened.design.unit,
+          opened.design.options.tolerance};
+}
+
+/// A GLB with a base holds the finished design: nothing is solved.
+ShopInput read_glb_input(const std::string& path, const std::string& unit) {
+  auto read = read_glb_design(load_bytes(path));
+  if (auto* error = std::get_if<ReadError>(&read)) refuse_file(path, error->message);
+  auto& glb = std::get<GlbFile>(read);
+  ShopInput input{glb.file.mesh, std::nullopt, unit};
+  if (glb.base) input.base = with_positions(std::move(glb.file.mesh), *glb.base);
+  if (glb.design.empty()) return input;
+  const OpenedDesign opened = open_design(path);
+  input.model_unit = opened.design.unit;
+  input.tolerance = opened.design.options.tolerance;
+  return input;
+}
+
+/// The last part of a path, without its extension.
+std::string stem_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
+
+}  // namespace
+
+ShopInput load_shop_input(const Arguments& arguments) {
+  const std::string path = arguments.only_positional("MESH or DESIGN");
+  const std::string unit = model_unit(arguments);
+  ShopInput input;
+  if (path.ends_with(".json")) {
+    input = replay_input(path);
+  } else if (path.ends_with(".glb")) {
+    input = read_glb_input(path, unit);
+  } else {
+    input = {load_mesh(path).mesh, std::nullopt, unit};
+  }
+  input.name = stem_of(path);
+  if (arguments.has("--model-unit")) input.model_unit = unit;
+  if (const auto text = arguments.value("--tolerance")) {
+    input.tolerance = parse_finite(*text, "--tolerance");
+  }
+  if (const auto against = arguments.value("--against")) input.base = load_mesh(*against).mesh;
+  return input;
+}
+
+}  // namespace planish::cli

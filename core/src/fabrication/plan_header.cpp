@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "fabrication/plan_header.hpp"
+
+#include <algorithm>
+
+#include "planish/constraints/planar_polygon.hpp"
+#include "planish/mesh_hash.hpp"
+
+namespace planish {
+namespace {
+
+std::string remake_text(const CuttingPlan& plan) {
+  if (!plan.remake) return "null";
+  return JsonObject()
+      .add("outline", plan.remake->count(PanelChange::kOutline))
+      .add("bevel", plan.remake->count(PanelChange::kBevel))
+      .add("new", plan.remake->count(PanelChange::kNew))
+      .text();
+}
+
+}  // namespace
+
+void measure_flatness(const CuttingPlan& plan, DrawnReport& report) {
+  for (int f = 0; f < plan.mesh.face_count(); ++f) {
+    const FacePlanarity face = face_planarity(plan.mesh.positions, plan.mesh.face(f));
+    report.flatness = std::max(report.flatness, face.mm_per_m);
+    report.excess = std::max(report.excess, face.excess);
+  }
+}
+
+std::vector<std::string> panel_names(const std::vector<int>& faces) {
+  std::vector<std::string> names;
+  for (const int face : faces) names.push_back(panel_name(face));
+  return names;
+}
+
+JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
+                       const DrawnReport& report) {
+  const CuttingOptions& options = plan.options;
+  JsonObject header;
+  header.add("format", format)
+      .raw("version", "1")
+      .add("name", options.name)
+      .add("unit", options.unit)
+      .add("model_unit", options.model_unit)
+      .add("scale", plan.scale)
+      .add("mesh_hash", hash_text(plan.hash))
+      .add("face_up", "outside")
+      .add("gap", options.gap)
+      .add("thickness", options.thickness)
+      .raw("counts", JsonObject()
+                         .add("panels", plan.mesh.face_count())
+                         .add("edges", static_cast<double>(plan.joints.joints.size()))
+                         .add("nodes", static_cast<double>(plan.vertex_of_node.size()))
+                         .add("drawn", report.drawn)
+                         .text())
+      .raw("remake", remake_text(plan))
+      .add("flatness_mm_per_m", report.flatness)
+      .add("vanished", panel_names(report.vanished));
+  return header;
+}
+
+}  // namespace planish
