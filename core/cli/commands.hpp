@@ -24,6 +24,7 @@ struct Command {
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command panels_command();
+[[nodiscard]] Command drawings_command();
 [[nodiscard]] Command offset_command();
 [[nodiscard]] Command sample_command();
 [[nodiscard]] Command compare_command();

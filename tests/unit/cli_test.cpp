@@ -537,6 +537,47 @@ TEST_F(Cli, AWorkshopReadsACuttingPackage) {
   EXPECT_EQ(WEXITSTATUS(status), 0) << err();
 }
 
+TEST_F(Cli, AReaderOfDxfAgreesWithTheMeshOnPlanElevationsAndSection) {
+  ASSERT_EQ(run("sample hex --size 9 -o m.obj"), 0) << err();
+  ASSERT_EQ(run("drawings m.obj -o a.zip --section x=3.3 --section z=0.5 --report r.json"), 0)
+      << err();
+  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "r.json"))["drawings"].size(), 7U);
+  ASSERT_EQ(run("drawings m.obj -o b.zip --section x=3.3 --unit in --scale 33"), 0) << err();
+  const std::string check = std::string(PLANISH_REFERENCE_DATA) + "/../check_drawings.py";
+  for (const char* zip : {"a.zip", "b.zip"}) {
+    const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
+                             "' m.obj " + zip + " 2>err";
+    const int status = std::system(line.c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "skipped: no ezdxf";
+    EXPECT_EQ(WEXITSTATUS(status), 0) << err();
+  }
+}
+
+TEST_F(Cli, DrawingsAndModelsSayWhatIsWrong) {
+  EXPECT_EQ(run("drawings sample:vault:4 -o a.zip --section x=99"), 4);
+  EXPECT_NE(err().find("section 1 does not meet"), std::string::npos) << err();
+  EXPECT_TRUE(fs::exists(directory_ / "a.zip"));
+  EXPECT_EQ(run("panels sample:vault:4 -o a.ifc --gap 99999"), 4);
+  EXPECT_NE(err().find("9 panels are not drawn"), std::string::npos) << err();
+  const std::string long_link = "https://planish.example/#v1=" + std::string(2000, 'x');
+  EXPECT_EQ(run("panels sample:vault:4 -o c.zip --link " + long_link), 4);
+  EXPECT_NE(err().find("too long for a QR code"), std::string::npos) << err();
+  for (const char* words :
+       {"drawings sample:vault:4", "drawings sample:vault:4 -o b.zip --section w=1",
+        "drawings sample:vault:4 -o b.zip --section x",
+        "drawings sample:vault:4 -o b.zip --section x=1,2",
+        "drawings sample:vault:4 -o b.zip --section plane=0,0,0,1",
+        "drawings sample:vault:4 -o b.zip --scale 0",
+        "drawings sample:vault:4 -o b.zip --unit yard",
+        "panels sample:vault:4 -o b.ifc --sheet 100x100", "panels sample:vault:4 -o b.ifc --link x",
+        "panels sample:vault:4 -o b.zip --text-height -1"}) {
+    EXPECT_EQ(run(words), 2) << words;
+  }
+  EXPECT_FALSE(fs::exists(directory_ / "b.zip"));
+  EXPECT_FALSE(fs::exists(directory_ / "b.ifc"));
+}
+
 TEST_F(Cli, APackageThatLacksSomethingIsExitCodeFourAndSaysWhat) {
   save("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(run("panels bent.obj -o a.zip"), 4);

@@ -62,7 +62,7 @@ TEST(WriteDxf, HoldsClosedPolylinesOfVersion12Only) {
   EXPECT_NE(dxf.find("10\n1\n20\n1.25\n30\n0\n0\nSEQEND\n8\nCUT\n"), std::string::npos);
   EXPECT_EQ(occurrences(dxf, "\nVERTEX\n"), 3U);
   EXPECT_NE(dxf.find("40\n0.25\n1\nP-0001\n50\n90\n"), std::string::npos);
-  EXPECT_EQ(occurrences(dxf, "0\nLAYER\n2\n"), 5U);
+  EXPECT_EQ(occurrences(dxf, "0\nLAYER\n2\n"), 2U);  // those that something is on
   EXPECT_NE(dxf.find("0\nLTYPE\n2\nCONTINUOUS\n"), std::string::npos);
   EXPECT_EQ(dxf.substr(dxf.size() - 6), "0\nEOF\n");
 }
@@ -137,6 +137,23 @@ TEST(DrawPanel, KeepsItsTextsInsideItself) {
       }
     }
   }
+}
+
+TEST(DrawPanel, WritesAsHighAsAskedWhereThereIsRoom) {
+  CuttingOptions options;
+  options.text_height = 12.5;
+  const CuttingPlan plan = make_cutting_plan(testing::quad_grid(3, 2), nullptr, options);
+  int asked = 0;
+  const auto panel = draw_panel(plan, 0);
+  ASSERT_TRUE(panel);
+  for (const DrawnText& text : panel->drawing.texts) {
+    EXPECT_LE(text.height, 12.5);
+    asked += text.height == 12.5 ? 1 : 0;
+  }
+  EXPECT_EQ(asked, 2);           // its name and its neighbour's; the note below the name is smaller
+  options.text_height = 5000.0;  // no room
+  const auto large = draw_panel(make_cutting_plan(testing::quad_grid(3, 2), nullptr, options), 0);
+  for (const DrawnText& text : large->drawing.texts) EXPECT_LT(text.height, 250.0);
 }
 
 TEST(ArrangeOnSheets, OverlapsNothingAndStaysOnTheSheet) {

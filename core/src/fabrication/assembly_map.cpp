@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "planish/fabrication/assembly_map.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
+#include "fabrication/view_axes.hpp"
 #include "planish/fabrication/drawing.hpp"
 #include "planish/index.hpp"
 
@@ -13,11 +14,6 @@ namespace planish {
 namespace {
 
 constexpr double kMapSize = 1000.0;  ///< of the picture's longer side, in pixels of the SVG
-
-/// Where the map is seen from.
-struct MapView {
-  Eigen::Vector3d right, up, towards;  ///< unit; `towards` points at the viewer
-};
 
 /// The mean normal by area; the z axis where a closed surface has none.
 Eigen::Vector3d mean_normal(const CuttingPlan& plan) {
@@ -30,13 +26,6 @@ Eigen::Vector3d mean_normal(const CuttingPlan& plan) {
   }
   if (!(sum.norm() > 1e-3 * all)) return Eigen::Vector3d::UnitZ();
   return sum.normalized();
-}
-
-MapView view_from(const Eigen::Vector3d& towards) {
-  const bool from_above = std::abs(towards.z()) > 0.9;
-  const Eigen::Vector3d hint = from_above ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d right = hint.cross(towards).normalized();
-  return {right, towards.cross(right), towards};
 }
 
 std::string_view fill_of(const CuttingPlan& plan, int face) {
@@ -54,35 +43,16 @@ std::string_view fill_of(const CuttingPlan& plan, int face) {
   return "#f4f4f4";
 }
 
-/// One panel as it is seen.
-struct SeenPanel {
-  int face = 0;
-  double depth = 0.0;  ///< towards the viewer
-  Outline outline;
-};
-
-SeenPanel see(const CuttingPlan& plan, int face, const MapView& view) {
-  const auto corners = plan.mesh.face(face);
-  SeenPanel seen{face, 0.0, Outline(2, static_cast<Eigen::Index>(corners.size()))};
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Eigen::Vector3d p = plan.mesh.positions.col(corners[k]);
-    seen.outline.col(static_cast<Eigen::Index>(k)) << view.right.dot(p), view.up.dot(p);
-    seen.depth += view.towards.dot(p) / static_cast<double>(corners.size());
-  }
-  return seen;
-}
-
 /// Those that show their outside (`front`) or their inside, the farthest first.
 std::vector<SeenPanel> seen_panels(const CuttingPlan& plan, const Eigen::Vector3d& towards,
                                    bool front) {
-  const MapView view = view_from(front ? towards : Eigen::Vector3d(-towards));
+  const ViewAxes view = view_from(front ? towards : Eigen::Vector3d(-towards));
   std::vector<SeenPanel> panels;
   for (int f = 0; f < plan.mesh.face_count(); ++f) {
     const bool faces_us = plan.panels[at(f)].frame.normal.dot(towards) >= 0.0;
-    if (faces_us == front) panels.push_back(see(plan, f, view));
+    if (faces_us == front) panels.push_back(see_panel(plan.mesh, f, view));
   }
-  std::stable_sort(panels.begin(), panels.end(),
-                   [](const SeenPanel& a, const SeenPanel& b) { return a.depth < b.depth; });
+  sort_by_depth(panels);
   return panels;
 }
 
@@ -107,20 +77,6 @@ void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel
   svg.append("\">").append(panel_name(panel.face)).append("</text>\n");
 }
 
-struct MapBox {
-  Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
-};
-
-MapBox box_of(const std::vector<SeenPanel>& panels) {
-  if (panels.empty()) return {};
-  MapBox box{panels[0].outline.rowwise().minCoeff(), panels[0].outline.rowwise().maxCoeff()};
-  for (const SeenPanel& panel : panels) {
-    box.low = box.low.cwiseMin(panel.outline.rowwise().minCoeff());
-    box.high = box.high.cwiseMax(panel.outline.rowwise().maxCoeff());
-  }
-  return box;
-}
-
 }  // namespace
 
 std::string write_assembly_map(const CuttingPlan& plan) {
@@ -128,7 +84,7 @@ std::string write_assembly_map(const CuttingPlan& plan) {
   const Eigen::Vector3d towards = mean_normal(plan);
   const std::vector<SeenPanel> views[] = {seen_panels(plan, towards, true),
                                           seen_panels(plan, towards, false)};
-  const MapBox boxes[] = {box_of(views[0]), box_of(views[1])};
+  const PlanarBox boxes[] = {box_of(views[0]), box_of(views[1])};
   const double extent = std::max((boxes[0].high - boxes[0].low).maxCoeff(),
                                  (boxes[1].high - boxes[1].low).maxCoeff());
   const double scale = extent > 0.0 ? kMapSize / extent : 1.0;
@@ -137,7 +93,7 @@ std::string write_assembly_map(const CuttingPlan& plan) {
   std::string panels;
   for (int side = 0; side < 2; ++side) {
     if (views[side].empty()) continue;
-    const MapBox& box = boxes[side];
+    const PlanarBox& box = boxes[side];
     const Eigen::Vector2d origin(right - scale * box.low.x(), kMargin + scale * box.high.y());
     for (const SeenPanel& panel : views[side]) add_panel(panels, plan, panel, origin, scale);
     right += scale * (box.high.x() - box.low.x()) + kMargin;

@@ -15,14 +15,18 @@ struct LayerStyle {
   std::string_view name;    ///< of the DXF layer: A–Z only
   int colour;               ///< AutoCAD colour index
   std::string_view stroke;  ///< in SVG
+  std::string_view fill;    ///< the same
 };
 
 /// In the order of DrawingLayer.
-constexpr std::array<LayerStyle, 5> kLayers = {{{"CUT", 7, "#111"},
-                                                {"MARK", 1, "#c22"},
-                                                {"TEXT", 3, "#272"},
-                                                {"GAP", 8, "#999"},
-                                                {"SHEET", 5, "#36c"}}};
+constexpr std::array<LayerStyle, 8> kLayers = {{{"CUT", 7, "#111", "none"},
+                                                {"MARK", 1, "#c22", "none"},
+                                                {"TEXT", 3, "#272", "none"},
+                                                {"GAP", 8, "#999", "none"},
+                                                {"SHEET", 5, "#36c", "none"},
+                                                {"OUTSIDE", 7, "#222", "#fff"},
+                                                {"INSIDE", 9, "#999", "#eee"},
+                                                {"SECTION", 1, "#c22", "none"}}};
 
 const LayerStyle& style_of(DrawingLayer layer) { return kLayers[static_cast<std::size_t>(layer)]; }
 
@@ -54,9 +58,21 @@ void begin_table(std::string& dxf, std::string_view name, int entries) {
   add_pair(dxf, 70, entries);
 }
 
-void add_layer_table(std::string& dxf) {
-  begin_table(dxf, "LAYER", static_cast<int>(kLayers.size()));
-  for (const LayerStyle& layer : kLayers) {
+/// The layers that something is on.
+std::vector<LayerStyle> used_layers(const Drawing& drawing) {
+  std::array<bool, kLayers.size()> used{};
+  for (const DrawnLoop& loop : drawing.loops) used[static_cast<std::size_t>(loop.layer)] = true;
+  if (!drawing.texts.empty()) used[static_cast<std::size_t>(DrawingLayer::kText)] = true;
+  std::vector<LayerStyle> layers;
+  for (std::size_t k = 0; k < kLayers.size(); ++k) {
+    if (used[k]) layers.push_back(kLayers[k]);
+  }
+  return layers;
+}
+
+void add_layer_table(std::string& dxf, const std::vector<LayerStyle>& layers) {
+  begin_table(dxf, "LAYER", static_cast<int>(layers.size()));
+  for (const LayerStyle& layer : layers) {
     add_pair(dxf, 0, "LAYER");
     add_pair(dxf, 2, layer.name);
     add_pair(dxf, 70, 0);
@@ -67,7 +83,7 @@ void add_layer_table(std::string& dxf) {
 }
 
 /// Everything before the entities.
-std::string dxf_preamble() {
+std::string dxf_preamble(const Drawing& drawing) {
   std::string dxf;
   add_pair(dxf, 0, "SECTION");
   add_pair(dxf, 2, "HEADER");
@@ -85,7 +101,7 @@ std::string dxf_preamble() {
   add_pair(dxf, 73, 0);
   add_pair(dxf, 40, 0);
   add_pair(dxf, 0, "ENDTAB");
-  add_layer_table(dxf);
+  add_layer_table(dxf, used_layers(drawing));
   add_pair(dxf, 0, "ENDSEC");
   add_pair(dxf, 0, "SECTION");
   add_pair(dxf, 2, "ENTITIES");
@@ -98,7 +114,7 @@ void add_polyline(std::string& dxf, const DrawnLoop& loop) {
   add_pair(dxf, 8, layer);
   add_pair(dxf, 66, 1);
   for (const int code : {10, 20, 30}) add_pair(dxf, code, 0);
-  add_pair(dxf, 70, 1);  // closed
+  add_pair(dxf, 70, loop.closed ? 1 : 0);
   for (const auto point : loop.points.colwise()) {
     add_pair(dxf, 0, "VERTEX");
     add_pair(dxf, 8, layer);
@@ -133,8 +149,8 @@ void add_attribute(std::string& svg, std::string_view name, double value) {
   svg += '"';
 }
 
-void add_polygon(std::string& svg, const DrawnLoop& loop, double height) {
-  svg += "<polygon class=\"";
+void add_line(std::string& svg, const DrawnLoop& loop, double height) {
+  svg += loop.closed ? "<polygon class=\"" : "<polyline class=\"";
   svg += style_of(loop.layer).name;
   svg += "\" points=\"";
   for (Eigen::Index k = 0; k < loop.points.cols(); ++k) {
@@ -192,7 +208,7 @@ void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion
 }
 
 std::string write_dxf(const Drawing& drawing) {
-  std::string dxf = dxf_preamble();
+  std::string dxf = dxf_preamble(drawing);
   for (const DrawnLoop& loop : drawing.loops) add_polyline(dxf, loop);
   for (const DrawnText& text : drawing.texts) add_text(dxf, text);
   add_pair(dxf, 0, "ENDSEC");
@@ -213,13 +229,14 @@ std::string write_svg(const Drawing& drawing, double width, double height,
   append_decimals(svg, width);
   svg += ' ';
   append_decimals(svg, height);
-  svg += "\">\n<style>polygon{fill:none;stroke-width:1px;vector-effect:non-scaling-stroke}";
+  svg += "\">\n<style>polygon,polyline{stroke-width:1px;vector-effect:non-scaling-stroke}";
   svg += "text{font-family:sans-serif;text-anchor:middle;fill:#272}";
-  for (const LayerStyle& layer : kLayers) {
-    svg.append(".").append(layer.name).append("{stroke:").append(layer.stroke).append("}");
+  for (const LayerStyle& layer : used_layers(drawing)) {
+    svg.append(".").append(layer.name).append("{stroke:").append(layer.stroke);
+    svg.append(";fill:").append(layer.fill).append("}");
   }
   svg += "</style>\n";
-  for (const DrawnLoop& loop : drawing.loops) add_polygon(svg, loop, height);
+  for (const DrawnLoop& loop : drawing.loops) add_line(svg, loop, height);
   for (const DrawnText& text : drawing.texts) add_svg_text(svg, text, height);
   return svg + "</svg>\n";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A drawing of closed outlines and centred texts, written as DXF or SVG.
+/// A drawing of outlines and centred texts, written as DXF or SVG.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +10,23 @@
 
 namespace planish {
 
-/// What a machine does with a line.
+/// What a line is, and what a machine does with it.
 enum class DrawingLayer {
   kCut,    ///< cuts it
   kMark,   ///< marks it: the notch at corner 0
   kText,   ///< writes it
   kGap,    ///< nothing: the panel without its joints
   kSheet,  ///< nothing: the edge of the sheet
+  // Of the whole structure:
+  kOutside,  ///< a panel that shows its outside
+  kInside,   ///< a panel that shows its inside
+  kSection,  ///< where a plane cuts it
 };
 
 struct DrawnLoop {
   DrawingLayer layer = DrawingLayer::kCut;
   Outline points;
+  bool closed = true;  ///< the last point is joined to the first
 };
 
 /// A text on layer kText, centred on its position.
@@ -51,10 +56,11 @@ struct PlanarMotion {
 /// Adds `part`, moved.
 void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion);
 
-/// DXF R12 (AC1009), ASCII: closed polylines and texts, coordinates with 6 decimals.
+/// DXF R12 (AC1009), ASCII: polylines and texts, coordinates with 6 decimals.
 [[nodiscard]] std::string write_dxf(const Drawing& drawing);
 
-/// An SVG of the area from (0, 0) to (width, height), y up; `unit` is the unit of all lengths.
+/// An SVG of the area from (0, 0) to (width, height), y up; `unit` is the unit of all
+/// lengths. What comes later covers what came before, where its layer is filled.
 [[nodiscard]] std::string write_svg(const Drawing& drawing, double width, double height,
                                     const std::string& unit);
 
