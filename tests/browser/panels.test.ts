@@ -4,6 +4,7 @@
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { idle, openFile, pickFile, typeTarget } from "./support/page.ts";
+import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
 const BOW_TIE = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
@@ -40,7 +41,7 @@ it("has a head that fits and is explained, at a desk and on a telephone", async 
     await typeTarget(page, "+40cm");
     await expect.poll(() => shows(page).count()).toBe(8);
     expect(await collisions(page)).toEqual([]);
-    for (const name of ["Smallest angle", "Shortest edge mm"]) {
+    for (const name of ["Least angle", "Least edge mm"]) {
       const head = table(page).getByRole("columnheader", { name }).getByRole("button");
       expect(await head.getAttribute("title")).toMatch(/^(The panel's|Length of)/);
     }
@@ -130,6 +131,32 @@ it("says that the planarity scale is logarithmic, with ticks ten times apart", a
   words.slice(1).forEach(({ left }, k) => {
     expect(left).toBeGreaterThan(words[k]?.right ?? 0);
   });
+  await page.context().close();
+});
+
+it("mirrors stripes in the surface, and shows those panels first that fold most", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const view = page.getByLabel("3D view");
+  const shares = async (): Promise<readonly number[]> => {
+    const picture = readPng(await view.screenshot());
+    const [x, y] = [picture.width >> 1, picture.height >> 1];
+    const middle = Array.from({ length: 200 * 200 }, (_, k) =>
+      picture.at(x - 100 + (k % 200), y - 50 + Math.floor(k / 200)),
+    );
+    const grey = middle.filter((rgb) => Math.max(...rgb) - Math.min(...rgb) < 24);
+    const dark = grey.filter(([red]) => red < 60).length / middle.length;
+    return [dark, grey.filter(([red]) => red > 180).length / middle.length];
+  };
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Reflection lines");
+  // Most of it is stripes, dark and light.
+  await expect.poll(async () => Math.min(...(await shares()))).toBeGreaterThan(0.2);
+  const folds = await table(page)
+    .getByRole("row")
+    .evaluateAll((rows) => rows.slice(1).map((row) => Number(row.lastElementChild?.textContent)));
+  expect(folds.length).toBeGreaterThan(4);
+  expect(folds[0]).toBeGreaterThan(5);
+  expect([...folds].sort((a, b) => b - a)).toEqual(folds);
   await page.context().close();
 });
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The table of panels as a file for spreadsheets.
 import type { Kind } from "../state/kept-kind.ts";
-import { type MeasuredPanels, OUTLINES, panelCount, rowOf } from "../state/panel-rows.ts";
+import { type MeasuredPanels, panelCount, rowOf } from "../state/panel-rows.ts";
+import { TROUBLES } from "../state/panel-trouble.ts";
 import { convert, type Unit } from "../state/units.ts";
 
 const COLUMNS = [
@@ -11,6 +12,7 @@ const COLUMNS = [
   "smallest_angle_deg",
   "shortest_edge_mm",
   "shape",
+  "sharpest_fold_deg",
   "must_be_made_again",
 ] as const;
 
@@ -27,11 +29,12 @@ export function panelList(panels: MeasuredPanels, unit: Unit, kind: Kind | null)
   const columns = kind ? [...COLUMNS, `${kind}_defect_deg`] : COLUMNS;
   const lines = Array.from({ length: panelCount(panels.figures) }, (_, panel) => {
     const row = rowOf(panel, panels);
-    const shape = OUTLINES[row.outline] ?? "";
+    const shape = TROUBLES[row.trouble] ?? "";
     const again = REMAKE[row.changed] ?? "";
     const missed = row.defect < 0 ? "" : digits(row.defect);
     return [
-      ...[panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge), shape, again],
+      ...[panel, mm(row.gap), digits(row.mmPerM), digits(row.angle), mm(row.edge)],
+      ...[shape, digits(row.fold), again],
       ...(kind ? [missed] : []),
     ];
   });

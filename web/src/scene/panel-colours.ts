@@ -5,6 +5,7 @@ import { BufferAttribute, DynamicDrawUsage } from "three";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
+import { TROUBLES } from "../state/panel-trouble.ts";
 import type { ColourBy } from "../state/store.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
@@ -95,12 +96,12 @@ export class PanelColours {
 
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
-   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: convex
-   * neutral, concave in the middle of the ramp, self-crossing at its end. What must be made again:
+   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: by the
+   * class, convex neutral, self-crossing at its end. What must be made again:
    * see remakePlace().
    */
   #placeOf(figures: Float32Array): (panel: number) => number {
-    if (this.#kind === "health") return (f) => (figures[PER_PANEL.health * f] ?? 0) / 2;
+    if (this.#kind === "health") return (f) => (figures[f] ?? 0) / (TROUBLES.length - 1);
     if (this.#kind === "remake")
       return (f) => remakePlace(figures[PER_PANEL.health * f + CHANGE] ?? 0);
     if (this.#kind === "fold" || this.#kind === "circular") {

@@ -7,6 +7,7 @@ import {
   DoubleSide,
   DynamicDrawUsage,
   Group,
+  type Material,
   Mesh,
   MeshStandardMaterial,
 } from "three";
@@ -31,6 +32,29 @@ const MARKED = 400;
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.08;
 
+const mattMaterial = (): MeshStandardMaterial =>
+  new MeshStandardMaterial({
+    vertexColors: true,
+    flatShading: true,
+    side: DoubleSide,
+    roughness: 0.85,
+    metalness: 0,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
+
+/** Another look of the panels than their colours. */
+export interface Skin {
+  readonly material: Material;
+  /** After points moved. */
+  update(geometry: BufferGeometry, offsets: Int32Array, topology: Topology): void;
+  dispose(): void;
+}
+
+/** Edges under a skin: it says more than they do. */
+const FAINT = 0.35;
+
 export class Shell {
   readonly group = new Group();
   readonly topology: Topology;
@@ -42,7 +66,9 @@ export class Shell {
   readonly offsets: Int32Array;
   readonly vertices: Int32Array;
   readonly #moved = new Set<number>();
-  readonly #panels: Mesh<BufferGeometry, MeshStandardMaterial>;
+  readonly #panels: Mesh<BufferGeometry, Material>;
+  readonly #matt = mattMaterial();
+  #skin: Skin | null = null;
   readonly #colours: PanelColours;
   readonly #edges: EdgeLines;
   /** Display units. */
@@ -84,24 +110,14 @@ export class Shell {
     return isSameStructure({ display, offsets, vertices }, mesh);
   }
 
-  #makePanels(): Mesh<BufferGeometry, MeshStandardMaterial> {
+  #makePanels(): Mesh<BufferGeometry, Material> {
     const geometry = new BufferGeometry();
     const corners = new BufferAttribute(this.corners, 3).setUsage(DynamicDrawUsage);
     geometry.setAttribute("position", corners);
     geometry.setAttribute("color", this.#colours.attribute);
     geometry.setIndex(new BufferAttribute(this.triangles, 1).setUsage(DynamicDrawUsage));
     geometry.boundingSphere = displaySphere();
-    const material = new MeshStandardMaterial({
-      vertexColors: true,
-      flatShading: true,
-      side: DoubleSide,
-      roughness: 0.85,
-      metalness: 0,
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1,
-    });
-    const panels = new Mesh(geometry, material);
+    const panels = new Mesh<BufferGeometry, Material>(geometry, this.#matt);
     panels.castShadow = this.triangles.length / 3 < LATE_SHADOW;
     panels.receiveShadow = true;
     panels.frustumCulled = false;
@@ -156,6 +172,15 @@ export class Shell {
     this.#colourAll();
   }
 
+  /** null: the panels' own colours. */
+  wear(skin: Skin | null): void {
+    if (!skin && !this.#skin) return;
+    this.#skin?.dispose();
+    this.#skin = skin;
+    this.#panels.material = skin?.material ?? this.#matt;
+    skin?.update(this.#panels.geometry, this.offsets, this.topology);
+  }
+
   /** Draws a line around one panel and gives its corners; null for none. */
   outlinePanel(panel: number | null): Float32Array | null {
     this.#outlined = panel;
@@ -190,7 +215,7 @@ export class Shell {
 
   /** `pixel`: what one spans, display units. */
   inkEdges(pixel: number): void {
-    this.#edges.setInk(edgeInk(this.#meanEdge / pixel));
+    this.#edges.setInk((this.#skin ? FAINT : 1) * edgeInk(this.#meanEdge / pixel));
   }
 
   /** True if it casts none yet. */
@@ -204,7 +229,8 @@ export class Shell {
 
   dispose(): void {
     this.#panels.geometry.dispose();
-    this.#panels.material.dispose();
+    this.#matt.dispose();
+    this.#skin?.dispose();
     this.#edges.dispose();
     this.#outline.dispose();
     this.#limits.dispose();
@@ -251,6 +277,7 @@ export class Shell {
     const { position } = attributes;
     if (position instanceof BufferAttribute) this.#dirtyCorners.flush(position, 3);
     if (index) this.#dirtyTriangles.flush(index, 3);
+    this.#skin?.update(this.#panels.geometry, this.offsets, this.topology);
     this.#edges.upload();
   }
 

@@ -34,6 +34,7 @@ import {
   panelFigures,
   panelFolds,
   panelHealth,
+  panelTroubles,
   ready,
   selected,
   selectedPanel,
@@ -86,7 +87,8 @@ const palette = (): Palette => (dark.matches ? DARK : LIGHT);
 
 /** What the colours show, where it is not how far points moved. */
 function figuresOf(kind: ColourBy): Float32Array | null {
-  if (kind === "health" || kind === "remake") return panelHealth.value;
+  if (kind === "health") return panelTroubles.value;
+  if (kind === "remake") return panelHealth.value;
   if (kind === "fairness") return bending.value;
   if (kind === "fold") return panelFolds.value;
   if (kindDefects.value?.kind === kind) return kindDefects.value.values;
@@ -402,7 +404,9 @@ export class Viewport {
       effect(() => this.#build()),
       effect(() => {
         const kind = colourBy.value;
+        displayMesh.value;
         this.#shell?.colourBy(kind, figuresOf(kind));
+        void this.#dress(kind === "zebra");
         this.stage.invalidate();
       }),
       effect(() => this.#drawReach()),
@@ -433,6 +437,14 @@ export class Viewport {
       }),
     );
     recolour();
+  }
+
+  async #dress(striped: boolean): Promise<void> {
+    const shell = this.#shell;
+    const part = striped ? await fetchPart(() => import("./zebra.ts")) : null;
+    if (shell !== this.#shell || striped !== (colourBy.peek() === "zebra")) return;
+    shell?.wear(part && new part.Zebra());
+    this.stage.invalidate();
   }
 
   /** Around what is pulled, or about to be. */

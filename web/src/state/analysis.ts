@@ -4,6 +4,7 @@ import { batch, effect } from "@preact/signals";
 import { client } from "./connection.ts";
 import { toTargets } from "./design.ts";
 import { panelCount } from "./panel-rows.ts";
+import { troublesOf } from "./panel-trouble.ts";
 import { stopsShort } from "./stopping-short.ts";
 import {
   bending,
@@ -17,6 +18,7 @@ import {
   panelFigures,
   panelFolds,
   panelHealth,
+  panelTroubles,
   ready,
   selectedPanel,
   shownKind,
@@ -34,15 +36,15 @@ export function keepPanelFigures(): () => void {
     if (!design || !ready.value) return;
     panelDamage.value = null;
     const fairness = colourBy.value === "fairness" ? design.settings.fairness : null;
-    const folds = colourBy.value === "fold";
     const defectsOf = shownKind.value;
-    client.ask({ kind: "panels", also: { fairness, folds, defectsOf } }).then(
+    client.ask({ kind: "panels", also: { fairness, folds: true, defectsOf } }).then(
       (answer) => {
         const measures = answer.kind === "panels" ? answer.measures : null;
         if (!measures || panelCount(measures.figures) > EAGER) return;
         batch(() => {
           panelFigures.value = measures.figures;
           panelHealth.value = measures.health;
+          panelTroubles.value = troublesOf(measures.health, measures.damage);
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;
           panelFolds.value = measures.folds;

@@ -3,7 +3,15 @@
 import { computed } from "@preact/signals";
 import type { Polygons } from "../mesh/display-mesh.ts";
 import type { MeasuredPanels } from "./panel-rows.ts";
-import { kindDefects, mesh, panelFigures, panelHealth } from "./store.ts";
+import { urgencyOf } from "./panel-trouble.ts";
+import {
+  kindDefects,
+  mesh,
+  panelFigures,
+  panelFolds,
+  panelHealth,
+  panelTroubles,
+} from "./store.ts";
 
 /** Of every panel the worst of its points; -1 where none is bound. */
 export function worstOfPoints(
@@ -20,8 +28,10 @@ export function worstOfPoints(
 
 export const measuredPanels = computed((): MeasuredPanels | null => {
   const [figures, health, faces] = [panelFigures.value, panelHealth.value, mesh.value];
-  if (!figures || !health || !faces) return null;
+  const [troubles, folds] = [panelTroubles.value, panelFolds.value];
+  if (!figures || !health || !troubles || !faces) return null;
   const missed = kindDefects.value;
   const defects = missed?.kind === "conical" ? worstOfPoints(missed.values, faces) : missed?.values;
-  return { figures, health, defects: defects ?? null };
+  const urgency = urgencyOf(troubles, figures, folds);
+  return { figures, health, troubles, urgency, folds, defects: defects ?? null };
 });

@@ -9,6 +9,12 @@ export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
 export interface MeasuredPanels {
   readonly figures: Float32Array;
   readonly health: Float32Array;
+  /** Places in TROUBLES. */
+  readonly troubles: Float32Array;
+  /** See urgencyOf(). */
+  readonly urgency: Float32Array;
+  /** The sharpest fold with a neighbour, degrees; null where nobody measured it. */
+  readonly folds: Float32Array | null;
   /** Degrees by which panels miss a kind of constraint, -1 if free of it; null while nobody looks. */
   readonly defects: Float32Array | null;
 }
@@ -22,6 +28,12 @@ export interface PanelRow {
   readonly excess: number;
   /** Place in OUTLINES. */
   readonly outline: number;
+  /** Place in TROUBLES. */
+  readonly trouble: number;
+  /** Larger is to be looked at first. */
+  readonly urgency: number;
+  /** Degrees. */
+  readonly fold: number;
   /** The shortest, model units. */
   readonly edge: number;
   /** The smallest inside the panel, degrees. */
@@ -41,6 +53,9 @@ const PLACES: Readonly<Record<PanelColumn, readonly [keyof MeasuredPanels, numbe
   mmPerM: ["figures", 1],
   excess: ["figures", 2],
   outline: ["health", 0],
+  trouble: ["troubles", 0],
+  urgency: ["urgency", 0],
+  fold: ["folds", 0],
   edge: ["health", 1],
   angle: ["health", 2],
   changed: ["health", 3],
@@ -48,15 +63,19 @@ const PLACES: Readonly<Record<PanelColumn, readonly [keyof MeasuredPanels, numbe
 };
 
 const { figures: FIGURES, health: HEALTH } = PER_PANEL;
-const STRIDES = { ...PER_PANEL, defects: 1 } as const;
+const STRIDES = { ...PER_PANEL, troubles: 1, urgency: 1, folds: 1, defects: 1 } as const;
 
 export const panelCount = (figures: Float32Array): number => figures.length / FIGURES;
 
-export function rowOf(panel: number, { figures, health, defects }: MeasuredPanels): PanelRow {
+export function rowOf(panel: number, panels: MeasuredPanels): PanelRow {
+  const { figures, health, defects } = panels;
   const [gap = 0, mmPerM = 0, excess = 0] = figures.subarray(FIGURES * panel);
   const [outline = 0, edge = 0, angle = 0, changed = 0] = health.subarray(HEALTH * panel);
   const defect = defects?.[panel] ?? -1;
-  return { panel, gap, mmPerM, excess, outline, edge, angle, changed, defect };
+  const [trouble = 0, urgency = 0] = [panels.troubles[panel], panels.urgency[panel]];
+  const fold = panels.folds?.[panel] ?? 0;
+  const shape = { outline, trouble, urgency, fold, edge, angle };
+  return { panel, gap, mmPerM, excess, ...shape, changed, defect };
 }
 
 export interface PanelOrder {
@@ -90,18 +109,17 @@ export function firstPanels(
   return first.map((panel) => rowOf(panel, panels));
 }
 
-/** Panels of one class, by number: `outline` a place in OUTLINES, `changed` the core's PanelChange. */
-export function panelsOf(
-  health: Float32Array,
-  column: "outline" | "changed",
-  value: number,
-): number[] {
-  const [, place] = PLACES[column];
+/** Panels whose `place`-th number of `stride` is this one, in their order. */
+export function panelsWith(value: number, numbers: Float32Array, stride = 1, place = 0): number[] {
   const found: number[] = [];
-  for (let k = 0; k < health.length; k += HEALTH)
-    if (health[k + place] === value) found.push(k / HEALTH);
+  for (let k = place; k < numbers.length; k += stride)
+    if (numbers[k] === value) found.push((k - place) / stride);
   return found;
 }
+
+/** Panels of one of the core's PanelChange. */
+export const panelsChanged = (health: Float32Array, change: number): number[] =>
+  panelsWith(change, health, HEALTH, PLACES.changed[1]);
 
 export interface HealthCounts {
   readonly convex: number;

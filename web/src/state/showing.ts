@@ -27,6 +27,7 @@ import {
   panelFigures,
   panelFolds,
   panelHealth,
+  panelTroubles,
   problem,
   refusedTolerance,
   selectedPanel,
@@ -66,6 +67,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     lock.value = null;
     panelFigures.value = null;
     panelHealth.value = null;
+    panelTroubles.value = null;
     panelDamage.value = null;
     bending.value = null;
     panelFolds.value = null;

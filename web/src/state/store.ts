@@ -33,6 +33,7 @@ export type ColourBy =
   | "fairness"
   | "health"
   | "remake"
+  | "zebra"
   | Kind
   | "none";
 
@@ -83,7 +84,9 @@ export const panelFigures = signal<Float32Array | null>(null);
 export const panelHealth = signal<Float32Array | null>(null);
 /** What became of every panel since the mesh was opened: places in DAMAGES. */
 export const panelDamage = signal<Uint8Array | null>(null);
-/** The sharpest fold of every panel with a neighbour, degrees; null while nobody looks. */
+/** What is wrong with every panel: places in TROUBLES. */
+export const panelTroubles = signal<Float32Array | null>(null);
+/** The sharpest fold of every panel with a neighbour, degrees. */
 export const panelFolds = signal<Float32Array | null>(null);
 /** How far panels (circular) or points (conical) are from that kind, degrees, -1 if free of it; null
  * while nobody looks. */

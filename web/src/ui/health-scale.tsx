@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-import { panelsOf } from "../state/panel-rows.ts";
-import { panelHealth } from "../state/store.ts";
+import { panelsWith } from "../state/panel-rows.ts";
+import { TROUBLES } from "../state/panel-trouble.ts";
+import { panelTroubles } from "../state/store.ts";
 import { ClassScale } from "./class-scale.tsx";
 
-const WORDS = ["convex", "concave", "crosses itself (bow-tie)"] as const;
+const WORDS: readonly string[] = TROUBLES.map((word) =>
+  word === "crosses itself" ? `${word} (bow-tie)` : word,
+);
 
 /** Whether panels can be made. */
 export function HealthScale() {
-  const health = panelHealth.value;
-  const classes = WORDS.map((word, outline) => ({
+  const troubles = panelTroubles.value;
+  const classes = WORDS.map((word, trouble) => ({
     word,
-    place: outline / 2,
-    panels: health && panelsOf(health, "outline", outline),
+    place: trouble / (WORDS.length - 1),
+    panels: troubles && panelsWith(trouble, troubles),
   }));
   return <ClassScale classes={classes} />;
 }

@@ -34,6 +34,7 @@ const CHOICES: readonly (readonly [ColourBy, string])[] = [
   ["remake", "Make again"],
   ["circular", "Circular"],
   ["conical", "Conical"],
+  ["zebra", "Reflection lines"],
   ["none", "Nothing"],
 ];
 
@@ -77,6 +78,8 @@ function Ends({ of }: { of: Linear }) {
 function Scale() {
   const kind = colourBy.value;
   if (kind === "none") return null;
+  if (kind === "zebra")
+    return <p class="legend-note">Mirrored by the smooth surface through the points</p>;
   if (kind === "health") return <HealthScale />;
   if (kind === "remake") return <RemakeScale />;
   return (

@@ -5,17 +5,18 @@ import { save } from "../export/exporting.ts";
 import { panelList } from "../export/panel-list.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
 import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
+import { formatDegrees } from "../state/fold.ts";
 import { type Kind, LEAST_DEFECT } from "../state/kept-kind.ts";
 import { measuredPanels } from "../state/measured-panels.ts";
 import {
   countHealth,
   firstPanels,
-  OUTLINES,
   type PanelColumn,
   type PanelOrder,
   type PanelRow,
   panelCount,
 } from "../state/panel-rows.ts";
+import { TROUBLES } from "../state/panel-trouble.ts";
 import { kindDefects, selectedPanel, unit } from "../state/store.ts";
 import { convert } from "../state/units.ts";
 
@@ -48,21 +49,29 @@ const COLUMNS: readonly Column[] = [
   },
   {
     key: "angle",
-    name: "Smallest angle",
+    name: "Least angle",
     meaning: "The panel's smallest inner angle",
     largest: false,
   },
   {
     key: "edge",
-    name: "Shortest edge",
+    name: "Least edge",
     unit: "mm",
     meaning: "Length of the panel's shortest edge",
     largest: false,
   },
   {
-    key: "outline",
+    key: "urgency",
     name: "Shape",
-    meaning: "Convex, concave, or crossing itself (bow-tie)",
+    meaning:
+      "What is wrong with the panel: the worst first, then by the sharpest fold; a sliver has a corner below 15°",
+    largest: true,
+  },
+  {
+    key: "fold",
+    name: "Fold",
+    unit: "°",
+    meaning: "The panel's sharpest fold with a neighbour",
     largest: true,
   },
 ];
@@ -105,7 +114,7 @@ function Summary({ health }: { health: Float32Array }) {
 }
 
 function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
-  const { panel, angle, edge, outline } = row;
+  const { panel, angle, edge, trouble, fold } = row;
   const { gap, cell } = flatnessWords(row.gap, row.mmPerM, row.excess, unit.value);
   return (
     <tr class={panel === selectedPanel.value ? "selected" : ""}>
@@ -125,7 +134,8 @@ function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
       <td>{cell}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
       <td>{convert(edge, unit.value, "mm").toFixed(0)}</td>
-      <td class={outline === 0 ? "" : "unhealthy"}>{OUTLINES[outline]}</td>
+      <td class={trouble === 0 ? "" : "unhealthy"}>{TROUBLES[trouble]}</td>
+      <td>{formatDegrees(fold).replace("°", "")}</td>
     </tr>
   );
 }
@@ -171,9 +181,9 @@ function Head({ columns, order: { key, descending }, onSort }: HeadProps) {
   );
 }
 
-/** Every panel's figures, first those that matter by the chosen column; choosing one shows it. */
+/** Every panel's figures, first those in trouble, or by the chosen column; choosing one shows it. */
 export function PanelsTable() {
-  const order = useSignal<PanelOrder>({ key: "mmPerM", descending: true, changedOnly: false });
+  const order = useSignal<PanelOrder>({ key: "urgency", descending: true, changedOnly: false });
   const wanted = useSignal(ROWS);
   const measured = measuredPanels.value;
   if (!measured) return null;

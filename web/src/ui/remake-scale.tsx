@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { remakePlace } from "../scene/ramp.ts";
-import { panelsOf } from "../state/panel-rows.ts";
+import { panelsChanged } from "../state/panel-rows.ts";
 import { panelHealth } from "../state/store.ts";
 import { ClassScale } from "./class-scale.tsx";
 
@@ -17,7 +17,7 @@ export function RemakeScale() {
   const classes = CLASSES.map(([word, change]) => ({
     word,
     place: remakePlace(change),
-    panels: health && panelsOf(health, "changed", change),
+    panels: health && panelsChanged(health, change),
   }));
   return <ClassScale classes={classes} />;
 }
