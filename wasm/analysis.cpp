@@ -10,6 +10,7 @@
 #include "planish/folds.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
+#include "planish/slider_stops.hpp"
 
 namespace planish {
 
@@ -83,6 +84,27 @@ std::vector<float> Analysis::vertex_bending(FairnessKind kind) const {
   const Positions displacement = current_ - base_.positions;
   const auto bends = bending(fairness_operator(base_, adjacency_, kind), displacement);
   return {bends.begin(), bends.end()};
+}
+
+void Analysis::set_family(const std::vector<int>& moved, const Positions& positions,
+                          std::vector<int> support, Eigen::MatrixXd moves) {
+  edited_ = base_.positions;
+  edited_(Eigen::all, moved) = positions;
+  family_ = {};
+  family_.support = std::move(support);
+  family_.origin = edited_(Eigen::all, family_.support);
+  family_.scale = Eigen::VectorXd::Ones(moves.cols());
+  family_.basis = std::move(moves);
+}
+
+std::vector<double> Analysis::slider_stops(const Eigen::VectorXd& values) const {
+  std::vector<double> stops;
+  if (values.size() != family_.dimension()) return stops;
+  for (const SliderRange& range : slider_ranges(base_, edited_, family_, values)) {
+    stops.insert(stops.end(), {range.lower.value, static_cast<double>(range.lower.face),
+                               range.upper.value, static_cast<double>(range.upper.face)});
+  }
+  return stops;
 }
 
 std::optional<EditFreedom> Analysis::freedom(const EditTargets& targets) const {

@@ -12,6 +12,7 @@
 #include "planish/energies.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
+#include "planish/subspace.hpp"
 
 namespace planish {
 
@@ -39,6 +40,15 @@ class Analysis {
   [[nodiscard]] std::vector<float> defects(const std::string& kind) const;
   /// How sharply the edit bends at each vertex, model units, see bending().
   [[nodiscard]] std::vector<float> vertex_bending(FairnessKind kind) const;
+  /// A family of variations, whatever design is shown.
+  /// @param moved, positions the edit that it is around
+  /// @param support ascending, r vertices
+  /// @param moves 3r × s: what each slider does to them at value 1, model units
+  void set_family(const std::vector<int>& moved, const Positions& positions,
+                  std::vector<int> support, Eigen::MatrixXd moves);
+  /// Of each slider of the family: lower stop, the panel that makes it, upper stop, its panel; ±∞
+  /// and -1 for none, see slider_ranges(). Empty where there are not as many sliders as values.
+  [[nodiscard]] std::vector<double> slider_stops(const Eigen::VectorXd& values) const;
   /// nullopt where there are too many points, see measure_freedom().
   [[nodiscard]] std::optional<EditFreedom> freedom(const EditTargets& targets) const;
 
@@ -48,6 +58,8 @@ class Analysis {
   Adjacency adjacency_;
   Positions current_;  ///< 3 × n
   std::vector<int> moved_;
+  Positions edited_;  ///< 3 × n, the edit that family_ is around
+  Subspace family_;
 };
 
 }  // namespace planish

@@ -54,6 +54,21 @@ val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
 val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
 val defects(const Analysis& a, const std::string& kind) { return copy(a.defects(kind)); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
+/// `moves`: 3 × |support| numbers for each slider.
+void set_family(Analysis& a, const val& moved, const val& positions, const val& support,
+                const val& moves) {
+  std::vector<int> points = to_indices(support);
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(moves);
+  const auto rows = static_cast<Eigen::Index>(3 * points.size());
+  const auto sliders = rows > 0 ? static_cast<Eigen::Index>(flat.size()) / rows : 0;
+  a.set_family(to_indices(moved), to_positions(positions), std::move(points),
+               Eigen::Map<const Eigen::MatrixXd>(flat.data(), rows, sliders));
+}
+val slider_stops(const Analysis& a, const val& values) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(values);
+  return copy(a.slider_stops(
+      Eigen::Map<const Eigen::VectorXd>(flat.data(), static_cast<Eigen::Index>(flat.size()))));
+}
 /// A plain object; null where there is none.
 val to_value(const std::optional<EditFreedom>& freedom) {
   if (!freedom) return val::null();
@@ -94,5 +109,7 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
       .function("panelFolds", &panel_folds)
       .function("defects", &defects)
       .function("vertexBending", &vertex_bending)
+      .function("setFamily", &set_family)
+      .function("sliderStops", &slider_stops)
       .function("freedom", &freedom);
 }

@@ -31,6 +31,18 @@ export interface Analysis {
   defects(kind: string): Float32Array;
   /** How sharply the edit bends at every vertex, model units. */
   vertexBending(kind: EnumValue): Float32Array;
+  /**
+   * A family of variations around the edit that `moved` and `positions` give; `moves`: 3 × |support|
+   * numbers for each slider, what it does at value 1.
+   */
+  setFamily(
+    moved: Int32Array,
+    positions: Float64Array,
+    support: Int32Array,
+    moves: Float64Array,
+  ): void;
+  /** Of each slider: lower stop, its panel, upper stop, its panel; ±∞ and -1 for none. */
+  sliderStops(values: Float64Array): Float64Array;
   /** null where too many points move. `handles`: vertex, x, y, z for each. */
   freedom(handles: Float64Array, pins: Int32Array): FreedomReport | null;
   delete(): void;

@@ -101,6 +101,9 @@ const DIFFERENCES = `### Where we differ, and why
   support from y and drop the rest exactly, which costs a little of the objective.
 - **ADMM.** It meets both residuals less often within the same number of steps, as the paper says; where
   it gets there, its local minimum is not worse. The problem is non-convex, and each way ends in its own.
+- **Exploring under inequalities.** The paper leaves it open. Along a slider a corner's share of its shape is a
+  quadratic ([SUB-7](math.md)), so every slider has stops in closed form, new ones whenever another slider moves;
+  what is made exact between them keeps the bounds (test \`tests/parity/slider-stops.test.ts\`).
 - **Lengths and times.** The paper's meshes and parameters are not published: shapes agree in kind, not
   in number. Its times are of a quad core of 2013, ours of one core.`;
 

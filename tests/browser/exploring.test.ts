@@ -80,3 +80,34 @@ it("offers as many directions as asked for, and the smoothest first if wanted", 
   expect(await firstOne()).not.toBe(local);
   await page.context().close();
 });
+
+it("says what sliders do and where they stop, and shows the design that is pointed at", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  await typeTarget(page, "+50cm");
+  await findVariations(page);
+  const about = page.getByText(/^To the right point \d+ moves most, /);
+  expect(await about.count()).toBe(4);
+  await expect.poll(() => page.getByText("Stopped by panel").count()).toBeGreaterThan(0);
+  const stopped = page.getByRole("button", { name: /which stops it$/ }).first();
+  const panel = await stopped.textContent();
+  await stopped.click();
+  await page.getByText(new RegExp(`^Panel ${panel} 4 corners`)).waitFor();
+  const hatched = page.locator(".slider-stops span");
+  const widths = (): Promise<string> =>
+    hatched.evaluateAll((all) => all.map((one) => (one as HTMLElement).style.width).join());
+  const before = await widths();
+  await hold(page, "Variation 1", 0.3);
+  await expect.poll(widths).not.toBe(before);
+  await hold(page, "Variation 1", 0);
+  await letGo(page, "Variation 1");
+  const view = page.getByLabel("3D view");
+  await page.mouse.move(5, 5);
+  const own = await view.screenshot();
+  const tile = page.getByRole("button", { name: /^Adopt design 1/ });
+  await tile.hover();
+  await expect.poll(async () => (await view.screenshot()).equals(own)).toBe(false);
+  expect(await tile.textContent()).toMatch(/fold [\d.]+°\d+ again/);
+  await page.context().close();
+});

@@ -10,6 +10,15 @@ async function load(): Promise<AnalysisModule> {
   return create({ locateFile: () => analysisUrl });
 }
 
+/** What sliders do to an edit. */
+export interface ShapeFamily {
+  readonly centre: Shape;
+  /** Vertices, ascending. */
+  readonly support: Int32Array;
+  /** x, y, z of each of them at value 1, slider by slider. */
+  readonly moves: Float64Array;
+}
+
 /** Measures what one session shows; nothing before its module has arrived, so that a drag never
  * waits for it. */
 export class DesignAnalysis {
@@ -18,6 +27,8 @@ export class DesignAnalysis {
   #loading = false;
   #module: AnalysisModule | null = null;
   #analysis: Analysis | null = null;
+  /** That it knows. */
+  #family: ShapeFamily | null = null;
 
   constructor(session: Session, arrived: () => void) {
     this.#session = session;
@@ -28,6 +39,7 @@ export class DesignAnalysis {
   forget(): void {
     this.#analysis?.delete();
     this.#analysis = null;
+    this.#family = null;
   }
 
   panels({ fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures | null {
@@ -56,6 +68,18 @@ export class DesignAnalysis {
       bending: null,
       defects: null,
     };
+  }
+
+  /** Of each slider of a family, all others where they are: lower stop, its panel, upper stop, its panel. */
+  stops(family: ShapeFamily, values: readonly number[]): Float64Array | null {
+    const [, analysis] = this.#current();
+    if (!analysis) return null;
+    if (this.#family !== family) {
+      const { centre, support, moves } = family;
+      analysis.setFamily(centre.moved, centre.positions, support, moves);
+      this.#family = family;
+    }
+    return analysis.sliderStops(Float64Array.from(values));
   }
 
   freedom({ handles, pins }: Targets): FreedomReport | null {

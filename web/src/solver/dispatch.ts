@@ -2,7 +2,7 @@
 // What the worker does with each request; testable without a worker.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
-import { DesignAnalysis } from "./analysis.ts";
+import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { openGlb, writeGlb } from "./glb.ts";
 import type {
   AlsoMeasured,
@@ -22,6 +22,7 @@ import type {
 import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
 import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
 import { writePackage } from "./shop.ts";
+import { leadsOf, rangesOf } from "./sliders.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
 
@@ -113,6 +114,8 @@ export class Dispatcher {
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
   #hold = new PullHold();
+  /** Found last. */
+  #family: ShapeFamily | null = null;
   #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
@@ -203,8 +206,10 @@ export class Dispatcher {
         this.#postShown(job, true);
         return;
       case "explore":
-        insist(session.explore(this.#exploreOptions(request.dimension, request.eigenbasis)));
-        this.#post({ kind: "explored", job, report: session.variationsReport() }, []);
+        this.#explore(request);
+        return;
+      case "stops":
+        this.#postStops(job, request.coefficients);
         return;
       case "vary":
         insist(session.vary(Float64Array.from(request.coefficients)));
@@ -295,6 +300,24 @@ export class Dispatcher {
     const report = session.projectedReport();
     const reply: Reply = { kind: "projected", job, shape: { moved, positions }, report };
     this.#post(reply, [moved.buffer, positions.buffer]);
+  }
+
+  #explore({ job, dimension, eigenbasis }: Extract<Request, { kind: "explore" }>): void {
+    const session = this.#session;
+    insist(session.explore(this.#exploreOptions(dimension, eigenbasis)));
+    const family: ShapeFamily = {
+      centre: { moved: session.moved(), positions: session.movedPositions() },
+      support: session.variationSupport(),
+      moves: session.variationDisplacements(),
+    };
+    this.#family = family;
+    const leads = leadsOf(family);
+    this.#post({ kind: "explored", job, report: session.variationsReport(), leads }, []);
+  }
+
+  #postStops(job: number, coefficients: readonly number[]): void {
+    const stops = this.#family && this.#analysis.stops(this.#family, coefficients);
+    this.#post({ kind: "stops", job, ranges: stops && rangesOf(stops) }, []);
   }
 
   #exploreOptions(dimension: number, eigenbasis: boolean) {

@@ -118,6 +118,8 @@ export type Request =
     } // → shown
   | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
+  /** Where the sliders of the family found last stop, standing at these values. */
+  | { kind: "stops"; job: number; coefficients: readonly number[] } // → stops
   | { kind: "exact"; job: number } // → shown
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
@@ -180,6 +182,23 @@ export interface CuttingHeader {
   } | null;
 }
 
+/** What a slider does at value 1. */
+export interface SliderLead {
+  /** The point that it moves most, and that point's move, model units. */
+  readonly vertex: number;
+  readonly move: readonly [number, number, number];
+  /** How many points it moves. */
+  readonly points: number;
+}
+
+/** Where a slider stops because a panel would lose its shape; ±∞ and −1 where none would. */
+export interface SliderRange {
+  readonly lower: number;
+  readonly lowerPanel: number;
+  readonly upper: number;
+  readonly upperPanel: number;
+}
+
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
 export interface OpenedMesh extends DisplayMesh {
   readonly report: Reports.MeshReport;
@@ -219,7 +238,14 @@ export type Reply =
       shape: Shape | null;
       taken: HandleList | null;
     }
-  | { kind: "explored"; job: number; report: Reports.VariationsReport }
+  | {
+      kind: "explored";
+      job: number;
+      report: Reports.VariationsReport;
+      leads: readonly SliderLead[];
+    }
+  /** null until `measurable`. */
+  | { kind: "stops"; job: number; ranges: readonly SliderRange[] | null }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
   /** null until `measurable`. */
   | { kind: "panels"; job: number; measures: PanelMeasures | null }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
+import { signal } from "@preact/signals";
+import type { Shape, SliderLead } from "../solver/protocol.ts";
 import { client, frame, held, run, runUnseen } from "./connection.ts";
 import { type Design, type Family, toTargets, type Variation } from "./design.ts";
 import { commit } from "./editing.ts";
@@ -11,6 +13,12 @@ import { inTurn } from "./turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
 
+/** What each slider of the family around a shape does. */
+export const sliderLeads = signal<{
+  readonly centre: Shape;
+  readonly leads: readonly SliderLead[];
+} | null>(null);
+
 /** Finds the directions around the shape that the solver shows; how many there are, or null. */
 export async function findDirections(
   design: Design,
@@ -19,7 +27,10 @@ export async function findDirections(
 ): Promise<number | null> {
   const question = { kind: "explore", dimension: asked, eigenbasis: byStiffness } as const;
   const answer = await run("finding variations", question, "explored");
-  if (answer) held.centre = design.shape;
+  if (answer) {
+    held.centre = design.shape;
+    sliderLeads.value = { centre: design.shape, leads: answer.leads };
+  }
   return answer?.report.dimension ?? null;
 }
 

@@ -3,18 +3,31 @@
 // it is.
 import { signal } from "@preact/signals";
 import type { Shape, ShapeReport } from "../solver/protocol.ts";
-import { held, runUnseen } from "./connection.ts";
+import { client, held, runUnseen } from "./connection.ts";
+import { damageWords } from "./damage.ts";
 import type { Design } from "./design.ts";
 import { ensureDirections } from "./exploring.ts";
 import * as steps from "./history.ts";
-import { show, showPresent } from "./showing.ts";
-import { draft, history, notice, problem } from "./store.ts";
+import { countHealth } from "./panel-rows.ts";
+import { show, showOnly, showPresent } from "./showing.ts";
+import { isInside, within } from "./slider-range.ts";
+import { stopsAt } from "./slider-stops.ts";
+import { busy, draft, history, notice, problem } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 export interface GalleryItem {
   readonly coefficients: readonly number[];
   readonly shape: Shape;
   readonly report: ShapeReport;
+  /** null until it has been measured. */
+  readonly panels: GalleryPanels | null;
+}
+
+export interface GalleryPanels {
+  /** To be made again. */
+  readonly changed: number;
+  /** "1 panel became concave"; "" where none is spoilt. */
+  readonly damage: string;
 }
 
 export interface Gallery {
@@ -30,6 +43,8 @@ export const gallery = signal<Gallery | null>(null);
 const SIZE = 9;
 /** How far from the edit, as a share of what the sliders allow. */
 const STEP = 0.7;
+/** Sliders that stop one another come closer by this, at most so often. */
+const [NEARER, TIMES] = [0.75, 6];
 
 /** Coefficients of up to SIZE different designs in `dimension` directions. */
 export function candidates(dimension: number): number[][] {
@@ -49,6 +64,23 @@ export function candidates(dimension: number): number[][] {
   }
   return all.slice(0, SIZE);
 }
+
+/** Sliders that are set together may stop one another: then all of them come nearer to the edit. */
+async function insideStops(centre: Shape, asked: readonly number[]): Promise<readonly number[]> {
+  const zero = asked.map(() => 0);
+  const alone = await stopsAt({ centre, coefficients: zero });
+  if (!alone) return asked;
+  let x = within(asked, alone);
+  for (let k = 0; k < TIMES; ++k) {
+    const there = await stopsAt({ centre, coefficients: x });
+    if (!there || isInside(x, there)) break;
+    x = x.map((value) => NEARER * value);
+  }
+  return x;
+}
+
+/** Nearer to the edit a design would be the same to the eye. */
+const LEAST = 0.05;
 
 /** Whether the gallery's directions are those of the design shown. */
 const current = (centre: Shape): boolean => draft.value?.variation?.centre === centre;
@@ -78,13 +110,36 @@ export async function fillGallery(): Promise<void> {
 async function addItem(x: readonly number[], number: number, total: number): Promise<boolean> {
   const said = problem.value;
   const label = `variation ${number} of ${total}`;
-  const answer = await runUnseen(label, { kind: "project", coefficients: x }, "projected");
+  const centre = gallery.value?.centre;
+  const coefficients = centre ? await insideStops(centre, x) : x;
+  if (Math.hypot(...coefficients) < LEAST) return true;
+  const answer = await runUnseen(label, { kind: "project", coefficients }, "projected");
   const refused = problem.value !== null && problem.value !== said;
   problem.value = said;
   if (!answer || !gallery.value) return refused;
-  const item = { coefficients: x, shape: answer.shape, report: answer.report };
+  const { shape, report } = answer;
+  const panels = await panelsOf(shape);
+  const item = { coefficients, shape, report, panels };
   gallery.value = { ...gallery.value, items: [...gallery.value.items, item] };
   return true;
+}
+
+async function panelsOf(shape: Shape): Promise<GalleryPanels | null> {
+  try {
+    const answer = await client.ask({ kind: "measure", shape });
+    if (answer.kind !== "panels" || !answer.measures) return null;
+    const { health, damage } = answer.measures;
+    return { changed: countHealth(health).changed, damage: damageWords(damage) };
+  } catch {
+    return null;
+  }
+}
+
+/** While the pointer rests on one of the gallery: it is shown in its place, and nothing else happens. */
+export function preview(item: GalleryItem | null): void {
+  const steady = history.value?.present;
+  if (!steady || draft.value !== steady || busy.value) return;
+  showOnly(item ? { ...steady, shape: item.shape } : steady);
 }
 
 /** Makes one of the gallery the design, as one step of the history. */

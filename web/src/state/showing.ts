@@ -160,6 +160,9 @@ export function cancel(): void {
   );
 }
 
+/** Draws a design of the mesh that is open; the page and the solver keep their own. */
+export const showOnly = (design: Design): void => announceChanges(displayOf(design));
+
 /** The whole design in display coordinates, from what the page itself keeps. */
 function displayOf(design: Design): Float32Array {
   const opened = mesh.value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { explore } from "../state/exploring.ts";
-import { fillGallery, gallery } from "../state/gallery.ts";
+import { fetchPart } from "../state/later.ts";
 import { dimension, draft, eigenbasis, figures, limited, ready } from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
@@ -19,22 +19,13 @@ const ContinueButton = later(() =>
 const directions = (count: number): string =>
   `${count} ${count === 1 ? "direction" : "directions"}`;
 
-function GalleryButton() {
-  const centre = draft.value?.variation?.centre;
-  if (!centre || gallery.value?.centre === centre) return null;
-  return (
-    <button type="button" class="button wide" onClick={() => void fillGallery()}>
-      Show gallery
-    </button>
-  );
-}
-
 async function exploreAndShow(): Promise<void> {
   await explore();
   // The sliders and the gallery are what was asked for.
   if (draft.value?.variation)
     document.getElementById("step-explore")?.parentElement?.scrollIntoView();
-  await fillGallery();
+  const part = await fetchPart(() => import("../state/gallery.ts"));
+  await part?.fillGallery();
 }
 
 /** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
@@ -94,7 +85,6 @@ export function ExploreSection() {
       )}
       <VariationSliders />
       <ContinueButton />
-      <GalleryButton />
       <VariationGallery />
     </section>
   );

@@ -5,14 +5,19 @@ import { Color } from "three";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { makeRamp, type Ramp, writeRamp } from "../scene/ramp.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
+import { NO_SHAPE } from "../state/design.ts";
 
 /** Panels to draw and where they lie on the picture, the same for all pictures of one family. */
 export interface Patch {
   readonly panels: readonly number[];
   /** Left, top, right, bottom of the projection, display coordinates. */
   readonly bounds: readonly [number, number, number, number];
-  /** Largest displacement in the family, model units: the end of the colour ramp. */
+  /** The largest difference in the family, display units: the end of the colour ramp. */
   readonly largest: number;
+  /** What the colours are held against. */
+  readonly from: Shape;
+  /** Whether they tell a way towards the eye from one away from it, by ramps of their own. */
+  readonly signed: boolean;
 }
 
 type Vec = readonly [number, number, number];
@@ -51,14 +56,24 @@ const cornersOf = (mesh: OpenedMesh, panel: number): Int32Array =>
 /** Moves smaller than this share of the largest one do not widen the picture. */
 const VISIBLE = 0.15;
 
-/** Vertices that any of `shapes` moves visibly. */
-function movedVisibly(mesh: OpenedMesh, shapes: readonly Shape[], largest: number): Set<number> {
-  const inside = new Set<number>();
-  for (const shape of shapes) {
-    shape.moved.forEach((v, k) => {
-      if (displacement(mesh, shape, v, k) > VISIBLE * largest) inside.add(v);
-    });
+type Differences = ReadonlyMap<number, number>;
+
+/** Where two shapes of a mesh differ, and by how much: by vertex, display units. */
+function differences(mesh: OpenedMesh, from: Shape, to: Shape): Differences {
+  const [a, b] = [placesOf(mesh, from), placesOf(mesh, to)];
+  const found = new Map<number, number>();
+  for (const v of [...from.moved, ...to.moved]) {
+    const [p, q] = [a(v), b(v)];
+    found.set(v, Math.hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
   }
+  return found;
+}
+
+/** Vertices that differ visibly in any of them. */
+function visibly(all: readonly Differences[], largest: number): Set<number> {
+  const inside = new Set<number>();
+  for (const one of all)
+    for (const [v, length] of one) if (length > VISIBLE * largest) inside.add(v);
   return inside;
 }
 
@@ -76,12 +91,22 @@ function panelsAround(mesh: OpenedMesh, inside: Set<number>): number[] {
   }
 }
 
-const largestMove = (mesh: OpenedMesh, shape: Shape): number =>
-  shape.moved.reduce((most, v, k) => Math.max(most, displacement(mesh, shape, v, k)), 0);
-
-export function patchOf(mesh: OpenedMesh, shapes: readonly Shape[]): Patch {
-  const largest = Math.max(0, ...shapes.map((shape) => largestMove(mesh, shape)));
-  const panels = panelsAround(mesh, movedVisibly(mesh, shapes, largest));
+/**
+ * What differs from `from` in any of `shapes`, near enough to see it; null: from the mesh, whichever
+ * way.
+ */
+export function patchOf(
+  mesh: OpenedMesh,
+  shapes: readonly Shape[],
+  given: Shape | null = null,
+): Patch {
+  const from = given ?? NO_SHAPE;
+  const all = shapes.map((shape) => differences(mesh, from, shape));
+  const largest = all.reduce(
+    (most, one) => [...one.values()].reduce((m, length) => Math.max(m, length), most),
+    0,
+  );
+  const panels = panelsAround(mesh, visibly(all, largest));
   const bounds: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const shape of shapes) {
     const at = placesOf(mesh, shape);
@@ -95,17 +120,11 @@ export function patchOf(mesh: OpenedMesh, shapes: readonly Shape[]): Patch {
       }
     }
   }
-  return { panels, bounds, largest };
+  return { panels, bounds, largest, from, signed: given !== null };
 }
 
-function displacement(mesh: OpenedMesh, shape: Shape, v: number, k: number): number {
-  const gap = (c: number): number =>
-    (shape.positions[3 * k + c] ?? 0) - (mesh.positions[3 * v + c] ?? 0);
-  return Math.hypot(gap(0), gap(1), gap(2));
-}
-
-/** How much light a panel takes, from its area vector. */
-function brightness(points: readonly Vec[]): number {
+/** The panel's area vector, twice. */
+function normalOf(points: readonly Vec[]): Vec {
   const normal: [number, number, number] = [0, 0, 0];
   points.forEach((a, k) => {
     const b = points[(k + 1) % points.length] ?? a;
@@ -113,20 +132,38 @@ function brightness(points: readonly Vec[]): number {
     normal[1] += a[2] * b[0] - a[0] * b[2];
     normal[2] += a[0] * b[1] - a[1] * b[0];
   });
+  return normal;
+}
+
+/** How much light a panel takes. */
+function brightness(points: readonly Vec[]): number {
+  const normal = normalOf(points);
   const length = Math.hypot(...normal);
   return length > 0 ? 0.72 + 0.28 * Math.abs(dot(normal, LIGHT_FROM) / length) : 1;
 }
 
+/** Whether a panel went away from the eye, along its normal. */
+function wentAway(before: readonly Vec[], after: readonly Vec[]): boolean {
+  const normal = normalOf(before);
+  const along = after.reduce((sum, q, k) => {
+    const p = before[k] ?? q;
+    return sum + dot([q[0] - p[0], q[1] - p[1], q[2] - p[2]], normal);
+  }, 0);
+  return along * dot(normal, EYE) < 0;
+}
+
 interface Pen {
   readonly context: CanvasRenderingContext2D;
-  readonly ramp: Ramp;
+  /** For what comes towards the eye, or whichever way it goes; for what goes away from it. */
+  readonly ramps: readonly [Ramp, Ramp];
   readonly palette: Palette;
   readonly onPaper: (point: Vec) => readonly [number, number];
 }
 
-function drawPanel({ context, ramp, palette, onPaper }: Pen, points: Vec[], share: number): void {
+/** `share` of the ramp; below 0 of the one for what goes away. */
+function drawPanel({ context, ramps, palette, onPaper }: Pen, points: Vec[], share: number): void {
   const rgb = new Float32Array(3);
-  writeRamp(ramp, share, rgb, 0);
+  writeRamp(ramps[share < 0 ? 1 : 0], Math.abs(share), rgb, 0);
   const light = brightness(points);
   const colour = new Color((rgb[0] ?? 0) * light, (rgb[1] ?? 0) * light, (rgb[2] ?? 0) * light);
   context.beginPath();
@@ -165,12 +202,10 @@ export function drawPatch(
     height / 2 + size * (-dot(point, UP) - (top + bottom) / 2),
   ];
   const palette = window.matchMedia("(prefers-color-scheme: dark)").matches ? DARK : LIGHT;
-  const pen = { context, palette, ramp: makeRamp(palette.displacement), onPaper };
-  const at = placesOf(mesh, shape);
-  const moves = new Map<number, number>();
-  shape.moved.forEach((v, k) => {
-    moves.set(v, displacement(mesh, shape, v, k));
-  });
+  const ramps = [makeRamp(palette.displacement), makeRamp(palette.planarity)] as const;
+  const pen = { context, palette, ramps, onPaper };
+  const [before, at] = [placesOf(mesh, patch.from), placesOf(mesh, shape)];
+  const moves = differences(mesh, patch.from, shape);
   const depth = (f: number): number => {
     const corners = cornersOf(mesh, f);
     return corners.reduce((sum, v) => sum + dot(at(v), EYE), 0) / corners.length;
@@ -179,6 +214,8 @@ export function drawPatch(
   for (const [f] of order) {
     const corners = [...cornersOf(mesh, f)];
     const most = Math.max(...corners.map((v) => moves.get(v) ?? 0));
-    drawPanel(pen, corners.map(at), patch.largest > 0 ? most / patch.largest : 0);
+    const share = patch.largest > 0 ? most / patch.largest : 0;
+    const away = patch.signed && wentAway(corners.map(before), corners.map(at));
+    drawPanel(pen, corners.map(at), away ? -share : share);
   }
 }

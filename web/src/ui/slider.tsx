@@ -14,6 +14,8 @@ interface SliderProps {
   /** The value with its unit, where `shown` alone does not say it. */
   readonly spoken?: string;
   readonly onInput: (value: number) => void;
+  /** Values from where on, downwards and upwards, it should not go; null for none. */
+  readonly stops?: readonly [number | null, number | null] | undefined;
   /** Keys pressed while the slider keeps the focus are one burst; a pointer makes none. */
   readonly onCommit: Apply;
 }
@@ -21,7 +23,7 @@ interface SliderProps {
 const KEYS = /^(Arrow|Page|Home|End)/;
 
 export function Slider(props: SliderProps) {
-  const { label, min, max, step, disabled, ends, onInput, onCommit } = props;
+  const { label, min, max, step, disabled, ends, stops, onInput, onCommit } = props;
   const id = `slider-${label.toLowerCase().replace(/\W+/g, "-")}`;
   const ahead = useAhead(id, props.value);
   const { value } = ahead;
@@ -57,6 +59,16 @@ export function Slider(props: SliderProps) {
         }}
         onChange={({ currentTarget }) => void ahead.apply(currentTarget.valueAsNumber, onCommit)}
       />
+      {stops && (
+        <div class="slider-stops" aria-hidden="true">
+          {stops[0] !== null && (
+            <span class="low" style={{ width: `calc(${share(stops[0])} + 8px)` }} />
+          )}
+          {stops[1] !== null && (
+            <span class="high" style={{ width: `calc(100% - ${share(stops[1])} + 8px)` }} />
+          )}
+        </div>
+      )}
       {ends && (
         <div class="slider-ends" aria-hidden="true">
           <span>{ends[0]}</span>

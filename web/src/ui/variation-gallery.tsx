@@ -2,7 +2,15 @@
 import "./designs.css";
 import { useComputed } from "@preact/signals";
 import { flatnessWords } from "../state/flatness.ts";
-import { adopt, type Gallery, type GalleryItem, gallery } from "../state/gallery.ts";
+import { foldWords, formatDegrees } from "../state/fold.ts";
+import {
+  adopt,
+  fillGallery,
+  type Gallery,
+  type GalleryItem,
+  gallery,
+  preview,
+} from "../state/gallery.ts";
 import { draft, mesh, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { type Patch, patchOf } from "./patch-drawing.ts";
@@ -14,12 +22,26 @@ interface TileProps {
   readonly patch: Patch;
 }
 
+/** "14 again"; what is spoilt is said, too. */
+function Again({ panels }: Pick<GalleryItem, "panels">) {
+  if (!panels) return null;
+  return (
+    <>
+      <br />
+      {`${panels.changed} again`}
+      {panels.damage && <strong class="tile-damage">{panels.damage}</strong>}
+    </>
+  );
+}
+
 function Tile({ item, number, patch }: TileProps) {
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
   const length = formatLength(maxDisplacement, unit.value);
   const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence;
   const chosen = draft.value?.shape === item.shape;
-  const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}`;
+  const fold = foldWords(item.report);
+  const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}, ${fold}`;
+  const after = item.report.sharpestFold?.after;
   return (
     <li>
       <button
@@ -28,6 +50,10 @@ function Tile({ item, number, patch }: TileProps) {
         aria-pressed={chosen}
         title={words}
         onClick={() => void adopt(item)}
+        onPointerEnter={() => preview(item)}
+        onPointerLeave={() => preview(null)}
+        onFocus={() => preview(item)}
+        onBlur={() => preview(null)}
       >
         {mesh.value && <PatchPicture mesh={mesh.value} patch={patch} shape={item.shape} />}
         <span class="visually-hidden">Adopt design {number}: </span>
@@ -35,6 +61,13 @@ function Tile({ item, number, patch }: TileProps) {
           {length}
           <br />
           {movedVertices} points
+          {after !== undefined && (
+            <>
+              <br />
+              {`fold ${formatDegrees(after)}`}
+            </>
+          )}
+          <Again panels={item.panels} />
         </span>
         <span class="visually-hidden">, worst panel {worst}</span>
       </button>
@@ -57,19 +90,34 @@ function Tiles({ shown, patch }: { shown: Gallery; patch: Patch }) {
   );
 }
 
+function GalleryButton() {
+  return (
+    <button type="button" class="button wide" onClick={() => void fillGallery()}>
+      Show gallery
+    </button>
+  );
+}
+
 /** Designs to choose from, each exact already. */
 export function VariationGallery() {
   const patch = useComputed(() => {
     const [opened, shown] = [mesh.value, gallery.value];
     if (!opened || !shown) return null;
-    return patchOf(opened, [shown.centre, ...shown.items.map(({ shape }) => shape)]);
+    return patchOf(
+      opened,
+      shown.items.map(({ shape }) => shape),
+      shown.centre,
+    );
   });
-  const shown = gallery.value;
-  if (!shown || !patch.value || draft.value?.variation?.centre !== shown.centre) return null;
+  const [shown, centre] = [gallery.value, draft.value?.variation?.centre];
+  if (!centre) return null;
+  if (shown?.centre !== centre) return <GalleryButton />;
+  if (!patch.value) return null;
   return (
     <>
       <p class="quiet small">
-        Designs to choose from, each flat already: its largest move and the points that move.
+        Designs to choose from, each flat already, coloured by how far it is from the edit: blue
+        towards you, amber away. Rest on one to see it in the view.
       </p>
       <Tiles shown={shown} patch={patch.value} />
     </>

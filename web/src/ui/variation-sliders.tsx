@@ -1,41 +1,112 @@
 // SPDX-License-Identifier: MIT
-import { commitVariation, previewVariation } from "../state/exploring.ts";
+import "./variation-sliders.css";
+import { useEffect } from "preact/hooks";
+import { pointFrame } from "../mesh/point-frame.ts";
+import type { SliderLead, SliderRange } from "../solver/protocol.ts";
+import type { Variation } from "../state/design.ts";
+import { shownPoint } from "../state/editing.ts";
+import { commitVariation, previewVariation, sliderLeads } from "../state/exploring.ts";
 import { reachOf } from "../state/reach.ts";
-import { draft, mesh, unit } from "../state/store.ts";
+import { visit } from "../state/selection.ts";
+import { leadWords, stopsWithin, wayWords } from "../state/slider-range.ts";
+import { keepStops, sliderRanges } from "../state/slider-stops.ts";
+import { draft, mesh, selectedPanel, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
 import { Slider } from "./slider.tsx";
 
+/** Where and which way a slider moves the structure, seen from the edit that it is around. */
+function Lead({ lead, variation }: { lead: SliderLead; variation: Variation }) {
+  const opened = mesh.value;
+  if (!opened) return null;
+  const at = (vertex: number) => shownPoint(vertex, variation.centre);
+  const way = wayWords(lead.move, pointFrame(opened, at, lead.vertex).normal);
+  return <>{`To the right point ${lead.vertex} moves most, ${leadWords(lead, way)}. `}</>;
+}
+
+function Stop({ panel, side }: { panel: number; side: string }) {
+  return (
+    <span class="stop-side">
+      {`${side} `}
+      <button
+        type="button"
+        class="point-button"
+        aria-label={`Show panel ${panel}, which stops it`}
+        onClick={() => {
+          selectedPanel.value = panel;
+        }}
+      >
+        {panel}
+      </button>
+    </span>
+  );
+}
+
+/** Which panels stop a slider, to the left and to the right. */
+function Stops({ range, value }: { range: SliderRange; value: number }) {
+  const [lower, upper] = stopsWithin(range, 1);
+  if (lower === null && upper === null) return null;
+  const beyond = value < range.lower || value > range.upper;
+  return (
+    <span class={beyond ? "beyond" : ""}>
+      {beyond ? "Beyond its stop. " : ""}
+      {"Stopped by panel "}
+      {lower !== null && <Stop panel={range.lowerPanel} side="←" />}
+      {lower !== null && upper !== null && ", "}
+      {upper !== null && <Stop panel={range.upperPanel} side="→" />}
+    </span>
+  );
+}
+
 /** One slider for each direction that was found around the edit. */
 export function VariationSliders() {
+  useEffect(keepStops, []);
   const variation = draft.value?.variation;
   const base = mesh.value?.positions;
   if (!variation || !base) return null;
-  const reach = reachOf(variation.centre, base);
-  const found = variation.coefficients.length;
+  const { centre, coefficients, asked } = variation;
+  const reach = reachOf(centre, base);
+  const found = coefficients.length;
   const words = (x: number): string =>
     `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, unit.value)}`;
+  const ranges = sliderRanges.value?.centre === centre ? sliderRanges.value.ranges : [];
+  const leads = sliderLeads.value?.centre === centre ? sliderLeads.value.leads : [];
   return (
     <>
       <p class="quiet small">
-        {found < variation.asked && `${found} of ${variation.asked} directions exist here. `}
+        {found < asked && `${found} of ${asked} directions exist here. `}
         At either end of a slider the point that moves most moves by{" "}
-        {formatLength(reach, unit.value)}.
+        {formatLength(reach, unit.value)}. Hatched: there a panel would lose its shape.
       </p>
-      {variation.coefficients.map((value, k) => {
+      {coefficients.map((value, k) => {
         const label = `Variation ${k + 1}`;
+        const [range, lead] = [ranges[k], leads[k]];
+        const show = (on: boolean) => () => visit(on && lead ? lead.vertex : null);
         return (
-          <Slider
+          <div
             key={label}
-            label={label}
-            value={value}
-            min={-1}
-            max={1}
-            step={0.01}
-            shown={words(value)}
-            disabled={false}
-            onInput={(x) => previewVariation(k, x)}
-            onCommit={(x, burst) => commitVariation(k, x, burst)}
-          />
+            class="variation-slider"
+            onPointerEnter={show(true)}
+            onPointerLeave={show(false)}
+            onFocusIn={show(true)}
+            onFocusOut={show(false)}
+          >
+            <Slider
+              label={label}
+              value={value}
+              min={-1}
+              max={1}
+              step={0.01}
+              shown={words(value)}
+              stops={range && stopsWithin(range, 1)}
+              disabled={false}
+              onInput={(x) => previewVariation(k, x)}
+              onCommit={(x, burst) => commitVariation(k, x, burst)}
+            />
+            <p class="quiet small slider-about">
+              {lead && <Lead lead={lead} variation={variation} />}
+              {range && <Stops range={range} value={value} />}
+            </p>
+          </div>
         );
       })}
     </>
