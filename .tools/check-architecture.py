@@ -91,7 +91,8 @@ FILE_GROUPS = {
     "design_rules": "design",
     "design_text_read": "design_text",
     "design_text_write": "design_text",
-    "design_words": "design_text",
+    "design_words": "handle_edit",  # the words of its options
+    "edit_option_table": "handle_edit",
     "io/read_result": "read_result",
     "io/sentence": "read_result",
     "io/number": "read_result",

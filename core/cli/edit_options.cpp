@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planish/constraints/kept_kinds.hpp"
+#include "planish/design_words.hpp"
 #include "planish/metrics.hpp"
 #include "report.hpp"
 
@@ -13,8 +14,7 @@ namespace {
 
 /// One of a few words, each with its meaning.
 template <class Value, std::size_t kCount>
-Value parse_word(std::string_view text, std::string_view what,
-                 const std::pair<std::string_view, Value> (&words)[kCount]) {
+Value parse_word(std::string_view text, std::string_view what, const Words<Value, kCount>& words) {
   std::string known;
   for (const auto& [word, value] : words) {
     if (word == text) return value;
@@ -116,8 +116,8 @@ std::vector<OptionRow> edit_option_rows() {
 
 namespace {
 
-constexpr std::pair<std::string_view, double> kUnits[] = {
-    {"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+constexpr Words<double, 6> kUnits = {
+    {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
 
 /// "4" (face rings) or "1.5m" (a length).
 void set_reach(std::string_view text, std::string_view model_unit, HandleEditOptions& options) {
@@ -127,9 +127,9 @@ void set_reach(std::string_view text, std::string_view model_unit, HandleEditOpt
     if (options.reach < 1) throw CommandError(kWrongUsage, "--reach must be at least 1 face ring");
     return;
   }
-  const double metres = parse_word<double>(text.substr(unit), "--reach", kUnits) *
+  const double metres = parse_word(text.substr(unit), "--reach", kUnits) *
                         parse_finite(text.substr(0, unit), "--reach");
-  options.reach_length = metres / parse_word<double>(model_unit, "--model-unit", kUnits);
+  options.reach_length = metres / parse_word(model_unit, "--model-unit", kUnits);
   if (!(options.reach_length > 0.0)) {
     throw CommandError(kWrongUsage, "--reach must be longer than 0");
   }
@@ -168,21 +168,15 @@ std::vector<KeptConstraint> parse_constraints(const Arguments& arguments, double
 
 std::string model_unit(const Arguments& arguments) {
   const std::string unit = arguments.value("--model-unit").value_or("m");
-  static_cast<void>(parse_word<double>(unit, "--model-unit", kUnits));
+  static_cast<void>(parse_word(unit, "--model-unit", kUnits));
   return unit;
 }
 
 FairnessKind parse_fairness(std::string_view text) {
-  return parse_word<FairnessKind>(text, "--fairness",
-                                  {{"laplacian", FairnessKind::kLaplacian},
-                                   {"second", FairnessKind::kSecondDifference},
-                                   {"third", FairnessKind::kThirdDifference}});
+  return parse_word(text, "--fairness", kFairnessWords);
 }
 
-Engine parse_engine(std::string_view text) {
-  return parse_word<Engine>(text, "--solver",
-                            {{"newton", Engine::kNewton}, {"alm", Engine::kAugmentedLagrangian}});
-}
+Engine parse_engine(std::string_view text) { return parse_word(text, "--solver", kEngineWords); }
 
 HandleEditOptions edit_options(const Arguments& arguments) {
   HandleEditOptions options;
@@ -203,9 +197,7 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   }
   options.keep_boundary = arguments.has("--keep-boundary");
   if (const auto text = arguments.value("--sparsity")) {
-    options.sparsity = parse_word<Sparsity>(
-        *text, "--sparsity",
-        {{"l21", Sparsity::kL21}, {"l2", Sparsity::kL2}, {"none", Sparsity::kNone}});
+    options.sparsity = parse_word(*text, "--sparsity", kSparsityWords);
   }
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
   if (arguments.has("--support") && options.engine != Engine::kNewton) {

@@ -4,13 +4,16 @@
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "design_words.hpp"
 #include "io/base64.hpp"
 #include "io/json_depth.hpp"
 #include "io/sentence.hpp"
 #include "planish/design_text.hpp"
+#include "planish/design_words.hpp"
+#include "planish/edit_option_table.hpp"
 
 namespace planish {
 namespace {
@@ -40,6 +43,9 @@ class Field {
 
   /// Holds an object to its fields.
   void only(std::initializer_list<std::string_view> known) const {
+    only(std::vector<std::string_view>(known));
+  }
+  void only(const std::vector<std::string_view>& known) const {
     if (!value_->is_object()) refuse("an object");
     for (const auto& [key, ignored] : value_->items()) {
       bool found = false;
@@ -152,13 +158,6 @@ DesignSource read_source(const Field& source) {
   return file;
 }
 
-/// What a design means that does not name its bounds: those of the time before there were any.
-HandleEditOptions options_before_bounds() {
-  HandleEditOptions options;
-  options.keep_shape = false;
-  return options;
-}
-
 std::vector<KeptConstraint> read_constraints(const Field& field) {
   std::vector<KeptConstraint> constraints;
   for (std::size_t k = 0; k < field.size(kMostConstraints); ++k) {
@@ -179,27 +178,30 @@ std::vector<StatedLimit> read_bounds(const Field& field) {
   return bounds;
 }
 
+double read_value(const Field& field, double) { return field.number(); }
+bool read_value(const Field& field, bool) { return field.boolean(); }
+int read_value(const Field& field, int) { return field.whole(0); }
+std::vector<KeptConstraint> read_value(const Field& field, const std::vector<KeptConstraint>&) {
+  return read_constraints(field);
+}
+std::vector<StatedLimit> read_value(const Field& field, const std::vector<StatedLimit>&) {
+  return read_bounds(field);
+}
+template <class Value>
+Value read_value(const Field& field, Value usual) {
+  return field.word(words_for(usual));
+}
+
 HandleEditOptions read_options(const Field& field) {
-  field.only({"attraction", "locality", "smoothness", "fairness", "sparsity", "hard", "solver",
-              "tolerance", "max_iterations", "shape", "reach", "reach_length", "keep_boundary",
-              "softness", "constraints", "bounds"});
-  HandleEditOptions options = options_before_bounds();
-  read_if(field, "attraction", options.attraction);
-  read_if(field, "locality", options.locality);
-  read_if(field, "smoothness", options.smoothness);
-  if (field.has("fairness")) options.fairness = field.at("fairness").word(kFairnessWords);
-  if (field.has("sparsity")) options.sparsity = field.at("sparsity").word(kSparsityWords);
-  read_if(field, "hard", options.hard_handles);
-  if (field.has("solver")) options.engine = field.at("solver").word(kEngineWords);
-  read_if(field, "tolerance", options.tolerance);
-  if (field.has("max_iterations")) options.max_iterations = field.at("max_iterations").whole(0);
-  read_if(field, "shape", options.keep_shape);
-  if (field.has("reach")) options.reach = field.at("reach").whole(0);
-  read_if(field, "reach_length", options.reach_length);
-  read_if(field, "keep_boundary", options.keep_boundary);
-  read_if(field, "softness", options.softness);
-  if (field.has("constraints")) options.constraints = read_constraints(field.at("constraints"));
-  if (field.has("bounds")) options.bounds = read_bounds(field.at("bounds"));
+  std::vector<std::string_view> names;
+  for_each_edit_option([&](const auto& option) { names.push_back(option.name); });
+  field.only(names);
+  HandleEditOptions options = options_when_absent();
+  for_each_edit_option([&](const auto& option) {
+    const std::string name(option.name);
+    auto& value = options.*option.member;
+    if (field.has(name.c_str())) value = read_value(field.at(name.c_str()), value);
+  });
   return options;
 }
 
@@ -293,7 +295,7 @@ Design read_root(const Field& root) {
   design.planarised = read_planarised(root);
   if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
   design.targets = read_targets(root);
-  design.options = root.has("options") ? read_options(root.at("options")) : options_before_bounds();
+  design.options = root.has("options") ? read_options(root.at("options")) : options_when_absent();
   if (root.has("variations")) {
     const Field variations = root.at("variations");
     for (std::size_t k = 0; k < variations.size(kMostVariations); ++k) {

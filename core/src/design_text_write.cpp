@@ -2,10 +2,12 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "design_words.hpp"
 #include "io/base64.hpp"
 #include "planish/design_text.hpp"
+#include "planish/design_words.hpp"
+#include "planish/edit_option_table.hpp"
 
 namespace planish {
 namespace {
@@ -34,33 +36,37 @@ Json source_json(const DesignSource& source) {
   return json;
 }
 
-void add_constraints(Json& json, const std::vector<KeptConstraint>& constraints) {
+Json value_json(double value) { return value; }
+Json value_json(bool value) { return value; }
+Json value_json(int value) { return value; }
+Json value_json(const std::vector<KeptConstraint>& constraints) {
+  Json json = Json::array();
   for (const KeptConstraint& one : constraints) {
-    json["constraints"].push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
+    json.push_back({{"kind", one.kind}, {"tolerance", one.tolerance}});
   }
+  return json;
+}
+Json value_json(const std::vector<StatedLimit>& limits) {
+  Json json = Json::array();
+  for (const StatedLimit& limit : limits) json.push_back(stated_limit_text(limit));
+  return json;
+}
+template <class Value>
+Json value_json(Value value) {
+  return word_of(value, words_for(value));
 }
 
-/// What was added to the format later is written only where it is not the default, so that older
-/// readers go on reading what they know.
+/// What was added to the format later is written only where it is on, so that older readers go on
+/// reading what they know.
 Json options_json(const HandleEditOptions& options) {
-  Json json = {{"attraction", options.attraction},
-               {"locality", options.locality},
-               {"smoothness", options.smoothness},
-               {"fairness", word_of(options.fairness, kFairnessWords)},
-               {"sparsity", word_of(options.sparsity, kSparsityWords)},
-               {"hard", options.hard_handles},
-               {"solver", word_of(options.engine, kEngineWords)},
-               {"tolerance", options.tolerance},
-               {"max_iterations", options.max_iterations}};
-  if (options.keep_shape) json["shape"] = true;  // absent in designs from before the bounds
-  if (options.reach != 0) json["reach"] = options.reach;
-  if (options.reach_length != 0.0) json["reach_length"] = options.reach_length;
-  if (options.keep_boundary) json["keep_boundary"] = true;
-  add_constraints(json, options.constraints);
-  for (const StatedLimit& limit : options.bounds) {
-    json["bounds"].push_back(stated_limit_text(limit));
-  }
-  if (options.softness != 0.0) json["softness"] = options.softness;
+  const HandleEditOptions absent = options_when_absent();
+  Json json = Json::object();
+  for_each_edit_option([&](const auto& option) {
+    Json value = value_json(options.*option.member);
+    const bool off = value == value_json(absent.*option.member);
+    if (option.when_absent == WhenAbsent::kOff && off) return;
+    json[std::string(option.name)] = std::move(value);
+  });
   return json;
 }
 
@@ -83,7 +89,7 @@ Json planarised_json(const std::optional<Planarising>& how) {
   Json json = {{"smooth", how->fairness_weight},
                {"keep_boundary", how->keep_boundary},
                {"shape", how->keep_shape}};
-  add_constraints(json, how->constraints);
+  if (!how->constraints.empty()) json["constraints"] = value_json(how->constraints);
   return json;
 }
 

@@ -6,27 +6,45 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/edit_option_table.hpp"
 #include "planish/handle_edit.hpp"
 
 namespace planish {
-Refusal find_problem(const HandleEditOptions& options) {
-  const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!weight(options.attraction) || options.attraction == 0.0) {
-    return "attraction must be a number greater than 0";
-  }
-  if (!weight(options.locality)) return "locality must be a number of at least 0";
-  if (!weight(options.smoothness)) return "smoothness must be a number of at least 0";
-  if (options.reach < 0) return "reach must be at least 0 (face rings)";
-  if (!weight(options.reach_length)) return "reach_length must be a number of at least 0";
-  const bool on_scale = options.softness >= kHardest && options.softness <= kSoftest;
-  if (options.softness != 0.0 && !on_scale) return "softness must be 0 (off) or from 1 to 10";
-  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
-    return "tolerance must be a number greater than 0 (mm/m)";
-  }
-  if (auto problem = find_problem(options.constraints)) return problem;
-  if (auto problem = find_problem(options.bounds)) return problem;
-  if (options.max_iterations < 0) return "max_iterations must be at least 0";
+namespace {
+
+template <class Number>
+Refusal find_wrong_number(const EditOption<Number>& option, double value) {
+  if (std::isfinite(value) && option.rule.holds(value)) return std::nullopt;
+  return std::string(option.name) + " must be " + std::string(option.rule.sentence);
+}
+
+Refusal find_problem(const EditOption<double>& option, double value) {
+  return find_wrong_number(option, value);
+}
+
+Refusal find_problem(const EditOption<int>& option, int value) {
+  return find_wrong_number(option, value);
+}
+
+template <class Value>
+Refusal find_problem(const EditOption<std::vector<Value>>&, const std::vector<Value>& list) {
+  return planish::find_problem(list);
+}
+
+/// Words and switches have no wrong value.
+template <class Value>
+Refusal find_problem(const EditOption<Value>&, const Value&) {
   return std::nullopt;
+}
+
+}  // namespace
+
+Refusal find_problem(const HandleEditOptions& options) {
+  Refusal problem;
+  for_each_edit_option([&](const auto& option) {
+    if (!problem) problem = find_problem(option, options.*option.member);
+  });
+  return problem;
 }
 
 Refusal find_continuation_problem(const EditTargets& targets) {

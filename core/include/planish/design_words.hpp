@@ -27,6 +27,11 @@ inline constexpr Words<Sparsity, 3> kSparsityWords = {
 inline constexpr Words<Engine, 2> kEngineWords = {
     {{"newton", Engine::kNewton}, {"alm", Engine::kAugmentedLagrangian}}};
 
+/// The words for the values of an option that is one of a few.
+[[nodiscard]] constexpr const auto& words_for(FairnessKind) { return kFairnessWords; }
+[[nodiscard]] constexpr const auto& words_for(Sparsity) { return kSparsityWords; }
+[[nodiscard]] constexpr const auto& words_for(Engine) { return kEngineWords; }
+
 template <class Value, std::size_t kCount>
 [[nodiscard]] constexpr std::string_view word_of(Value value, const Words<Value, kCount>& words) {
   for (const auto& [word, meaning] : words) {
