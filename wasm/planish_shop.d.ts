@@ -24,6 +24,35 @@ export interface WrittenPackage {
   readonly header: string;
 }
 
+/** What a package would hold; with `problem` not empty the rest is absent. */
+export interface CuttingPreview {
+  /** A clause, not a sentence: "gap must be at least 0". */
+  readonly problem: string;
+  readonly panels: number;
+  readonly drawn: number;
+  /** To be made again against the base; `bevel` of them with the same outline. */
+  readonly outline: number;
+  readonly bevel: number;
+  /** Of the worst panel, mm/m. */
+  readonly flatness: number;
+  readonly vanished: readonly string[];
+  readonly oversize: readonly string[];
+  readonly sheets: number;
+  readonly usedFraction: number;
+  /** SVG; "" if it was not wanted. */
+  readonly map: string;
+  /** The panel in `drawing`; "" if none is drawn. */
+  readonly shown: string;
+  /** SVG. */
+  readonly drawing: string;
+}
+
+/** panels.csv; absent with `problem` not empty. */
+export interface PanelRows {
+  readonly problem: string;
+  readonly csv: string;
+}
+
 export interface ShopModule {
   /** Against `base`; `moved`: the vertices that lie elsewhere, with their positions. */
   cuttingPackage(
@@ -34,6 +63,25 @@ export interface ShopModule {
     movedPositions: Float64Array,
     options: CuttingOptions,
   ): WrittenPackage;
+  /** `face`: the panel to draw if it is in the scope, else the first that is. */
+  cuttingPreview(
+    base: Float64Array,
+    offsets: Int32Array,
+    vertices: Int32Array,
+    moved: Int32Array,
+    movedPositions: Float64Array,
+    options: CuttingOptions,
+    face: number,
+    map: boolean,
+  ): CuttingPreview;
+  panelRows(
+    base: Float64Array,
+    offsets: Int32Array,
+    vertices: Int32Array,
+    moved: Int32Array,
+    movedPositions: Float64Array,
+    options: CuttingOptions,
+  ): PanelRows;
 }
 
 export default function createPlanishShop(options?: object): Promise<ShopModule>;
