@@ -19,6 +19,12 @@ const POLICY = [
 
 const here = (path: string): URL => new URL(path, import.meta.url);
 
+/** A megabyte after gzip that few need: comes when it is asked for, and stays from then on. */
+const comesLater = (name: string): boolean => /\brhino3dm[.-]/.test(name);
+
+const list = (names: readonly string[]): string =>
+  names.map((name) => JSON.stringify(`./${name}`)).join(", ");
+
 export function offline(): Plugin {
   return {
     name: "offline",
@@ -47,7 +53,8 @@ export function offline(): Plugin {
       }
       const source = readFileSync(here("service-worker.js"), "utf8")
         .replace("__VERSION__", digest.digest("hex").slice(0, 16))
-        .replace('"__FILES__"', files.map((name) => JSON.stringify(`./${name}`)).join(", "));
+        .replace('"__FILES__"', list(files.filter((name) => !comesLater(name))))
+        .replace('"__LATER__"', list(files.filter(comesLater)));
       this.emitFile({ type: "asset", fileName: "service-worker.js", source });
     },
   };

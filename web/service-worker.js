@@ -3,6 +3,8 @@
 // the page says so, so that one visit never mixes two.
 const VERSION = "__VERSION__";
 const FILES = ["__FILES__"];
+/** Parts that are kept once somebody has asked for them. */
+const LATER = ["__LATER__"];
 const NAME = `planish-${VERSION}`;
 
 self.addEventListener("install", (event) => {
@@ -23,7 +25,13 @@ async function answer(request) {
   const cache = await caches.open(NAME);
   const wanted = request.mode === "navigate" ? "./index.html" : request;
   const own = await cache.match(wanted, { ignoreSearch: true });
-  return own ?? (await caches.match(request, { ignoreSearch: true })) ?? fetch(request);
+  const kept = own ?? (await caches.match(request, { ignoreSearch: true }));
+  if (kept) return kept;
+  const fetched = await fetch(request);
+  const isPart = LATER.some((name) => new URL(name, self.registration.scope).href === request.url);
+  // A full disk is no reason to do without.
+  if (fetched.ok && isPart) await cache.put(request, fetched.clone()).catch(() => {});
+  return fetched;
 }
 
 self.addEventListener("fetch", (event) => {

@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
+import { noCodeFromText } from "./no-code-from-text.ts";
 import { offline } from "./offline.ts";
 import { oneBeginning } from "./one-beginning.ts";
 import { smallShaders } from "./small-shaders.ts";
@@ -17,7 +18,7 @@ export default defineConfig({
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
   plugins: [firstMesh(wasm), smallFont(), smallShaders(), offline()],
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [noCodeFromText()] },
   build: {
     outDir: here("../dist"),
     emptyOutDir: true,

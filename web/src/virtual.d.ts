@@ -7,3 +7,7 @@ declare module "virtual:first-mesh" {
   };
   export default mesh;
 }
+
+declare module "rhino3dm/rhino3dm.module.js" {
+  export { default } from "rhino3dm";
+}

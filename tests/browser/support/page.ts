@@ -139,7 +139,7 @@ export async function openFile(page: Page, name: string, content: string | Buffe
 
 export async function exportAs(
   page: Page,
-  format: "OBJ" | "GLB" | "PLY" | "PNG" | "JSON",
+  format: "OBJ" | "GLB" | "3DM" | "PLY" | "PNG" | "JSON",
 ): Promise<Buffer> {
   await page.getByRole("button", { name: "Export" }).click();
   const download = page.waitForEvent("download");

@@ -3,7 +3,7 @@ import type { FileFormat } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
 import { fetchPart } from "../state/later.ts";
 import { recipeOf } from "../state/recipe.ts";
-import { designName, history, mesh, problem, unit } from "../state/store.ts";
+import { designName, history, mesh, notice, problem, unit } from "../state/store.ts";
 import { inTurn } from "../state/turns.ts";
 
 const MEDIA: Readonly<Record<FileFormat, string>> = {
@@ -53,6 +53,24 @@ async function exportNow(format: FileFormat): Promise<void> {
 
 /** The design, once all that was asked for is done, written by the core in float64. */
 export const exportMesh = (format: FileFormat): Promise<void> => inTurn(() => exportNow(format));
+
+const surfaces = (names: readonly string[]): string =>
+  `No surface in Rhino for ${names.slice(0, 5).join(", ")}${names.length > 5 ? " and others" : ""}: not flat enough, or crossing itself. Outlines are all there.`;
+
+/** A Rhino model: panels, outlines and a mesh, which opens again here as the design. */
+export const exportRhino = (): Promise<void> =>
+  inTurn(async () => {
+    const question = { kind: "model", unit: unit.value, design: await recipe(true) } as const;
+    const answer = await run("writing 3DM", question, "modelled");
+    if (!answer) return;
+    const { bytes, withoutSurface } = answer.model;
+    save(new Blob([bytes as BlobPart], { type: "model/vnd.3dm" }), ".3dm");
+    if (!answer.model.surfaces) notice.value = MANY;
+    else if (withoutSurface.length > 0) notice.value = surfaces(withoutSurface);
+  });
+
+const MANY =
+  "Above 5,000 panels the Rhino model holds outlines and a mesh; trimmed planes would take long to open.";
 
 type TakePicture = () => Promise<Blob | null>;
 let takePicture: TakePicture | null = null;

@@ -20,8 +20,8 @@ import type {
   Targets,
 } from "./protocol.ts";
 import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
-import { aboutFile, keepCopy, readFile, readKept } from "./reading.ts";
-import { writePackage } from "./shop.ts";
+import { aboutFile, keepCopy, readFile, readGiven, readKept } from "./reading.ts";
+import { previewPackage, writePackage } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
@@ -29,7 +29,7 @@ export type Post = (reply: Reply, transfer: Transferable[]) => void;
 type Job = Exclude<Request, { kind: "start" }>;
 
 /** Jobs that wait for something: a file, a module. */
-type Waited = "open" | "read" | "export" | "package";
+type Waited = "open" | "read" | "export" | "package" | "preview" | "unpack" | "model";
 
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
@@ -107,6 +107,11 @@ const SEARCH_MS = 2000;
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
+const rhinoPart = () =>
+  import("./rhino.ts").catch(() => {
+    throw new Refused("The part for Rhino could not be loaded. Try again online.");
+  });
+
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
 export class Dispatcher {
   readonly #module: PlanishModule;
@@ -142,6 +147,9 @@ export class Dispatcher {
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "export") await this.#export(request);
       else if (request.kind === "package") await this.#package(request);
+      else if (request.kind === "preview") await this.#preview(request);
+      else if (request.kind === "unpack") await this.#unpack(request);
+      else if (request.kind === "model") await this.#model(request);
       else this.#run(request);
     } catch (error) {
       this.#post({ kind: "failed", job, message: sentence(error), fatal: isFatal(error) }, []);
@@ -188,6 +196,25 @@ export class Dispatcher {
     const { zip, header } = await writePackage(this.#session, options);
     const reply: Reply = { kind: "packaged", job, zip, header: JSON.parse(header) };
     this.#post(reply, [zip.buffer]);
+  }
+
+  async #preview(request: Extract<Request, { kind: "preview" }>): Promise<void> {
+    const { job, options, face, map } = request;
+    const preview = await previewPackage(this.#session, options, face, map);
+    this.#post({ kind: "previewed", job, preview }, []);
+  }
+
+  async #unpack({ job, file, name }: Extract<Request, { kind: "unpack" }>): Promise<void> {
+    const bytes = await readGiven(file, name, this.#onPiece);
+    const { openRhino } = await rhinoPart();
+    const model = await openRhino(name, bytes);
+    this.#post({ kind: "unpacked", job, model }, [model.mesh.buffer]);
+  }
+
+  async #model({ job, unit, design }: Extract<Request, { kind: "model" }>): Promise<void> {
+    const { writeRhino } = await rhinoPart();
+    const model = await writeRhino(this.#session, unit, design);
+    this.#post({ kind: "modelled", job, model }, [model.bytes.buffer]);
   }
 
   #run(request: Exclude<Job, { kind: Waited }>): void {

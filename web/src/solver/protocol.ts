@@ -5,13 +5,16 @@
 
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport } from "@wasm/planish_analysis.mjs";
-import type { CuttingOptions } from "@wasm/planish_shop.mjs";
+import type { CuttingOptions, CuttingPreview } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { WrittenModel } from "../rhino/write-model.ts";
+import type { Unit } from "../state/units.ts";
 import type { HandleList, PullLimit } from "./pull-limit.ts";
+import type { OpenedModel } from "./rhino.ts";
 
 export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
 export type { FreedomReport } from "@wasm/planish_analysis.mjs";
-export type { CuttingOptions } from "@wasm/planish_shop.mjs";
+export type { CuttingOptions, CuttingPreview } from "@wasm/planish_shop.mjs";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
@@ -128,7 +131,13 @@ export type Request =
   | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
   | { kind: "export"; job: number; format: FileFormat; design: string } // → exported
-  | { kind: "package"; job: number; options: CuttingOptions }; // → packaged
+  | { kind: "package"; job: number; options: CuttingOptions } // → packaged
+  /** What that would write. `face`: the panel to draw; `map`: whether the map is wanted. */
+  | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
+  /** What a .3dm holds; the mesh that is open stays. */
+  | { kind: "unpack"; job: number; file: Blob; name: string } // → unpacked
+  /** The design shown as a .3dm, with its recipe as text. */
+  | { kind: "model"; job: number; unit: Unit; design: string }; // → modelled
 
 /** The core's ShapeReport; less of it in records from before there was more. */
 export type ShapeReport = Omit<Reports.ShapeReport, Younger> &
@@ -255,5 +264,8 @@ export type Reply =
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
   | { kind: "packaged"; job: number; zip: Uint8Array; header: CuttingHeader }
+  | { kind: "previewed"; job: number; preview: CuttingPreview }
+  | { kind: "unpacked"; job: number; model: OpenedModel }
+  | { kind: "modelled"; job: number; model: WrittenModel }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };

@@ -38,6 +38,12 @@ export function keepCopy(name: string, format: FileFormat, bytes: Uint8Array): F
   return { kind: "file", name, format, bytes: kept, crc: crc32(bytes) };
 }
 
+/** Reads a user's file. */
+export const readGiven = (file: Blob, name: string, onPiece: OnPiece): Promise<Uint8Array> =>
+  readAll(file, onPiece).catch(() => {
+    throw new Error(`${name} could not be read. Open it again.`);
+  });
+
 /** Reads a user's file and makes the copy that the page keeps. */
 export async function readFile(
   file: Blob,
@@ -45,9 +51,7 @@ export async function readFile(
   format: FileFormat,
   onPiece: OnPiece,
 ): Promise<{ source: FileSource; bytes: Uint8Array }> {
-  const bytes = await readAll(file, onPiece).catch(() => {
-    throw new Error(`${name} could not be read. Open it again.`);
-  });
+  const bytes = await readGiven(file, name, onPiece);
   return { source: keepCopy(name, format, bytes), bytes };
 }
 

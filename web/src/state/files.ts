@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opening the user's files. A design, as text or in a GLB, opens as that design.
+// Opening the user's files. A design, as text or in a GLB or 3DM, opens as that design.
 import { readDesign } from "../share/design-text.ts";
 import type { FileFormat, OpenedMesh, Source, StoredDesign } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
@@ -88,15 +88,33 @@ async function openDesign(file: File): Promise<void> {
   if (!opened && problem.value) refuse(problem.value);
 }
 
+/** A design again, or a mesh with what was done to it and what was left out. */
+async function openModel(file: File): Promise<void> {
+  const { name } = file;
+  const answer = await run(`reading ${name}`, { kind: "unpack", file, name }, "unpacked");
+  if (!answer) return;
+  const { mesh, design, unit: unitOfFile, remarks } = answer.model;
+  if (design) return openDesign(new File([design], name));
+  const read = { kind: "read", file: new Blob([mesh as BlobPart]), name, format: "obj" } as const;
+  const opened = await run(`reading ${name}`, read, "opened");
+  if (!opened?.source) return;
+  const { report } = opened.mesh;
+  const warnings = [...remarks, ...report.warnings];
+  adopt(opened.source, null, { ...opened.mesh, report: { ...report, warnings } });
+  if (unitOfFile) unit.value = unitOfFile;
+  importReport.value = true;
+}
+
 const extensionOf = (name: string): string => name.split(".").at(-1)?.toLowerCase() ?? "";
 
 async function openNow(file: File): Promise<void> {
   const { name } = file;
   const extension = extensionOf(name);
   if (extension === "json") return openDesign(file);
+  if (extension === "3dm") return openModel(file);
   const format = FORMATS.find((f) => f === extension);
   if (!format) {
-    problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY or GLB file, or a design (JSON).`;
+    problem.value = `${name} cannot be read. Use an OBJ, OFF, PLY, GLB or 3DM file, or a design (JSON).`;
     return;
   }
   const question = { kind: "read", file, name, format } as const;

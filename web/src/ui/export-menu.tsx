@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { useRef } from "preact/hooks";
-import { exportDesign, exportMesh, exportPicture } from "../export/exporting.ts";
+import { exportDesign, exportMesh, exportPicture, exportRhino } from "../export/exporting.ts";
 import { ready } from "../state/store.ts";
 import { useCuttingDialog } from "./cutting-dialog.tsx";
 import { Icon } from "./icon.tsx";
@@ -8,6 +8,7 @@ import { Icon } from "./icon.tsx";
 const CHOICES = [
   { name: "OBJ", about: "Polygons, every digit", run: () => exportMesh("obj") },
   { name: "GLB", about: "3D scene, polygons kept", run: () => exportMesh("glb") },
+  { name: "3DM", about: "Rhino, opens again", run: () => exportRhino() },
   { name: "PLY", about: "Polygons, binary", run: () => exportMesh("ply") },
   { name: "JSON", about: "Design, opens again", run: () => exportDesign() },
   { name: "PNG", about: "Picture of this view", run: () => exportPicture() },

@@ -28,7 +28,7 @@ export function FileDrop({ children }: { children: ComponentChildren }) {
     >
       {children}
       {over.value && (
-        <div class="drop-note">Drop an OBJ, OFF, PLY or GLB mesh, or a design (JSON)</div>
+        <div class="drop-note">Drop an OBJ, OFF, PLY, GLB or 3DM file, or a design (JSON)</div>
       )}
     </div>
   );

@@ -49,7 +49,10 @@ const HINTS: readonly Hint[] = [
   { how: "[B], held", what: "shows the design before the edit" },
   { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
   { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
-  { how: "[Ctrl] [O]", what: "opens a mesh (OBJ, OFF, PLY, GLB) or a design (GLB, JSON)" },
+  {
+    how: "[Ctrl] [O]",
+    what: "opens a mesh (OBJ, OFF, PLY, GLB, 3DM) or a design (GLB, 3DM, JSON)",
+  },
   { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
 ];
 

@@ -20,6 +20,6 @@ export async function openGiven(file: File): Promise<void> {
 }
 
 export async function pickAndOpen(): Promise<void> {
-  const file = await pickFile(".obj,.off,.ply,.glb,.json");
+  const file = await pickFile(".obj,.off,.ply,.glb,.3dm,.json");
   if (file) await openGiven(file);
 }

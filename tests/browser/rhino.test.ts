@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Export → 3DM, and 3DM opened: the design again, or what a file from elsewhere holds.
+import { readdirSync, readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { unitSystem } from "../../web/src/rhino/model.ts";
+import { loadRhino } from "../parity/support/rhino.ts";
+import { exportAs, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+/** Files of its library that are kept for use without a network. */
+const kept = (page: Page): Promise<number> =>
+  page.evaluate(async () => {
+    const names = await caches.keys();
+    const requests = await Promise.all(names.map(async (name) => (await caches.open(name)).keys()));
+    return requests.flat().filter(({ url }) => url.includes("rhino3dm")).length;
+  });
+
+it("opens again as the design, to the last bit; its library comes when asked for", async () => {
+  const page = await site.open();
+  await page.evaluate("navigator.serviceWorker.ready");
+  await expect
+    .poll(() => page.evaluate(() => navigator.serviceWorker.controller !== null))
+    .toBe(true);
+  const requests: string[] = [];
+  page.on("request", (request) => requests.push(request.url()));
+  await typeTarget(page, "+40cm");
+  const [mesh, moved] = [await obj(page), await movedCount(page)];
+  expect(requests.some((url) => url.includes("rhino3dm"))).toBe(false);
+  expect(await kept(page)).toBe(0);
+  const file = await exportAs(page, "3DM");
+  expect(requests.some((url) => url.includes("rhino3dm"))).toBe(true);
+  expect(await kept(page)).toBe(2);
+  await page.context().setOffline(true);
+  expect((await exportAs(page, "3DM")).length).toBeGreaterThan(100_000);
+  const visitor = await site.open();
+  await openFile(visitor, "design.3dm", file);
+  await expect.poll(() => movedCount(visitor)).toBe(moved);
+  await expect.poll(() => visitor.getByText(/^Verified/).count()).toBe(1);
+  expect(await obj(visitor)).toBe(mesh);
+  await typeTarget(visitor, "+60cm");
+  await visitor.context().close();
+  await page.context().close();
+});
+
+it("gives the panels of another program's polylines, in its unit, and names the rest", async () => {
+  const rhino = await loadRhino();
+  const file = new rhino.File3dm();
+  file.settings().modelUnitSystem = unitSystem(rhino, "ft");
+  for (const x of [0, 3, 6]) {
+    const points = new rhino.Point3dList(5);
+    for (const [dx, y] of [
+      [0, 0],
+      [3, 0],
+      [3, 4],
+      [0, 4],
+      [0, 0],
+    ])
+      points.add(x + (dx ?? 0), y ?? 0, 1 / 3); // prettier-ignore
+    file.objects().addCurve(new rhino.PolylineCurve(points), new rhino.ObjectAttributes());
+  }
+  file.objects().addTextDot("north", [0, 0, 0], new rhino.ObjectAttributes());
+  const page = await site.open();
+  await openFile(page, "facade.3dm", Buffer.from(file.toByteArray()));
+  await expect.poll(() => page.getByRole("heading", { name: "facade.3dm" }).count()).toBe(1);
+  expect(await page.getByText("3 quads").count()).toBe(1);
+  expect(await page.getByText("Left out: 1 text or dimension.").count()).toBe(1);
+  expect(await page.getByLabel("Unit of the file").inputValue()).toBe("ft");
+  await page.getByRole("button", { name: "Start editing" }).click();
+  expect(await obj(page)).toContain(`v 0 0 ${1 / 3}\n`);
+  await openFile(page, "broken.3dm", "no model");
+  expect(await page.getByRole("alert").textContent()).toMatch(/broken\.3dm: .*not a Rhino model/);
+  expect(await status(page)).toMatch(/of 8 points/);
+  await page.context().close();
+});
+
+it("makes no code of text, whatever the server sends as policy", () => {
+  const scripts = readdirSync("dist/assets").filter((name) => name.endsWith(".js"));
+  const texts = scripts.map((name) => readFileSync(`dist/assets/${name}`, "utf8"));
+  expect(scripts.some((name) => name.startsWith("rhino3dm"))).toBe(true);
+  expect(scripts.filter((_, k) => /new Function\b|\beval\(/.test(texts[k] ?? ""))).toEqual([]);
+});

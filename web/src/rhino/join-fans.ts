@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// A mesh from Rhino has triangles and quads only: panels with more corners come as triangles. They
+// are put together where that is certain, and stay triangles where it is not.
+import type { Faces } from "./model.ts";
+
+export interface JoinedFans {
+  readonly faces: readonly (readonly number[])[];
+  /** Panels of five and more corners that were put together. */
+  readonly joined: number;
+  /** Groups of coplanar triangles that may be panels, or not. */
+  readonly uncertain: number;
+}
+
+/** Out of plane over extent. What single precision keeps of a flat panel; a fold that is meant is larger. */
+const COPLANAR = 1e-6;
+
+type Vector = readonly [number, number, number];
+
+const sub = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const unit = (a: Vector): Vector => {
+  const length = Math.hypot(...a) || 1;
+  return [a[0] / length, a[1] / length, a[2] / length];
+};
+
+class FanFinder {
+  readonly #points: Faces["points"];
+  readonly #faces: Faces["faces"];
+  /** The face that has the side from a to b; −1 where there are several. */
+  readonly #sides = new Map<string, number>();
+
+  constructor({ points, faces }: Faces) {
+    this.#points = points;
+    this.#faces = faces;
+    faces.forEach((face, f) => {
+      face.forEach((a, k) => {
+        const key = `${a} ${face[(k + 1) % face.length]}`;
+        this.#sides.set(key, this.#sides.has(key) ? -1 : f);
+      });
+    });
+  }
+
+  #at(v: number): Vector {
+    const p = this.#points;
+    return [p[3 * v] ?? 0, p[3 * v + 1] ?? 0, p[3 * v + 2] ?? 0];
+  }
+
+  #normal(f: number): Vector {
+    const [a = 0, b = 0, c = 0] = this.#faces[f] ?? [];
+    const at = this.#at(a);
+    return unit(cross(sub(this.#at(b), at), sub(this.#at(c), at)));
+  }
+
+  /** Triangles in the plane of triangle `first` that hang together, `first` among them, none in `done`. */
+  group(first: number, done: ReadonlySet<number>): readonly number[] {
+    const [normal, origin] = [this.#normal(first), this.#at(this.#faces[first]?.[0] ?? 0)];
+    const isIn = (f: number): boolean => {
+      const face = this.#faces[f] ?? [];
+      if (done.has(f) || face.length !== 3 || dot(normal, this.#normal(f)) <= 0) return false;
+      const offsets = face.map((v) => sub(this.#at(v), origin));
+      const extent = Math.max(...offsets.map((offset) => Math.hypot(...offset)));
+      return offsets.every((offset) => Math.abs(dot(offset, normal)) <= COPLANAR * extent);
+    };
+    const group = new Set([first]);
+    for (const f of group)
+      (this.#faces[f] ?? []).forEach((a, k, face) => {
+        const other = this.#sides.get(`${face[(k + 1) % face.length]} ${a}`) ?? -1;
+        if (other >= 0 && isIn(other)) group.add(other);
+      });
+    return [...group];
+  }
+
+  /** The outline of a group if it is one strictly convex polygon without points inside; else null. */
+  outline(group: readonly number[]): readonly number[] | null {
+    const members = new Set(group);
+    const next = new Map<number, number>();
+    for (const f of group)
+      (this.#faces[f] ?? []).forEach((a, k, face) => {
+        const b = face[(k + 1) % face.length] ?? 0;
+        if (!members.has(this.#sides.get(`${b} ${a}`) ?? -1)) next.set(a, b);
+      });
+    const corners: number[] = [];
+    const start = this.#faces[group[0] ?? 0]?.find((v) => next.has(v)) ?? -1;
+    for (let v = start; corners.length <= next.size && !(v === start && corners.length > 0); ) {
+      corners.push(v);
+      v = next.get(v) ?? -1;
+    }
+    // A polygon without points inside has two corners more than triangles.
+    const closes = corners.length === next.size && corners.length === group.length + 2;
+    return closes && this.#isConvex(corners, this.#normal(group[0] ?? 0)) ? corners : null;
+  }
+
+  #isConvex(corners: readonly number[], normal: Vector): boolean {
+    return corners.every((v, k) => {
+      const [before = 0, after = 0] = [corners.at(k - 1), corners[(k + 1) % corners.length]];
+      const to = unit(sub(this.#at(v), this.#at(before)));
+      return dot(cross(to, unit(sub(this.#at(after), this.#at(v)))), normal) > COPLANAR;
+    });
+  }
+}
+
+/** Two coplanar triangles stay: a panel of four corners would have come as a quad. */
+export function joinFans(mesh: Faces): JoinedFans {
+  const finder = new FanFinder(mesh);
+  const done = new Set<number>();
+  const faces: (readonly number[])[] = [];
+  let [joined, uncertain] = [0, 0];
+  mesh.faces.forEach((face, f) => {
+    if (done.has(f)) return;
+    const group = face.length === 3 ? finder.group(f, done) : [f];
+    const outline = group.length > 2 ? finder.outline(group) : null;
+    if (outline) {
+      faces.push(outline);
+      joined += 1;
+      for (const member of group) done.add(member);
+      return;
+    }
+    faces.push(face);
+    if (group.length > 2) {
+      uncertain += 1;
+      for (const member of group.filter((m) => m !== f)) {
+        faces.push(mesh.faces[member] ?? []);
+        done.add(member);
+      }
+    }
+  });
+  return { faces, joined, uncertain };
+}
