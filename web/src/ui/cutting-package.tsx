@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 import "./cutting-package.css";
-import { type Signal, useSignal } from "@preact/signals";
-import { exportPackage } from "../export/cutting-package.ts";
-import type { CuttingHeader } from "../solver/protocol.ts";
+import { type Signal, useComputed, useSignal } from "@preact/signals";
+import { exportPackage, type PackageChoice } from "../export/cutting-package.ts";
 import { busy, unit } from "../state/store.ts";
 import { UNITS, type Unit, unitWord } from "../state/units.ts";
+import { CuttingPreview, type Saved } from "./cutting-preview.tsx";
 
 interface Field {
   readonly label: string;
@@ -31,28 +31,6 @@ function Length({ label, value }: Field) {
   );
 }
 
-const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
-
-/** What the package holds, in words. */
-function summary({ counts, remake, sheets, vanished, flatness_mm_per_m }: CuttingHeader): string {
-  const parts = [`${panels(counts.drawn)} drawn`];
-  if (remake)
-    parts.push(`${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`);
-  if (sheets) {
-    const used = Math.round(100 * sheets.used_fraction);
-    parts.push(`${sheets.count} ${sheets.count === 1 ? "sheet" : "sheets"}, ${used} % used`);
-    if (sheets.oversize.length > 0)
-      parts.push(`${panels(sheets.oversize.length)} larger than a sheet`);
-  }
-  if (vanished.length > 0)
-    parts.push(
-      `not drawn, as nothing is left of them or they cross themselves: ${vanished.join(", ")}`,
-    );
-  if (flatness_mm_per_m > 1e-3)
-    parts.push(`not flat: a panel is out of its plane by ${flatness_mm_per_m.toPrecision(2)} mm/m`);
-  return `${parts.join("; ")}.`;
-}
-
 /** Asks what the workshop needs, and saves it. */
 export function CuttingPackage() {
   const [gap, thickness, width, height] = [
@@ -63,17 +41,21 @@ export function CuttingPackage() {
   ];
   const packageUnit = useSignal<Unit>("mm");
   const remakeOnly = useSignal(false);
-  const header = useSignal<CuttingHeader | null>(null);
-  const write = async (): Promise<void> => {
-    header.value = null;
-    header.value = await exportPackage({
+  const saved = useSignal<Saved | null>(null);
+  const choice = useComputed(
+    (): PackageChoice => ({
       unit: packageUnit.value,
       gap: Number(gap.value),
       thickness: Number(thickness.value),
       sheetWidth: Number(width.value),
       sheetHeight: Number(height.value),
       remakeOnly: remakeOnly.value,
-    });
+    }),
+  );
+  const write = async (): Promise<void> => {
+    const of = choice.value;
+    const header = await exportPackage(of);
+    saved.value = header && { header, of };
   };
   return (
     <form
@@ -117,8 +99,8 @@ export function CuttingPackage() {
       <p class="quiet">
         {`Tables, one DXF of all panels and one of each, a map, and with a sheet size the panels arranged on sheets (in rows, not nested). The model is in ${unitWord(unit.value)}; panels are seen from outside.`}
       </p>
+      <CuttingPreview choice={choice} saved={saved} />
       <div class="dialog-actions">
-        <span aria-live="polite">{header.value && summary(header.value)}</span>
         <button type="submit" class="button" disabled={busy.value}>
           Save package
         </button>
