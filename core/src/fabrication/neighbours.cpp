@@ -21,6 +21,7 @@ std::string panel_or_nobody(int panel) { return panel < 0 ? "-" : panel_name(pan
 std::vector<std::string> neighbour_names(const CuttingPlan& plan, int face) {
   std::vector<std::string> names;
   const int sides = static_cast<int>(plan.mesh.face(face).size());
+  names.reserve(at(sides));
   for (int k = 0; k < sides; ++k) names.push_back(panel_or_nobody(panel_beyond(plan, face, k)));
   return names;
 }

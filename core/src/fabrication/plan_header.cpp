@@ -30,6 +30,7 @@ void measure_flatness(const CuttingPlan& plan, DrawnReport& report) {
 
 std::vector<std::string> panel_names(const std::vector<int>& faces) {
   std::vector<std::string> names;
+  names.reserve(faces.size());
   for (const int face : faces) names.push_back(panel_name(face));
   return names;
 }

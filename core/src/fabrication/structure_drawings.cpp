@@ -59,6 +59,7 @@ PlanarBox box_of(const Drawing& drawing) {
 NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   const ViewAxes axes = view_from(view.towards);
   std::vector<SeenPanel> panels;
+  panels.reserve(at(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) panels.push_back(see_panel(mesh, f, axes));
   sort_by_depth(panels);
   NamedDrawing result{view.name, {}, {}};
