@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shop_bindings.cpp lists, by hand.
+// What shop_bindings.cpp and shop_preview_bindings.cpp list, by hand.
 
 /** The core's CuttingOptions; lengths in `unit`. */
 export interface CuttingOptions {
@@ -12,15 +12,53 @@ export interface CuttingOptions {
   /** Both 0: no sheets. */
   readonly sheetWidth: number;
   readonly sheetHeight: number;
+  /** 0: by the size of the panel. */
+  readonly textHeight: number;
   /** Draws only what must be made again. */
   readonly remakeOnly: boolean;
+  /** Draws these panels only; empty: no such limit. */
+  readonly panels: readonly number[];
 }
 
+/** The core's LinkCode. */
+export interface LinkCode {
+  readonly link: string;
+  /** 0: no code. */
+  readonly size: number;
+  /** size² numbers, 1 for black. */
+  readonly dark: readonly number[];
+}
+
+/** The core's DrawingOptions. */
+export interface DrawingOptions {
+  readonly name: string;
+  readonly modelUnit: string;
+  readonly unit: string;
+  /** 0: the first usual one that fits A3. */
+  readonly scale: number;
+  /** a, b, c, d of each plane a·x + b·y + c·z = d, (a, b, c) of length 1; model units. */
+  readonly sections: readonly number[];
+}
+
+/** A design against `base`; `moved`: the vertices that lie elsewhere, with their positions. */
+export interface ShopDesign {
+  readonly base: Float64Array;
+  readonly offsets: Int32Array;
+  readonly vertices: Int32Array;
+  readonly moved: Int32Array;
+  readonly movedPositions: Float64Array;
+}
+
+export type ShopOrder =
+  | { readonly what: "package"; readonly options: CuttingOptions; readonly code: LinkCode }
+  | { readonly what: "ifc"; readonly options: CuttingOptions }
+  | { readonly what: "drawings"; readonly options: DrawingOptions };
+
 /** With `problem` not empty the rest is absent. */
-export interface WrittenPackage {
+export interface Written {
   readonly problem: string;
-  readonly zip: Uint8Array;
-  /** package.json without its tables. */
+  readonly bytes: Uint8Array;
+  /** JSON: package.json without its tables, the same of an IFC model, or drawings.json. */
   readonly header: string;
 }
 
@@ -54,34 +92,15 @@ export interface PanelRows {
 }
 
 export interface ShopModule {
-  /** Against `base`; `moved`: the vertices that lie elsewhere, with their positions. */
-  cuttingPackage(
-    base: Float64Array,
-    offsets: Int32Array,
-    vertices: Int32Array,
-    moved: Int32Array,
-    movedPositions: Float64Array,
-    options: CuttingOptions,
-  ): WrittenPackage;
+  write(design: ShopDesign, order: ShopOrder): Written;
   /** `face`: the panel to draw if it is in the scope, else the first that is. */
   cuttingPreview(
-    base: Float64Array,
-    offsets: Int32Array,
-    vertices: Int32Array,
-    moved: Int32Array,
-    movedPositions: Float64Array,
+    design: ShopDesign,
     options: CuttingOptions,
     face: number,
     map: boolean,
   ): CuttingPreview;
-  panelRows(
-    base: Float64Array,
-    offsets: Int32Array,
-    vertices: Int32Array,
-    moved: Int32Array,
-    movedPositions: Float64Array,
-    options: CuttingOptions,
-  ): PanelRows;
+  panelRows(design: ShopDesign, options: CuttingOptions): PanelRows;
 }
 
 export default function createPlanishShop(options?: object): Promise<ShopModule>;

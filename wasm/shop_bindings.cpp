@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The module that writes cutting packages, as JavaScript sees it: one function. No exception
-/// leaves it.
+/// The module that writes for the workshop, as JavaScript sees it: one function for all files. No
+/// exception leaves it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -9,74 +9,95 @@
 #include <utility>
 
 #include "planish/fabrication/cutting_package.hpp"
+#include "planish/fabrication/ifc.hpp"
+#include "planish/fabrication/structure_drawings.hpp"
+#include "shop_values.hpp"
 
 namespace {
 
 using emscripten::val;
 using planish::CuttingOptions;
-using planish::CuttingPackage;
-using planish::Mesh;
-using planish::Positions;
+using planish::DrawingOptions;
+using planish::LinkCode;
+using planish::Refusal;
+using planish::shop::refused;
+using planish::shop::ShopDesign;
+using planish::shop::to_cutting_options;
+using planish::shop::to_design;
 
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
+LinkCode to_code(const val& code) {
+  LinkCode result;
+  result.link = code["link"].as<std::string>();
+  result.size = code["size"].as<int>();
+  result.dark = emscripten::convertJSArrayToNumberVector<char>(code["dark"]);
+  return result;
 }
 
-CuttingOptions to_options(const val& options) {
-  CuttingOptions result;
+DrawingOptions to_drawing_options(const val& options) {
+  DrawingOptions result;
   result.name = options["name"].as<std::string>();
   result.model_unit = options["modelUnit"].as<std::string>();
   result.unit = options["unit"].as<std::string>();
-  result.gap = options["gap"].as<double>();
-  result.thickness = options["thickness"].as<double>();
-  result.sheet_width = options["sheetWidth"].as<double>();
-  result.sheet_height = options["sheetHeight"].as<double>();
-  result.remake_only = options["remakeOnly"].as<bool>();
-  return result;
-}
-
-val answer(const std::string& problem) {
-  val result = val::object();
-  result.set("problem", problem);
-  return result;
-}
-
-val write(const Mesh& base, const Positions& positions, const CuttingOptions& options) {
-  Mesh mesh = base;
-  mesh.positions = positions;
-  if (mesh.face_count() > planish::kMostPackagePanels) {
-    return answer("A cutting package holds at most 60,000 panels.");
+  result.scale = options["scale"].as<double>();
+  const auto planes = emscripten::convertJSArrayToNumberVector<double>(options["sections"]);
+  for (std::size_t k = 0; k + 4 <= planes.size(); k += 4) {
+    result.sections.push_back({{planes[k], planes[k + 1], planes[k + 2]}, planes[k + 3]});
   }
-  if (const auto problem = find_problem(options, mesh, true)) {
-    return answer("The cutting package was refused: " + *problem + ".");
-  }
-  const CuttingPackage package = planish::write_cutting_package(mesh, &base, options);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(package.zip.data());
-  val result = answer("");
-  result.set("zip",
-             val(emscripten::typed_memory_view(package.zip.size(), bytes)).call<val>("slice"));
-  result.set("header", package.header);
   return result;
 }
 
-/// `moved`: the vertices that do not lie as in `base`, where they lie instead.
-val cutting_package(const val& base, const val& offsets, const val& vertices, const val& moved,
-                    const val& moved_positions, const val& options) {
+val written(const std::string& bytes, const std::string& header) {
+  val result = refused("");
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  result.set("bytes", val(emscripten::typed_memory_view(bytes.size(), data)).call<val>("slice"));
+  result.set("header", header);
+  return result;
+}
+
+val write_package(const ShopDesign& design, const val& order) {
+  const CuttingOptions options = to_cutting_options(order["options"]);
+  if (design.mesh.face_count() > planish::kMostPackagePanels) {
+    return refused("A cutting package holds at most 60,000 panels.");
+  }
+  if (const Refusal problem = find_problem(options, design.mesh, true)) {
+    return refused("The cutting package was refused: " + *problem + ".");
+  }
+  const auto package =
+      planish::write_cutting_package(design.mesh, &design.base, options, to_code(order["code"]));
+  return written(package.zip, package.header);
+}
+
+val write_model(const ShopDesign& design, const val& order) {
+  const CuttingOptions options = to_cutting_options(order["options"]);
+  if (const Refusal problem = find_problem(options, design.mesh, true)) {
+    return refused("The model was refused: " + *problem + ".");
+  }
+  const auto plan = planish::make_cutting_plan(design.mesh, &design.base, options);
+  const auto model = planish::write_ifc(plan);
+  return written(model.text, model.header);
+}
+
+val write_views(const ShopDesign& design, const val& order) {
+  const DrawingOptions options = to_drawing_options(order["options"]);
+  if (const Refusal problem = find_problem(options)) {
+    return refused("The drawings were refused: " + *problem + ".");
+  }
+  const auto drawings = planish::write_drawings(design.mesh, options);
+  return written(drawings.zip, drawings.header);
+}
+
+val write(const val& design, const val& order) {
   try {
-    Mesh mesh;
-    mesh.positions = to_positions(base);
-    mesh.face_offsets = emscripten::convertJSArrayToNumberVector<int>(offsets);
-    mesh.face_vertices = emscripten::convertJSArrayToNumberVector<int>(vertices);
-    Positions positions = mesh.positions;
-    const auto indices = emscripten::convertJSArrayToNumberVector<int>(moved);
-    positions(Eigen::all, indices) = to_positions(moved_positions);
-    return write(mesh, positions, to_options(options));
+    const ShopDesign given = to_design(design);
+    const auto what = order["what"].as<std::string>();
+    if (what == "ifc") return write_model(given, order);
+    if (what == "drawings") return write_views(given, order);
+    return write_package(given, order);
   } catch (const std::exception&) {
-    return answer("There is not enough memory for this package in the browser.");
+    return refused("There is not enough memory for this in the browser.");
   }
 }
 
 }  // namespace
 
-EMSCRIPTEN_BINDINGS(planish_shop) { emscripten::function("cuttingPackage", &cutting_package); }
+EMSCRIPTEN_BINDINGS(planish_shop) { emscripten::function("write", &write); }

@@ -9,6 +9,7 @@
 
 #include "cutting_preview.hpp"
 #include "planish/fabrication/panel_tables.hpp"
+#include "shop_values.hpp"
 
 namespace {
 
@@ -16,32 +17,10 @@ using emscripten::val;
 using planish::CuttingOptions;
 using planish::CuttingPlan;
 using planish::CuttingPreview;
-using planish::Mesh;
-using planish::Positions;
-
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-}
-
-CuttingOptions to_options(const val& options) {
-  CuttingOptions result;
-  result.name = options["name"].as<std::string>();
-  result.model_unit = options["modelUnit"].as<std::string>();
-  result.unit = options["unit"].as<std::string>();
-  result.gap = options["gap"].as<double>();
-  result.thickness = options["thickness"].as<double>();
-  result.sheet_width = options["sheetWidth"].as<double>();
-  result.sheet_height = options["sheetHeight"].as<double>();
-  result.remake_only = options["remakeOnly"].as<bool>();
-  return result;
-}
-
-val answer(const std::string& problem) {
-  val result = val::object();
-  result.set("problem", problem);
-  return result;
-}
+using planish::shop::refused;
+using planish::shop::ShopDesign;
+using planish::shop::to_cutting_options;
+using planish::shop::to_design;
 
 val panel_names(const std::vector<int>& faces) {
   val names = val::array();
@@ -50,7 +29,7 @@ val panel_names(const std::vector<int>& faces) {
 }
 
 val to_value(const CuttingPreview& preview) {
-  val result = answer("");
+  val result = refused("");
   result.set("panels", preview.panels);
   result.set("drawn", preview.drawn);
   result.set("outline", preview.outline);
@@ -66,42 +45,32 @@ val to_value(const CuttingPreview& preview) {
   return result;
 }
 
-/// Calls `make` with the plan of the mesh against `base`; what it gives is the answer.
+/// Calls `make` with the plan of the design; what it gives is the answer.
 template <class Make>
-val with_plan(const val& base, const val& offsets, const val& vertices, const val& moved,
-              const val& moved_positions, const val& given, const Make& make) {
+val with_plan(const val& design, const val& given, const Make& make) {
   try {
-    Mesh before;
-    before.positions = to_positions(base);
-    before.face_offsets = emscripten::convertJSArrayToNumberVector<int>(offsets);
-    before.face_vertices = emscripten::convertJSArrayToNumberVector<int>(vertices);
-    Mesh mesh = before;
-    const auto indices = emscripten::convertJSArrayToNumberVector<int>(moved);
-    mesh.positions(Eigen::all, indices) = to_positions(moved_positions);
-    const CuttingOptions options = to_options(given);
-    if (const auto problem = find_problem(options, mesh, true)) return answer(*problem);
-    return make(make_cutting_plan(mesh, &before, options));
+    const ShopDesign shown = to_design(design);
+    const CuttingOptions options = to_cutting_options(given);
+    if (const auto problem = find_problem(options, shown.mesh, true)) return refused(*problem);
+    return make(make_cutting_plan(shown.mesh, &shown.base, options));
   } catch (const std::exception&) {
-    return answer("There is not enough memory for this in the browser.");
+    return refused("There is not enough memory for this in the browser.");
   }
 }
 
 /// `face`: the panel to draw if it is in the scope; `map`: whether the map is wanted.
-val cutting_preview(const val& base, const val& offsets, const val& vertices, const val& moved,
-                    const val& moved_positions, const val& options, int face, bool map) {
-  return with_plan(
-      base, offsets, vertices, moved, moved_positions, options,
-      [&](const CuttingPlan& plan) { return to_value(planish::preview_cutting(plan, face, map)); });
+val cutting_preview(const val& design, const val& options, int face, bool map) {
+  return with_plan(design, options, [&](const CuttingPlan& plan) {
+    return to_value(planish::preview_cutting(plan, face, map));
+  });
 }
 
-val panel_rows(const val& base, const val& offsets, const val& vertices, const val& moved,
-               const val& moved_positions, const val& options) {
-  return with_plan(base, offsets, vertices, moved, moved_positions, options,
-                   [](const CuttingPlan& plan) {
-                     val result = answer("");
-                     result.set("csv", planish::panel_table(plan).csv);
-                     return result;
-                   });
+val panel_rows(const val& design, const val& options) {
+  return with_plan(design, options, [](const CuttingPlan& plan) {
+    val result = refused("");
+    result.set("csv", planish::panel_table(plan).csv);
+    return result;
+  });
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ const SHOP = {
   thickness: 0,
   sheetWidth: 0,
   sheetHeight: 0,
+  textHeight: 0,
   remakeOnly: false,
+  panels: [],
 };
 
 /** A sample with one point raised, as the worker would hand it over. */
@@ -38,7 +40,8 @@ async function edited(sample: string, size: number, raise: number): Promise<Mode
   expect(session.edit(planish.EditMode.solve, handle, new Int32Array(), 0, 1)).toBe("");
   const [moved, to] = [session.moved(), session.movedPositions()];
   const [offsets, vertices] = [session.faceOffsets(), session.faceVertices()];
-  const { problem, csv } = shop.panelRows(positions, offsets, vertices, moved, to, SHOP);
+  const design = { base: positions, offsets, vertices, moved, movedPositions: to };
+  const { problem, csv } = shop.panelRows(design, SHOP);
   expect(problem).toBe("");
   moved.forEach((v, k) => {
     positions.set(to.subarray(3 * k, 3 * k + 3), 3 * v);

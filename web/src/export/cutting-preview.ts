@@ -4,7 +4,7 @@ import { Abandoned, Died } from "../solver/client.ts";
 import type { CuttingHeader, CuttingPreview } from "../solver/protocol.ts";
 import { client } from "../state/connection.ts";
 import { selectedPanel } from "../state/store.ts";
-import { optionsOf, type PackageChoice } from "./cutting-package.ts";
+import { cuttingOptions, type PackageChoice } from "./shop.ts";
 
 /** null if another one has been asked for since.
  * @param map whether the map is wanted, which the options do not change */
@@ -12,7 +12,7 @@ export async function previewPackage(
   choice: PackageChoice,
   map: boolean,
 ): Promise<CuttingPreview | null> {
-  const [options, face] = [optionsOf(choice), selectedPanel.value ?? -1];
+  const [options, face] = [cuttingOptions(choice), selectedPanel.value ?? -1];
   try {
     const answer = await client.stream({ kind: "preview", options, face, map });
     return answer.kind === "previewed" ? answer.preview : null;

@@ -21,7 +21,7 @@ import type {
 } from "./protocol.ts";
 import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
 import { aboutFile, keepCopy, readFile, readGiven, readKept } from "./reading.ts";
-import { previewPackage, writePackage } from "./shop.ts";
+import { previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
@@ -29,7 +29,7 @@ export type Post = (reply: Reply, transfer: Transferable[]) => void;
 type Job = Exclude<Request, { kind: "start" }>;
 
 /** Jobs that wait for something: a file, a module. */
-type Waited = "open" | "read" | "export" | "package" | "preview" | "unpack" | "model";
+type Waited = "open" | "read" | "export" | "shop" | "preview" | "unpack" | "model";
 
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
@@ -146,7 +146,7 @@ export class Dispatcher {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "export") await this.#export(request);
-      else if (request.kind === "package") await this.#package(request);
+      else if (request.kind === "shop") await this.#shop(request);
       else if (request.kind === "preview") await this.#preview(request);
       else if (request.kind === "unpack") await this.#unpack(request);
       else if (request.kind === "model") await this.#model(request);
@@ -192,10 +192,9 @@ export class Dispatcher {
     this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
   }
 
-  async #package({ job, options }: Extract<Request, { kind: "package" }>): Promise<void> {
-    const { zip, header } = await writePackage(this.#session, options);
-    const reply: Reply = { kind: "packaged", job, zip, header: JSON.parse(header) };
-    this.#post(reply, [zip.buffer]);
+  async #shop({ job, order }: Extract<Request, { kind: "shop" }>): Promise<void> {
+    const { bytes, header } = await writeForShop(this.#session, order);
+    this.#post({ kind: "made", job, bytes, header }, [bytes.buffer]);
   }
 
   async #preview(request: Extract<Request, { kind: "preview" }>): Promise<void> {

@@ -5,7 +5,7 @@
 
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport } from "@wasm/planish_analysis.mjs";
-import type { CuttingOptions, CuttingPreview } from "@wasm/planish_shop.mjs";
+import type { CuttingOptions, CuttingPreview, ShopOrder } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
 import type { Unit } from "../state/units.ts";
@@ -14,7 +14,13 @@ import type { OpenedModel } from "./rhino.ts";
 
 export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
 export type { FreedomReport } from "@wasm/planish_analysis.mjs";
-export type { CuttingOptions, CuttingPreview } from "@wasm/planish_shop.mjs";
+export type {
+  CuttingOptions,
+  CuttingPreview,
+  DrawingOptions,
+  LinkCode,
+  ShopOrder,
+} from "@wasm/planish_shop.mjs";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
 export type Fairness = "laplacian" | "second" | "third";
@@ -131,8 +137,8 @@ export type Request =
   | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
   | { kind: "export"; job: number; format: FileFormat; design: string } // → exported
-  | { kind: "package"; job: number; options: CuttingOptions } // → packaged
-  /** What that would write. `face`: the panel to draw; `map`: whether the map is wanted. */
+  | { kind: "shop"; job: number; order: ShopOrder } // → made
+  /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
   | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
   /** What a .3dm holds; the mesh that is open stays. */
   | { kind: "unpack"; job: number; file: Blob; name: string } // → unpacked
@@ -178,17 +184,20 @@ export interface PanelMeasures {
   readonly defects: Float32Array | null;
 }
 
-/** What of a cutting package's header is said on the page, see docs/fabrication.md. */
+/** What of the header of a cutting package or an IFC model is said on the page, see docs/fabrication.md. */
 export interface CuttingHeader {
   readonly counts: { readonly panels: number; readonly drawn: number };
   readonly remake: { readonly outline: number; readonly bevel: number } | null;
   readonly flatness_mm_per_m: number;
   readonly vanished: readonly string[];
-  readonly sheets: {
+  /** Of a package alone. */
+  readonly sheets?: {
     readonly count: number;
     readonly used_fraction: number;
     readonly oversize: readonly string[];
   } | null;
+  /** Of a package alone. */
+  readonly labels?: { readonly link: string | null; readonly code: boolean };
 }
 
 /** What a slider does at value 1. */
@@ -263,7 +272,8 @@ export type Reply =
   /** null until `measurable`, and where too many points move to count. */
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
-  | { kind: "packaged"; job: number; zip: Uint8Array; header: CuttingHeader }
+  /** `header`: JSON. */
+  | { kind: "made"; job: number; bytes: Uint8Array; header: string }
   | { kind: "previewed"; job: number; preview: CuttingPreview }
   | { kind: "unpacked"; job: number; model: OpenedModel }
   | { kind: "modelled"; job: number; model: WrittenModel }

@@ -1,46 +1,43 @@
 // SPDX-License-Identifier: MIT
-// Cutting packages are written by a module of its own, fetched when it is needed for the first time.
+// What the workshop gets is written by a module of its own, fetched when it is needed for the first time.
 import type { Session } from "@wasm/planish.mjs";
 import type {
   CuttingOptions,
   CuttingPreview,
+  ShopDesign,
   ShopModule,
-  WrittenPackage,
+  ShopOrder,
+  Written,
 } from "@wasm/planish_shop.mjs";
 import shopUrl from "@wasm/planish_shop.wasm?url";
 
-/** A new instance for each package: its memory, which only grows, goes when the package is done. */
+/** A new instance for each order: its memory, which only grows, goes when the order is done. */
 async function loadShop(): Promise<ShopModule> {
   try {
     const { default: create } = await import("@wasm/planish_shop.mjs");
     return await create({ locateFile: () => shopUrl });
   } catch {
-    throw new Error("The part that writes cutting packages could not be loaded. Try again online.");
+    throw new Error("The part that writes for the workshop could not be loaded. Try again online.");
   }
 }
 
-/** The design shown, with its base, as the module takes it. */
-const meshOf = (session: Session) =>
-  [
-    session.basePositions(),
-    session.faceOffsets(),
-    session.faceVertices(),
-    session.moved(),
-    session.movedPositions(),
-  ] as const;
+const designOf = (session: Session): ShopDesign => ({
+  base: session.basePositions(),
+  offsets: session.faceOffsets(),
+  vertices: session.faceVertices(),
+  moved: session.moved(),
+  movedPositions: session.movedPositions(),
+});
 
 /** The design shown against its base; throws a sentence if it is refused. */
-export async function writePackage(
-  session: Session,
-  options: CuttingOptions,
-): Promise<WrittenPackage> {
+export async function writeForShop(session: Session, order: ShopOrder): Promise<Written> {
   const shop = await loadShop();
-  const written = shop.cuttingPackage(...meshOf(session), options);
+  const written = shop.write(designOf(session), order);
   if (written.problem) throw new Error(written.problem);
   return written;
 }
 
-/** What writePackage() would write. `face`: the panel to draw; `map`: whether the map is wanted. */
+/** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
 export async function previewPackage(
   session: Session,
   options: CuttingOptions,
@@ -48,7 +45,7 @@ export async function previewPackage(
   map: boolean,
 ): Promise<CuttingPreview> {
   const shop = await loadShop();
-  return shop.cuttingPreview(...meshOf(session), options, face, map);
+  return shop.cuttingPreview(designOf(session), options, face, map);
 }
 
 /** panels.csv in the model's own unit. */
@@ -62,9 +59,11 @@ export async function panelRows(session: Session, unit: string): Promise<string>
     thickness: 0,
     sheetWidth: 0,
     sheetHeight: 0,
+    textHeight: 0,
     remakeOnly: false,
+    panels: [],
   };
-  const { problem, csv } = shop.panelRows(...meshOf(session), options);
+  const { problem, csv } = shop.panelRows(designOf(session), options);
   if (problem) throw new Error(`The table of panels was refused: ${problem}.`);
   return csv;
 }

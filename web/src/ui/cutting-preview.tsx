@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: MIT
 import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import type { PackageChoice } from "../export/cutting-package.ts";
 import { headerOf, previewPackage } from "../export/cutting-preview.ts";
+import type { PackageChoice } from "../export/shop.ts";
 import type { CuttingHeader, CuttingPreview as Preview } from "../solver/protocol.ts";
 import type { Design } from "../state/design.ts";
 import { history, unit } from "../state/store.ts";
+import { summary } from "./shop-summary.ts";
 
 /** What a saved package held, and for which choice. */
 export interface Saved {
   readonly header: CuttingHeader;
   readonly of: PackageChoice;
-}
-
-const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
-
-/** What the package holds, in words. */
-function summary({ counts, remake, sheets, vanished, flatness_mm_per_m }: CuttingHeader): string {
-  const parts = [`${panels(counts.drawn)} drawn`];
-  if (remake)
-    parts.push(`${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`);
-  if (sheets) {
-    const used = Math.round(100 * sheets.used_fraction);
-    parts.push(`${sheets.count} ${sheets.count === 1 ? "sheet" : "sheets"}, ${used} % used`);
-    if (sheets.oversize.length > 0)
-      parts.push(`${panels(sheets.oversize.length)} larger than a sheet`);
-  }
-  if (vanished.length > 0)
-    parts.push(
-      `not drawn, as nothing is left of them or they cross themselves: ${vanished.join(", ")}`,
-    );
-  if (flatness_mm_per_m > 1e-3)
-    parts.push(`not flat: a panel is out of its plane by ${flatness_mm_per_m.toPrecision(2)} mm/m`);
-  return `${parts.join("; ")}.`;
 }
 
 /** Names are not to be read at this size, and take long to draw. */

@@ -2,8 +2,8 @@
 import { useRef } from "preact/hooks";
 import { exportDesign, exportMesh, exportPicture, exportRhino } from "../export/exporting.ts";
 import { ready } from "../state/store.ts";
-import { useCuttingDialog } from "./cutting-dialog.tsx";
 import { Icon } from "./icon.tsx";
+import { useLaterDialog } from "./later-dialog.tsx";
 
 const CHOICES = [
   { name: "OBJ", about: "Polygons, every digit", run: () => exportMesh("obj") },
@@ -16,10 +16,15 @@ const CHOICES = [
 
 export function ExportMenu() {
   const menu = useRef<HTMLDivElement>(null);
-  const { open, element } = useCuttingDialog();
+  const { open, element } = useLaterDialog("shop", async () => {
+    const { shopDialogs } = await import("./shop-dialogs.ts");
+    return shopDialogs;
+  });
   const choices = [
     ...CHOICES,
-    { name: "Cutting package…", about: "DXF and tables (zip)", run: open },
+    { name: "Cutting package…", about: "DXF and tables (zip)", run: () => open("package") },
+    { name: "Drawings…", about: "Plan, elevations, section", run: () => open("drawings") },
+    { name: "IFC…", about: "Plates for building models", run: () => open("ifc") },
   ];
   return (
     <div class="menu-anchor">

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
+import { designLink } from "../export/design-link.ts";
 import { exportMesh } from "../export/exporting.ts";
-import { encodeLink } from "../share/link.ts";
 import { readCamera } from "../state/camera.ts";
-import { recipeOf } from "../state/recipe.ts";
-import { history, unit } from "../state/store.ts";
 import { inTurn } from "../state/turns.ts";
 
 /** Mail programs and chats start to cut links about here. */
@@ -24,20 +22,12 @@ function advice({ link, copied }: Shared): string {
   return `${what} It holds the whole design; nothing is stored anywhere else.`;
 }
 
-async function linkNow(): Promise<string | null> {
-  const design = history.value?.present;
-  if (!design) return null;
-  const url = new URL(location.href);
-  url.hash = "";
-  return url.href + (await encodeLink(recipeOf(design, unit.value, readCamera())));
-}
-
 /** Makes the link of the design, once all that was asked for is done, and copies it, where the
  * browser lets it. */
 export async function share(): Promise<Shared | null> {
   let link: string | null = null;
   await inTurn(async () => {
-    link = await linkNow();
+    link = await designLink(readCamera());
   });
   return link === null ? null : copy(link);
 }

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The page and the command line write the same files for the workshop, byte for byte.
+import { execFileSync, spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Session } from "@wasm/planish.mjs";
+import type { CuttingOptions, ShopDesign, ShopOrder } from "@wasm/planish_shop.mjs";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { linkCode } from "../../web/src/export/link-code.ts";
+import { loadPlanish, loadShop } from "./support/planish.ts";
+
+const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
+const SAMPLES = ["vault", "dome", "freeform", "hex", "trihex"];
+
+let folder: string;
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), "planish-shop-"));
+});
+afterAll(() => rmSync(folder, { recursive: true }));
+
+const digest = (bytes: Uint8Array): string => createHash("sha256").update(bytes).digest("hex");
+const digestOf = (name: string): string => digest(readFileSync(join(folder, name)));
+const command = (words: string) => execFileSync(CLI, words.split(" "), { cwd: folder });
+
+const designOf = (session: Session): ShopDesign => ({
+  base: session.basePositions(),
+  offsets: session.faceOffsets(),
+  vertices: session.faceVertices(),
+  moved: session.moved(),
+  movedPositions: session.movedPositions(),
+});
+
+const OPTIONS: CuttingOptions = {
+  name: "design",
+  modelUnit: "m",
+  unit: "mm",
+  gap: 0,
+  thickness: 0,
+  sheetWidth: 0,
+  sheetHeight: 0,
+  textHeight: 0,
+  remakeOnly: false,
+  panels: [],
+};
+
+/** Edits a sample; base.obj and design.obj are in the folder then. */
+async function editedSample(sample: string): Promise<ShopDesign> {
+  const planish = await loadPlanish();
+  const session = new planish.Session();
+  expect(session.openSample(sample, 12)).toBe("");
+  writeFileSync(join(folder, "base.obj"), session.write("obj"));
+  const middle = Math.floor(session.basePositions().length / 6);
+  const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * middle);
+  const handle = Float64Array.of(middle, x, y, z + 0.3);
+  expect(session.edit(planish.EditMode.solve, handle, new Int32Array(), 0, 1)).toBe("");
+  writeFileSync(join(folder, "design.obj"), session.write("obj"));
+  const design = designOf(session);
+  session.delete();
+  return design;
+}
+
+async function made(design: ShopDesign, order: ShopOrder) {
+  const written = (await loadShop()).write(design, order);
+  expect(written.problem).toBe("");
+  return { hash: digest(written.bytes), header: JSON.parse(written.header) };
+}
+
+it.each(SAMPLES)("of an edited %s", async (sample) => {
+  const design = await editedSample(sample);
+  const link = `https://planish.example/#v1=${"Az09_-".repeat(40)}`;
+  const sizes = { gap: 6, thickness: 8, sheetWidth: 6000, sheetHeight: 3000, textHeight: 20 };
+  const order: ShopOrder = {
+    what: "package",
+    options: { ...OPTIONS, ...sizes, remakeOnly: true },
+    code: linkCode(link),
+  };
+  const written = await made(design, order);
+  const { remake, counts, labels } = written.header;
+  expect(remake.outline).toBeGreaterThan(0);
+  expect(counts.drawn).toBe(remake.outline + remake.bevel);
+  expect(labels).toEqual({ count: counts.drawn, link, code: true });
+  const against = "--against base.obj";
+  command(
+    `panels design.obj -o p.zip ${against} --gap 6 --thickness 8 --sheet 6000x3000 --scope remake --text-height 20 --link ${link}`,
+  );
+  expect(written.hash).toBe(digestOf("p.zip"));
+
+  command(`panels design.obj -o flat.ifc ${against}`);
+  expect((await made(design, { what: "ifc", options: OPTIONS })).hash).toBe(digestOf("flat.ifc"));
+  command(`panels design.obj -o solid.ifc ${against} --unit ft --gap 0.02 --thickness 0.1`);
+  const solid = { ...OPTIONS, unit: "ft", gap: 0.02, thickness: 0.1 };
+  expect((await made(design, { what: "ifc", options: solid })).hash).toBe(digestOf("solid.ifc"));
+
+  const middle = 3 * Math.floor(design.base.length / 6);
+  const [x, y] = [0, 1].map((axis) => Number((design.base[middle + axis] ?? 0).toFixed(3)) + 0.01);
+  const where = `--section x=${x} --section y=${y}`;
+  command(`drawings design.obj -o d.zip ${where} --unit cm --scale 50`);
+  const drawings = { name: "design", modelUnit: "m", unit: "cm", scale: 50 };
+  const sections = [1, 0, 0, x ?? 0, 0, -1, 0, -(y ?? 0)];
+  expect((await made(design, { what: "drawings", options: { ...drawings, sections } })).hash).toBe(
+    digestOf("d.zip"),
+  );
+});
+
+it.each([1, 28, 500, 1370, 1371])("with a link of %i characters on the labels", async (length) => {
+  const design = await editedSample("vault");
+  const link = "https://planish.example/#v1=".padEnd(length, "aB3-_").slice(0, length);
+  const options = { ...OPTIONS, panels: [3, 5] };
+  const written = await made(design, { what: "package", options, code: linkCode(link) });
+  const words = `panels design.obj -o p.zip --against base.obj --scope 3,5 --link ${link}`;
+  const { status } = spawnSync(CLI, words.split(" "), { cwd: folder });
+  expect(status).toBe(length > 1370 ? 4 : 0);
+  expect(written.header.labels.code).toBe(length <= 1370);
+  expect(written.hash).toBe(digestOf("p.zip"));
+});
+
+it.each([
+  { gap: 6, sheetWidth: 6000, sheetHeight: 3000, remakeOnly: false },
+  { gap: 300, sheetWidth: 1500, sheetHeight: 900, remakeOnly: true },
+  { gap: 0, sheetWidth: 0, sheetHeight: 0, remakeOnly: true },
+])("the preview says what the package will: %o", async (asked) => {
+  const [design, shop] = [await editedSample("freeform"), await loadShop()];
+  const options = { ...OPTIONS, ...asked };
+  const preview = shop.cuttingPreview(design, options, -1, true);
+  const order: ShopOrder = { what: "package", options, code: linkCode("") };
+  const { counts, remake, sheets, ...header } = (await made(design, order)).header;
+  expect([preview.panels, preview.drawn]).toEqual([counts.panels, counts.drawn]);
+  expect([preview.outline, preview.bevel]).toEqual([remake.outline, remake.bevel]);
+  expect([preview.flatness, preview.vanished]).toEqual([header.flatness_mm_per_m, header.vanished]);
+  expect([preview.sheets, preview.usedFraction, preview.oversize]).toEqual(
+    sheets ? [sheets.count, sheets.used_fraction, sheets.oversize] : [0, 0, []],
+  );
+  expect(preview.map).toMatch(/^<svg/);
+  expect(preview.drawing).toContain(preview.shown);
+});
+
+it("refuses by name what is wrong, as a sentence", async () => {
+  const design = await editedSample("vault");
+  const options = { ...OPTIONS, sheetWidth: 100 };
+  const shop = await loadShop();
+  const code = linkCode("");
+  const { problem, bytes } = shop.write(design, { what: "package", options, code });
+  expect(problem).toMatch(/^The cutting package was refused: sheet .+\.$/);
+  expect(bytes).toBeUndefined();
+  const ifc = shop.write(design, { what: "ifc", options: { ...OPTIONS, unit: "yard" } });
+  expect(ifc.problem).toMatch(/^The model was refused: unit .+\.$/);
+  const drawings = { name: "", modelUnit: "m", unit: "mm", scale: -1, sections: [] };
+  expect(shop.write(design, { what: "drawings", options: drawings }).problem).toMatch(
+    /^The drawings were refused: scale .+\.$/,
+  );
+});

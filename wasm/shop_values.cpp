@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "shop_values.hpp"
+
+#include <emscripten/val.h>
+
+namespace planish::shop {
+namespace {
+
+using emscripten::val;
+
+Positions to_positions(const val& numbers) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
+}
+
+}  // namespace
+
+ShopDesign to_design(const val& design) {
+  ShopDesign result;
+  result.base.positions = to_positions(design["base"]);
+  result.base.face_offsets = emscripten::convertJSArrayToNumberVector<int>(design["offsets"]);
+  result.base.face_vertices = emscripten::convertJSArrayToNumberVector<int>(design["vertices"]);
+  result.mesh = result.base;
+  const auto moved = emscripten::convertJSArrayToNumberVector<int>(design["moved"]);
+  result.mesh.positions(Eigen::all, moved) = to_positions(design["movedPositions"]);
+  return result;
+}
+
+CuttingOptions to_cutting_options(const val& options) {
+  CuttingOptions result;
+  result.name = options["name"].as<std::string>();
+  result.model_unit = options["modelUnit"].as<std::string>();
+  result.unit = options["unit"].as<std::string>();
+  result.gap = options["gap"].as<double>();
+  result.thickness = options["thickness"].as<double>();
+  result.sheet_width = options["sheetWidth"].as<double>();
+  result.sheet_height = options["sheetHeight"].as<double>();
+  result.text_height = options["textHeight"].as<double>();
+  result.remake_only = options["remakeOnly"].as<bool>();
+  result.panels = emscripten::convertJSArrayToNumberVector<int>(options["panels"]);
+  return result;
+}
+
+val refused(const std::string& sentence) {
+  val result = val::object();
+  result.set("problem", sentence);
+  return result;
+}
+
+}  // namespace planish::shop
