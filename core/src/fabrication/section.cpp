@@ -20,8 +20,10 @@ struct Crossing {
 class SectionCut {
  public:
   SectionCut(const Mesh& mesh, const JointTable& joints, const SectionPlane& plane)
-      : mesh_(mesh), joints_(joints), plane_(plane) {
-    heights_ = (plane.normal.transpose() * mesh.positions).array() - plane.offset;
+      : mesh_(mesh),
+        joints_(joints),
+        plane_(plane),
+        heights_((plane.normal.transpose() * mesh.positions).array() - plane.offset) {
     points_ = Positions::Zero(3, static_cast<Eigen::Index>(joints.joints.size()));
     for (std::size_t k = 0; k < joints.joints.size(); ++k) {
       if (is_cut(joints.joints[k]))
