@@ -14,13 +14,22 @@ constexpr std::array<StartSet, 3> kStarts{StartSet{3, 16, 0.05}, StartSet{2, 0, 
                                           StartSet{2, 16, 0.5}};
 constexpr double kCoarse = 0.0045;    ///< smoothing at which the race is judged, share
 constexpr double kCoarseStop = 1e-3;  ///< relative change of the objective that ends it
+constexpr int kCoarseSteps = 60;      ///< a start that takes more rarely wins
 constexpr double kPromising = 1.05;   ///< coarse objective, relative to the best, to run on
+constexpr double kSameState = 0.05;   ///< of the pull: states that are no farther apart ...
+constexpr double kSameHeight = 1e-2;  ///< ... and of about one objective run on to one minimum
 
 struct Contender {
   StartSet start;
   EngineOutcome outcome;
   std::vector<int> support;
   DisplacementField::Snapshot state;
+};
+
+/// A contender before it was run on.
+struct CoarseState {
+  double objective;
+  DisplacementField::Snapshot field;
 };
 
 class ColdSearch {
@@ -50,6 +59,7 @@ class ColdSearch {
     if (problem_.seeks_support) {
       coarse.last_smoothing = kCoarse;
       coarse.stop = kCoarseStop;
+      coarse.max_steps = std::min(options_.max_steps, kCoarseSteps);
     }
     for (const StartSet& start : kStarts) {
       field_.clear();
@@ -71,9 +81,14 @@ class ColdSearch {
     rest.first_smoothing = options_.smoothing_shrink * kCoarse;
     const double promising = kPromising * contenders_.front().outcome.objective;
     Contender* winner = nullptr;
+    std::vector<CoarseState> run_on_from;
     for (Contender& contender : contenders_) {
       if (total_.status == SolveStatus::kCancelled) break;
       if (winner != nullptr && contender.outcome.objective > promising) break;
+      CoarseState coarse{contender.outcome.objective, contender.state};
+      const auto same = [&](const CoarseState& other) { return is_same(other, coarse); };
+      if (std::any_of(run_on_from.begin(), run_on_from.end(), same)) continue;
+      run_on_from.push_back(std::move(coarse));
       field_.restore(contender.state);
       newton_.set_support(contender.support);
       keep(newton_.run_on(problem_, contender.start, rest, field_, progress_), contender);
@@ -94,6 +109,11 @@ class ColdSearch {
     contender.outcome.records = std::move(records);
     contender.support = newton_.support();
     contender.state = field_.snapshot();
+  }
+
+  [[nodiscard]] bool is_same(const CoarseState& a, const CoarseState& b) const {
+    return std::abs(a.objective - b.objective) <= kSameHeight * a.objective &&
+           farthest_apart(a.field, b.field) <= kSameState * handle_scale(problem_);
   }
 
   static bool lower(const Contender& a, const Contender& b) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engines/displacement_field.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "planish/index.hpp"
 
 namespace planish {
@@ -109,6 +112,21 @@ void DisplacementField::restore(const Snapshot& snapshot) {
     touch_equation(snapshot.equations[k]);
     multipliers_[snapshot.equations[k]] = snapshot.multipliers[static_cast<Eigen::Index>(k)];
   }
+}
+
+double farthest_apart(const DisplacementField::Snapshot& a, const DisplacementField::Snapshot& b) {
+  std::map<int, Eigen::Vector3d> apart;
+  const auto add = [&](const DisplacementField::Snapshot& state, double sign) {
+    for (std::size_t k = 0; k < state.vertices.size(); ++k) {
+      const auto place = apart.try_emplace(state.vertices[k], Eigen::Vector3d::Zero()).first;
+      place->second += sign * state.displacement.col(static_cast<Eigen::Index>(k));
+    }
+  };
+  add(a, 1.0);
+  add(b, -1.0);
+  double farthest = 0.0;
+  for (const auto& [vertex, difference] : apart) farthest = std::max(farthest, difference.norm());
+  return farthest;
 }
 
 }  // namespace planish

@@ -48,4 +48,8 @@ class DisplacementField {
   std::vector<int> vertices_, equations_;
 };
 
+/// How far apart two states put a vertex at most.
+[[nodiscard]] double farthest_apart(const DisplacementField::Snapshot& a,
+                                    const DisplacementField::Snapshot& b);
+
 }  // namespace planish

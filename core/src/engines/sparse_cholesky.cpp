@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <type_traits>
 
 #include "engines/elimination_order.hpp"
 #include "engines/panel_kernels.hpp"
@@ -14,6 +15,17 @@ namespace planish {
 namespace {
 
 using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+/// One column of an update: blocks first ≤ k < last of `from` to where map[k] says in `to`.
+/// @param block their size
+template <class Size>
+void add_blocks(const double* from, const int* map, int first, int last, Size block, double* to) {
+  for (int k = first; k < last; ++k) {
+    double* const target = to + static_cast<std::ptrdiff_t>(map[k]) * block;
+    const double* const source = from + static_cast<std::ptrdiff_t>(k) * block;
+    for (int r = 0; r < block; ++r) target[r] += source[r];
+  }
+}
 
 }  // namespace
 
@@ -247,7 +259,9 @@ void SparseCholesky::gather_children(const Supernode& node, std::size_t index) {
     top = std::max(top, update_at_[at(children_[at(c)])] + child_side * child_side);
   }
   double* const own = updates_.data() + top;
-  std::fill(own, own + side * side, 0.0);
+  for (std::ptrdiff_t j = 0; j < side; ++j) {  // lower triangles only, here and below
+    std::fill(own + j * side + j, own + (j + 1) * side, 0.0);
+  }
   for (int c = children_begin_[index]; c < children_begin_[index + 1]; ++c) {
     const Supernode& child = supernodes_[at(children_[at(c)])];
     const int below = child.below();
@@ -261,16 +275,19 @@ void SparseCholesky::gather_children(const Supernode& node, std::size_t index) {
             update + (static_cast<std::ptrdiff_t>(cj) * block_ + bc) * child_side;
         double* const to =
             column < pivot ? panel + column * height : own + (column - pivot) * side - pivot;
-        for (int ci = cj; ci < below; ++ci) {
-          double* const target = to + static_cast<std::ptrdiff_t>(map[ci]) * block_;
-          const double* const source = from + static_cast<std::ptrdiff_t>(ci) * block_;
-          for (int br = 0; br < block_; ++br) target[br] += source[br];
+        if (block_ == 3) {
+          add_blocks(from, map, cj, below, std::integral_constant<int, 3>{}, to);
+        } else {
+          add_blocks(from, map, cj, below, block_, to);
         }
       }
     }
   }
   if (top != update_at_[index]) {
-    std::copy(own, own + side * side, updates_.data() + update_at_[index]);
+    double* const down = updates_.data() + update_at_[index];
+    for (std::ptrdiff_t j = 0; j < side; ++j) {
+      std::copy(own + j * side + j, own + (j + 1) * side, down + j * side + j);
+    }
   }
 }
 

@@ -73,4 +73,17 @@ std::vector<int> WorkingSetGrower::lines_through(int vertex, int length) const {
   return line;
 }
 
+std::vector<int> WorkingSetGrower::with_lines_ahead(std::span<const int> movers,
+                                                    std::span<const int> inside, int length) const {
+  std::vector<int> set(movers.begin(), movers.end());
+  for (const int v : movers) {
+    for (const int before : model_.adjacency.neighbours[v]) {
+      if (std::binary_search(inside.begin(), inside.end(), before)) follow(before, v, length, set);
+    }
+  }
+  std::sort(set.begin(), set.end());
+  set.erase(std::unique(set.begin(), set.end()), set.end());
+  return set;
+}
+
 }  // namespace planish

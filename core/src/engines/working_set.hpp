@@ -23,6 +23,11 @@ class WorkingSetGrower {
   /// where no line goes straight (odd interior valence).
   [[nodiscard]] std::vector<int> lines_through(int vertex, int length) const;
 
+  /// `movers` and what comes next, at most `length` vertices, along each edge polyline that leaves
+  /// the set `inside` (ascending) at one of them; ascending, no duplicates.
+  [[nodiscard]] std::vector<int> with_lines_ahead(std::span<const int> movers,
+                                                  std::span<const int> inside, int length) const;
+
  private:
   /// Unless it has the stamp already.
   void add_once(int vertex, std::vector<int>& set);

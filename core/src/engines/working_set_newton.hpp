@@ -112,7 +112,8 @@ class WorkingSetNewton {
   void find_support(double smoothing);
   void set_out(const EditProblem& problem);
   void lay_open(const EditProblem& problem, DisplacementField& field);
-  [[nodiscard]] std::vector<int> movers_at_rim(double smoothing) const;
+  [[nodiscard]] std::vector<int> movers_at_rim(double rest) const;
+  [[nodiscard]] double rounding() const;
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
                                EngineOutcome& outcome);
   void keep_support(double smoothing);

@@ -17,13 +17,17 @@ constexpr double kFirst = 1e-4;          ///< first ε, share
 constexpr double kLast = 1e-12;          ///< last ε, share
 constexpr double kShrink = 1e-2;         ///< between two
 constexpr double kAtRest = 100.0;        ///< ε: what moves less is at rest at the end
-constexpr double kMovesAtRim = 100.0;    ///< ε: what moves further joins the working set
+constexpr double kMovesAtRimFirst = 30;  ///< ε: what moves further joins the working set
+constexpr double kMovesAtRimLater = 10;  ///< the same once the first ε has been followed
+constexpr int kLinesAhead = 2;           ///< edges along which it then brings its lines with it
 constexpr double kPenalty = 10.0;        ///< μ ε: the constraints of vertices at rest are stiff
-constexpr double kFollowed = 5e-4;       ///< ‖∇L‖ at which a stage ends, solver units
+constexpr double kMostPenalty = 1e10;    ///< μ: above it λ is what rounding makes of c
+constexpr double kFollowed = 1e-2;       ///< ‖∇L‖ at which a stage ends, solver units
 constexpr double kStationary = 5e-7;     ///< the same for the last stage
+constexpr double kHeld = 10.0;           ///< |c| / ε at which a stage ends
 constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts as at rest
-constexpr int kMostRuns = 70;            ///< working sets
-constexpr int kStepsPerRun = 5;          ///< on one of them
+constexpr int kMostRuns = 175;           ///< working sets
+constexpr int kStepsPerRun = 2;          ///< on one of them
 constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 
 }  // namespace
@@ -48,25 +52,35 @@ void WorkingSetNewton::lay_open(const EditProblem& problem, DisplacementField& f
   zero_.setZero(3, patch_.free_count);
 }
 
-/// Free vertices beyond the working set that do not stay at rest.
-std::vector<int> WorkingSetNewton::movers_at_rim(double smoothing) const {
+/// Free vertices beyond the working set that move by more than `rest`.
+std::vector<int> WorkingSetNewton::movers_at_rim(double rest) const {
   std::vector<int> movers;
   for (int k = 0; k < patch_.free_count; ++k) {
     const int v = patch_.vertices[at(k)];
-    if (state_.displacement.col(k).norm() <= kMovesAtRim * smoothing) continue;
+    if (state_.displacement.col(k).norm() <= rest) continue;
     if (!std::binary_search(working_.begin(), working_.end(), v)) movers.push_back(v);
   }
   std::sort(movers.begin(), movers.end());
   return movers;
 }
 
-/// Newton's steps at one ε on one working set. True once the gradient is zero.
+/// What rounding the patch's coordinates leaves of a length.
+double WorkingSetNewton::rounding() const {
+  constexpr double kUlps = 16.0 * std::numeric_limits<double>::epsilon();
+  return kUlps * patch_.points.cwiseAbs().maxCoeff();
+}
+
+/// Newton's steps at one ε on one working set. True once the gradient is zero and the rows hold.
 bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
                                  EngineOutcome& outcome) {
   for (int step = 0; step < kStepsPerRun; ++step) {
     system_.residuals(state_.displacement, residuals_);
     system_.lagrangian_gradient(state_, smoothing, gradient_);
-    if (gradient_.colwise().norm().maxCoeff() <= options.stationary) return true;
+    const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
+    if (gradient_.colwise().norm().maxCoeff() <= options.stationary &&
+        off <= std::max(kHeld * smoothing, rounding())) {
+      return true;
+    }
     StepResult result = StepResult::kRejected;
     for (int attempt = 0; attempt < 4 && result == StepResult::kRejected; ++attempt) {
       result = take_step(options, smoothing);
@@ -97,10 +111,11 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     return outcome;
   }
   for (int run = 0; run < kMostRuns && work < kMostWork; ++run) {
+    const bool first_stage = smoothing >= kFirst * scale;
     const bool last = !seeks_support_ || smoothing <= kLast * scale;
     exact.stationary = last ? kStationary : kFollowed;
-    exact.penalty =
-        seeks_support_ ? std::max(options.penalty, kPenalty / smoothing) : options.penalty;
+    exact.penalty = seeks_support_ ? std::clamp(kPenalty / smoothing, options.penalty, kMostPenalty)
+                                   : options.penalty;
     const int first = outcome.steps;
     const bool done = settle_at(smoothing, exact, outcome);
     work += static_cast<double>((outcome.steps - first) * patch_.free_count);
@@ -114,8 +129,11 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       outcome.status = SolveStatus::kCancelled;
       break;
     }
-    const std::vector<int> movers = movers_at_rim(smoothing);
+    std::vector<int> movers =
+        movers_at_rim((first_stage ? kMovesAtRimFirst : kMovesAtRimLater) * smoothing);
     if (!movers.empty()) {
+      // The basin is found by now: along the lines that leave the set more will move.
+      if (!first_stage) movers = grower_.with_lines_ahead(movers, working_, kLinesAhead);
       std::vector<int> joined;
       std::set_union(working_.begin(), working_.end(), movers.begin(), movers.end(),
                      std::back_inserter(joined));
@@ -123,7 +141,8 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       lay_open(problem, field);
       continue;
     }
-    if (!done) continue;
+    const bool spent = last && largest_move_ <= rounding();  // no step changes anything any more
+    if (!done && !spent) continue;
     if (last) {
       outcome.status = SolveStatus::kConverged;
       break;
