@@ -75,6 +75,7 @@ FILE_GROUPS = {
     "handle_edit_drag": "handle_edit",
     "area_vector": "mesh",
     "sound_projection": "projection",
+    "projector": "projection",
     "panel_health": "metrics",
     "point_support_text": "point_support",
     "vertex_slides": "point_support",

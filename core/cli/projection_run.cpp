@@ -85,7 +85,16 @@ Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine en
   json["spoilt_faces"] = damage_json(mesh, mesh.positions, flat);
   json["remake"] = remake_json(mesh, flat);
   json["smooth"] = result.fairness_weight;
+  if (result.confined_because != ConfinedBecause::kNothing) {
+    json["because"] = reason(result.confined_because);
+  }
   return json;
+}
+
+std::optional<std::string> confined_sentence(const ProjectionResult& result) {
+  if (result.report.status != SolveStatus::kNearestConfined) return std::nullopt;
+  return "the nearest flat mesh of the surroundings took the place of the weighted one; " +
+         std::string(reason(result.confined_because));
 }
 
 std::optional<std::string> not_flat_sentence(const ProjectionResult& result,

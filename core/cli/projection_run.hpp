@@ -29,6 +29,9 @@ namespace planish::cli {
 
 [[nodiscard]] Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine engine);
 
+/// That another problem than (8) had to serve, and why; nullopt where it did not.
+[[nodiscard]] std::optional<std::string> confined_sentence(const ProjectionResult& result);
+
 /// What to do where shape and flatness cannot both be had; nullopt where they can.
 [[nodiscard]] std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
                                                            const ProjectionOptions& options);

@@ -3,161 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
-#include "engines/augmented_lagrangian.hpp"
-#include "engines/exact_finish.hpp"
-#include "engines/nearest_flat.hpp"
-#include "engines/working_set_newton.hpp"
+#include "engines/working_set.hpp"
 #include "planish/adjacency.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
-#include "planish/stopwatch.hpp"
+#include "projector.hpp"
 #include "sound_projection.hpp"
 
 namespace planish {
 namespace {
 
-constexpr int kNewtonLimit = 100;
 constexpr int kRounds = 3;  ///< how often planes may be carried by other vertices
-
-/// One projection: the problem, the engine that suits it, and the result.
-class Projector {
- public:
-  Projector(const Mesh& mesh, const ProjectionOptions& options, const std::vector<int>& pins)
-      : options_(options),
-        kept_(kept_kinds(options.tolerance, options.constraints)),
-        model_(mesh, options.fairness, kept_),
-        field_(model_.vertex_count(), static_cast<int>(model_.equations.size())) {
-    problem_.model = &model_;
-    problem_.fairness_weight = 2.0 * options.fairness_weight;
-    problem_.terms.resize(at(model_.vertex_count()));
-    for (const int v : pins) problem_.terms[at(v)].fixed = true;
-  }
-
-  /// α_d ‖t̃‖², every vertex free. [PRO-2]
-  void penalise_squares() {
-    problem_.seeks_support = false;
-    for (VertexTerm& term : problem_.terms) term.square_weight = 2.0 * options_.distance_weight;
-  }
-
-  /// α_d Σ w_i ‖t̃_i‖ with w_i = s / (s + ‖p̃_i − p⁰_i‖): 1 where nothing moved yet. [PRO-3]
-  void penalise_unmoved(const Positions& reference) {
-    problem_.seeks_support = true;
-    const Positions moved = (model_.mesh.positions - reference) / model_.unit();
-    const double largest = moved.cols() > 0 ? moved.colwise().norm().maxCoeff() : 0.0;
-    const double soft = std::max(0.05 * largest, 1e-6);
-    for (int v = 0; v < model_.vertex_count(); ++v) {
-      const double weight = soft / (soft + moved.col(v).norm());
-      problem_.terms[at(v)].norm_weight = 2.0 * options_.distance_weight * weight;
-    }
-  }
-
-  ProjectionResult run(const std::vector<int>& failing, const Progress& progress);
-
-  /// Only vertices within `rings` face rings of the failing faces may move.
-  void confine(const std::vector<int>& failing, int rings) {
-    WorkingSetGrower grower(model_);
-    free_ = grower.grow(vertices_of(model_.mesh, failing), rings);
-  }
-
- private:
-  void solve_nearest(const Progress& progress);
-  void solve_newton(const std::vector<int>& failing, const Progress& progress);
-  void solve_augmented_lagrangian(const Progress& progress);
-  [[nodiscard]] std::vector<int> everything() const {
-    std::vector<int> all(at(model_.vertex_count()));
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-  }
-
-  ProjectionOptions options_;
-  KeptKinds kept_;
-  MeshModel model_;
-  EditProblem problem_;
-  DisplacementField field_;
-  std::vector<int> free_;  ///< empty: every vertex
-  std::vector<int> support_;
-  SolveReport report_;
-};
-
-void Projector::solve_nearest(const Progress& progress) {
-  support_ = free_.empty() ? everything() : free_;
-  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
-                     static_cast<int>(model_.fairness.rows()));
-  Patch patch;
-  cutter.cut(problem_, support_, patch);
-  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  NearestFlatOptions nearest;
-  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
-  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
-  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
-  EngineOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
-  for (int k = 0; k < patch.free_count; ++k) {
-    field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
-  }
-  report_.status = outcome.status;
-  report_.iterations = outcome.steps;
-  report_.factorizations = outcome.factorizations;
-  report_.records = std::move(outcome.records);
-}
-
-void Projector::solve_newton(const std::vector<int>& failing, const Progress& progress) {
-  WorkingSetNewton newton(model_);
-  NewtonOptions options;
-  options.max_steps = options_.max_iterations > 0 ? options_.max_iterations : 2 * kNewtonLimit;
-  const std::vector<int> seeds = vertices_of(model_.mesh, failing);
-  double gap = 0.0;
-  for (const int f : failing)
-    gap = std::max(gap, face_planarity(model_.points, model_.face(f)).gap);
-  const EngineOutcome outcome =
-      newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, progress);
-  support_ = problem_.seeks_support ? newton.support() : everything();
-  report_.status = outcome.status;
-  report_.iterations += outcome.steps;
-  report_.factorizations += outcome.factorizations;
-  report_.records.insert(report_.records.end(), outcome.records.begin(), outcome.records.end());
-}
-
-void Projector::solve_augmented_lagrangian(const Progress& progress) {
-  AlmOptions options;
-  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
-  std::vector<int> support;
-  const EngineOutcome outcome = solve_edit_by_alm(problem_, options, field_, support, progress);
-  support_ = problem_.seeks_support ? support : everything();
-  report_.status = outcome.status;
-  report_.iterations = outcome.steps;
-  report_.factorizations = outcome.factorizations;
-  report_.records = outcome.records;
-}
-
-ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
-  const Stopwatch watch;
-  if (options_.engine == Engine::kAugmentedLagrangian) {
-    solve_augmented_lagrangian(progress);
-  } else if (!problem_.seeks_support && problem_.fairness_weight == 0.0) {
-    solve_nearest(progress);
-  } else {
-    solve_newton(failing, progress);
-  }
-  ExactFinish finish(model_);
-  ExactDesign design = finish.finish(problem_, support_, field_, kept_);
-  ProjectionResult result;
-  result.moved_positions.resize(3, 0);
-  result.report = std::move(report_);
-  result.report.factorizations += design.factorizations;
-  if (!design.positions.allFinite()) {
-    result.report.status = SolveStatus::kNonFinite;
-    return result;
-  }
-  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
-                     static_cast<int>(model_.fairness.rows()));
-  result.report.objective = design_objective(problem_, design, cutter);
-  result.moved = design.vertices;
-  result.moved_positions = design.positions;
-  result.report.solve_seconds = watch.seconds();
-  return result;
-}
 
 /// What moved from `mesh` to `after`, and how far.
 void record_moves(const Mesh& mesh, const Positions& after, ProjectionResult& result) {
@@ -188,7 +46,7 @@ void add_violations(const KeptKinds& kept, const Violations& before, const Viola
 }
 
 /// How one attempt is made.
-enum class Attempt { kNearest, kConfined, kWeighted };
+enum class Attempt { kNearest, kConfined, kWeighted, kWeightedInShape };
 
 /// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
 /// the vertices that carry a panel's plane collinear; the next round chooses them anew.
@@ -200,8 +58,9 @@ ProjectionResult attempt(Mesh& current, MeshStanding& standing, Attempt kind, in
   const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
   for (int round = 0; round < kRounds && !standing.failing.empty(); ++round) {
     Projector projector(current, options, pins);
-    if (kind == Attempt::kWeighted) {
+    if (kind == Attempt::kWeighted || kind == Attempt::kWeightedInShape) {
       projector.penalise_unmoved(*reference);
+      if (kind == Attempt::kWeightedInShape) projector.keep_shape();
     } else {
       projector.penalise_squares();
     }
@@ -214,6 +73,10 @@ ProjectionResult attempt(Mesh& current, MeshStanding& standing, Attempt kind, in
     step.report.iterations += result.report.iterations;
     step.report.factorizations += result.report.factorizations;
     step.report.solve_seconds += result.report.solve_seconds;
+    if (round > 0) step.report.optimality.reset();  // of the last round's problem, not of the whole
+    if (round > 0 && step.report.status == SolveStatus::kConverged) {
+      step.report.status = SolveStatus::kIterationLimit;
+    }
     result.report = std::move(step.report);
     if (!result.report.usable()) break;
   }
@@ -244,6 +107,13 @@ void conclude(const Task& task, const Positions& positions, MeshStanding after,
   }
 }
 
+/// What was solved in place of (8) is not its solution, whatever its own engine says.
+void say_if_confined(ProjectionResult& result) {
+  if (result.confined_because == ConfinedBecause::kNothing) return;
+  result.report.optimality.reset();
+  if (result.report.usable()) result.report.status = SolveStatus::kNearestConfined;
+}
+
 /// Whatever becomes of the panels' shape.
 Positions project_freely(const Task& task, const Progress& progress, ProjectionResult& result) {
   Mesh current = task.mesh;
@@ -264,12 +134,29 @@ Positions project_freely(const Task& task, const Progress& progress, ProjectionR
                                     options, pins, progress);
     if (left.failing.size() > after.failing.size()) continue;
     result = std::move(next);
+    result.confined_because = ConfinedBecause::kNotExact;
     current = std::move(again);
     after = std::move(left);
   }
   result.fairness_weight = options.fairness_weight;
   conclude(task, current.positions, std::move(after), result);
+  say_if_confined(result);
   return std::move(current.positions);
+}
+
+/// The weighted distance with the bound on every panel's shape; nullopt where that does not end
+/// with panels that are all flat and sound.
+std::optional<ProjectionResult> project_in_shape(const Task& task, const Progress& progress) {
+  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
+  Mesh current = mesh;
+  MeshStanding after = before;
+  ProjectionResult result = attempt(current, after, Attempt::kWeightedInShape, 0, reference,
+                                    adjacency, options, pins, progress);
+  if (!after.failing.empty() || !result.report.usable()) return std::nullopt;
+  if (!spoilt_faces(mesh, *reference, current.positions).empty()) return std::nullopt;
+  result.fairness_weight = options.fairness_weight;
+  conclude(task, current.positions, std::move(after), result);
+  return result;
 }
 
 /// The vertices within `rings` face rings of the failing panels, pins left out.
@@ -335,12 +222,29 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
       spoilt_faces(mesh, shape_before, after).empty()) {
     return result;
   }
+  if (reference != nullptr && options.engine == Engine::kNewton) {
+    if (auto shaped = project_in_shape(task, progress)) return std::move(*shaped);
+  }
   ProjectionResult sound = project_within_bounds(task, progress);
+  if (reference != nullptr) sound.confined_because = ConfinedBecause::kSpoiltPanels;
+  say_if_confined(sound);
   // A variation must become flat; what that spoils is reported.
   return reference != nullptr && !sound.report.usable() ? result : sound;
 }
 
 }  // namespace
+
+std::string_view reason(ConfinedBecause because) {
+  switch (because) {
+    case ConfinedBecause::kNothing:
+      return "";
+    case ConfinedBecause::kNotExact:
+      return "the weighted distance was not minimised: its solve left panels above the tolerance";
+    case ConfinedBecause::kSpoiltPanels:
+      return "the weighted distance was not minimised: panels would have lost their shape";
+  }
+  return "";
+}
 
 Refusal find_problem(const ProjectionOptions& options) {
   const auto weight = [](double value) { return std::isfinite(value) && value >= 0.0; };

@@ -9,6 +9,8 @@ std::string_view status_name(SolveStatus status) {
       return "converged";
     case SolveStatus::kIterationLimit:
       return "iteration_limit";
+    case SolveStatus::kNearestConfined:
+      return "nearest_confined";
     case SolveStatus::kCancelled:
       return "cancelled";
     case SolveStatus::kInfeasibleHandles:

@@ -6,6 +6,7 @@
 
 #include "engines/exact_finish.hpp"
 #include "engines/fair_flat.hpp"
+#include "engines/optimality.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
@@ -46,7 +47,7 @@ class SoundProjector {
   void release();
   void hold(const std::vector<int>& vertices, const DisplacementField& field);
   [[nodiscard]] Positions shape_of(const DisplacementField& field) const;
-  [[nodiscard]] Positions finished(const DisplacementField& field, SolveReport& report);
+  [[nodiscard]] Positions positions_of(const ExactDesign& design, SolveReport& report) const;
   [[nodiscard]] bool none_is_worse(const Mesh& after, const std::vector<int>& failing) const;
   void judge(Positions positions, SoundProjection& best) const;
 
@@ -83,8 +84,7 @@ Positions SoundProjector::shape_of(const DisplacementField& field) const {
   return positions;
 }
 
-Positions SoundProjector::finished(const DisplacementField& field, SolveReport& report) {
-  const ExactDesign design = finish_.finish(problem_, free_, field, kept_);
+Positions SoundProjector::positions_of(const ExactDesign& design, SolveReport& report) const {
   report.factorizations += design.factorizations;
   Positions positions = model_.mesh.positions;
   positions(Eigen::all, design.vertices) = design.positions;
@@ -113,6 +113,15 @@ void SoundProjector::judge(Positions positions, SoundProjection& best) const {
   best.failing = std::move(failing);
 }
 
+/// "Converged" means certified on the finished mesh.
+void certify(const ExactDesign& design, const Patch& patch, SolveReport& report) {
+  report.optimality = fitted_optimality(patch, displacement_on(patch, design));
+  const bool met = report.optimality && report.optimality->met();
+  if (report.status == SolveStatus::kConverged && !met) {
+    report.status = SolveStatus::kIterationLimit;
+  }
+}
+
 SoundProjection SoundProjector::attempt(double fairness_weight, double first_penalty,
                                         const Progress& progress) {
   release();
@@ -133,13 +142,17 @@ SoundProjection SoundProjector::attempt(double fairness_weight, double first_pen
   result.report.iterations = outcome.steps;
   result.report.factorizations = outcome.factorizations;
   result.report.records = std::move(outcome.records);
-  judge(finished(field, result.report), result);
-  if (result.is_flat()) return result;
+  const ExactDesign design = finish_.finish(problem_, free_, field, kept_);
+  judge(positions_of(design, result.report), result);
+  if (result.is_flat()) {
+    certify(design, patch, result.report);
+    return result;
+  }
   Mesh rough = model_.mesh;
   rough.positions = shape_of(field);
   hold(vertices_of(rough, measure_standing(rough, model_.adjacency, KeptKinds(kHeldBack)).failing),
        field);
-  judge(finished(field, result.report), result);
+  judge(positions_of(finish_.finish(problem_, free_, field, kept_), result.report), result);
   judge(std::move(rough.positions), result);
   return result;
 }

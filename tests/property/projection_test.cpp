@@ -106,6 +106,79 @@ TEST_P(ProjectionOf, AHistoryKeepsTheRepairLocal) {
   EXPECT_LT(local.moved.size(), static_cast<std::size_t>(flat.vertex_count()) / 2);
 }
 
+/// A mesh with a few points off, as sliders leave it.
+Mesh dent(const Mesh& flat) {
+  Mesh dented = flat;
+  for (const int v : {0, 1, 2}) {
+    dented.positions(2, testing::middle_vertex(flat) + v) += 0.05 * (v + 1);
+  }
+  return dented;
+}
+
+/// [PRO-3] as it is written, to a first-order point.
+TEST_P(ProjectionOf, AHistorysRepairIsCertified) {
+  const Mesh dented = dent(flat);
+  const ProjectionResult result = project_to_planar(dented, flat.positions, {.keep_shape = false});
+  EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+  EXPECT_EQ(result.confined_because, ConfinedBecause::kNothing);
+  ASSERT_TRUE(result.report.optimality);
+  EXPECT_LE(result.report.optimality->stationarity, 1e-4);
+  EXPECT_LE(result.report.optimality->outside, 1e-4);
+}
+
+/// Σ w_i ‖t_i‖ of [PRO-3], written down again.
+double weighted_distance(const Mesh& given, const Positions& history, const Positions& after) {
+  const Eigen::RowVectorXd moved = (given.positions - history).colwise().norm();
+  const double soft = 0.05 * moved.maxCoeff();
+  double sum = 0.0;
+  for (int v = 0; v < given.vertex_count(); ++v) {
+    sum += soft / (soft + moved[v]) * (after.col(v) - given.positions.col(v)).norm();
+  }
+  return sum;
+}
+
+/// Flat meshes around the repair, found by another engine: the repair, shaken, made flat again.
+TEST_P(ProjectionOf, NothingNearTheRepairIsNearer) {
+  const Mesh dented = dent(flat);
+  const Positions repaired =
+      moved_positions(dented, project_to_planar(dented, flat.positions, {.keep_shape = false}));
+  const double reached = weighted_distance(dented, flat.positions, repaired);
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    Mesh shaken = dented;
+    shaken.positions = repaired + 1e-4 * testing::random_points(seed, dented.vertex_count());
+    ProjectionOptions nearest;
+    nearest.keep_shape = false;
+    const Positions near = moved_positions(shaken, project_to_planar(shaken, nearest));
+    EXPECT_GE(weighted_distance(dented, flat.positions, near), reached);
+  }
+}
+
+/// [PRO-1] of a repair with a history, by its effect.
+TEST_P(ProjectionOf, AHistorysRepairIsFairerWithItsWeight) {
+  const Mesh dented = dent(flat);
+  const FairnessOperator e =
+      fairness_operator(dented, build_adjacency(dented), FairnessKind::kSecondDifference);
+  const auto bending = [&](double weight) {
+    const Positions after = moved_positions(
+        dented, project_to_planar(dented, flat.positions,
+                                  {.fairness_weight = weight, .keep_shape = false}));
+    return (e * (after - dented.positions).transpose()).squaredNorm();
+  };
+  const double some = bending(10.0);
+  EXPECT_LT(some, bending(0.0));
+  EXPECT_LT(bending(1000.0), some);
+}
+
+/// [OPT-3]
+TEST_P(ProjectionOf, ConvergedMeansCertified) {
+  for (const double fairness : {0.0, 10.0}) {
+    const ProjectionResult result = project_to_planar(bent, {.fairness_weight = fairness});
+    if (result.report.status != SolveStatus::kConverged) continue;
+    ASSERT_TRUE(result.report.optimality) << fairness;
+    EXPECT_TRUE(result.report.optimality->met()) << fairness;
+  }
+}
+
 TEST_P(ProjectionOf, AScaledAndMovedMeshIsTheScaledAndMovedProjection) {
   Mesh other = bent;
   other.positions *= 0.01;

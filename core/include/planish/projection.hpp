@@ -3,7 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "planish/constraints/kept_constraint.hpp"
@@ -33,6 +33,17 @@ struct ProjectionOptions {
 
 [[nodiscard]] Refusal find_problem(const ProjectionOptions& options);
 
+/// Why the nearest mesh within some rings of what failed took the place of (8) with its weighted
+/// distance: SolveStatus::kNearestConfined.
+enum class ConfinedBecause {
+  kNothing,       ///< it did not
+  kNotExact,      ///< the weighted problem's solve left panels above a tolerance
+  kSpoiltPanels,  ///< its panels would have lost their shape
+};
+
+/// For reports, for example "weighted distance: panels would lose their shape"; "" for kNothing.
+[[nodiscard]] std::string_view reason(ConfinedBecause because);
+
 struct ProjectionResult {
   std::vector<int> moved;     ///< ascending vertex indices
   Positions moved_positions;  ///< 3 × |moved|, model units
@@ -40,6 +51,7 @@ struct ProjectionResult {
   double max_move = 0.0;      ///< model units
   /// α_f of the problem solved: more than asked for where the panels' shape needs it.
   double fairness_weight = 0.0;
+  ConfinedBecause confined_because = ConfinedBecause::kNothing;
   /// Faces still above a tolerance, or around a point that is (empty when exact), worst first.
   std::vector<int> failing_faces;
   SolveReport report;

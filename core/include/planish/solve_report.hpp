@@ -14,6 +14,7 @@ namespace planish {
 enum class SolveStatus {
   kConverged,          ///< a stationary point of the problem, constraints met
   kIterationLimit,     ///< constraints met, the objective may still be lowered
+  kNearestConfined,    ///< constraints met by another problem than (8): see ConfinedBecause
   kCancelled,          ///< the last state that meets the constraints
   kInfeasibleHandles,  ///< constraints met; the handles cannot reach their targets with them
   kToleranceNotMet,    ///< the best state found; some panels are above the tolerance

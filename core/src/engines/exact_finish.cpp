@@ -143,6 +143,17 @@ ExactDesign ExactFinish::finish(const EditProblem& problem, std::span<const int>
   return best;
 }
 
+Eigen::Matrix3Xd displacement_on(const Patch& patch, const ExactDesign& design) {
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  for (int k = 0; k < patch.free_count; ++k) {
+    const auto found =
+        std::lower_bound(design.vertices.begin(), design.vertices.end(), patch.vertices[at(k)]);
+    if (found == design.vertices.end() || *found != patch.vertices[at(k)]) continue;
+    result.col(k) = design.displacement.col(found - design.vertices.begin());
+  }
+  return result;
+}
+
 ObjectiveTerms design_objective(const EditProblem& problem, const ExactDesign& design,
                                 PatchCutter& cutter) {
   Patch patch;

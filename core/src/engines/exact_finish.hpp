@@ -56,6 +56,9 @@ class ExactFinish {
   std::vector<int> order_;  ///< 0, 1, 2 …
 };
 
+/// A design's displacement of a patch's free vertices, 3 × free.
+[[nodiscard]] Eigen::Matrix3Xd displacement_on(const Patch& patch, const ExactDesign& design);
+
 /// [PB-1] of a design: everything it leaves unmoved contributes nothing.
 [[nodiscard]] ObjectiveTerms design_objective(const EditProblem& problem, const ExactDesign& design,
                                               PatchCutter& cutter);

@@ -2,7 +2,10 @@
 #include "engines/optimality.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "engines/constraint_correction.hpp"
+#include "engines/patch_system.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -14,6 +17,24 @@ Eigen::Vector3d along_its_track(const Patch& patch, int vertex, const Eigen::Vec
                                       [](const Slide& slide, int v) { return slide.vertex < v; });
   if (found == patch.slides.end() || found->vertex != vertex) return pull;
   return found->track.along * pull;
+}
+
+/// ∇F of a problem without norm terms.
+Eigen::Matrix3Xd slope_of(const Patch& patch, const Eigen::Matrix3Xd& displacement) {
+  Eigen::Matrix3Xd slope(3, patch.free_count);
+  if (patch.fairness_weight > 0.0 || patch.shape_weight > 0.0) {
+    PatchSystem system;
+    system.attach(patch);
+    const PatchState state{
+        displacement, Eigen::Matrix3Xd::Zero(3, patch.free_count),
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(patch.equations.size()))};
+    system.lagrangian_gradient(state, std::numeric_limits<double>::infinity(), slope);
+    return slope;
+  }
+  for (int k = 0; k < patch.free_count; ++k) {
+    slope.col(k) = patch.terms[at(k)].square_weight * displacement.col(k);
+  }
+  return slope;
 }
 
 }  // namespace
@@ -37,6 +58,26 @@ Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacemen
     result.stationarity = std::max(result.stationarity, left.norm() / unit);
   }
   return result;
+}
+
+std::optional<Optimality> fitted_optimality(const Patch& patch,
+                                            const Eigen::Matrix3Xd& displacement) {
+  constexpr double kRegularization = 1e-12;
+  Eigen::Matrix3Xd pulls = slope_of(patch, displacement);
+  if (!patch.equations.empty()) {
+    ConstraintCorrection linear;
+    if (!linear.attach(patch) || !linear.factorize(displacement, kRegularization)) {
+      return std::nullopt;
+    }
+    Eigen::VectorXd along;
+    Eigen::Matrix3Xd share;
+    for (int pass = 0; pass < 2; ++pass) {  // the second removes the regularisation's share
+      linear.apply_jacobian(pulls, along);
+      linear.step(along, share);  // −Jᵀ(JJᵀ)⁻¹ J ∇F = Jᵀλ
+      pulls += share;
+    }
+  }
+  return optimality_of(patch, displacement, pulls, 0.0);
 }
 
 }  // namespace planish

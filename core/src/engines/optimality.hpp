@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "planish/problem.hpp"
 #include "planish/solve_report.hpp"
@@ -16,5 +17,10 @@ namespace planish {
 /// @param pulls ∇F + Jᵀλ at `displacement` without the norms' part, 3 × free
 [[nodiscard]] Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacement,
                                        const Eigen::Matrix3Xd& pulls, double rest);
+
+/// The same of a problem without norm terms, with the multipliers that fit best; nullopt where one
+/// vertex has too many rows. [OPT-3]
+[[nodiscard]] std::optional<Optimality> fitted_optimality(const Patch& patch,
+                                                          const Eigen::Matrix3Xd& displacement);
 
 }  // namespace planish

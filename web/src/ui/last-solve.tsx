@@ -61,6 +61,9 @@ function planarisingFact(): readonly (readonly [string, string])[] {
 /** The certificate in one word: "converged" is within 1e-4 of a first-order point. */
 function certificateFact(): readonly (readonly [string, string])[] {
   const { optimality, status } = figures.value;
+  if (status === "nearest_confined") {
+    return [["Lowest nearby", "not sought: the nearest flat mesh of the surroundings"]];
+  }
   if (!("certifiedVertices" in optimality)) return [];
   const { stationarity, outside } = optimality;
   const far = Math.max(stationarity ?? Number.POSITIVE_INFINITY, outside ?? 0);

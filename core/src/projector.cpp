@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "projector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/nearest_flat.hpp"
+#include "engines/optimality.hpp"
+#include "engines/working_set.hpp"
+#include "engines/working_set_newton.hpp"
+#include "planish/index.hpp"
+#include "planish/mesh_standing.hpp"
+#include "planish/metrics.hpp"
+#include "planish/stopwatch.hpp"
+
+namespace planish {
+
+Projector::Projector(const Mesh& mesh, const ProjectionOptions& options,
+                     const std::vector<int>& pins)
+    : options_(options),
+      kept_(kept_kinds(options.tolerance, options.constraints)),
+      model_(mesh, options.fairness, kept_),
+      field_(model_.vertex_count(), static_cast<int>(model_.equations.size())) {
+  problem_.model = &model_;
+  problem_.fairness_weight = 2.0 * options.fairness_weight;
+  problem_.terms.resize(at(model_.vertex_count()));
+  for (const int v : pins) problem_.terms[at(v)].fixed = true;
+}
+
+void Projector::penalise_squares() {
+  problem_.seeks_support = false;
+  for (VertexTerm& term : problem_.terms) term.square_weight = 2.0 * options_.distance_weight;
+}
+
+void Projector::penalise_unmoved(const Positions& reference) {
+  problem_.seeks_support = true;
+  const Positions moved = (model_.mesh.positions - reference) / model_.unit();
+  const double largest = moved.cols() > 0 ? moved.colwise().norm().maxCoeff() : 0.0;
+  const double soft = std::max(0.05 * largest, 1e-6);
+  for (int v = 0; v < model_.vertex_count(); ++v) {
+    const double weight = soft / (soft + moved.col(v).norm());
+    problem_.terms[at(v)].norm_weight = 2.0 * options_.distance_weight * weight;
+  }
+}
+
+void Projector::confine(const std::vector<int>& failing, int rings) {
+  WorkingSetGrower grower(model_);
+  free_ = grower.grow(vertices_of(model_.mesh, failing), rings);
+}
+
+std::vector<int> Projector::everything() const {
+  std::vector<int> all(at(model_.vertex_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void Projector::solve_nearest(const Progress& progress) {
+  support_ = free_.empty() ? everything() : free_;
+  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
+                     static_cast<int>(model_.fairness.rows()));
+  Patch patch;
+  cutter.cut(problem_, support_, patch);
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  NearestFlatOptions nearest;
+  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
+  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
+  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
+  EngineOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
+  for (int k = 0; k < patch.free_count; ++k) {
+    field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
+  }
+  report_.status = outcome.status;
+  report_.iterations = outcome.steps;
+  report_.factorizations = outcome.factorizations;
+  report_.records = std::move(outcome.records);
+}
+
+void Projector::solve_newton(const std::vector<int>& failing, const Progress& progress) {
+  constexpr int kNewtonLimit = 200;
+  WorkingSetNewton newton(model_);
+  NewtonOptions options;
+  options.max_steps = options_.max_iterations > 0 ? options_.max_iterations : kNewtonLimit;
+  const std::vector<int> seeds = vertices_of(model_.mesh, failing);
+  double gap = 0.0;
+  for (const int f : failing)
+    gap = std::max(gap, face_planarity(model_.points, model_.face(f)).gap);
+  const EngineOutcome outcome =
+      newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, progress);
+  support_ = problem_.seeks_support ? newton.support() : everything();
+  report_.status = outcome.status;
+  report_.iterations += outcome.steps;
+  report_.factorizations += outcome.factorizations;
+  report_.records.insert(report_.records.end(), outcome.records.begin(), outcome.records.end());
+}
+
+void Projector::solve_weighted(const std::vector<int>& failing, const Progress& progress) {
+  weighted_.emplace(model_);
+  NearestWeightedOptions options;
+  if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
+  EngineOutcome outcome =
+      weighted_->run(problem_, vertices_of(model_.mesh, failing), options, progress);
+  field_ = weighted_->field();
+  support_ = weighted_->support();
+  report_.status = outcome.status;
+  report_.iterations = outcome.steps;
+  report_.factorizations = outcome.factorizations;
+  report_.records = std::move(outcome.records);
+}
+
+/// "Converged" means certified on the finished mesh.
+void Projector::certify(const ExactDesign& design, PatchCutter& cutter) {
+  if (weighted_) {
+    report_.optimality = weighted_->optimality(design.vertices, design.displacement);
+  } else if (!problem_.seeks_support) {
+    Patch patch;
+    cutter.cut(problem_, support_, patch);
+    report_.optimality = fitted_optimality(patch, displacement_on(patch, design));
+  }
+  if (report_.optimality && report_.status == SolveStatus::kConverged &&
+      !report_.optimality->met()) {
+    report_.status = SolveStatus::kIterationLimit;
+  }
+}
+
+void Projector::solve_augmented_lagrangian(const Progress& progress) {
+  AlmOptions options;
+  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
+  std::vector<int> support;
+  const EngineOutcome outcome = solve_edit_by_alm(problem_, options, field_, support, progress);
+  support_ = problem_.seeks_support ? support : everything();
+  report_.status = outcome.status;
+  report_.iterations = outcome.steps;
+  report_.factorizations = outcome.factorizations;
+  report_.records = outcome.records;
+}
+
+ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
+  const Stopwatch watch;
+  if (options_.engine == Engine::kAugmentedLagrangian) {
+    solve_augmented_lagrangian(progress);
+  } else if (!problem_.seeks_support && problem_.fairness_weight == 0.0) {
+    solve_nearest(progress);
+  } else if (problem_.seeks_support) {
+    solve_weighted(failing, progress);
+  } else {
+    solve_newton(failing, progress);
+  }
+  ExactFinish finish(model_);
+  ExactDesign design = finish.finish(problem_, support_, field_, kept_);
+  ProjectionResult result;
+  result.moved_positions.resize(3, 0);
+  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
+                     static_cast<int>(model_.fairness.rows()));
+  certify(design, cutter);
+  result.report = std::move(report_);
+  result.report.factorizations += design.factorizations;
+  if (!design.positions.allFinite()) {
+    result.report.status = SolveStatus::kNonFinite;
+    return result;
+  }
+  result.report.objective = design_objective(problem_, design, cutter);
+  result.moved = design.vertices;
+  result.moved_positions = design.positions;
+  result.report.solve_seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace planish
