@@ -104,6 +104,10 @@ const DIFFERENCES = `### Where we differ, and why
 - **Exploring under inequalities.** The paper leaves it open. Along a slider a corner's share of its shape is a
   quadratic ([SUB-7](math.md)), so every slider has stops in closed form, new ones whenever another slider moves;
   what is made exact between them keeps the bounds (test \`tests/parity/slider-stops.test.ts\`).
+- **Figures 3 and 9.** Our edits are minima of a non-convex problem: with a larger ω_f, or on hexagons, the
+  lowest one that is found is at times narrower. The rows above say in how many cases.
+- **Sec. 3.5, parallel steps.** x, y and z share one factor, as printed; they, and the projections of the
+  faces, run one after the other on one core. The paper's parallel steps are not done.
 - **Lengths and times.** The paper's meshes and parameters are not published: shapes agree in kind, not
   in number. Its times are of a quad core of 2013, ours of one core.`;
 

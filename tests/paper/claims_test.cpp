@@ -152,7 +152,8 @@ TEST(PaperClaim, TangentSpaceHasTheCountedDimension) {
     qr.compute(jacobian);
     const auto tangent = 3 * mesh.vertex_count() - static_cast<int>(qr.rank());
     EXPECT_EQ(tangent, degrees_of_freedom(mesh)) << name;
-    record(name, tangent);
+    record(std::string(name) + "_tangent", tangent);
+    record(std::string(name) + "_counted", degrees_of_freedom(mesh));
   }
 }
 
@@ -227,46 +228,89 @@ TEST(PaperClaim, WithoutTheCorrelationTermVectorsLeaveTheEdit) {
   }
 }
 
-/// Sec. 2.2: "no more than 1% of the tangent space dimension".
+/// Sec. 2.2: "no more than 1% of the tangent space dimension", by a family that is solved for.
 TEST(PaperClaim, FourVectorsAreAFractionOfTheTangentSpace) {
-  const int freedom = degrees_of_freedom(testing::sample("vault", 32));
-  EXPECT_LE(4.0 / freedom, 0.01);
-  record("tangent_dimension", freedom);
-  record("share", 4.0 / freedom);
+  int cases = 0, holding = 0;
+  for (const char* name : {"vault", "dome"}) {
+    const EditTask task = lifted(name, 1.5);
+    const Positions edited = apply(task.mesh, solve_handle_edit(task.mesh, task.targets));
+    const Subspace subspace =
+        compute_subspace(task.mesh, edited, {task.targets.handles.front().vertex}, {});
+    EXPECT_LE(subspace.report.tangency_error, 1e-8) << name;
+    EXPECT_LE(subspace.report.orthonormality_error, 1e-8) << name;
+    const double share = static_cast<double>(subspace.dimension()) / degrees_of_freedom(task.mesh);
+    ++cases;
+    holding += subspace.dimension() > 0 && share <= 0.01 ? 1 : 0;
+    record(std::string(name) + "_dimension", subspace.dimension());
+    record(std::string(name) + "_share", share);
+  }
+  EXPECT_EQ(holding, cases);
+  record("cases", cases);
+  record("holding", holding);
 }
 
-/// Fig. 3, left end: only the surroundings of the handle move; and the modification grows.
-TEST(PaperClaim, TheEditGrowsWithTheFairnessWeight) {
-  EditTask task = lifted("dome", 1.5);
-  int before = 0;
-  for (const double weight : {0.0, 0.1, 1.0, 10.0, 100.0}) {
-    task.options.smoothness = weight;
-    const EditMeasure m =
-        measure(task, apply(task.mesh, solve_handle_edit(task.mesh, task.targets, task.options)));
-    EXPECT_GT(m.moved_visibly, before) << weight;
-    before = m.moved_visibly;
-    std::array<char, 32> key{};
-    std::snprintf(key.data(), key.size(), "moved_at_%g", weight);
-    record(key.data(), m.moved_visibly);
-    if (weight == 0.0) {
-      EXPECT_LE(m.moved_visibly, 25);  // two rings
+/// How many points an edit moves visibly: by more than 1/1000 of its pull; −1 without a usable
+/// edit.
+int visibly_moved(const Mesh& mesh, double lift, double smoothness) {
+  EditTask task{.mesh = mesh,
+                .targets = testing::pull(mesh, testing::middle_vertex(mesh),
+                                         {0, 0, lift * mean_edge_length(mesh)}),
+                .options = {}};
+  task.options.smoothness = smoothness;
+  const HandleEditResult edit = solve_handle_edit(mesh, task.targets, task.options);
+  if (!edit.report.usable()) return -1;
+  return measure(task, apply(mesh, edit)).moved_visibly;
+}
+
+/// Fig. 3: only the one ring at ω_f = 0, and a modification that grows with every larger ω_f. The
+/// verdict of docs/paper.md is whether it does so in every case; here the cases are counted.
+TEST(PaperClaim, EditsBesideTheFairnessWeight) {
+  int cases = 0, holding = 0, rings = 0;
+  for (const char* name : {"vault", "dome", "freeform", "trihex", "hex"}) {
+    const Mesh mesh = testing::sample(name, 20);
+    const auto ring = testing::ring_neighbourhood(mesh, testing::middle_vertex(mesh), 1).size();
+    for (const double lift : {0.5, 1.0}) {
+      int before = -1;
+      bool grows = true;
+      std::string moved;
+      for (const double weight : {0.0, 0.1, 1.0, 10.0}) {
+        const int now = visibly_moved(mesh, lift, weight);
+        EXPECT_GT(now, 0) << name << " " << lift << " " << weight;
+        if (weight == 0.0) rings += static_cast<std::size_t>(now) <= ring ? 1 : 0;
+        grows = grows && now > before;
+        before = now;
+        if (!moved.empty()) moved += ' ';
+        moved += std::to_string(now);
+      }
+      ++cases;
+      holding += grows ? 1 : 0;
+      if (lift == 1.0) ::testing::Test::RecordProperty(name, moved);
     }
   }
+  record("cases", cases);
+  record("holding", holding);
+  record("one_ring", rings);
 }
 
-/// Fig. 9: fewer degrees of freedom, a larger region. One lift in mean edges, one set of weights.
-TEST(PaperClaim, HexagonsMoveALargerRegionThanTriHex) {
-  const auto moved = [](const char* name) {
-    const Mesh mesh = testing::sample(name, 32);
-    const EditTargets targets =
-        testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, 0.8 * mean_edge_length(mesh)});
-    return static_cast<int>(solve_handle_edit(mesh, targets).moved.size());
-  };
-  const int trihex = moved("trihex");
-  const int hex = moved("hex");
-  EXPECT_GT(hex, trihex);
-  record("trihex_moved", trihex);
-  record("hex_moved", hex);
+/// Fig. 9: fewer degrees of freedom, a larger region. One lift in mean edges, one set of weights,
+/// in 28 pairs of a lift and a size; counted as above.
+TEST(PaperClaim, RegionsOfHexagonsBesideTriHex) {
+  int cases = 0, holding = 0;
+  for (const int size : {12, 16, 20, 24}) {
+    const Mesh trihex = testing::sample("trihex", size);
+    const Mesh hex = testing::sample("hex", size);
+    for (const double lift : {0.3, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5}) {
+      const int few = visibly_moved(trihex, lift, 1.0);
+      const int many = visibly_moved(hex, lift, 1.0);
+      EXPECT_GT(few, 0) << size << " " << lift;
+      EXPECT_GT(many, 0) << size << " " << lift;
+      ++cases;
+      holding += many > few ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(cases, 28);
+  record("cases", cases);
+  record("holding", holding);
 }
 
 /// Fig. 6: explored meshes leave the fabrication limit, their projections meet it.
@@ -285,6 +329,7 @@ TEST(PaperClaim, ProjectionBringsAnExploredMeshWithinTheFabricationLimit) {
   }
   const double before = planarity_summary(mesh).max;
   const ProjectionResult projection = project_to_planar(mesh, base);
+  EXPECT_EQ(projection.report.status, SolveStatus::kConverged);
   EXPECT_GT(before, kFabricationLimit);
   EXPECT_LE(projection.report.planarity_after, 1e-6);
   record("before_mm_per_m", before);
