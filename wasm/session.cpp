@@ -218,7 +218,7 @@ Refusal Session::project(Positions& positions, SolveReport& report) const {
   mesh.positions = positions;
   const std::vector<int> held = held_in_variations(base_, targets_, options_);
   ProjectionResult result =
-      project_to_planar(mesh, base_.positions, exact_options(options_), held, progress_);
+      project_to_planar(mesh, base_.positions, exact_options(options_, 0.0), held, progress_);
   report = std::move(result.report);
   if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;

@@ -7,6 +7,7 @@
 #include "edit_options.hpp"
 #include "exploration.hpp"
 #include "files.hpp"
+#include "projection_run.hpp"
 
 namespace planish::cli {
 namespace {
@@ -18,7 +19,7 @@ ExitCode run_explore(const Arguments& arguments) {
   const SubspaceOptions family_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, family_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
-  const Family family = find_family(run, options, family_options, progress_line());
+  const Family family = find_family(run, options, family_options, arguments, progress_line());
   Variation variation = with_sliders(run, family, values);
   if (arguments.has("--exact")) {
     variation = make_exact(run, family, std::move(variation), progress_line());
@@ -35,6 +36,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(outcome_sentence(run.report));
   print_sentence(not_exact_sentence(run, family, variation));
+  if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   save_report(arguments, json);
   return code;
 }

@@ -209,14 +209,19 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   return options;
 }
 
-std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh) {
-  std::vector<int> pins;
-  for (const std::string& list : arguments.values("--pin")) {
+std::vector<int> parse_vertices(const Arguments& arguments, std::string_view option,
+                                const Mesh& mesh) {
+  std::vector<int> vertices;
+  for (const std::string& list : arguments.values(option)) {
     for (const std::string_view word : split_at_commas(list)) {
-      pins.push_back(parse_vertex(word, "--pin", mesh));
+      vertices.push_back(parse_vertex(word, option, mesh));
     }
   }
-  return pins;
+  return vertices;
+}
+
+std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh) {
+  return parse_vertices(arguments, "--pin", mesh);
 }
 
 namespace {

@@ -42,6 +42,9 @@ inline constexpr OptionRow kConstraintRow = {
 
 [[nodiscard]] FairnessKind parse_fairness(std::string_view text);
 [[nodiscard]] Engine parse_engine(std::string_view text);
+/// All of "V,V,...", in every place that the option is given. Throws CommandError.
+[[nodiscard]] std::vector<int> parse_vertices(const Arguments& arguments, std::string_view option,
+                                              const Mesh& mesh);
 [[nodiscard]] std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh);
 
 /// What --bound asks for.

@@ -22,10 +22,21 @@ Violations violations_of(const EditRun& run, const Positions& positions, const K
 }  // namespace
 
 std::vector<OptionRow> family_option_rows() {
-  return {{"--dimension", "S", "number of variations, 1 … 24"},
-          {"--coefficients", "x1,...,xS", "slider values, default all 0"},
-          {"--exact", "", "make every panel flat again before writing"},
-          {"--eigen", "", "order the variations from smooth to stiff"}};
+  return {
+      {"--dimension", "S", "number of variations, 1 … 24"},
+      {"--coefficients", "x1,...,xS", "slider values, default all 0"},
+      {"--exact", "", "make every panel flat again before writing"},
+      {"--eigen", "", "order the variations from smooth to stiff"},
+      {"--family", "N", "with --eigen: the smoothest S of a family of N variations, S … 24"},
+      {"--fair-weight", "B", "weight β_f, default 3: higher is smoother and wider"},
+      {"--sparse-weight", "B", "weight β_s, default 1: higher moves fewer vertices"},
+      {"--close-weight", "B", "weight β_h, default 0: higher keeps the points of --close still"},
+      {"--close", "V,V,...", "points that --close-weight keeps still, default the handles"},
+      {"--correlation", "S",
+       "0 … below 1, default 0.95, share of the largest β_c: higher stays\n"
+       "nearer to the edit"},
+      {"--spread", "R", "face rings around the edit that variations may move, default 2"},
+      {"--smooth", "A", "weight α_f of --exact, default 0: higher is fairer and moves more"}};
 }
 
 SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOptions& edit) {
@@ -38,6 +49,17 @@ SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOpt
   if (!dimension) throw CommandError(kWrongUsage, "--dimension is missing");
   options.dimension = parse_whole(*dimension, "--dimension");
   options.eigenbasis = arguments.has("--eigen");
+  if (const auto text = arguments.value("--family")) {
+    options.family = parse_whole(*text, "--family");
+  }
+  if (const auto text = arguments.value("--spread")) options.reach = parse_whole(*text, "--spread");
+  const auto set = [&](std::string_view option, double& value) {
+    if (const auto text = arguments.value(option)) value = parse_finite(*text, option);
+  };
+  set("--fair-weight", options.fairness_weight);
+  set("--sparse-weight", options.sparsity_weight);
+  set("--close-weight", options.closeness_weight);
+  set("--correlation", options.correlation);
   options.fairness = edit.fairness;
   options.engine = edit.engine;
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
@@ -61,6 +83,14 @@ Eigen::VectorXd coefficients(const Arguments& arguments, int dimension) {
 
 namespace {
 
+double exact_fairness(const Arguments& arguments) {
+  const auto text = arguments.value("--smooth");
+  if (!text) return 0.0;
+  const double weight = parse_finite(*text, "--smooth");
+  if (weight < 0.0) throw CommandError(kWrongUsage, "--smooth must be at least 0");
+  return weight;
+}
+
 std::vector<int> handle_vertices(const EditTargets& targets) {
   std::vector<int> vertices;
   for (const Handle& handle : targets.handles) vertices.push_back(handle.vertex);
@@ -70,11 +100,17 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
 }  // namespace
 
 Family find_family(const EditRun& run, const HandleEditOptions& edit,
-                   const SubspaceOptions& options, const Progress& progress) {
-  Family family{edit, options, held_in_variations(run.base.mesh, run.targets, edit), {}};
-  family.subspace =
-      compute_subspace(run.base.mesh, run.edited, handle_vertices(run.targets), options,
-                       family.held, kept_kinds(edit.tolerance, edit.constraints), progress);
+                   const SubspaceOptions& options, const Arguments& arguments,
+                   const Progress& progress) {
+  Family family{.edit = edit,
+                .options = options,
+                .close = parse_vertices(arguments, "--close", run.base.mesh),
+                .exact_fairness = exact_fairness(arguments),
+                .held = held_in_variations(run.base.mesh, run.targets, edit),
+                .subspace = {}};
+  const std::vector<int> close = family.close.empty() ? handle_vertices(run.targets) : family.close;
+  family.subspace = compute_subspace(run.base.mesh, run.edited, close, options, family.held,
+                                     kept_kinds(edit.tolerance, edit.constraints), progress);
   return family;
 }
 
@@ -95,8 +131,9 @@ Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
   Mesh mesh = run.base.mesh;
   mesh.positions = shown.positions;
-  shown.exact = project_to_planar(mesh, run.base.mesh.positions, exact_options(family.edit),
-                                  family.held, progress);
+  shown.exact =
+      project_to_planar(mesh, run.base.mesh.positions,
+                        exact_options(family.edit, family.exact_fairness), family.held, progress);
   for (std::size_t k = 0; k < shown.exact->moved.size(); ++k) {
     shown.positions.col(shown.exact->moved[k]) =
         shown.exact->moved_positions.col(static_cast<Eigen::Index>(k));
@@ -107,7 +144,9 @@ Variation make_exact(const EditRun& run, const Family& family, Variation shown,
 Design variation_design(const EditRun& run, const Family& family, const Variation& variation) {
   const DesignVariation recipe{family.options,
                                {variation.values.begin(), variation.values.end()},
-                               variation.exact.has_value()};
+                               variation.exact.has_value(),
+                               family.exact_fairness,
+                               family.close};
   return make_design(run, family.edit, {recipe}, variation.positions);
 }
 
@@ -138,6 +177,18 @@ Json stops_json(const std::vector<SliderRange>& ranges) {
   Json json = Json::array();
   for (const SliderRange& range : ranges) {
     json.push_back({{"lower", stop_json(range.lower)}, {"upper", stop_json(range.upper)}});
+  }
+  return json;
+}
+
+Json exact_json(const ProjectionResult& exact) {
+  Json json = {{"status", status_name(exact.report.status)},
+               {"rms_move", exact.rms_move},
+               {"max_move", exact.max_move},
+               {"objective", exact.report.objective.total()}};
+  if (exact.report.optimality) json["optimality"] = optimality_json(*exact.report.optimality);
+  if (exact.confined_because != ConfinedBecause::kNothing) {
+    json["because"] = reason(exact.confined_because);
   }
   return json;
 }
@@ -177,11 +228,7 @@ Json exploration_json(const EditRun& run, const Family& family, const Variation&
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   json["subspace"]["stops"] = stops_json(slider_ranges(
       run.base.mesh, run.edited, subspace, variation.values.head(subspace.dimension())));
-  if (variation.exact) {
-    json["exact"] = {{"status", status_name(variation.exact->report.status)},
-                     {"rms_move", variation.exact->rms_move},
-                     {"max_move", variation.exact->max_move}};
-  }
+  if (variation.exact) json["exact"] = exact_json(*variation.exact);
   return json;
 }
 

@@ -30,12 +30,16 @@ namespace planish::cli {
 struct Family {
   HandleEditOptions edit;
   SubspaceOptions options;
-  std::vector<int> held;  ///< vertices that no variation moves
+  std::vector<int> close;       ///< Ψ: empty, the handles
+  double exact_fairness = 0.0;  ///< α_f of the exact projection
+  std::vector<int> held;        ///< vertices that no variation moves
   Subspace subspace;
 };
 
+/// --close and --smooth are read from `arguments`. Throws CommandError.
 [[nodiscard]] Family find_family(const EditRun& run, const HandleEditOptions& edit,
-                                 const SubspaceOptions& options, const Progress& progress);
+                                 const SubspaceOptions& options, const Arguments& arguments,
+                                 const Progress& progress);
 
 /// One member of a family.
 struct Variation {

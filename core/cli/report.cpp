@@ -128,8 +128,11 @@ void print_sentence(const std::optional<std::string>& sentence) {
 }
 
 Json subspace_json(const SubspaceReport& report, int dimension) {
+  Json certificates = Json::array();
+  for (const Optimality& one : report.certificates) certificates.push_back(optimality_json(one));
   return {{"dimension", dimension},
           {"status", status_name(report.status)},
+          {"certificates", certificates},
           {"orthonormality_error", report.orthonormality_error},
           {"tangency_error", report.tangency_error},
           {"correlation", report.correlation},
@@ -149,6 +152,12 @@ Json violations_json(const std::vector<KindViolation>& violations) {
   return json;
 }
 
+Json optimality_json(const Optimality& optimality) {
+  return {{"stationarity", optimality.stationarity},
+          {"outside", optimality.outside},
+          {"certified_vertices", optimality.certified_vertices}};
+}
+
 void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["status"] = status_name(report.status);
   json["solver"] = engine == Engine::kNewton ? "newton" : "alm";
@@ -165,11 +174,7 @@ void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["handle_error"] = report.handle_error;
   json["iterations"] = report.iterations;
   json["factorizations"] = report.factorizations;
-  if (report.optimality) {
-    json["optimality"] = {{"stationarity", report.optimality->stationarity},
-                          {"outside", report.optimality->outside},
-                          {"certified_vertices", report.optimality->certified_vertices}};
-  }
+  if (report.optimality) json["optimality"] = optimality_json(*report.optimality);
   json["seconds"] = {{"setup", report.setup_seconds}, {"solve", report.solve_seconds}};
 }
 

@@ -55,6 +55,8 @@ void print_sentence(const std::optional<std::string>& sentence);
 /// How far a mesh is from each kind that is kept, before and after.
 [[nodiscard]] Json violations_json(const std::vector<KindViolation>& violations);
 
+[[nodiscard]] Json optimality_json(const Optimality& optimality);
+
 /// Status, objective, counts and times of a solve.
 void add_solve(Json& json, const SolveReport& report, Engine engine);
 

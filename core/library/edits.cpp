@@ -76,7 +76,7 @@ EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
                        const Progress& progress) {
   const cli::Arguments arguments = arguments_of(words, cli::family_option_rows());
   const SubspaceOptions options = cli::subspace_options(arguments, edit->options);
-  return {edit, cli::find_family(edit->run, edit->options, options, progress)};
+  return {edit, cli::find_family(edit->run, edit->options, options, arguments, progress)};
 }
 
 EditVariation make_variation(std::shared_ptr<const EditFamily> family, const Words& words) {

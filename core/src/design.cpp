@@ -89,6 +89,11 @@ class Player {
     if (auto broken = find_broken_constraint(result_.base, design_.options)) return broken;
     result_.shape = result_.base.positions;
     if (auto problem = find_problem(design_.targets, result_.base)) return problem;
+    for (const DesignVariation& variation : design_.variations) {
+      for (const int v : variation.close) {
+        if (v >= result_.base.vertex_count()) return "variations: close names a vertex too many";
+      }
+    }
     held_ = held_in_variations(result_.base, design_.targets, design_.options);
     return std::nullopt;
   }
@@ -108,8 +113,10 @@ class Player {
     SubspaceOptions options = variation.options;
     options.fairness = design_.options.fairness;
     options.engine = design_.options.engine;
-    std::vector<int> close;
-    for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
+    std::vector<int> close = variation.close;
+    if (close.empty()) {
+      for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
+    }
     const KeptKinds kept = kept_kinds(design_.options.tolerance, design_.options.constraints);
     Subspace found =
         compute_subspace(result_.base, result_.shape, close, options, held_, kept, progress_);
@@ -123,7 +130,7 @@ class Player {
     evaluate(found, values, rows);
     result_.shape(Eigen::all, found.support) = rows;
     result_.subspace = std::move(found);
-    return !variation.exact || make_exact();
+    return !variation.exact || make_exact(variation.exact_fairness);
   }
 
   Replay finish() {
@@ -144,11 +151,12 @@ class Player {
     return flat.report.usable() || design_.planarised->keep_shape;
   }
 
-  bool make_exact() {
+  bool make_exact(double fairness_weight) {
     Mesh mesh = result_.base;
     mesh.positions = result_.shape;
-    const ProjectionResult exact = project_to_planar(
-        mesh, result_.base.positions, exact_options(design_.options), held_, progress_);
+    const ProjectionResult exact =
+        project_to_planar(mesh, result_.base.positions,
+                          exact_options(design_.options, fairness_weight), held_, progress_);
     if (!exact.report.usable()) {
       result_.report = exact.report;
       return false;
@@ -198,8 +206,9 @@ double agreement(const Mesh& base) {
   return kShare * extent.norm();
 }
 
-ProjectionOptions exact_options(const HandleEditOptions& edit) {
+ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {
   ProjectionOptions options;
+  options.fairness_weight = fairness_weight;
   options.fairness = edit.fairness;
   options.engine = edit.engine;
   options.tolerance = edit.tolerance;

@@ -15,6 +15,12 @@ Refusal find_problem(const DesignVariation& variation) {
   if (variation.coefficients.size() > static_cast<std::size_t>(variation.options.dimension)) {
     return "coefficients must be at most as many as dimension";
   }
+  if (!(variation.exact_fairness >= 0.0) || !std::isfinite(variation.exact_fairness)) {
+    return "smooth must be a number of at least 0";
+  }
+  const bool known =
+      std::all_of(variation.close.begin(), variation.close.end(), [](int v) { return v >= 0; });
+  if (!known) return "close must be vertices, from 0";
   const bool finite = std::all_of(variation.coefficients.begin(), variation.coefficients.end(),
                                   [](double x) { return std::isfinite(x); });
   return finite ? std::nullopt : std::optional<std::string>("coefficients must be finite");

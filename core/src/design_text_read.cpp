@@ -207,7 +207,7 @@ HandleEditOptions read_options(const Field& field) {
 
 DesignVariation read_variation(const Field& field) {
   field.only({"dimension", "eigen", "fairness_weight", "sparsity_weight", "closeness_weight",
-              "correlation", "reach", "coefficients", "exact"});
+              "correlation", "reach", "coefficients", "exact", "family", "close", "smooth"});
   DesignVariation variation;
   SubspaceOptions& options = variation.options;
   options.dimension = field.at("dimension").whole(1);
@@ -222,6 +222,14 @@ DesignVariation read_variation(const Field& field) {
     variation.coefficients.push_back(values[k].number());
   }
   read_if(field, "exact", variation.exact);
+  if (field.has("family")) options.family = field.at("family").whole(0);
+  if (field.has("close")) {
+    const Field close = field.at("close");
+    for (std::size_t k = 0; k < close.size(kMostPins); ++k) {
+      variation.close.push_back(close[k].whole(0));
+    }
+  }
+  read_if(field, "smooth", variation.exact_fairness);
   return variation;
 }
 

@@ -72,15 +72,19 @@ Json options_json(const HandleEditOptions& options) {
 
 Json variation_json(const DesignVariation& variation) {
   const SubspaceOptions& options = variation.options;
-  return {{"dimension", options.dimension},
-          {"eigen", options.eigenbasis},
-          {"fairness_weight", options.fairness_weight},
-          {"sparsity_weight", options.sparsity_weight},
-          {"closeness_weight", options.closeness_weight},
-          {"correlation", options.correlation},
-          {"reach", options.reach},
-          {"coefficients", variation.coefficients},
-          {"exact", variation.exact}};
+  Json json = {{"dimension", options.dimension},
+               {"eigen", options.eigenbasis},
+               {"fairness_weight", options.fairness_weight},
+               {"sparsity_weight", options.sparsity_weight},
+               {"closeness_weight", options.closeness_weight},
+               {"correlation", options.correlation},
+               {"reach", options.reach},
+               {"coefficients", variation.coefficients},
+               {"exact", variation.exact}};
+  if (options.family != 0) json["family"] = options.family;
+  if (!variation.close.empty()) json["close"] = variation.close;
+  if (variation.exact_fairness != 0.0) json["smooth"] = variation.exact_fairness;
+  return json;
 }
 
 /// `true` is the nearest flat mesh, as designs of earlier versions say it.

@@ -71,6 +71,8 @@ class SubspaceBuilder {
   Eigen::Matrix3Xd direction_;   ///< d̄ on the patch, unit
   Eigen::VectorXd correlation_;  ///< ‖d̄_i‖ + Σ_j ‖t^j_i‖ on the patch
   Eigen::MatrixXd basis_;        ///< 3·free × k
+  std::vector<Optimality> certificates_;
+  bool all_converged_ = true;
   int steps_ = 0;
 };
 
@@ -187,7 +189,8 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
   }
   if (candidates.empty()) return false;
   rank(candidates);
-  solver.sparsify(basis_, kSparsifyShare, candidates.front().vector);
+  certificates_.push_back(solver.settle(basis_, candidates.front().vector));
+  all_converged_ = all_converged_ && certificates_.back().met();
   accept(candidates.front().vector);
   return true;
 }
@@ -198,10 +201,12 @@ bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
     SubspaceSplitting splitting(patch_, basis_, start);
     AlmOptions options;
     options.max_outer = 300;
-    steps_ += run_alm(splitting, options, {}).steps;
+    const EngineOutcome outcome = run_alm(splitting, options, {});
+    steps_ += outcome.steps;
     Eigen::Matrix3Xd t = splitting.vector();
     if (!t.allFinite() || !solver.make_admissible(basis_, t)) continue;
     solver.sparsify(basis_, kSparsifyShare, t);
+    all_converged_ = all_converged_ && outcome.status == SolveStatus::kConverged;
     accept(t);
     return true;
   }
@@ -233,7 +238,8 @@ void SubspaceBuilder::rotate_to_eigenbasis() {
     }
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(reduced);
-  basis_ = (basis_ * solver.eigenvectors()).eval();
+  basis_ = (basis_ * solver.eigenvectors().leftCols(std::min<Eigen::Index>(s, options_.dimension)))
+               .eval();
 }
 
 void SubspaceBuilder::fill_result(const SubspaceVectorSolver& solver, Subspace& result) const {
@@ -273,6 +279,7 @@ void SubspaceBuilder::fill_result(const SubspaceVectorSolver& solver, Subspace& 
     report.orthonormality_error =
         (basis_.transpose() * basis_ - Eigen::MatrixXd::Identity(s, s)).cwiseAbs().maxCoeff();
   }
+  report.certificates = certificates_;
   report.iterations = steps_ + solver.steps();
 }
 
@@ -286,7 +293,8 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
   }
   SubspaceVectorSolver solver(patch_);
   result.report.status = SolveStatus::kConverged;
-  for (int k = 0; k < options_.dimension; ++k) {
+  const int family = std::max(options_.dimension, options_.family);
+  for (int k = 0; k < family; ++k) {
     set_weights();
     const bool added =
         options_.engine == Engine::kNewton ? add_newton_vector(solver) : add_alm_vector(solver);
@@ -298,6 +306,9 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
       result.report.status = SolveStatus::kCancelled;
       break;
     }
+  }
+  if (!all_converged_ && result.report.status == SolveStatus::kConverged) {
+    result.report.status = SolveStatus::kIterationLimit;
   }
   if (options_.eigenbasis && basis_.cols() > 1) rotate_to_eigenbasis();
   fill_result(solver, result);

@@ -20,6 +20,11 @@ Refusal find_problem(const SubspaceOptions& options) {
   if (!weight(options.correlation) || options.correlation >= 1.0) {
     return "correlation must be at least 0 and less than 1";
   }
+  const bool wider = options.family >= options.dimension && options.family <= kMostDimensions;
+  if (options.family != 0 && !wider) {
+    return "family must be dimension to " + std::to_string(kMostDimensions) + ", or 0";
+  }
+  if (options.family != 0 && !options.eigenbasis) return "family needs the eigenbasis";
   if (options.reach < 0) return "reach must be at least 0";
   return std::nullopt;
 }

@@ -57,6 +57,27 @@ TEST_P(SubspaceOn, IsOrthonormal) {
   EXPECT_LT(subspace.report.orthonormality_error, kPromise);
 }
 
+/// [SUB-8]
+TEST_P(SubspaceOn, ConvergedMeansCertified) {
+  const Subspace subspace = compute({.dimension = 2});
+  ASSERT_EQ(subspace.report.certificates.size(), 2U);
+  bool met = true;
+  for (const Optimality& one : subspace.report.certificates) {
+    met = met && one.stationarity <= 1e-4 && one.outside <= 1e-4;
+    EXPECT_GT(one.certified_vertices, 0);
+  }
+  EXPECT_EQ(subspace.report.status == SolveStatus::kConverged, met);
+}
+
+TEST_P(SubspaceOn, TheSmoothestOfALargerFamilyAreSmoother) {
+  const Subspace own = compute({.dimension = 2, .eigenbasis = true});
+  const Subspace chosen = compute({.dimension = 2, .eigenbasis = true, .family = 5});
+  ASSERT_EQ(chosen.dimension(), 2);
+  EXPECT_EQ(chosen.report.certificates.size(), 5U);
+  EXPECT_LE(chosen.report.fairness.front(), own.report.fairness.front() * (1.0 + 1e-9));
+  EXPECT_LE(chosen.report.fairness.back(), own.report.fairness.back() * (1.0 + 1e-9));
+}
+
 TEST_P(SubspaceOn, MovesNoPin) {
   const std::vector<int> pins{edit.moved.front(), handle};
   const Subspace subspace =

@@ -44,6 +44,8 @@ struct DesignVariation {
   SubspaceOptions options;           ///< fairness and engine are those of the edit
   std::vector<double> coefficients;  ///< slider values, at most options.dimension
   bool exact = true;                 ///< projected afterwards
+  double exact_fairness = 0.0;       ///< α_f ≥ 0 of that projection [PRO-1]
+  std::vector<int> close = {};       ///< Ψ of (4), vertices; empty: the handles
 };
 
 /// Where a vertex went, to 12 digits.
@@ -87,7 +89,9 @@ struct Design {
 [[nodiscard]] double agreement(const Mesh& base);
 
 /// How the shape with a variation is made exact: to the edit's tolerance, by its engine.
-[[nodiscard]] ProjectionOptions exact_options(const HandleEditOptions& edit);
+/// @param fairness_weight α_f ≥ 0
+[[nodiscard]] ProjectionOptions exact_options(const HandleEditOptions& edit,
+                                              double fairness_weight);
 
 /// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
 [[nodiscard]] GlbVariations variations_of(const Subspace& subspace);

@@ -24,6 +24,9 @@ struct SubspaceOptions {
   double correlation = 0.95;      ///< β_c as a share of its bound, in [0, 1) [SUB-3]
   int reach = 2;                  ///< face rings around the edit that vectors may use, ≥ 0
   bool eigenbasis = false;        ///< reorder by the reduced Hessian of Q, smallest first [SUB-5]
+  /// With the eigenbasis: how many vectors it is made of; the first `dimension` of it are kept. 0:
+  /// `dimension`. Otherwise from `dimension` to 24.
+  int family = 0;
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Engine engine = Engine::kNewton;
 };
@@ -32,7 +35,11 @@ struct SubspaceOptions {
 
 /// How good the basis is; every figure is measured on the result.
 struct SubspaceReport {
+  /// kConverged: as many vectors as asked for, each a first-order point of its problem; by the
+  /// paper's engine, each as its own residuals say.
   SolveStatus status = SolveStatus::kIterationLimit;
+  /// Of each vector of (7), before the eigenbasis mixes them; none by the paper's engine. [SUB-8]
+  std::vector<Optimality> certificates;
   double orthonormality_error = 0.0;  ///< max |BᵀB − I|
   double tangency_error = 0.0;        ///< max |J t|, mean-edge units per unit vector
   std::vector<double> correlation;    ///< ξ(d̄, t^k) of each vector [SUB-3]

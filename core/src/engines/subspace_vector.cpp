@@ -62,28 +62,30 @@ double SubspaceVectorSolver::tangency_error(const Eigen::Matrix3Xd& t) const {
   return out.size() > 0 ? out.cwiseAbs().maxCoeff() : 0.0;
 }
 
+/// Orthogonal projection onto null(J).
+void SubspaceVectorSolver::to_tangent(ConstraintCorrection& correction, Eigen::Matrix3Xd& x) const {
+  Eigen::VectorXd image;
+  Eigen::Matrix3Xd delta;
+  for (int pass = 0; pass < 3; ++pass) {  // each pass leaves the regularisation's share only
+    correction.apply_jacobian(x, image);
+    correction.step(image, delta);
+    x += delta;
+  }
+}
+
 /// Orthogonal projection onto null(J) ∩ B⊥. B is projected first, so that removing it stays in
 /// null(J) even where the patch is smaller than B's support.
 bool SubspaceVectorSolver::project(ConstraintCorrection& correction, const Patch& patch,
                                    const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) const {
   constexpr double kNothingLeft = 1e-6;
-  Eigen::VectorXd image;
-  Eigen::Matrix3Xd delta;
-  const auto to_tangent = [&](Eigen::Matrix3Xd& x) {
-    for (int pass = 0; pass < 3; ++pass) {  // each pass leaves the regularisation's share only
-      correction.apply_jacobian(x, image);
-      correction.step(image, delta);
-      x += delta;
-    }
-  };
   const double before = t.norm();
-  to_tangent(t);
+  to_tangent(correction, t);
   if (basis.cols() > 0) {
     Eigen::MatrixXd projected(basis.rows(), basis.cols());
     for (Eigen::Index k = 0; k < basis.cols(); ++k) {
       Eigen::Matrix3Xd column =
           Eigen::Map<const Eigen::Matrix3Xd>(basis.col(k).data(), 3, patch.free_count);
-      to_tangent(column);
+      to_tangent(correction, column);
       projected.col(k) = flat(column);
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(projected);

@@ -13,6 +13,7 @@
 #include "engines/constraint_correction.hpp"
 #include "engines/patch_system.hpp"
 #include "planish/problem.hpp"
+#include "planish/solve_report.hpp"
 
 namespace planish {
 
@@ -39,6 +40,12 @@ class SubspaceVectorSolver {
   double improve(const Eigen::MatrixXd& basis, const SubspaceVectorOptions& options,
                  Eigen::Matrix3Xd& t);
 
+  /// From a vector that improve() left to a first-order point of its problem, its support included:
+  /// ε falls further, Newton's steps have the sphere's curvature, and what is at rest becomes
+  /// exactly zero. Returns how well the conditions hold: stationarity on the support and the bound
+  /// outside it, with the multipliers of J t = 0, Bᵀt = 0 and ‖t‖ = 1. [SUB-8]
+  [[nodiscard]] Optimality settle(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t);
+
   /// Sets rows that the smoothing left to exactly zero and projects on what remains. Leaves t as it
   /// is when the remaining rows do not admit a tangent vector.
   void sparsify(const Eigen::MatrixXd& basis, double threshold, Eigen::Matrix3Xd& t);
@@ -51,6 +58,13 @@ class SubspaceVectorSolver {
   [[nodiscard]] int steps() const { return steps_; }
 
  private:
+  void to_tangent(ConstraintCorrection& correction, Eigen::Matrix3Xd& x) const;
+  [[nodiscard]] Eigen::Matrix3Xd along_constraints(const Eigen::MatrixXd& basis,
+                                                   const Eigen::Matrix3Xd& pulls);
+  [[nodiscard]] bool settle_step(const Eigen::MatrixXd& basis, double smoothing);
+  [[nodiscard]] Eigen::VectorXd curved_step(const Eigen::MatrixXd& normals,
+                                            const Eigen::VectorXd& slope, double sphere);
+  void settle_at(const Eigen::MatrixXd& basis, double smoothing);
   [[nodiscard]] bool newton_step(const Eigen::MatrixXd& basis, double smoothing, double penalty);
   [[nodiscard]] bool project(ConstraintCorrection& correction, const Patch& patch,
                              const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) const;

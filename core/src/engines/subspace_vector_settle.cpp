@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/// The last part of a vector of (7): from a minimum with a coarse norm to a first-order point of
+/// the problem itself. [SUB-8]
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engines/optimality.hpp"
+#include "engines/subspace_vector.hpp"
+
+namespace planish {
+namespace {
+
+/// Figures of the iteration; ε in units of the longest row.
+struct VectorSettling {
+  static constexpr double kFirst = 1e-5;        ///< ε at which improve() ended
+  static constexpr double kLast = 1e-11;        ///< last ε
+  static constexpr double kShrink = 0.1;        ///< between two
+  static constexpr double kAtRest = 100.0;      ///< times ε: what is shorter is at rest
+  static constexpr double kPenalty = 1e6;       ///< μ ε: far stiffer than norms at rest
+  static constexpr double kMostPenalty = 1e16;  ///< μ
+  static constexpr double kStationary = 1e-7;   ///< of the largest C^i/2
+  static constexpr double kCounted = 1e-6;      ///< of the longest row: less counts as at rest
+  static constexpr int kSteps = 30;             ///< at one ε
+  static constexpr int kInner = 25;             ///< conjugate gradients in one step
+  static constexpr double kInnerDrop = 1e-6;    ///< of their residual's square
+};
+
+Eigen::Map<const Eigen::VectorXd> as_vector(const Eigen::Matrix3Xd& t) {
+  return {t.data(), t.size()};
+}
+
+double longest_row(const Eigen::Matrix3Xd& t) { return t.colwise().norm().maxCoeff(); }
+
+double largest_bound(const Patch& patch) {
+  double largest = 0.0;
+  for (const VertexTerm& term : patch.terms) largest = std::max(largest, 0.5 * term.norm_weight);
+  return largest;
+}
+
+}  // namespace
+
+/// What is left of `pulls` within null(J) ∩ B⊥ ∩ t⊥: the pulls plus the forces of the multipliers
+/// that fit best.
+Eigen::Matrix3Xd SubspaceVectorSolver::along_constraints(const Eigen::MatrixXd& basis,
+                                                         const Eigen::Matrix3Xd& pulls) {
+  Eigen::Matrix3Xd left = pulls;
+  to_tangent(correction_, left);
+  Eigen::Map<Eigen::VectorXd> rows(left.data(), left.size());
+  for (int pass = 0; pass < 2; ++pass) {
+    if (basis.cols() > 0) rows -= basis * (basis.transpose() * Eigen::VectorXd(rows));
+    rows -= as_vector(state_.displacement) * as_vector(state_.displacement).dot(rows);
+  }
+  return left;
+}
+
+/// min ½ δᵀ(H − τI)δ + gᵀδ on G δ = 0, J δ = 0 by conjugate gradients with (H + μJᵀJ)⁻¹: the
+/// factor knows everything but the sphere's curvature τ. What H does to a direction is known from
+/// how it was solved for.
+/// @param normals t and B, one a column
+/// @param slope g
+Eigen::VectorXd SubspaceVectorSolver::curved_step(const Eigen::MatrixXd& normals,
+                                                  const Eigen::VectorXd& slope, double sphere) {
+  const auto solve = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    Eigen::Matrix3Xd column = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, patch_.free_count);
+    system_.apply_inverse(column);
+    return as_vector(column);
+  };
+  Eigen::MatrixXd solved(normals.rows(), normals.cols());
+  for (Eigen::Index k = 0; k < normals.cols(); ++k) solved.col(k) = solve(normals.col(k));
+  const Eigen::LDLT<Eigen::MatrixXd> schur((normals.transpose() * solved).eval());
+  Eigen::VectorXd residual = -slope;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(slope.size());
+  Eigen::VectorXd direction, bent;  // p and H p, up to forces along the constraints
+  double first = 0.0;
+  double before = 0.0;
+  for (int k = 0; k < VectorSettling::kInner; ++k) {
+    Eigen::VectorXd shift = solve(residual);
+    const Eigen::VectorXd forces = schur.solve(normals.transpose() * shift);
+    shift -= solved * forces;
+    const double now = residual.dot(shift);
+    if (k == 0) first = now;
+    if (!(now > VectorSettling::kInnerDrop * first)) break;
+    const Eigen::VectorXd image = residual - normals * forces;
+    if (k == 0) {
+      direction = shift;
+      bent = image;
+    } else {
+      direction = shift + (now / before) * direction;
+      bent = image + (now / before) * bent;
+    }
+    before = now;
+    const Eigen::VectorXd curved = bent - sphere * direction;
+    const double curvature = direction.dot(curved);
+    if (!(curvature > 0.0)) return k == 0 ? direction : step;
+    step += (now / curvature) * direction;
+    residual -= (now / curvature) * curved;
+  }
+  return step;
+}
+
+/// False when no step helps any more.
+bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoothing) {
+  constexpr int kMostHalvings = 8;
+  constexpr double kRounding = 1e-13;
+  Eigen::Matrix3Xd& t = state_.displacement;
+  const double penalty =
+      std::clamp(VectorSettling::kPenalty / smoothing, 1e6, VectorSettling::kMostPenalty);
+  state_.multipliers.setZero();
+  if (!system_.factorize(state_, smoothing, penalty, 1e-9)) return false;
+  ++steps_;
+  Eigen::Matrix3Xd pulls;
+  system_.lagrangian_gradient(state_, smoothing, pulls);
+  const double sphere = as_vector(t).dot(as_vector(pulls));
+  const Eigen::Matrix3Xd left = along_constraints(basis, pulls);
+  Eigen::MatrixXd normals(t.size(), basis.cols() + 1);
+  normals.col(0) = as_vector(t);
+  normals.rightCols(basis.cols()) = basis;
+  const Eigen::VectorXd step = curved_step(normals, as_vector(left), sphere);
+  const double before = system_.energy(t, smoothing);
+  double share = 1.0;
+  for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
+    Eigen::Matrix3Xd trial = t;
+    Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) += share * step;
+    if (!make_admissible(basis, trial)) return false;
+    if (!(system_.energy(trial, smoothing) <= before + kRounding * std::abs(before))) continue;
+    t.swap(trial);
+    update_norm_duals(trial, smoothing, state_);
+    return true;
+  }
+  return false;
+}
+
+void SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing) {
+  const double tolerance = VectorSettling::kStationary * largest_bound(patch_);
+  for (int step = 0; step < VectorSettling::kSteps; ++step) {
+    if (!settle_step(basis, smoothing)) return;
+    Eigen::Matrix3Xd pulls;
+    system_.lagrangian_gradient(state_, smoothing, pulls);
+    if (longest_row(along_constraints(basis, pulls)) <= tolerance) return;
+  }
+}
+
+Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
+  constexpr double kNoNorms = std::numeric_limits<double>::infinity();
+  state_.displacement = t;
+  const double largest = longest_row(t);
+  double smoothing = VectorSettling::kFirst * largest;
+  const double last = VectorSettling::kLast * largest;
+  for (;;) {
+    settle_at(basis, smoothing);
+    if (smoothing <= last) break;
+    const double shrink = std::max(VectorSettling::kShrink, last / smoothing);
+    Eigen::Matrix3Xd trial = state_.displacement;
+    for (int v = 0; v < patch_.free_count; ++v) {  // t/√(‖t‖² + ε²) then stays what it is
+      if (trial.col(v).norm() <= VectorSettling::kAtRest * smoothing) trial.col(v) *= shrink;
+    }
+    if (!make_admissible(basis, trial)) break;
+    state_.displacement = trial;
+    smoothing *= shrink;
+  }
+  state_.multipliers.setZero();
+  Eigen::Matrix3Xd pulls;
+  system_.lagrangian_gradient(state_, smoothing, pulls);
+  const Eigen::Matrix3Xd forces = along_constraints(basis, pulls) - pulls;
+  t = state_.displacement;
+  sparsify(basis, VectorSettling::kAtRest * smoothing / longest_row(t), t);
+  state_.displacement = t;
+  system_.lagrangian_gradient(state_, kNoNorms, pulls);
+  return optimality_of(patch_, t, pulls + forces, VectorSettling::kCounted * longest_row(t));
+}
+
+}  // namespace planish
