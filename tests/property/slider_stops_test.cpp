@@ -91,7 +91,8 @@ TEST_P(SliderStopsOf, NoPanelLosesItsShapeBeforeAndOneDoesAfter) {
             slider_ranges(base, edited, subspace, there)[static_cast<std::size_t>(k)];
         const SliderStop& same = stop.value > start ? again.upper : again.lower;
         EXPECT_NEAR(same.value, stop.value, 1e-9 * (1.0 + std::abs(stop.value)));
-        EXPECT_EQ(same.face, stop.face);
+        // By that panel, or by its mirror image that stops it at the same place.
+        EXPECT_LT(least_share(base, shape(there), same.face), 0.0);
       }
     }
   }
