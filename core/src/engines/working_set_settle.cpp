@@ -13,10 +13,11 @@
 namespace planish {
 namespace {
 
-constexpr double kFirst = 1e-4;          ///< first ε, share
-constexpr double kLast = 1e-12;          ///< last ε, share
-constexpr double kShrink = 1e-2;         ///< between two
-constexpr double kAtRest = 100.0;        ///< ε: what moves less is at rest at the end
+constexpr double kFirst = 1e-4;         ///< first ε, share
+constexpr double kLast = 1e-12;         ///< last ε, share
+constexpr double kShrink = 1e-2;        ///< between two
+constexpr double kAtRest = 100.0;       ///< ε: what moves less follows ε from stage to stage
+constexpr double kRestsAtLast = 700.0;  ///< ε: w is 1 to within kStationary, so it may as well rest
 constexpr double kMovesAtRimFirst = 30;  ///< ε: what moves further joins the working set
 constexpr double kMovesAtRimLater = 10;  ///< the same once the first ε has been followed
 constexpr int kLinesAhead = 2;           ///< edges along which it then brings its lines with it
@@ -169,7 +170,7 @@ void WorkingSetNewton::keep_support(double smoothing) {
   for (int k = 0; k < patch_.free_count; ++k) {
     const VertexTerm& term = patch_.terms[at(k)];
     const bool rests = seeks_support_ && !term.handle && term.norm_weight > 0.0 &&
-                       state_.displacement.col(k).norm() <= kAtRest * smoothing;
+                       state_.displacement.col(k).norm() <= kRestsAtLast * smoothing;
     if (rests) {
       state_.displacement.col(k).setZero();
     } else {
