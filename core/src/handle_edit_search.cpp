@@ -119,6 +119,7 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
     }
     if (is_acceptable(design)) {
       report.optimality = newton_->optimality(problem_, design.vertices, design.displacement);
+      if (!report.optimality->met()) take_slow_movers_along(design, report);
       report.status = fine.status == SolveStatus::kCancelled ? fine.status
                       : report.optimality->met()             ? SolveStatus::kConverged
                                                              : SolveStatus::kIterationLimit;
@@ -130,6 +131,17 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
     newton_->set_support(support);
   }
   return finish_->finish(problem_, support, *trial_, kept_);
+}
+
+/// The design with what hardly moves moving, where that is what the certificate lacks.
+void HandleEditSolver::State::take_slow_movers_along(ExactDesign& design, SolveReport& report) {
+  newton_->keep_slow_movers(*trial_);
+  ExactDesign other = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+  if (!is_acceptable(other)) return;
+  const Optimality found = newton_->optimality(problem_, other.vertices, other.displacement);
+  if (!found.met()) return;
+  report.optimality = found;
+  design = std::move(other);
 }
 
 ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,

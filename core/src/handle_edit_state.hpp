@@ -38,6 +38,7 @@ class HandleEditSolver::State {
   void set_supports(const std::vector<PointSupport>& supports);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign settle(const NewtonOptions& options, const Progress& progress, SolveReport& report);
+  void take_slow_movers_along(ExactDesign& design, SolveReport& report);
   [[nodiscard]] bool turns(const ExactDesign& design);
   void choose_sides(const NewtonOptions& options, const Progress& progress, SolveReport& report);
   void approach_limits(const NewtonOptions& options, const Progress& progress, ExactDesign& design,

@@ -87,6 +87,10 @@ class WorkingSetNewton {
   EngineOutcome settle(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field, const Progress& progress);
 
+  /// After settle(): what moves by so little that it was taken to rest moves after all. Where rows
+  /// are stiff, stopping it costs the certificate.
+  void keep_slow_movers(DisplacementField& field);
+
   /// The conditions at a design near the state that the last settle() left, with its multipliers.
   /// @param vertices ascending; @param displacement 3 × |vertices|, all other vertices at rest
   [[nodiscard]] Optimality optimality(const EditProblem& problem, std::span<const int> vertices,
@@ -116,7 +120,7 @@ class WorkingSetNewton {
   [[nodiscard]] double rounding() const;
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
                                EngineOutcome& outcome);
-  void keep_support(double smoothing);
+  void keep_support(double rest);
 
   const MeshModel& model_;
   PatchCutter cutter_;
@@ -126,6 +130,9 @@ class WorkingSetNewton {
   PatchState state_;
   std::vector<int> support_, start_, working_;
   bool seeks_support_ = true;
+
+  Eigen::Matrix3Xd settled_;  ///< 3 × free: what the last settle() ended with, nothing stopped
+  double settled_smoothing_ = 0.0;
 
   // One step's work space, kept so that the loop does not allocate.
   Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;

@@ -158,19 +158,21 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     }
     smoothing *= shrink;
   }
-  keep_support(smoothing);
+  settled_ = state_.displacement;
+  settled_smoothing_ = smoothing;
+  keep_support(kRestsAtLast * smoothing);
   field.store(patch_, state_);
   outcome.factorizations = system_.factorizations() - before;
   return outcome;
 }
 
 /// What is at rest stays exactly there; the rest is the support.
-void WorkingSetNewton::keep_support(double smoothing) {
+void WorkingSetNewton::keep_support(double rest) {
   support_.clear();
   for (int k = 0; k < patch_.free_count; ++k) {
     const VertexTerm& term = patch_.terms[at(k)];
     const bool rests = seeks_support_ && !term.handle && term.norm_weight > 0.0 &&
-                       state_.displacement.col(k).norm() <= kRestsAtLast * smoothing;
+                       state_.displacement.col(k).norm() <= rest;
     if (rests) {
       state_.displacement.col(k).setZero();
     } else {
@@ -178,6 +180,12 @@ void WorkingSetNewton::keep_support(double smoothing) {
     }
   }
   std::sort(support_.begin(), support_.end());
+}
+
+void WorkingSetNewton::keep_slow_movers(DisplacementField& field) {
+  state_.displacement = settled_;
+  keep_support(kAtRest * settled_smoothing_);
+  field.store(patch_, state_);
 }
 
 Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<const int> vertices,
