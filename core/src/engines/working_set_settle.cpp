@@ -108,6 +108,8 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   double work = 0.0;
   shift_ = 0.0;
   lay_open(problem, field);
+  settled_ = state_.displacement;
+  settled_smoothing_ = smoothing;
   if (patch_.free_count == 0 || !std::isfinite(system_.energy(state_.displacement, smoothing))) {
     return outcome;
   }
