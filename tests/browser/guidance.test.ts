@@ -121,10 +121,12 @@ it("brings what Find variations gave into view", async () => {
   await page.getByRole("button", { name: "Find variations" }).click();
   const last = page.getByRole("slider", { name: "Variation 4", exact: true });
   await last.waitFor();
-  const bottom = async () => {
-    const box = await last.boundingBox();
-    return box ? box.y + box.height : Number.POSITIVE_INFINITY;
+  const inspector = page.getByRole("complementary", { name: "Inspector" });
+  const cutOff = async () => {
+    const [slider, around] = [await last.boundingBox(), await inspector.boundingBox()];
+    if (!slider || !around) return Number.POSITIVE_INFINITY;
+    return slider.y + slider.height - (around.y + around.height);
   };
-  await expect.poll(bottom).toBeLessThan(850);
+  await expect.poll(cutOff).toBeLessThanOrEqual(0);
   await page.context().close();
 });
