@@ -23,8 +23,8 @@ class SectionCut {
       : mesh_(mesh),
         joints_(joints),
         plane_(plane),
-        heights_((plane.normal.transpose() * mesh.positions).array() - plane.offset) {
-    points_ = Positions::Zero(3, static_cast<Eigen::Index>(joints.joints.size()));
+        heights_((plane.normal.transpose() * mesh.positions).array() - plane.offset),
+        points_(Positions::Zero(3, static_cast<Eigen::Index>(joints.joints.size()))) {
     for (std::size_t k = 0; k < joints.joints.size(); ++k) {
       if (is_cut(joints.joints[k]))
         points_.col(static_cast<Eigen::Index>(k)) = point_on(joints.joints[k]);

@@ -68,8 +68,8 @@ export function reasonOf({ report, settings }: Design, held: boolean): Reason {
 /** "216 of 300 mm". */
 export function gotWords({ got, asked }: Stop, unit: Unit): string {
   const [first, all] = [formatLength(got, unit), formatLength(asked, unit)];
-  const [number, word] = first.split(" ");
-  return `${all.endsWith(` ${word}`) ? number : first} of ${all}`;
+  const space = first.lastIndexOf(" ");
+  return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
 }
 
 /** What stops it, in a sentence; `growth` as in Wanted. */
