@@ -6,6 +6,7 @@ import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from
 import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { isKeptBy, type Kind, kindOf, withKind } from "./kept-kind.ts";
+import { FAIR_FLAT } from "./planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
@@ -87,7 +88,9 @@ export async function planariseNow(kind?: Kind): Promise<void> {
   const { handles, settings } = design;
   const tolerance = refusedTolerance.value ?? settings.tolerance;
   const constraints = kind ? withKind(settings.constraints, kind) : settings.constraints;
-  const how = { ...planarising.value, keepShape: settings.keepShape, constraints };
+  // What was chosen at a door is not seen where a mesh is flat.
+  const chosen = kind && baseFlat.value ? FAIR_FLAT : planarising.value;
+  const how = { ...chosen, keepShape: settings.keepShape, constraints };
   const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
   const answer = await run(doing, { kind: "planarise", how }, "opened");
   if (!answer) return;

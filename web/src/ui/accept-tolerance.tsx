@@ -10,7 +10,7 @@ export function AcceptTolerance() {
   return (
     <div class="accept-tolerance">
       <p>
-        {`Or edit it as it is: points stay where the file has them, and up to ${tolerance} mm/m counts as flat (Advanced, Tolerance).`}
+        {`Or edit it as it is: points stay where the file has them until an edit moves them, and up to ${tolerance} mm/m counts as flat, then too (Advanced, Tolerance).`}
       </p>
       <button
         type="button"

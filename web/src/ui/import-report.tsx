@@ -10,7 +10,11 @@ import { planarisingWords } from "../state/planarising.ts";
 import { baseFlat, designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
-import { PlanariseChoice } from "./planarise-choice.tsx";
+import { later } from "./later.tsx";
+
+const PlanariseStep = later(() =>
+  import("./planarise-step.tsx").then((part) => part.PlanariseStep),
+);
 
 const SIZE_NAMES: Readonly<Record<string, string>> = {
   3: "triangles",
@@ -104,7 +108,7 @@ export function ImportReport() {
           <strong>Planarise first?</strong> Points can be moved once every panel is flat.
         </p>
       )}
-      {report && !baseFlat.value && <PlanariseChoice />}
+      {report && !baseFlat.value && <PlanariseStep live={true} />}
       <AcceptTolerance />
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (

@@ -6,7 +6,6 @@ import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
 import { later } from "./later.tsx";
-import { PlanariseChoice } from "./planarise-choice.tsx";
 import { ReachAndSoftness } from "./reach-and-softness.tsx";
 
 function NotFlatNote() {
@@ -18,7 +17,7 @@ function NotFlatNote() {
       <p>
         {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are.`}
       </p>
-      <PlanariseChoice />
+      <PlanariseStep live={false} />
       <button type="button" class="button primary" onClick={() => void planarise()}>
         Planarise
       </button>
@@ -29,6 +28,9 @@ function NotFlatNote() {
 
 const AcceptTolerance = later(() =>
   import("./accept-tolerance.tsx").then((part) => part.AcceptTolerance),
+);
+const PlanariseStep = later(() =>
+  import("./planarise-step.tsx").then((part) => part.PlanariseStep),
 );
 const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
 const StoppedNote = later(() => import("./stopped-note.tsx").then((part) => part.StoppedNote));

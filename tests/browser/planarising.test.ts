@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Planarising is tried out at the door: the model shows what it gives, the file stays as it is until taken.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { readObj } from "./support/obj.ts";
+import { exportAs, idle, openFile, status } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+const SIZE = 10;
+
+/** A shallow dome of quads that are not flat, 1 m apart. */
+function dome(): string {
+  const lines: string[] = [];
+  const height = (t: number): number => Math.cos(((t / SIZE - 0.5) * Math.PI) / 1.2);
+  for (let i = 0; i <= SIZE; ++i)
+    for (let j = 0; j <= SIZE; ++j)
+      lines.push(`v ${i} ${j + 0.04 * i * j} ${(2 * height(i) * height(j)).toFixed(9)}`);
+  const at = (i: number, j: number): number => i * (SIZE + 1) + j + 1;
+  for (let i = 0; i < SIZE; ++i)
+    for (let j = 0; j < SIZE; ++j)
+      lines.push(`f ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`);
+  return `${lines.join("\n")}\n`;
+}
+
+const exported = async (page: Page) => readObj((await exportAs(page, "OBJ")).toString());
+const figures = (page: Page) => page.getByRole("table", { name: "Before and after planarising" });
+const cell = (page: Page, row: string, column: number) =>
+  figures(page).getByRole("row", { name: row }).getByRole("cell").nth(column).textContent();
+const millimetres = (words: string | null): number =>
+  Number(/([\d.]+) mm/.exec(words ?? "")?.[1] ?? Number.NaN);
+
+it("shows what planarising gives before it is done, and does just that", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "dome.obj", dome());
+  const file = await exported(page);
+  const keep = page.getByRole("checkbox", { name: "Keep the boundary where it is" });
+  expect(await keep.isChecked()).toBe(true);
+  await figures(page).waitFor();
+  expect(await cell(page, "Worst panel", 0)).toMatch(/[1-9].* mm\/m/);
+  expect(await cell(page, "Worst panel", 1)).toBe("flat");
+  expect(await cell(page, "Newly spoilt", 1)).toBe("none");
+  expect(await cell(page, "95 % of panels fold", 1)).toMatch(/°$/);
+  expect(await cell(page, "Points that move", 1)).toBe(`${(SIZE - 1) ** 2} of ${(SIZE + 1) ** 2}`);
+  expect(await status(page)).toContain(`${(SIZE - 1) ** 2} of ${(SIZE + 1) ** 2} points move`);
+  // The design is still the file.
+  expect(await exported(page)).toEqual(file);
+
+  // Each place of the slider is another mesh; the nearest is no farther than the fairest.
+  const fair = millimetres(await cell(page, "Largest move", 1));
+  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
+  await expect.poll(() => figures(page).count()).toBe(1);
+  await expect.poll(async () => millimetres(await cell(page, "Largest move", 1))).not.toBe(fair);
+  const near = millimetres(await cell(page, "Largest move", 1));
+  expect(near).toBeLessThan(fair);
+
+  // What is taken is what was shown.
+  await page.getByRole("button", { name: "Planarise", exact: true }).click();
+  await page.getByRole("button", { name: "Start editing" }).waitFor();
+  await idle(page);
+  const flat = await exported(page);
+  const moves = file.points.map((p, v) =>
+    Math.hypot(...p.map((x, axis) => x - (flat.points[v]?.[axis] ?? Number.NaN))),
+  );
+  expect(Math.abs(1000 * Math.max(...moves) - near)).toBeLessThanOrEqual(1);
+  expect(moves.filter((move) => move > 0).length).toBe((SIZE - 1) ** 2);
+  await page.context().close();
+});
+
+it("leaves the file as it is, and says where the boundary is in the way", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "dome.obj", dome());
+  const file = await exported(page);
+  await figures(page).waitFor();
+  await page.getByRole("button", { name: "Leave as it is" }).click();
+  await expect.poll(() => status(page)).toContain(`0 of ${(SIZE + 1) ** 2} points move`);
+  expect(await exported(page)).toEqual(file);
+  // A panel that lies on the boundary alone cannot stay and become flat.
+  await openFile(page, "one.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nf 1 2 3 4\n");
+  const keep = page.getByRole("checkbox", { name: "Keep the boundary where it is" });
+  await expect.poll(() => keep.isChecked()).toBe(false);
+  await expect.poll(() => cell(page, "Worst panel", 1)).toBe("flat");
+  await keep.check();
+  await page.getByText(/Let the boundary move/).waitFor();
+  await page.context().close();
+});

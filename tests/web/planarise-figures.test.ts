@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+import { expect, it } from "vitest";
+import { shapeOf, usualFold } from "../../web/src/state/planarise-figures.ts";
+
+it("the shape of a trial holds the points that differ, to the last bit", () => {
+  const base = Float64Array.from([0, 0, 0, 1, 1, 1, 2, 2, 2]);
+  const now = Float64Array.from([0, 0, 0, 1, 1 + Number.EPSILON, 1, 2, 2, 3]);
+  const { moved, positions } = shapeOf(now, base);
+  expect([...moved]).toEqual([1, 2]);
+  expect([...positions]).toEqual([1, 1 + Number.EPSILON, 1, 2, 2, 3]);
+  expect(shapeOf(base, base).moved.length).toBe(0);
+});
+
+it("the usual fold is the 95th percentile of panels that have a neighbour", () => {
+  const folds = Float32Array.from({ length: 100 }, (_, k) => 100 - k);
+  expect(usualFold(folds)).toBe(95);
+  expect(usualFold(Float32Array.from([-1, -1, 7]))).toBe(7);
+  expect(usualFold(new Float32Array(0))).toBeNull();
+});
