@@ -81,6 +81,24 @@ it("offers as many directions as asked for, and the smoothest first if wanted", 
   await page.context().close();
 });
 
+/** How far apart neighbouring pictures of the gallery are: mean over all pixels, share of the range. */
+const tileDifferences = (page: Page): Promise<number[]> =>
+  page.locator(".tiles canvas").evaluateAll((all) => {
+    const pictures = all.map((one) => {
+      const { width, height } = one as HTMLCanvasElement;
+      const paper = new OffscreenCanvas(width, height).getContext("2d");
+      if (!paper) return new Uint8ClampedArray(0);
+      paper.fillStyle = "white";
+      paper.fillRect(0, 0, width, height);
+      paper.drawImage(one as HTMLCanvasElement, 0, 0);
+      return paper.getImageData(0, 0, width, height).data.filter((_, k) => k % 4 < 3);
+    });
+    return pictures.slice(1).map((picture, k) => {
+      const sum = picture.reduce((s, x, i) => s + Math.abs(x - (pictures[k]?.[i] ?? 0)), 0);
+      return sum / picture.length / 255;
+    });
+  });
+
 it("says what sliders do and where they stop, and shows the design that is pointed at", async () => {
   const page = await site.open();
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
@@ -103,6 +121,9 @@ it("says what sliders do and where they stop, and shows the design that is point
   await hold(page, "Variation 1", 0);
   await letGo(page, "Variation 1");
   const view = page.getByLabel("3D view");
+  const apart = await tileDifferences(page);
+  expect(apart.length).toBeGreaterThan(5);
+  expect(Math.min(...apart)).toBeGreaterThan(0.05);
   await page.mouse.move(5, 5);
   const own = await view.screenshot();
   const tile = page.getByRole("button", { name: /^Adopt design 1/ });

@@ -91,6 +91,28 @@ function panelsAround(mesh: OpenedMesh, inside: Set<number>): number[] {
   }
 }
 
+/** Where panels lie on the picture, in any of the shapes. */
+function boundsOf(
+  mesh: OpenedMesh,
+  panels: readonly number[],
+  shapes: readonly Shape[],
+): Patch["bounds"] {
+  const bounds: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const shape of shapes) {
+    const at = placesOf(mesh, shape);
+    for (const f of panels) {
+      for (const v of cornersOf(mesh, f)) {
+        const [x, y] = [dot(at(v), RIGHT), -dot(at(v), UP)];
+        bounds[0] = Math.min(bounds[0], x);
+        bounds[1] = Math.min(bounds[1], y);
+        bounds[2] = Math.max(bounds[2], x);
+        bounds[3] = Math.max(bounds[3], y);
+      }
+    }
+  }
+  return bounds;
+}
+
 /**
  * What differs from `from` in any of `shapes`, near enough to see it; null: from the mesh, whichever
  * way.
@@ -107,20 +129,21 @@ export function patchOf(
     0,
   );
   const panels = panelsAround(mesh, visibly(all, largest));
-  const bounds: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const shape of shapes) {
-    const at = placesOf(mesh, shape);
-    for (const f of panels) {
-      for (const v of cornersOf(mesh, f)) {
-        const [x, y] = [dot(at(v), RIGHT), -dot(at(v), UP)];
-        bounds[0] = Math.min(bounds[0], x);
-        bounds[1] = Math.min(bounds[1], y);
-        bounds[2] = Math.max(bounds[2], x);
-        bounds[3] = Math.max(bounds[3], y);
-      }
-    }
-  }
+  const bounds = boundsOf(mesh, panels, shapes);
   return { panels, bounds, largest, from, signed: given !== null };
+}
+
+/** Moves smaller than this share of a picture's own largest one do not widen it. */
+const NOTED = 0.4;
+
+/** The same picture from near by, where `shape` differs from the others; the colours mean the same. */
+export function zoomedTo(mesh: OpenedMesh, patch: Patch, shape: Shape): Patch {
+  const found = differences(mesh, patch.from, shape);
+  const most = [...found.values()].reduce((m, length) => Math.max(m, length), 0);
+  const noted = new Set([...found].flatMap(([v, length]) => (length > NOTED * most ? [v] : [])));
+  if (noted.size === 0) return patch;
+  const touched = patch.panels.filter((f) => cornersOf(mesh, f).some((v) => noted.has(v)));
+  return { ...patch, bounds: boundsOf(mesh, touched, [patch.from, shape]) };
 }
 
 /** The panel's area vector, twice. */

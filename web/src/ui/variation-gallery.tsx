@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import "./designs.css";
 import { useComputed } from "@preact/signals";
+import { useMemo } from "preact/hooks";
 import { flatnessWords } from "../state/flatness.ts";
 import { foldWords, formatDegrees } from "../state/fold.ts";
 import {
@@ -13,7 +14,7 @@ import {
 } from "../state/gallery.ts";
 import { draft, mesh, unit } from "../state/store.ts";
 import { formatLength } from "../state/units.ts";
-import { type Patch, patchOf } from "./patch-drawing.ts";
+import { type Patch, patchOf, zoomedTo } from "./patch-drawing.ts";
 import { PatchPicture } from "./patch-picture.tsx";
 
 interface TileProps {
@@ -42,6 +43,11 @@ function Tile({ item, number, patch }: TileProps) {
   const fold = foldWords(item.report);
   const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}, ${fold}`;
   const after = item.report.sharpestFold?.after;
+  const opened = mesh.value;
+  const near = useMemo(
+    () => (opened ? zoomedTo(opened, patch, item.shape) : patch),
+    [opened, patch, item.shape],
+  );
   return (
     <li>
       <button
@@ -55,7 +61,7 @@ function Tile({ item, number, patch }: TileProps) {
         onFocus={() => preview(item)}
         onBlur={() => preview(null)}
       >
-        {mesh.value && <PatchPicture mesh={mesh.value} patch={patch} shape={item.shape} />}
+        {opened && <PatchPicture mesh={opened} patch={near} shape={item.shape} />}
         <span class="visually-hidden">Adopt design {number}: </span>
         <span class="tile-figures">
           {length}
