@@ -28,7 +28,7 @@ describe("a mesh opens", () => {
       return transfer;
     }, flatRoof(6));
     await page.getByRole("main").dispatchEvent("dragover", { dataTransfer: dropped });
-    expect(await page.getByText("Drop an OBJ, OFF, PLY or GLB mesh").count()).toBe(1);
+    expect(await page.getByText("Drop an OBJ, OFF, PLY, GLB or 3DM file").count()).toBe(1);
     await page.getByRole("main").dispatchEvent("drop", { dataTransfer: dropped });
     await expect.poll(() => status(page)).toMatch(/0 of 49 points/);
     expect(await page.getByRole("region", { name: "dropped.obj" }).count()).toBe(1);
