@@ -91,6 +91,8 @@ CuttingPreview preview_cutting(const CuttingPlan& plan, int face, bool with_map)
   if (plan.remake) {
     preview.outline = plan.remake->count(PanelChange::kOutline);
     preview.bevel = plan.remake->count(PanelChange::kBevel);
+    preview.nodes_moved = plan.remake->count(NodeChange::kMoved);
+    preview.nodes_arms = plan.remake->count(NodeChange::kArms);
   }
   const DrawnPanels drawn = draw_panels(plan, face, preview);
   if (plan.options.sheet_width > 0.0) fill_sheets(plan.options, drawn, preview);

@@ -12,8 +12,9 @@ namespace planish {
 /// The figures are those of write_cutting_package(); faces by their index.
 struct CuttingPreview {
   int panels = 0, drawn = 0;
-  int outline = 0, bevel = 0;  ///< against the base; 0 without one
-  double flatness = 0.0;       ///< of the worst panel, mm/m
+  int outline = 0, bevel = 0;  ///< panels, against the base; 0 without one
+  int nodes_moved = 0, nodes_arms = 0;
+  double flatness = 0.0;  ///< of the worst panel, mm/m
   std::vector<int> vanished, oversize;
   int sheets = 0;
   double used_fraction = 0.0;  ///< cut area over the area of all sheets; 0 without sheets

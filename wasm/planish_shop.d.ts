@@ -71,6 +71,9 @@ export interface CuttingPreview {
   /** To be made again against the base; `bevel` of them with the same outline. */
   readonly outline: number;
   readonly bevel: number;
+  /** Nodes to be made again: they moved, or only their axis or an arm turned. */
+  readonly nodesMoved: number;
+  readonly nodesArms: number;
   /** Of the worst panel, mm/m. */
   readonly flatness: number;
   readonly vanished: readonly string[];

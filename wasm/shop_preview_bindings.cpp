@@ -34,6 +34,8 @@ val to_value(const CuttingPreview& preview) {
   result.set("drawn", preview.drawn);
   result.set("outline", preview.outline);
   result.set("bevel", preview.bevel);
+  result.set("nodesMoved", preview.nodes_moved);
+  result.set("nodesArms", preview.nodes_arms);
   result.set("flatness", preview.flatness);
   result.set("vanished", panel_names(preview.vanished));
   result.set("oversize", panel_names(preview.oversize));

@@ -80,7 +80,9 @@ Json remake_json(const Mesh& base, const Positions& after) {
   mesh.positions = after;
   const Remake remake = find_remake(base, mesh);
   return {{"outline", remake.count(PanelChange::kOutline)},
-          {"bevel", remake.count(PanelChange::kBevel)}};
+          {"bevel", remake.count(PanelChange::kBevel)},
+          {"nodes_moved", remake.count(NodeChange::kMoved)},
+          {"nodes_arms", remake.count(NodeChange::kArms)}};
 }
 
 Json info_json(const MeshFile& file) {

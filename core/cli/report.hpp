@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json fold_json(const Mesh& base, const Positions& after);
 
 /// How many panels of `base` the shop makes again for `after`: cut (`outline`) or only joined at
-/// another angle (`bevel`).
+/// another angle (`bevel`); and how many nodes, since they moved or only their arms turned.
 [[nodiscard]] Json remake_json(const Mesh& base, const Positions& after);
 
 /// Figures of a mesh as `info` reports them.

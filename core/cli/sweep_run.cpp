@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kIdLength = 32;
 
 /// Columns of the table after the values: their names, and where in the report they stand.
-constexpr std::array<std::pair<const char*, const char*>, 13> kColumns = {
+constexpr std::array<std::pair<const char*, const char*>, 15> kColumns = {
     {{"status", "/status"},
      {"message", "/message"},
      {"moved_vertices", "/moved_vertices"},
@@ -34,6 +34,8 @@ constexpr std::array<std::pair<const char*, const char*>, 13> kColumns = {
      {"sharpest_fold_after", "/sharpest_fold/after"},
      {"remake_outline", "/remake/outline"},
      {"remake_bevel", "/remake/bevel"},
+     {"remake_nodes_moved", "/remake/nodes_moved"},
+     {"remake_nodes_arms", "/remake/nodes_arms"},
      {"planarity_mm_per_m", "/planarity_mm_per_m/after_max"},
      {"iterations", "/iterations"},
      {"design", "/design"}}};

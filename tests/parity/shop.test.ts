@@ -128,6 +128,7 @@ it.each([
   const { counts, remake, sheets, ...header } = (await made(design, order)).header;
   expect([preview.panels, preview.drawn]).toEqual([counts.panels, counts.drawn]);
   expect([preview.outline, preview.bevel]).toEqual([remake.outline, remake.bevel]);
+  expect([preview.nodesMoved, preview.nodesArms]).toEqual([remake.nodes_moved, remake.nodes_arms]);
   expect([preview.flatness, preview.vanished]).toEqual([header.flatness_mm_per_m, header.vanished]);
   expect([preview.sheets, preview.usedFraction, preview.oversize]).toEqual(
     sheets ? [sheets.count, sheets.used_fraction, sheets.oversize] : [0, 0, []],

@@ -508,11 +508,12 @@ TEST_F(Cli, EveryCommandThatEditsSaysWhatMustBeMadeAgain) {
     EXPECT_EQ(run(words), 0) << err();
     return nlohmann::ordered_json::parse(contents(directory_ / "r.json"))["remake"].dump();
   };
-  const std::string expected = R"({"outline":1,"bevel":1})";
+  const std::string expected = R"({"outline":1,"bevel":1,"nodes_moved":2,"nodes_arms":2})";
   EXPECT_EQ(remake("edit" + edit + " --design d.json -o b.obj"), expected);
   EXPECT_EQ(remake("explore" + edit + " --dimension 1 --exact"), expected);
   EXPECT_EQ(remake("replay d.json --report r.json"), expected);
-  EXPECT_EQ(remake("project b.obj --report r.json"), R"({"outline":0,"bevel":0})");
+  EXPECT_EQ(remake("project b.obj --report r.json"),
+            R"({"outline":0,"bevel":0,"nodes_moved":0,"nodes_arms":0})");
 }
 
 TEST_F(Cli, AWorkshopReadsACuttingPackage) {

@@ -72,7 +72,8 @@ TEST(CuttingPackage, DrawsWhatIsInItsScope) {
   const auto names = names_in(remade.zip);
   EXPECT_EQ(std::count(names.begin(), names.end(), "panels/P-0001-mm.dxf"), 0);
   EXPECT_EQ(std::count(names.begin(), names.end(), "panels/P-0002-mm.dxf"), 1);
-  EXPECT_EQ(nlohmann::json::parse(remade.header)["remake"]["bevel"], 1);
+  EXPECT_EQ(nlohmann::ordered_json::parse(remade.header)["remake"].dump(),
+            R"({"outline":1,"bevel":1,"new":0,"nodes_moved":2,"nodes_arms":2,"nodes_new":0})");
   options = {};
   options.panels = {0};
   EXPECT_EQ(write_cutting_package(mesh, nullptr, options).report.drawn, 1);

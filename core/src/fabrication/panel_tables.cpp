@@ -7,10 +7,9 @@
 #include <cmath>
 
 #include "fabrication/neighbours.hpp"
+#include "fabrication/node_axis.hpp"
 #include "fabrication/table_writer.hpp"
-#include "plane_meeting.hpp"
 #include "planish/adjacency.hpp"
-#include "planish/area_vector.hpp"
 #include "planish/constraints/planar_polygon.hpp"
 #include "planish/index.hpp"
 #include "trigonometry.hpp"
@@ -88,42 +87,6 @@ const char* fold_name(const Joint& joint) {
   return joint.dihedral < kPi ? "convex" : "concave";
 }
 
-/// Doubled area vectors of the panels around each vertex, added up.
-Positions mean_axes(const Mesh& mesh, const Positions& areas) {
-  Positions axes = Positions::Zero(3, mesh.vertex_count());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (const int v : mesh.face(f)) axes.col(v) += areas.col(f);
-  }
-  for (auto axis : axes.colwise()) {
-    axis.stableNormalize();
-    if (axis.isZero(0.0)) axis = Eigen::Vector3d::UnitZ();
-  }
-  return axes;
-}
-
-/// The line of the point that the planes around a vertex keep when all move outwards alike; where
-/// they keep none, or leave it open, the mean. [OFF-4]
-Positions axes_of(const Mesh& mesh) {
-  constexpr double kMeets = 1e-9;
-  Positions areas(3, mesh.face_count());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    areas.col(f) = area_vector(mesh.positions, mesh.face(f));
-  }
-  Positions axes = mean_axes(mesh, areas);
-  const Adjacency adjacency = build_adjacency(mesh);
-  std::vector<Eigen::Vector3d> normals;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    normals.clear();
-    for (const int f : adjacency.faces[v]) {
-      if (!areas.col(f).isZero(0.0)) normals.emplace_back(areas.col(f).stableNormalized());
-    }
-    if (normals.size() < 3) continue;
-    const PlaneMeeting meeting = meet_planes(normals, axes.col(v));
-    if (meeting.rank == 3 && meeting.miss <= kMeets) axes.col(v) = meeting.point.normalized();
-  }
-  return axes;
-}
-
 /// The joints at each vertex, ascending.
 std::vector<std::vector<int>> joints_by_vertex(const CuttingPlan& plan) {
   std::vector<std::vector<int>> joints(at(plan.mesh.vertex_count()));
@@ -193,12 +156,12 @@ TableText edge_table(const CuttingPlan& plan) {
 }
 
 TableText node_table(const CuttingPlan& plan) {
-  const Positions axes = axes_of(plan.mesh);
+  const Adjacency adjacency = build_adjacency(plan.mesh);
   const std::vector<std::vector<int>> joints = joints_by_vertex(plan);
   TableWriter table;
   for (std::size_t node = 0; node < plan.vertex_of_node.size(); ++node) {
     const int vertex = plan.vertex_of_node[node];
-    const Eigen::Vector3d axis = axes.col(vertex);
+    const Eigen::Vector3d axis = node_axis(plan.mesh, plan.mesh.positions, adjacency, vertex);
     table.row()
         .add("node", node_name(static_cast<int>(node)))
         .add("vertex", vertex)

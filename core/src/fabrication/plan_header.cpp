@@ -15,6 +15,9 @@ std::string remake_text(const CuttingPlan& plan) {
       .add("outline", plan.remake->count(PanelChange::kOutline))
       .add("bevel", plan.remake->count(PanelChange::kBevel))
       .add("new", plan.remake->count(PanelChange::kNew))
+      .add("nodes_moved", plan.remake->count(NodeChange::kMoved))
+      .add("nodes_arms", plan.remake->count(NodeChange::kArms))
+      .add("nodes_new", plan.remake->count(NodeChange::kNew))
       .text();
 }
 

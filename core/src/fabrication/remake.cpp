@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fabrication/node_remake.hpp"
 #include "planish/adjacency.hpp"
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/panel_frame.hpp"
@@ -59,53 +60,6 @@ bool same_joints(const Mesh& base, const JointTable& before, const Mesh& mesh,
     if (!same_joint(was, is)) return false;
   }
   return true;
-}
-
-bool same_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return (a.stableNormalized() - b.stableNormalized()).norm() <= kSameAngle;
-}
-
-/// Whether every arm of a node that kept its position points where it did.
-bool same_arms(const Mesh& base, const Mesh& mesh, std::span<const int> ends, int node) {
-  return std::all_of(ends.begin(), ends.end(), [&](int end) {
-    return same_point(base, end, mesh, end) ||
-           same_direction(base.positions.col(end) - base.positions.col(node),
-                          mesh.positions.col(end) - mesh.positions.col(node));
-  });
-}
-
-bool same_panels_around(const Mesh& base, const Mesh& mesh, const std::vector<PanelChange>& panels,
-                        std::span<const int> faces) {
-  return std::all_of(faces.begin(), faces.end(), [&](int f) {
-    return panels[at(f)] == PanelChange::kUnchanged || panels[at(f)] == PanelChange::kBevel ||
-           same_direction(panel_normal(base.positions, base.face(f)),
-                          panel_normal(mesh.positions, mesh.face(f)));
-  });
-}
-
-std::vector<NodeChange> compare_nodes(const Mesh& base, const Mesh& mesh,
-                                      const std::vector<PanelChange>& panels) {
-  const Adjacency before = build_adjacency(base);
-  const Adjacency after = build_adjacency(mesh);
-  std::vector<NodeChange> changes(at(mesh.vertex_count()), NodeChange::kUnchanged);
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const auto ends = after.neighbours[v];
-    if (ends.empty()) continue;
-    const bool known = v < base.vertex_count() &&
-                       std::equal(ends.begin(), ends.end(), before.neighbours[v].begin(),
-                                  before.neighbours[v].end());
-    const auto faces = after.faces[v];
-    const bool new_panel = std::any_of(faces.begin(), faces.end(),
-                                       [&](int f) { return panels[at(f)] == PanelChange::kNew; });
-    if (!known || new_panel) {
-      changes[at(v)] = NodeChange::kNew;
-    } else if (!same_point(base, v, mesh, v)) {
-      changes[at(v)] = NodeChange::kMoved;
-    } else if (!same_arms(base, mesh, ends, v) || !same_panels_around(base, mesh, panels, faces)) {
-      changes[at(v)] = NodeChange::kArms;
-    }
-  }
-  return changes;
 }
 
 /// The panel beyond side `side` of `face`, and whether it runs along that side the same way; −1
@@ -169,6 +123,10 @@ int Remake::count(PanelChange change) const {
   return static_cast<int>(std::count(panels.begin(), panels.end(), change));
 }
 
+int Remake::count(NodeChange change) const {
+  return static_cast<int>(std::count(nodes.begin(), nodes.end(), change));
+}
+
 Remake find_remake(const Mesh& base, const Mesh& mesh) {
   Remake remake;
   remake.panels = compare_outlines(base, mesh);
@@ -193,20 +151,6 @@ std::string_view change_name(PanelChange change) {
     case PanelChange::kBevel:
       return "bevel";
     case PanelChange::kNew:
-      return "new";
-  }
-  return "unknown";
-}
-
-std::string_view change_name(NodeChange change) {
-  switch (change) {
-    case NodeChange::kUnchanged:
-      return "unchanged";
-    case NodeChange::kMoved:
-      return "moved";
-    case NodeChange::kArms:
-      return "arms";
-    case NodeChange::kNew:
       return "new";
   }
   return "unknown";

@@ -34,7 +34,13 @@ export interface Report {
   /** Panels that came out flat but crossing, turned over, collapsed or concave. */
   readonly spoilt_faces?: Readonly<Record<string, readonly number[]>>;
   readonly sharpest_fold?: { readonly before: number; readonly after: number };
-  readonly remake?: { readonly outline: number; readonly bevel: number };
+  /** Panels and nodes that the shop makes again. */
+  readonly remake?: {
+    readonly outline: number;
+    readonly bevel: number;
+    readonly nodes_moved: number;
+    readonly nodes_arms: number;
+  };
   readonly verified?: boolean;
   readonly deviation?: number;
   readonly [figure: string]: unknown;

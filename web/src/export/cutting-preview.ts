@@ -28,6 +28,8 @@ const NOTHING: CuttingPreview = {
   drawn: 0,
   outline: 0,
   bevel: 0,
+  nodesMoved: 0,
+  nodesArms: 0,
   flatness: 0,
   vanished: [],
   oversize: [],
@@ -41,7 +43,12 @@ const NOTHING: CuttingPreview = {
 /** The same as the package itself would say it. */
 export const headerOf = (preview: CuttingPreview, choice: PackageChoice): CuttingHeader => ({
   counts: { panels: preview.panels, drawn: preview.drawn },
-  remake: { outline: preview.outline, bevel: preview.bevel },
+  remake: {
+    outline: preview.outline,
+    bevel: preview.bevel,
+    nodes_moved: preview.nodesMoved,
+    nodes_arms: preview.nodesArms,
+  },
   flatness_mm_per_m: preview.flatness,
   vanished: preview.vanished,
   sheets:

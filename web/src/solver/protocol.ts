@@ -187,7 +187,12 @@ export interface PanelMeasures {
 /** What of the header of a cutting package or an IFC model is said on the page, see docs/fabrication.md. */
 export interface CuttingHeader {
   readonly counts: { readonly panels: number; readonly drawn: number };
-  readonly remake: { readonly outline: number; readonly bevel: number } | null;
+  readonly remake: {
+    readonly outline: number;
+    readonly bevel: number;
+    readonly nodes_moved: number;
+    readonly nodes_arms: number;
+  } | null;
   readonly flatness_mm_per_m: number;
   readonly vanished: readonly string[];
   /** Of a package alone. */

@@ -17,7 +17,10 @@ export function summary(header: CuttingHeader): string {
   const { counts, remake, vanished, labels, flatness_mm_per_m } = header;
   const parts = [`${panels(counts.drawn)} drawn`];
   if (remake)
-    parts.push(`${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`);
+    parts.push(
+      `${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`,
+      `${remake.nodes_moved} nodes moved, ${remake.nodes_arms} with new angles only`,
+    );
   parts.push(...sheetWords(header));
   if (labels?.link && !labels.code)
     parts.push("the labels carry no QR code, as the link is too long for one");

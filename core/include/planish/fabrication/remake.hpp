@@ -23,7 +23,7 @@ enum class PanelChange {
 enum class NodeChange {
   kUnchanged,
   kMoved,  ///< its position changed
-  kArms,   ///< the same position, but an arm points elsewhere or a panel around it turned
+  kArms,   ///< the same position, but its axis, an arm or a panel around it turned
   kNew,    ///< the base has no such vertex, or one with other neighbours
 };
 
@@ -36,10 +36,11 @@ struct Remake {
   std::vector<NodeChange> nodes;    ///< one a vertex; kUnchanged for one without panels
 
   [[nodiscard]] int count(PanelChange change) const;
+  [[nodiscard]] int count(NodeChange change) const;
 };
 
 /// Compares `mesh` with `base`, which may have other faces; both must have passed check_mesh().
-/// O(n log n). [FAB-2]
+/// O(n log n). [FAB-2, FAB-3]
 [[nodiscard]] Remake find_remake(const Mesh& base, const Mesh& mesh);
 
 /// What find_remake() says of the panels of `base` with `moved` (ascending) vertices at `positions`
@@ -48,6 +49,11 @@ struct Remake {
                                                         const Adjacency& adjacency,
                                                         const Positions& positions,
                                                         std::span<const int> moved);
+
+/// What find_remake() says of the nodes, likewise. [FAB-3]
+[[nodiscard]] std::vector<NodeChange> nodes_to_remake(const Mesh& base, const Adjacency& adjacency,
+                                                      const Positions& positions,
+                                                      std::span<const int> moved);
 
 /// `unchanged`, `outline`, `bevel` or `new`.
 [[nodiscard]] std::string_view change_name(PanelChange change);
