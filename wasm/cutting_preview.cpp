@@ -14,8 +14,7 @@
 namespace planish {
 namespace {
 
-constexpr double kSpacingMetres = 0.010;  ///< as the package has it, by test
-constexpr double kMargin = 0.03;          ///< around a panel, of its longer side
+constexpr double kMargin = 0.03;  ///< around a panel, of its longer side
 
 /// A panel by itself, moved to where a picture begins.
 std::string picture_of(const PanelDrawing& panel, const std::string& unit) {
@@ -63,7 +62,7 @@ DrawnPanels draw_panels(const CuttingPlan& plan, int face, CuttingPreview& previ
 }
 
 void fill_sheets(const CuttingOptions& options, const DrawnPanels& drawn, CuttingPreview& preview) {
-  const double spacing = kSpacingMetres / metres_in(options.unit).value();
+  const double spacing = kSheetSpacing / metres_in(options.unit).value();
   const SheetSize size{options.sheet_width, options.sheet_height, spacing};
   const auto places = arrange_on_sheets(drawn.items, size);
   double area = 0.0;

@@ -7,6 +7,7 @@ import { csvRows } from "../../web/src/rhino/csv-rows.ts";
 import { type RhinoModule, unitSystem } from "../../web/src/rhino/model.ts";
 import { readModel, writeObj } from "../../web/src/rhino/read-model.ts";
 import { type Model, writeModel } from "../../web/src/rhino/write-model.ts";
+import { plainOptions } from "../../web/src/solver/cutting-options.ts";
 import { loadPlanish, loadShop } from "./support/planish.ts";
 import { loadRhino } from "./support/rhino.ts";
 
@@ -15,18 +16,7 @@ beforeAll(async () => {
   rhino = await loadRhino();
 });
 
-const SHOP = {
-  name: "",
-  modelUnit: "m",
-  unit: "m",
-  gap: 0,
-  thickness: 0,
-  sheetWidth: 0,
-  sheetHeight: 0,
-  textHeight: 0,
-  remakeOnly: false,
-  panels: [],
-};
+const SHOP = plainOptions("m", "m");
 
 /** A sample with one point raised, as the worker would hand it over. */
 async function edited(sample: string, size: number, raise: number): Promise<Model> {

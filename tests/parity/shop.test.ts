@@ -6,9 +6,10 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Session } from "@wasm/planish.mjs";
-import type { CuttingOptions, ShopDesign, ShopOrder } from "@wasm/planish_shop.mjs";
+import type { ShopDesign, ShopOrder } from "@wasm/planish_shop.mjs";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { linkCode } from "../../web/src/export/link-code.ts";
+import { plainOptions } from "../../web/src/solver/cutting-options.ts";
 import { loadPlanish, loadShop } from "./support/planish.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -32,18 +33,7 @@ const designOf = (session: Session): ShopDesign => ({
   movedPositions: session.movedPositions(),
 });
 
-const OPTIONS: CuttingOptions = {
-  name: "design",
-  modelUnit: "m",
-  unit: "mm",
-  gap: 0,
-  thickness: 0,
-  sheetWidth: 0,
-  sheetHeight: 0,
-  textHeight: 0,
-  remakeOnly: false,
-  panels: [],
-};
+const OPTIONS = { ...plainOptions("m", "mm"), name: "design" };
 
 /** Edits a sample; base.obj and design.obj are in the folder then. */
 async function editedSample(sample: string): Promise<ShopDesign> {

@@ -5,26 +5,20 @@
 Usage: check_package.py PACKAGE.zip...   Exit 1 names the first fault; 77 without ezdxf or shapely.
 """
 
-import csv
-import io
 import json
 import sys
 import zipfile
 
+from zipped_dxf import read_csv, read_dxf
+
 try:
-    import ezdxf
     from shapely.geometry import Polygon, box
 except ImportError:
     sys.exit(77)
 
 
-def read_dxf(archive, name):
-    document = ezdxf.read(io.StringIO(archive.read(name).decode("ascii")))
-    audit = document.audit()
-    assert not audit.errors and not audit.fixes, f"{name}: {[e.message for e in audit.errors + audit.fixes]}"
-    assert document.dxfversion == "AC1009", name
-    space = document.modelspace()
-    assert {e.dxftype() for e in space} <= {"POLYLINE", "TEXT"}, name
+def read_drawing(archive, name):
+    space = read_dxf(archive, name, {"POLYLINE", "TEXT"})
     assert all(e.is_closed for e in space.query("POLYLINE")), f"{name}: an open polyline"
     return space
 
@@ -47,24 +41,20 @@ def check_no_overlap(name, outlines):
                 assert shared < 1e-9 * outlines[k].area, f"{name}: two panels overlap"
 
 
-def rows(archive, name):
-    return list(csv.DictReader(io.StringIO(archive.read(name).decode("utf-8"), newline="")))
-
-
 def check(path):
     archive = zipfile.ZipFile(path)
     assert archive.testzip() is None, path
     package = json.loads(archive.read("package.json"))
-    panels = rows(archive, "panels.csv")
+    panels = read_csv(archive, "panels.csv")
     assert len(panels) == package["counts"]["panels"] == len(package["panels"])
-    assert len(rows(archive, "edges.csv")) == package["counts"]["edges"]
-    assert len(rows(archive, "nodes.csv")) == package["counts"]["nodes"]
+    assert len(read_csv(archive, "edges.csv")) == package["counts"]["edges"]
+    assert len(read_csv(archive, "nodes.csv")) == package["counts"]["nodes"]
     area = {row["panel"]: float(row["area"]) for row in panels}
     on_sheets = 0
     for name in archive.namelist():
         if not name.endswith(".dxf"):
             continue
-        outlines = cut_outlines(read_dxf(archive, name))
+        outlines = cut_outlines(read_drawing(archive, name))
         assert all(o.is_valid for o in outlines), f"{name}: an outline crosses itself"
         check_no_overlap(name, outlines)
         if name.startswith("panels/"):

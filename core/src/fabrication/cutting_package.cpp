@@ -19,8 +19,6 @@
 namespace planish {
 namespace {
 
-constexpr double kSpacingMetres = 0.010;  ///< between panels on a sheet
-
 /// A panel that is drawn, and the rectangle that it takes.
 struct DrawnPanel {
   int face = 0;
@@ -41,7 +39,7 @@ PlanarMotion onto_axes(const BoundingRectangle& r, double x, double y, bool turn
 class PackageWriter {
  public:
   PackageWriter(const CuttingPlan& plan, const LinkCode& code)
-      : plan_(plan), code_(code), spacing_(kSpacingMetres / metres_in(plan.options.unit).value()) {
+      : plan_(plan), code_(code), spacing_(kSheetSpacing / metres_in(plan.options.unit).value()) {
     for (int f = 0; f < plan.mesh.face_count(); ++f) {
       if (plan.drawn[at(f)] == 0) continue;
       auto panel = draw_panel(plan, f);

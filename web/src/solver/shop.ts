@@ -10,6 +10,7 @@ import type {
   Written,
 } from "@wasm/planish_shop.mjs";
 import shopUrl from "@wasm/planish_shop.wasm?url";
+import { plainOptions } from "./cutting-options.ts";
 
 /** A new instance for each order: its memory, which only grows, goes when the order is done. */
 async function loadShop(): Promise<ShopModule> {
@@ -51,19 +52,7 @@ export async function previewPackage(
 /** panels.csv in the model's own unit. */
 export async function panelRows(session: Session, unit: string): Promise<string> {
   const shop = await loadShop();
-  const options: CuttingOptions = {
-    name: "",
-    modelUnit: unit,
-    unit,
-    gap: 0,
-    thickness: 0,
-    sheetWidth: 0,
-    sheetHeight: 0,
-    textHeight: 0,
-    remakeOnly: false,
-    panels: [],
-  };
-  const { problem, csv } = shop.panelRows(designOf(session), options);
+  const { problem, csv } = shop.panelRows(designOf(session), plainOptions(unit, unit));
   if (problem) throw new Error(`The table of panels was refused: ${problem}.`);
   return csv;
 }

@@ -6,6 +6,9 @@
 
 namespace planish {
 
+/// Between panels on a sheet and along its edge, metres.
+inline constexpr double kSheetSpacing = 0.010;
+
 struct SheetSize {
   double width = 0.0, height = 0.0;
   double spacing = 0.0;  ///< between rectangles, and to the edge of the sheet

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+import type { CuttingOptions } from "@wasm/planish_shop.mjs";
+
+/** All panels, without joints, thickness, sheets or a name. */
+export const plainOptions = (modelUnit: string, unit: string): CuttingOptions => ({
+  name: "",
+  modelUnit,
+  unit,
+  gap: 0,
+  thickness: 0,
+  sheetWidth: 0,
+  sheetHeight: 0,
+  textHeight: 0,
+  remakeOnly: false,
+  panels: [],
+});
