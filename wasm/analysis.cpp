@@ -53,6 +53,14 @@ std::vector<float> Analysis::panel_health() const {
   return health;
 }
 
+std::array<int, 2> Analysis::nodes_to_remake() const {
+  const auto changes = planish::nodes_to_remake(base_, adjacency_, current_, moved_);
+  const auto count = [&](NodeChange change) {
+    return static_cast<int>(std::count(changes.begin(), changes.end(), change));
+  };
+  return {count(NodeChange::kMoved), count(NodeChange::kArms)};
+}
+
 std::vector<unsigned char> Analysis::panel_damage() const {
   std::vector<unsigned char> damage;
   damage.reserve(static_cast<std::size_t>(base_.face_count()));

@@ -3,6 +3,7 @@
 /// own in the browser: nothing of it is needed to drag.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ class Analysis {
   /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
   /// units), smallest angle (degrees), and its PanelChange (0 unchanged, 1 outline, 2 bevel).
   [[nodiscard]] std::vector<float> panel_health() const;
+  /// How many nodes moved since the base, and how many only have another axis or arm, see
+  /// nodes_to_remake().
+  [[nodiscard]] std::array<int, 2> nodes_to_remake() const;
   /// What became of every face since the mesh was opened: a PanelDamage for each.
   [[nodiscard]] std::vector<unsigned char> panel_damage() const;
   /// The sharpest fold of every face with a neighbour, degrees, see face_folds().

@@ -50,6 +50,13 @@ void show(Analysis& a, const val& moved, const val& positions) {
 }
 val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
 val panel_health(const Analysis& a) { return copy(a.panel_health()); }
+val nodes_to_remake(const Analysis& a) {
+  const auto [moved, arms] = a.nodes_to_remake();
+  val object = val::object();
+  object.set("moved", moved);
+  object.set("arms", arms);
+  return object;
+}
 val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
 val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
 val defects(const Analysis& a, const std::string& kind) { return copy(a.defects(kind)); }
@@ -105,6 +112,7 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
       .function("show", &show)
       .function("panelFigures", &panel_figures)
       .function("panelHealth", &panel_health)
+      .function("nodesToRemake", &nodes_to_remake)
       .function("panelDamage", &panel_damage)
       .function("panelFolds", &panel_folds)
       .function("defects", &defects)

@@ -16,6 +16,12 @@ export interface FreedomReport {
   readonly holding: readonly number[];
 }
 
+/** Nodes to make again: they moved, or only their axis or an arm turned. */
+export interface NodeCounts {
+  readonly moved: number;
+  readonly arms: number;
+}
+
 /** One base mesh and the design shown on it. */
 export interface Analysis {
   show(moved: Int32Array, positions: Float64Array): void;
@@ -23,6 +29,7 @@ export interface Analysis {
   panelFigures(): Float32Array;
   /** Of every panel: outline, shortest edge, smallest angle (degrees), a PanelChange. */
   panelHealth(): Float32Array;
+  nodesToRemake(): NodeCounts;
   /** A PanelDamage for every panel: what became of it since the mesh was opened. */
   panelDamage(): Uint8Array;
   /** The sharpest fold of every panel with a neighbour, degrees. */

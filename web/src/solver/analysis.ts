@@ -48,6 +48,7 @@ export class DesignAnalysis {
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
+      nodes: analysis.nodesToRemake(),
       damage: analysis.panelDamage(),
       folds: folds ? analysis.panelFolds() : null,
       bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
@@ -63,6 +64,7 @@ export class DesignAnalysis {
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
+      nodes: analysis.nodesToRemake(),
       damage: analysis.panelDamage(),
       folds: analysis.panelFolds(),
       bending: null,

@@ -263,8 +263,8 @@ export class Dispatcher {
 
   #postMeasures(job: number, also: AlsoMeasured): void {
     const measures = this.#analysis.panels(also);
-    const arrays: readonly (Float32Array | Uint8Array | null)[] = Object.values(measures ?? {});
-    const buffers = arrays.flatMap((array) => (array ? [array.buffer] : []));
+    const parts: readonly unknown[] = Object.values(measures ?? {});
+    const buffers = parts.flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);
   }
 

@@ -4,7 +4,7 @@
 // Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
 import type * as Reports from "@wasm/planish.mjs";
-import type { FreedomReport } from "@wasm/planish_analysis.mjs";
+import type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
 import type { CuttingOptions, CuttingPreview, ShopOrder } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
@@ -13,7 +13,7 @@ import type { HandleList, PullLimit } from "./pull-limit.ts";
 import type { OpenedModel } from "./rhino.ts";
 
 export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
-export type { FreedomReport } from "@wasm/planish_analysis.mjs";
+export type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
 export type {
   CuttingOptions,
   CuttingPreview,
@@ -174,6 +174,8 @@ export interface PanelMeasures {
   readonly figures: Float32Array;
   /** Outline, shortest edge, smallest angle and the core's PanelChange, for every panel. */
   readonly health: Float32Array;
+  /** Nodes to make again against the base. */
+  readonly nodes: NodeCounts;
   /** What became of every panel since the mesh was opened: a place in DAMAGES. */
   readonly damage: Uint8Array;
   /** The sharpest fold of every panel with a neighbour, degrees; null if not asked for. */

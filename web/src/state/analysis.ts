@@ -14,6 +14,7 @@ import {
   kindDefects,
   measurable,
   mesh,
+  nodeCounts,
   panelDamage,
   panelFigures,
   panelFolds,
@@ -44,6 +45,7 @@ export function keepPanelFigures(): () => void {
         batch(() => {
           panelFigures.value = measures.figures;
           panelHealth.value = measures.health;
+          nodeCounts.value = measures.nodes;
           panelTroubles.value = troublesOf(measures.health, measures.damage);
           if (history.peek()?.present === design) panelDamage.value = measures.damage;
           bending.value = measures.bending;

@@ -23,6 +23,7 @@ import {
   importReport,
   lock,
   mesh,
+  nodeCounts,
   panelDamage,
   panelFigures,
   panelFolds,
@@ -67,6 +68,7 @@ export function takeMesh(design: Design, opened: OpenedMesh): void {
     lock.value = null;
     panelFigures.value = null;
     panelHealth.value = null;
+    nodeCounts.value = null;
     panelTroubles.value = null;
     panelDamage.value = null;
     bending.value = null;

@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { Snapshot } from "../share/saved-record.ts";
-import type { FreedomReport, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
+import type { FreedomReport, NodeCounts, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { isKind, type Kind, kindOf } from "./kept-kind.ts";
@@ -82,6 +82,8 @@ export const measurable = signal(0);
 export const panelFigures = signal<Float32Array | null>(null);
 /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */
 export const panelHealth = signal<Float32Array | null>(null);
+/** Nodes to make again after the last finished edit. */
+export const nodeCounts = signal<NodeCounts | null>(null);
 /** What became of every panel since the mesh was opened: places in DAMAGES. */
 export const panelDamage = signal<Uint8Array | null>(null);
 /** What is wrong with every panel: places in TROUBLES. */

@@ -17,7 +17,7 @@ import {
   panelCount,
 } from "../state/panel-rows.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import { kindDefects, selectedPanel, unit } from "../state/store.ts";
+import { kindDefects, nodeCounts, selectedPanel, unit } from "../state/store.ts";
 import { convert } from "../state/units.ts";
 
 const ROWS = 8;
@@ -106,9 +106,14 @@ const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "p
 function Summary({ health }: { health: Float32Array }) {
   const { changed, bevel, concave, crossing } = countHealth(health);
   const only = bevel > 0 ? `, ${bevel} of them with a new bevel only` : "";
+  const { moved, arms } = nodeCounts.value ?? { moved: 0, arms: 0 };
+  const nodes =
+    moved + arms > 0
+      ? `, and ${moved + arms} ${moved + arms === 1 ? "node" : "nodes"}, ${arms} of them with new angles only`
+      : "";
   return (
     <p class="quiet">
-      {`${panels(changed)} must be made again after this edit${only}; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
+      {`${panels(changed)} must be made again after this edit${only}${nodes}; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
     </p>
   );
 }
