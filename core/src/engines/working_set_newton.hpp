@@ -120,6 +120,7 @@ class WorkingSetNewton {
   [[nodiscard]] double rounding() const;
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
                                EngineOutcome& outcome);
+  void shrink_what_rests(double smoothing, double shrink);
   void keep_support(double rest);
 
   const MeshModel& model_;

@@ -92,6 +92,16 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
   return false;
 }
 
+/// What is at rest follows ε: w = d/√(‖d‖² + ε²) then stays what it is.
+void WorkingSetNewton::shrink_what_rests(double smoothing, double shrink) {
+  for (int k = 0; k < patch_.free_count; ++k) {
+    if (patch_.terms[at(k)].norm_weight <= 0.0) continue;
+    if (state_.displacement.col(k).norm() <= kAtRest * smoothing) {
+      state_.displacement.col(k) *= shrink;
+    }
+  }
+}
+
 EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonOptions& options,
                                        DisplacementField& field, const Progress& progress) {
   EngineOutcome outcome;
@@ -150,14 +160,8 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       outcome.status = SolveStatus::kConverged;
       break;
     }
-    // What is at rest follows ε: w = d/√(‖d‖² + ε²) then stays what it is.
     const double shrink = std::max(kShrink, kLast * scale / smoothing);
-    for (int k = 0; k < patch_.free_count; ++k) {
-      if (patch_.terms[at(k)].norm_weight <= 0.0) continue;
-      if (state_.displacement.col(k).norm() <= kAtRest * smoothing) {
-        state_.displacement.col(k) *= shrink;
-      }
-    }
+    shrink_what_rests(smoothing, shrink);
     smoothing *= shrink;
   }
   settled_ = state_.displacement;
