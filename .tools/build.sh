@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the command line (build/native/planish), the wasm core and the static site (dist/).
-# With names, only those: native, wasm, site, and npm (the package, into build/npm).
+# With names, only those: native, wasm, site, npm (the package, into build/npm) and catalogue (the page
+# that the Python package puts beside the designs of a sweep, into build/catalogue).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash .tools/setup.sh
@@ -24,6 +25,19 @@ package() {
   cp -r wasm/package/{package.json,README.md,examples} LICENSE build/npm/
 }
 
+catalogue() {
+  npx --no-install vite build --config web/catalogue.config.ts --logLevel warn
+  cp web/src/catalogue/index.html build/catalogue/
+  cat node_modules/echarts/{NOTICE,LICENSE} >build/catalogue/echarts-licence.txt
+}
+
+# The page, and beside it the element that shows it in other pages.
+site() {
+  npx --no-install vite build --config web/vite.config.ts --logLevel warn &&
+    npx --no-install tsc -p wasm/package/tsconfig.json --outDir build/editor &&
+    cp build/editor/planish-editor.{js,d.ts} dist/
+}
+
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(native wasm site)
 for part in "${parts[@]}"; do
@@ -31,7 +45,8 @@ for part in "${parts[@]}"; do
     native) build native planish && echo "build: build/native/planish" ;;
     wasm) build wasm planish_wasm && echo "build: build/wasm/wasm/planish.wasm" ;;
     npm) build wasm planish_package_wasm && package && echo "build: build/npm/" ;;
-    site) npx --no-install vite build --config web/vite.config.ts --logLevel warn && echo "build: dist/" ;;
-    *) echo "build: unknown part '$part' (native, wasm, site, npm)" >&2 && exit 2 ;;
+    site) site && echo "build: dist/" ;;
+    catalogue) catalogue && echo "build: build/catalogue/" ;;
+    *) echo "build: unknown part '$part' (native, wasm, site, npm, catalogue)" >&2 && exit 2 ;;
   esac
 done

@@ -44,10 +44,12 @@ ARROWS = {
     "handle_edit": ENGINES | {"mesh_standing"},
     "subspace": ENGINES,
     "projection": ENGINES | {"mesh_standing"},
+    "exact_variation": ENGINES | {"folds", "handle_edit", "projection"},
     "slider_stops": GEOMETRY | {"subspace"},
     "planarising": {"constraints", "mesh", "report", "adjacency", "projection"},
     "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
-    "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "planarising", "shapes", "io", "read_result"},
+    "mobility": ENGINES | {"handle_edit", "stated_limit", "folds", "fabrication"},
+    "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "exact_variation", "planarising", "shapes", "io", "read_result"},
     "design_text": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
     "sweep": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
@@ -75,6 +77,7 @@ FILE_GROUPS = {
     "handle_edit_drag": "handle_edit",
     "area_vector": "mesh",
     "sound_projection": "projection",
+    "nearly_flat": "projection",
     "projector": "projection",
     "panel_health": "metrics",
     "point_support_text": "point_support",
@@ -100,7 +103,7 @@ FILE_GROUPS = {
     "held_boundary": "comparison",
     "tangent_space": "comparison",
 }
-DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "offset", "shapes", "sweep", "cli", "library")
+DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "mobility", "offset", "shapes", "sweep", "cli", "library")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A plain static file server: no special headers, so that what works here works anywhere.
+// A plain static file server: no special headers, so that what works here works anywhere. With `open`
+// its files may be fetched from any origin, as GitHub Pages has it and a sandboxed frame needs it.
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -29,7 +30,7 @@ async function locate(root, path) {
 }
 
 /** Serves `directory` below `prefix`; resolves with the address once it listens. */
-export function serve(directory, { port = 0, prefix = "/" } = {}) {
+export function serve(directory, { port = 0, prefix = "/", open = false } = {}) {
   const root = resolve(directory);
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
@@ -43,6 +44,7 @@ export function serve(directory, { port = 0, prefix = "/" } = {}) {
     response.writeHead(200, {
       "content-type": TYPES[extname(file)] ?? "application/octet-stream",
       "cache-control": "no-cache",
+      ...(open && { "access-control-allow-origin": "*" }),
     });
     createReadStream(file).pipe(response);
   });

@@ -182,8 +182,8 @@ def edits(meshes, count, lifts):
 
 
 def measure(planish, path, job, options, scratch, topologies):
-    stem = scratch / f"{job['mesh']}-{job['vertex']}-{job['lift']}-{job['way']}-{abs(hash(tuple(options))) % 9973}"
-    out, report = stem.with_suffix(".obj"), stem.with_suffix(".json")
+    stem = f"{job['mesh']}-{job['vertex']}-{job['lift']}-{job['way']}-{abs(hash(tuple(options))) % 9973}"
+    out, report = scratch / f"{stem}.obj", scratch / f"{stem}.json"
     move = ",".join(repr(x) for x in job["move"])
     run(planish, ["edit", path, "--handle", f"{job['vertex']}+={move}", *options, "-o", out, "--report", report])
     before, faces = read_obj(path)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
 # npm run check. With names, only those: format lint types architecture native wasm unit parity browser
-# browser_first browser_rest python package tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
+# browser_first browser_rest python package doors tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
 # under ASan and UBSan, sanitize_all (half an hour) all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -43,7 +43,9 @@ check_wasm() {
   ready wasm planish_tests && python3 .tools/wasm-loads.py &&
     in_shards node --no-experimental-fetch build/wasm/tests/planish_tests.cjs
 }
-check_unit() { npx --no-install vitest run --config web/vitest.config.ts --dir tests/web; }
+check_unit() {
+  bash .tools/build.sh wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/web
+}
 check_parity() {
   bash .tools/build.sh native wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/parity
 }
@@ -73,15 +75,22 @@ check_package() {
     npx --no-install vitest run --config web/vitest.config.ts --dir tests/package
 }
 # The wheel as whoever installs it has it, in an environment with nothing else but numpy.
-check_python() {
-  ready native planish && ready native planish_python || return 1
+install_wheel() {
+  ready native planish && ready native planish_python && bash .tools/build.sh catalogue || return 1
   local place=build/python
   rm -rf "$place" && mkdir -p "$place"
   /usr/bin/python3 -m build --wheel --no-isolation --outdir "$place" python >"$place/wheel.log" 2>&1 ||
     { cat "$place/wheel.log"; return 1; }
   /usr/bin/python3 -m venv --system-site-packages --without-pip "$place/venv" &&
-    /usr/bin/python3 -m pip --python "$place/venv/bin/python" install --quiet --no-index --no-deps "$place"/*.whl &&
-    "$place/venv/bin/python" -m unittest discover --start-directory tests/python
+    /usr/bin/python3 -m pip --python "$place/venv/bin/python" install --quiet --no-index --no-deps "$place"/*.whl
+}
+check_python() {
+  install_wheel && build/python/venv/bin/python -m unittest discover --start-directory tests/python
+}
+# One set of recipes through all of them, and what leads from one to another.
+check_doors() {
+  install_wheel && bash .tools/build.sh wasm npm site &&
+    npx --no-install vitest run --config web/vitest.config.ts --dir tests/doors
 }
 check_tidy() { bash .tools/tidy.sh; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
@@ -115,9 +124,11 @@ PY
 
 # What a failed check said: the lines that name a failure with what follows them, then its end.
 explain() { # log
-  grep -nE -A 8 'Failure$|FAILED|\*\*\*|RuntimeError|Aborted|error:|^ *FAIL ' "$1" | head -n 80
+  local text
+  text=$(sed 's/\x1b\[[0-9;]*m//g' "$1") # vitest colours what it names
+  grep -nE -A 8 'Failure$|FAILED|\*\*\*|RuntimeError|Aborted|error:|^ *FAIL ' <<<"$text" | head -n 80
   echo "..."
-  tail -n 20 "$1"
+  tail -n 20 <<<"$text"
 }
 
 run() { # name
@@ -140,7 +151,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types architecture native unit parity browser_first)
 elif [ "$*" = rest ]; then
-  checks=(wasm python package browser_rest tidy cppcheck sanitize fuzz)
+  checks=(wasm python package doors browser_rest tidy cppcheck sanitize fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

@@ -5,11 +5,13 @@
 """
 
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
 
 ROOT = Path(__file__).resolve().parent.parent
 VERSION = re.search(r"project\(planish VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
@@ -29,6 +31,18 @@ class CMakeBuild(build_ext):
         self.copy_file(ROOT / "build/native/python/planish" / name, target)
 
 
+class WithCataloguePage(build_py):
+    """Adds what `bash .tools/build.sh catalogue` has made; without it planish.catalogue() says so."""
+
+    def run(self):
+        super().run()
+        page = ROOT / "build/catalogue"
+        target = Path(self.build_lib) / "planish/catalogue_page"
+        shutil.rmtree(target, ignore_errors=True)
+        if page.is_dir():
+            shutil.copytree(page, target)
+
+
 setup(
     name="planish",
     version=VERSION,
@@ -41,5 +55,5 @@ setup(
     packages=["planish"],
     package_data={"planish": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("planish._core", sources=[])],
-    cmdclass={"build_ext": CMakeBuild},
+    cmdclass={"build_ext": CMakeBuild, "build_py": WithCataloguePage},
 )

@@ -5,13 +5,15 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <cstdint>
 #include <exception>
-#include <functional>
 #include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "design_values.hpp"
+#include "planish/mesh_hash.hpp"
 #include "report_values.hpp"
 #include "session.hpp"
 
@@ -21,21 +23,26 @@ using emscripten::val;
 using planish::EditMode;
 using planish::EditTargets;
 using planish::Flow;
-using planish::HandleEditOptions;
 using planish::IterationRecord;
 using planish::Positions;
 using planish::Refusal;
 using planish::Session;
-using planish::SubspaceOptions;
 
-std::string attempt(const std::function<Refusal()>& operation) {
+std::string attempted(Refusal (*operation)(const void*), const void* with) {
   try {
-    return operation().value_or("");
+    return operation(with).value_or("");
   } catch (const std::bad_alloc&) {
     return "There is not enough memory for this mesh in the browser.";
   } catch (const std::exception& error) {
     return std::string("Internal error: ") + error.what();
   }
+}
+
+/// Without std::function, which would be a class more for each operation: 5 KB of the module.
+template <class Operation>
+std::string attempt(const Operation& operation) {
+  return attempted([](const void* it) { return (*static_cast<const Operation*>(it))(); },
+                   &operation);
 }
 
 /// A copy that JavaScript owns; a bare view dies when memory grows.
@@ -81,20 +88,14 @@ std::string open_file(Session& s, const val& bytes, const std::string& format) {
     return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
   });
 }
-std::string planarise(Session& s, double smooth, bool keep_boundary, bool keep_shape,
-                      const std::string& constraints) {
-  return attempt([&] {
-    return s.planarise({smooth, keep_boundary, keep_shape, planish::read_constraints(constraints)});
-  });
+std::string planarise(Session& s, const val& how) {
+  return attempt([&] { return s.planarise(planish::to_planarising(how)); });
 }
-std::string set_options(Session& s, const HandleEditOptions& options) {
-  return attempt([&] { return s.set_options(options); });
+std::string take_planarised(Session& s, const val& found) {
+  return attempt([&] { return s.take_planarised(to_positions(found)); });
 }
-std::string set_limits(Session& s, const std::string& lines) {
-  return attempt([&] { return s.set_limits(lines); });
-}
-std::string set_constraints(Session& s, const std::string& lines) {
-  return attempt([&] { return s.set_constraints(lines); });
+std::string set_options(Session& s, const val& settings) {
+  return attempt([&] { return s.set_options(planish::to_options(settings)); });
 }
 std::string set_supports(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_supports(lines); });
@@ -110,8 +111,24 @@ std::string restore(Session& s, const val& handles, const val& pins, const val& 
                      keep_variations);
   });
 }
-std::string explore(Session& s, const SubspaceOptions& options) {
-  return attempt([&] { return s.explore(options); });
+std::string replay(Session& s, const val& recipe, const val& base_hash) {
+  return attempt([&] { return s.replay(planish::to_recipe(recipe), planish::to_hash(base_hash)); });
+}
+val replayed(const Session& s) {
+  const planish::Replayed& done = s.replayed();
+  val value = val::object();
+  value.set("directions", copy(done.directions));
+  value.set("moved", copy(done.centre.moved));
+  value.set("positions", copy(done.centre.positions));
+  value.set("deviation", done.deviation);
+  return value;
+}
+val mark_of(const val& moved, const val& positions) {
+  return to_value(planish::mark_of(to_indices(moved), to_positions(positions)));
+}
+std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.base()); }
+std::string explore(Session& s, const val& family) {
+  return attempt([&] { return s.explore(planish::to_subspace_options(family)); });
 }
 Eigen::VectorXd to_vector(const val& numbers) {
   const auto x = emscripten::convertJSArrayToNumberVector<double>(numbers);
@@ -171,30 +188,21 @@ EMSCRIPTEN_BINDINGS(planish) {
       .value("drag", EditMode::kDrag)
       .value("release", EditMode::kRelease)
       .value("solve", EditMode::kSolve);
-  emscripten::enum_<planish::Engine>("Engine")
-      .value("newton", planish::Engine::kNewton)
-      .value("alm", planish::Engine::kAugmentedLagrangian);
-  emscripten::enum_<planish::FairnessKind>("FairnessKind")
-      .value("laplacian", planish::FairnessKind::kLaplacian)
-      .value("second", planish::FairnessKind::kSecondDifference)
-      .value("third", planish::FairnessKind::kThirdDifference);
-  emscripten::enum_<planish::Sparsity>("Sparsity")
-      .value("l21", planish::Sparsity::kL21)
-      .value("l2", planish::Sparsity::kL2)
-      .value("none", planish::Sparsity::kNone);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openSample", &open_sample)
       .function("openFile", &open_file)
       .function("planarise", &planarise)
+      .function("takePlanarised", &take_planarised)
       .function("setOptions", &set_options)
-      .function("setLimits", &set_limits)
-      .function("setConstraints", &set_constraints)
       .function("setSupports", &set_supports)
       .function("edit", &edit)
       .function("keepFrame", &keep_frame)
       .function("goBack", &go_back)
       .function("restore", &restore)
+      .function("replay", &replay)
+      .function("replayed", &replayed)
+      .function("baseHash", &base_hash)
       .function("explore", &explore)
       .function("vary", &vary)
       .function("projectVariation", &project_variation)
@@ -217,29 +225,5 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("meshReport", &mesh_report)
       .function("shapeReport", &shape_report)
       .function("variationsReport", &variations_report);
-  emscripten::value_object<HandleEditOptions>("HandleEditOptions")
-      .field("attraction", &HandleEditOptions::attraction)
-      .field("locality", &HandleEditOptions::locality)
-      .field("smoothness", &HandleEditOptions::smoothness)
-      .field("fairness", &HandleEditOptions::fairness)
-      .field("sparsity", &HandleEditOptions::sparsity)
-      .field("hardHandles", &HandleEditOptions::hard_handles)
-      .field("engine", &HandleEditOptions::engine)
-      .field("tolerance", &HandleEditOptions::tolerance)
-      .field("maxIterations", &HandleEditOptions::max_iterations)
-      .field("keepShape", &HandleEditOptions::keep_shape)
-      .field("reach", &HandleEditOptions::reach)
-      .field("reachLength", &HandleEditOptions::reach_length)
-      .field("keepBoundary", &HandleEditOptions::keep_boundary)
-      .field("softness", &HandleEditOptions::softness);
-  emscripten::value_object<SubspaceOptions>("SubspaceOptions")
-      .field("dimension", &SubspaceOptions::dimension)
-      .field("fairnessWeight", &SubspaceOptions::fairness_weight)
-      .field("sparsityWeight", &SubspaceOptions::sparsity_weight)
-      .field("closenessWeight", &SubspaceOptions::closeness_weight)
-      .field("correlation", &SubspaceOptions::correlation)
-      .field("reach", &SubspaceOptions::reach)
-      .field("eigenbasis", &SubspaceOptions::eigenbasis)
-      .field("fairness", &SubspaceOptions::fairness)
-      .field("engine", &SubspaceOptions::engine);
+  emscripten::function("markOf", &mark_of);
 }

@@ -86,6 +86,7 @@ CuttingPreview preview_cutting(const CuttingPlan& plan, int face, bool with_map)
   for (int f = 0; f < preview.panels; ++f) {
     const FacePlanarity planarity = face_planarity(plan.mesh.positions, plan.mesh.face(f));
     preview.flatness = std::max(preview.flatness, planarity.mm_per_m);
+    preview.excess = std::max(preview.excess, planarity.excess);
   }
   if (plan.remake) {
     preview.outline = plan.remake->count(PanelChange::kOutline);

@@ -15,6 +15,7 @@ struct CuttingPreview {
   int outline = 0, bevel = 0;  ///< panels, against the base; 0 without one
   int nodes_moved = 0, nodes_arms = 0;
   double flatness = 0.0;  ///< of the worst panel, mm/m
+  double excess = 0.0;    ///< the same, less what rounding accounts for: see FacePlanarity
   std::vector<int> vanished, oversize;
   int sheets = 0;
   double used_fraction = 0.0;  ///< cut area over the area of all sheets; 0 without sheets

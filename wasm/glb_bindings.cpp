@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The GLB module as JavaScript sees it: two functions. No exception leaves it.
+/// The module of files as JavaScript sees it: GLB, and designs as text. No exception leaves it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "design_values.hpp"
 #include "glb_file.hpp"
+#include "planish/design_text.hpp"
 
 namespace {
 
@@ -37,12 +39,35 @@ val problem(const std::string& sentence) {
   return result;
 }
 
+constexpr const char* kNoMemory = "There is not enough memory for this file in the browser.";
+
+/// The design, or why the text is none.
+val read_design(const std::string& text) {
+  try {
+    const auto read = planish::read_design(text);
+    if (const auto* sentence = std::get_if<std::string>(&read)) return problem(*sentence);
+    val result = problem("");
+    result.set("design", to_value(std::get<planish::Design>(read)));
+    return result;
+  } catch (const std::exception&) {
+    return problem(kNoMemory);
+  }
+}
+
+std::string write_design(const val& design) {
+  try {
+    return planish::write_design(planish::to_design(design));
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
 val to_object(const OpenedGlb& opened) {
   val result = problem("");
   val warnings = val::array();
   for (const std::string& warning : opened.warnings) warnings.call<void>("push", warning);
   result.set("mesh", bytes_of(opened.mesh));
-  result.set("design", opened.design);
+  result.set("stored", opened.design.empty() ? val::null() : read_design(opened.design));
   result.set("moved", copy(opened.moved.data(), opened.moved.size()));
   result.set("positions",
              copy(opened.positions.data(), static_cast<std::size_t>(opened.positions.size())));
@@ -56,7 +81,7 @@ val open(const std::string& bytes) {
     if (const auto* sentence = std::get_if<std::string>(&opened)) return problem(*sentence);
     return to_object(std::get<OpenedGlb>(opened));
   } catch (const std::exception&) {
-    return problem("There is not enough memory for this file in the browser.");
+    return problem(kNoMemory);
   }
 }
 
@@ -71,10 +96,13 @@ GlbVariations to_variations(const val& support, const val& displacements) {
   return variations;
 }
 
+/// `offset`: 3 numbers for each vertex of a second layer, or none.
 val assemble(const std::string& mesh, const val& base, const val& support, const val& displacements,
-             const std::string& design) {
+             const val& offset, const val& design) {
   try {
-    GlbContent content{.base = to_positions(base), .variations = {}, .design = design};
+    GlbContent content{
+        .base = to_positions(base), .variations = {}, .design = write_design(design)};
+    if (Positions layer = to_positions(offset); layer.cols() > 0) content.offset = layer;
     GlbVariations variations = to_variations(support, displacements);
     if (!variations.displacements.empty()) content.variations = std::move(variations);
     return bytes_of(planish::assemble_glb(mesh, content));
@@ -88,4 +116,7 @@ val assemble(const std::string& mesh, const val& base, const val& support, const
 EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("openGlb", &open);
   emscripten::function("assembleGlb", &assemble);
+  emscripten::function("readDesign", &read_design);
+  emscripten::function("writeDesign", &write_design);
+  emscripten::function("defaults", &planish::defaults_value);
 }

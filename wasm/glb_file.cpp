@@ -30,7 +30,9 @@ std::string assemble_glb(std::string_view mesh, const GlbContent& content) {
   const ReadResult read = read_obj(mesh);
   const auto* file = std::get_if<MeshFile>(&read);
   if (file == nullptr) return "";
-  if (content.base && content.base->cols() != file->mesh.positions.cols()) return "";
+  for (const auto& points : {content.base, content.offset}) {
+    if (points && points->cols() != file->mesh.positions.cols()) return "";
+  }
   return write_glb(file->mesh, content);
 }
 

@@ -15,8 +15,11 @@
 #include "arguments.hpp"
 #include "edits.hpp"
 #include "files.hpp"
+#include "mobility_run.hpp"
+#include "mobility_values.hpp"
 #include "open_mesh.hpp"
 #include "planish/design_text.hpp"
+#include "planish/metrics.hpp"
 #include "report.hpp"
 
 namespace {
@@ -127,6 +130,49 @@ val project(const MeshHold& mesh, const val& words, const MeshHold& reference,
 val offset(const MeshHold& mesh, const val& words) {
   return answer([&] { return shared(make_offset(*mesh, to_words(words))); });
 }
+/// On the one thread that there is. @param words as `planish mobility` has them
+val mobility(const MeshHold& mesh, const val& words) {
+  return answer([&] {
+    Words own = to_words(words);
+    own.emplace_back("--threads=1");
+    return shared(make_mobility(*mesh, own));
+  });
+}
+/// @param limit keeps the word that the row looks at
+MobilityRow to_row(const val& value, const std::string& limit) {
+  const val direction = value["direction"];
+  return {value["vertex"].as<int>(),
+          {direction[0].as<double>(), direction[1].as<double>(), direction[2].as<double>()},
+          value["distance"].as<double>(),
+          limit,
+          value["remake"].as<int>(),
+          value["sharpestFold"].as<double>()};
+}
+/// Four rows for each of `vertices`, in their order.
+val measure_mobility(cli::MobilityRun& run, const val& vertices) {
+  return answer([&] {
+    const auto list = emscripten::convertJSArrayToNumberVector<int>(vertices);
+    const int count = run.base().mesh.vertex_count();
+    for (const int v : list) {
+      if (v >= 0 && v < count) continue;
+      throw cli::CommandError(cli::kWrongUsage, "--vertices: there is no vertex " +
+                                                    std::to_string(v) + " among " +
+                                                    std::to_string(count));
+    }
+    return to_value(run.measure(list));
+  });
+}
+/// The file of rows that were measured. @param name .json, .csv or .glb
+val mobility_file(const cli::MobilityRun& run, const val& values, const std::string& name) {
+  return answer([&] {
+    const auto list = emscripten::vecFromJSArray<val>(values);
+    std::vector<std::string> limits;
+    for (const val& value : list) limits.push_back(value["limit"].as<std::string>());
+    std::vector<MobilityRow> rows;
+    for (std::size_t k = 0; k < list.size(); ++k) rows.push_back(to_row(list[k], limits[k]));
+    return copy(cli::mobility_bytes(name, run.base().mesh, rows));
+  });
+}
 val read_design_text(const std::string& text) {
   return answer([&] { return shared(design_of_text(text)); });
 }
@@ -210,6 +256,10 @@ EMSCRIPTEN_BINDINGS(planish_package) {
       .function("exact", &exact)
       .function("shape", &shape<EditVariation>)
       .function("bytes", &bytes<EditVariation>);
+  class_<cli::MobilityRun>("Mobility")
+      .smart_ptr<std::shared_ptr<cli::MobilityRun>>("MobilityHold")
+      .function("measure", &measure_mobility)
+      .function("bytes", &mobility_file);
   class_<cli::OpenedDesign>("Design")
       .smart_ptr<std::shared_ptr<cli::OpenedDesign>>("DesignHold")
       .function(
@@ -228,6 +278,7 @@ EMSCRIPTEN_BINDINGS(planish_package) {
   function("variation", &variation);
   function("project", &project);
   function("offset", &offset);
+  function("mobility", &mobility);
   function("readDesign", &read_design_text);
   function("options", &option_table);
 }

@@ -2,8 +2,16 @@
 // What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together. Operations
 // return "" when done, otherwise one sentence that says why nothing changed.
 
+import type {
+  DesignValue,
+  EditOptions,
+  Planarising,
+  ResultMark,
+  VariationFamily,
+} from "./planish_designs.d.ts";
 import type { MeshReport, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 
+export type * from "./planish_designs.d.ts";
 export type * from "./planish_reports.d.ts";
 
 /** Opaque enumerator. */
@@ -11,45 +19,25 @@ export interface EnumValue {
   readonly value: number;
 }
 
-export interface HandleEditOptions {
-  attraction: number;
-  locality: number;
-  smoothness: number;
-  fairness: EnumValue;
-  sparsity: EnumValue;
-  hardHandles: boolean;
-  keepShape: boolean;
-  engine: EnumValue;
-  tolerance: number;
-  maxIterations: number;
-  reach: number;
-  reachLength: number;
-  keepBoundary: boolean;
-  softness: number;
-}
-
-export interface SubspaceOptions {
-  dimension: number;
-  fairnessWeight: number;
-  sparsityWeight: number;
-  closenessWeight: number;
-  correlation: number;
-  reach: number;
-  eigenbasis: boolean;
-  fairness: EnumValue;
-  engine: EnumValue;
+/** What replaying gave, beside the shape that is shown. */
+export interface Replayed {
+  /** Found for each variation. */
+  readonly directions: Int32Array;
+  /** What the last variation was found around; empty without any. */
+  readonly moved: Int32Array;
+  readonly positions: Float64Array;
+  /** From the design's result, model units; 0: the same to the last bit, or nothing to compare. */
+  readonly deviation: number;
 }
 
 export interface Session {
   openSample(name: string, size: number): string;
   openFile(bytes: Uint8Array, format: string): string;
-  /** `constraints`: what it becomes beside flat, one kind a line; "" for none. */
-  planarise(smooth: number, keepBoundary: boolean, keepShape: boolean, constraints: string): string;
-  setOptions(options: HandleEditOptions): string;
-  /** For all edits from here on, one limit a line as --bound says it; "" for none. */
-  setLimits(lines: string): string;
-  /** For all edits from here on, one kind a line as --constraint says it; "" for none. */
-  setConstraints(lines: string): string;
+  planarise(how: Planarising): string;
+  /** The same, where another session found the flat mesh: its basePositions(). */
+  takePlanarised(found: Float64Array): string;
+  /** For all edits from here on. */
+  setOptions(options: EditOptions): string;
   /** For all edits from here on, one support a line as --support says it; "" for none. */
   setSupports(lines: string): string;
   /** `handles`: vertex, x, y, z for each. */
@@ -70,7 +58,13 @@ export interface Session {
     positions: Float64Array,
     keepVariations: boolean,
   ): string;
-  explore(options: SubspaceOptions): string;
+  /** Does it again on the base that is open, whose hash must be this one; null: it is not known. */
+  replay(design: DesignValue, baseHash: number | null): string;
+  /** Of the last one. */
+  replayed(): Replayed;
+  /** Of the base that is open, as designs name it. */
+  baseHash(): number;
+  explore(family: VariationFamily): string;
   vary(coefficients: Float64Array): string;
   /** Leaves the design as it is; the result is in the three projected…() below. */
   projectVariation(coefficients: Float64Array): string;
@@ -101,9 +95,8 @@ export interface Session {
 export interface PlanishModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
-  Engine: { newton: EnumValue; alm: EnumValue };
-  FairnessKind: { laplacian: EnumValue; second: EnumValue; third: EnumValue };
-  Sparsity: { l21: EnumValue; l2: EnumValue; none: EnumValue };
+  /** Of a shape, as designs record it. */
+  markOf(moved: Int32Array, positions: Float64Array): ResultMark;
 }
 
 export default function createPlanish(options?: object): Promise<PlanishModule>;

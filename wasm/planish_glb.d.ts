@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What glb_bindings.cpp lists, by hand.
 
+import type { Defaults, DesignReading, DesignValue } from "./planish_designs.d.ts";
+
+export type * from "./planish_designs.d.ts";
+
 /** With `problem` not empty, the file was refused and the rest is absent. */
 export interface OpenedGlb {
   readonly problem: string;
   /** OBJ: the base if the file holds a design, else the mesh. */
   readonly mesh: Uint8Array;
-  /** The recipe as text; "" for none. */
-  readonly design: string;
+  /** The recipe; null for none. */
+  readonly stored: DesignReading | null;
   /** With a design: the stored result, where it differs from the base. */
   readonly moved: Int32Array;
   readonly positions: Float64Array;
@@ -16,14 +20,21 @@ export interface OpenedGlb {
 
 export interface GlbModule {
   openGlb(bytes: Uint8Array): OpenedGlb;
-  /** `mesh`: OBJ of the design shown. `displacements`: 3 × |support| for each variation. */
+  /** `mesh`: OBJ of the design shown. `displacements`: 3 × |support| for each variation. `offset`:
+   * the points of a second layer, or none. */
   assembleGlb(
     mesh: Uint8Array,
     base: Float64Array,
     support: Int32Array,
     displacements: Float64Array,
-    design: string,
+    offset: Float64Array,
+    design: DesignValue,
   ): Uint8Array;
+  /** Any text: a design, or one sentence that names the field. */
+  readDesign(text: string): DesignReading;
+  /** As docs/formats.md describes it; "" without memory. */
+  writeDesign(design: DesignValue): string;
+  defaults(): Defaults;
 }
 
 export default function createPlanishGlb(options?: object): Promise<GlbModule>;

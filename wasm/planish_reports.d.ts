@@ -37,6 +37,8 @@ export interface KindDefects {
 export interface SharpestFold {
   readonly before: number;
   readonly after: number;
+  /** By how much the fold that sharpened most did; at least 0. */
+  readonly growth: number;
   /** The two that meet so now; -1 where no two do. */
   readonly panels: readonly number[];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shop_bindings.cpp and shop_preview_bindings.cpp list, by hand.
+// What shop_bindings.cpp, shop_preview_bindings.cpp and offset_bindings.cpp list, by hand.
 
 /** The core's CuttingOptions; lengths in `unit`. */
 export interface CuttingOptions {
@@ -54,12 +54,42 @@ export type ShopOrder =
   | { readonly what: "ifc"; readonly options: CuttingOptions }
   | { readonly what: "drawings"; readonly options: DrawingOptions };
 
+/** What of the header of a cutting package or an IFC model is read, see docs/fabrication.md. */
+export interface CuttingHeader {
+  readonly counts: { readonly panels: number; readonly drawn: number };
+  readonly remake: {
+    readonly outline: number;
+    readonly bevel: number;
+    readonly nodes_moved: number;
+    readonly nodes_arms: number;
+  } | null;
+  readonly flatness_mm_per_m: number;
+  /** The same, or 0 where rounding accounts for it. */
+  readonly excess_mm_per_m: number;
+  readonly vanished: readonly string[];
+  /** Of a package alone. */
+  readonly sheets?: {
+    readonly count: number;
+    readonly used_fraction: number;
+    readonly oversize: readonly string[];
+  } | null;
+  /** Of a package alone. */
+  readonly labels?: { readonly link: string | null; readonly code: boolean };
+}
+
+/** Of drawings.json. */
+export interface DrawnHeader {
+  /** 1 : scale. */
+  readonly scale: number;
+  /** Sections, from 0, that do not meet the structure. */
+  readonly missed: readonly number[];
+}
+
 /** With `problem` not empty the rest is absent. */
 export interface Written {
   readonly problem: string;
-  readonly bytes: Uint8Array;
-  /** JSON: package.json without its tables, the same of an IFC model, or drawings.json. */
-  readonly header: string;
+  /** Of package.json, the same of an IFC model, or of drawings.json. */
+  readonly header: CuttingHeader | DrawnHeader;
 }
 
 /** What a package would hold; with `problem` not empty the rest is absent. */
@@ -76,6 +106,8 @@ export interface CuttingPreview {
   readonly nodesArms: number;
   /** Of the worst panel, mm/m. */
   readonly flatness: number;
+  /** The same, or 0 where rounding accounts for it. */
+  readonly excess: number;
   readonly vanished: readonly string[];
   readonly oversize: readonly string[];
   readonly sheets: number;
@@ -94,8 +126,39 @@ export interface PanelRows {
   readonly csv: string;
 }
 
+export type OffsetKind = "face" | "vertex" | "parallel";
+
+interface Spread {
+  readonly min: number;
+  readonly mean: number;
+  readonly max: number;
+}
+
+/** The core's MeshOffset, lengths in model units; with `problem` not empty the rest is absent. */
+export interface MeshOffset {
+  /** A clause: "point 955 misses being conical by 0.0134124 deg". */
+  readonly problem: string;
+  readonly kind: OffsetKind;
+  /** Distances of the planes and of the points, positive outside. */
+  readonly panels: Spread;
+  readonly nodes: Spread;
+  /** Of a plane's (face) or a point's (vertex) distance from the one asked for. */
+  readonly deviation: number;
+  /** Edges that run the other way: the distance is too large for them. */
+  readonly turnedEdges: number;
+  /** Panels that cross, turned over, collapsed or became concave. */
+  readonly spoilt: number;
+  /** Of the worst panel, mm/m, 0 where rounding accounts for it. */
+  readonly excess: number;
+  /** x, y, z of every vertex. */
+  readonly positions: Float64Array;
+}
+
 export interface ShopModule {
-  write(design: ShopDesign, order: ShopOrder): Written;
+  /** `kind`: "" for the first that the mesh has. */
+  offsetMesh(design: ShopDesign, distance: number, kind: OffsetKind | ""): MeshOffset;
+  /** `take` gets the file in pieces, each valid until it returns. */
+  write(design: ShopDesign, order: ShopOrder, take: (piece: Uint8Array) => void): Written;
   /** `face`: the panel to draw if it is in the scope, else the first that is. */
   cuttingPreview(
     design: ShopDesign,

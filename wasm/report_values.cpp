@@ -92,6 +92,7 @@ val fold_value(const ShapeReport& report) {
   return Object()
       .add("before", report.fold_before)
       .add("after", report.fold.degrees)
+      .add("growth", report.fold_growth)
       .add("panels", std::vector<int>{report.fold.face, report.fold.neighbour})
       .value();
 }

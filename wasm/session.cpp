@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
 #include <utility>
 #include <variant>
 
+#include "planish/exact_variation.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
@@ -15,20 +15,13 @@
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
 #include "planish/stopwatch.hpp"
+#include "refused_outcome.hpp"
 
 namespace planish {
 namespace {
 
 /// Display coordinates span about this much, whatever the unit of the model.
 constexpr double kDisplaySize = 10.0;
-
-Refusal unusable(const SolveReport& report, std::string_view what) {
-  if (report.usable()) return std::nullopt;
-  std::string reason(status_name(report.status));
-  std::replace(reason.begin(), reason.end(), '_', ' ');
-  return std::string(what) + " did not reach a flat result (" + reason +
-         "); the design is as it was.";
-}
 
 /// The formats of this module; GLB is another's.
 ReadResult read_text_or_ply(std::string_view bytes, const std::string& format) {
@@ -85,15 +78,6 @@ Refusal Session::require_flat_base() const {
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
-Refusal Session::set_options(HandleEditOptions options) {
-  options.constraints = options_.constraints;
-  options.bounds = options_.bounds;
-  if (const auto problem = find_problem(options)) return *problem;
-  options_ = std::move(options);
-  renew_solver();
-  return std::nullopt;
-}
-
 Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const Refusal refusal = take_targets(targets)) return refusal;
@@ -143,10 +127,11 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
   return std::nullopt;
 }
 
-Refusal Session::explore(const SubspaceOptions& options) {
+Refusal Session::explore(SubspaceOptions options) {
+  options.fairness = options_.fairness;
+  options.engine = options_.engine;
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
-  if (const Refusal refusal = require_no_limits("Variations keep")) return refusal;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
@@ -157,24 +142,25 @@ Refusal Session::explore(const SubspaceOptions& options) {
     return "Make the design exact first.";
   Subspace found = compute_subspace(base_, current_, close, options, held, kept, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
-  subspace_ = std::move(found);
-  prepare_variation();
+  take_subspace(std::move(found));
   variations_report_ = {.subspace = subspace_->report,
                         .dimension = static_cast<int>(subspace_->dimension()),
                         .seconds = watch.seconds()};
   return std::nullopt;
 }
 
-/// Vertices of the edit that no vector moves belong to every variation too.
-void Session::prepare_variation() {
+/// Around the design shown. Vertices of the edit that no vector moves belong to every variation
+/// too.
+void Session::take_subspace(Subspace found) {
+  subspace_ = std::move(found);
   varied_shape_.moved.clear();
   std::set_union(moved_.begin(), moved_.end(), subspace_->support.begin(), subspace_->support.end(),
                  std::back_inserter(varied_shape_.moved));
   varied_shape_.positions = current_(Eigen::all, varied_shape_.moved);
   varied_rows_.clear();
   for (const int v : subspace_->support) {
-    const auto found = std::lower_bound(varied_shape_.moved.begin(), varied_shape_.moved.end(), v);
-    varied_rows_.push_back(found - varied_shape_.moved.begin());
+    const auto place = std::lower_bound(varied_shape_.moved.begin(), varied_shape_.moved.end(), v);
+    varied_rows_.push_back(place - varied_shape_.moved.begin());
   }
 }
 
@@ -213,12 +199,20 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   return std::nullopt;
 }
 
+Positions Session::variations_centre() const {
+  Positions centre = base_.positions;
+  if (!subspace_) return centre;
+  centre(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
+  Positions rows;
+  evaluate(*subspace_, Eigen::VectorXd::Zero(subspace_->dimension()), rows);
+  centre(Eigen::all, subspace_->support) = rows;
+  return centre;
+}
+
 Refusal Session::project(Positions& positions, SolveReport& report) const {
-  Mesh mesh = base_;
-  mesh.positions = positions;
   const std::vector<int> held = held_in_variations(base_, targets_, options_);
   ProjectionResult result =
-      project_to_planar(mesh, base_.positions, exact_options(options_, 0.0), held, progress_);
+      planish::make_exact({base_, variations_centre(), positions}, options_, 0.0, held, progress_);
   report = std::move(result.report);
   if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;
@@ -226,7 +220,6 @@ Refusal Session::project(Positions& positions, SolveReport& report) const {
 }
 
 Refusal Session::make_exact() {
-  if (const Refusal refusal = require_no_limits("Make exact keeps")) return refusal;
   const Stopwatch watch;
   Positions positions = current_;
   SolveReport report;

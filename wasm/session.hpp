@@ -25,9 +25,11 @@ namespace planish {
 
 /// How an edit is to be computed.
 enum class EditMode {
-  kDrag,     ///< within a time budget, may follow the path of the pointer
-  kRelease,  ///< the drag's end: what its last frame showed, of what targets alone lead to
-  kSolve,    ///< for typed targets and links: depends on the targets alone
+  kDrag,  ///< within a time budget, may follow the path of the pointer
+  /// The end of a drag, and what depends on the targets alone: of the solves at once and by
+  /// continuation the first that ends as the drag does; the one at once where none does.
+  kRelease,
+  kSolve,  ///< for typed targets and links: depends on the targets alone
 };
 
 /// Where a design differs from its base.
@@ -36,9 +38,17 @@ struct Shape {
   Positions positions;     ///< 3 × |moved|, model units
 };
 
-/// One kind a line as --constraint says it; "" for none. What cannot be read breaks a rule of
-/// find_problem().
+/// What doing a design again gave, beside the shape that is shown.
+struct Replayed {
+  std::vector<int> directions;  ///< of each variation
+  Shape centre;                 ///< what the last one was found around; empty without any
+  double deviation = 0.0;       ///< from the recorded result, see deviation()
+};
+
+// One a line, as --constraint and --bound say them; "" for none. What cannot be read breaks a rule
+// of find_problem().
 [[nodiscard]] std::vector<KeptConstraint> read_constraints(std::string_view lines);
+[[nodiscard]] std::vector<StatedLimit> read_limits(std::string_view lines);
 
 class Session {
  public:
@@ -53,16 +63,13 @@ class Session {
   /// edit must be redone after it. Where the panels' shape
   /// does not allow that, the base becomes as flat as it does: see is_base_flat().
   [[nodiscard]] Refusal planarise(const Planarising& how = {});
+  /// The same, where another session found the flat mesh already.
+  /// @param found 3 × n, model units
+  [[nodiscard]] Refusal take_planarised(Positions found);
 
   // Editing. A refused operation leaves the design as it was.
-  /// `bounds` and `constraints` stay those that were set.
+  /// For all edits from here on. An edit needs a base that keeps the constraints.
   [[nodiscard]] Refusal set_options(HandleEditOptions options);
-  /// For all edits from here on, one limit a line as --bound says it; "" for none. Variations and
-  /// make_exact() refuse while there are any.
-  [[nodiscard]] Refusal set_limits(const std::string& lines);
-  /// For all edits from here on, one kind a line as --constraint says it; "" for none. An edit
-  /// needs a base that keeps them; variations refuse while there are any.
-  [[nodiscard]] Refusal set_constraints(const std::string& lines);
   /// For all edits from here on, one support a line as --support says it; "" for none.
   [[nodiscard]] Refusal set_supports(const std::string& lines);
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
@@ -77,13 +84,22 @@ class Session {
   [[nodiscard]] Refusal restore(EditTargets targets, const std::vector<int>& moved,
                                 const Positions& positions, bool keep_variations = false);
 
+  /// Does `design` again on the base that is open, wherever that is from, by the core's
+  /// replay_on(); its options and supports are set with it.
+  /// @param base_hash that of the base which was edited; nullopt where it is not known
+  [[nodiscard]] Refusal replay(Design design,
+                               std::optional<std::uint32_t> base_hash = std::nullopt);
+  /// Of the last replay().
+  [[nodiscard]] const Replayed& replayed() const { return replayed_; }
+
   // Exploring: variations around the design shown.
-  [[nodiscard]] Refusal explore(const SubspaceOptions& options);
+  /// Fairness and engine are those of the edit.
+  [[nodiscard]] Refusal explore(SubspaceOptions options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
   /// The exact shape of a variation, kept in projected(); the design shown stays as it is. The same
   /// bits as vary() and make_exact().
   [[nodiscard]] Refusal project_variation(const Eigen::VectorXd& coefficients);
-  /// The nearest flat design to what is shown.
+  /// The nearest flat design to what is shown, within the limits; see planish::make_exact().
   [[nodiscard]] Refusal make_exact();
 
   // What is there.
@@ -116,9 +132,10 @@ class Session {
 
  private:
   void adopt(Mesh mesh, std::vector<std::string> warnings);
+  [[nodiscard]] const Positions& as_opened() const;
+  void adopt_planarised(Positions flat);
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
-  [[nodiscard]] Refusal require_no_limits(const char* what) const;
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
   [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
   [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
@@ -126,7 +143,9 @@ class Session {
   void renew_solver();
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
-  void prepare_variation();
+  void take_subspace(Subspace found);
+  /// 3 × n: what the sliders go out from; the base where there are none.
+  [[nodiscard]] Positions variations_centre() const;
   /// `positions` projected; a sentence if that fails, with both left as they are.
   [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
   [[nodiscard]] Shape shape_of(const Positions& positions) const;
@@ -171,6 +190,7 @@ class Session {
   ShapeReport projected_report_;
   ShapeReport shape_report_;
   VariationsReport variations_report_;
+  Replayed replayed_;
   Progress progress_;
 };
 

@@ -37,10 +37,18 @@ std::vector<KeptConstraint> read_constraints(std::string_view lines) {
   return constraints;
 }
 
+std::vector<StatedLimit> read_limits(std::string_view lines) {
+  std::vector<StatedLimit> limits;
+  for (const std::string_view line : lines_of(lines)) {
+    limits.push_back(parse_stated_limit(line).value_or(StatedLimit{.name = std::string(line)}));
+  }
+  return limits;
+}
+
 Refusal Session::planarise(const Planarising& how) {
   if (const auto problem = find_problem(how)) return *problem;
   Mesh opened = base_;
-  if (before_planarising_.cols() > 0) opened.positions = before_planarising_;
+  opened.positions = as_opened();
   const ProjectionResult result = planish::planarise(opened, how, progress_);
   const bool sound = how.keep_shape && !result.moved.empty() &&
                      result.report.status == SolveStatus::kToleranceNotMet;
@@ -49,26 +57,41 @@ Refusal Session::planarise(const Planarising& how) {
            (how.constraints.empty() ? " panels cannot be made flat" : " panels cannot be made so") +
            "; the mesh is as it was.";
   }
-  Positions before = opened.positions;
-  Mesh flat = std::move(opened);
-  for (std::size_t k = 0; k < result.moved.size(); ++k) {
-    flat.positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
-  }
-  adopt(std::move(flat), warnings_);
-  before_planarising_ = std::move(before);
+  Positions flat = std::move(opened.positions);
+  flat(Eigen::all, result.moved) = result.moved_positions;
+  adopt_planarised(std::move(flat));
   return std::nullopt;
+}
+
+Refusal Session::take_planarised(Positions found) {
+  if (found.cols() != base_.positions.cols() || !found.allFinite()) {
+    return "This flat mesh does not belong to the mesh that is open.";
+  }
+  adopt_planarised(std::move(found));
+  return std::nullopt;
+}
+
+const Positions& Session::as_opened() const {
+  return before_planarising_.cols() > 0 ? before_planarising_ : base_.positions;
+}
+
+void Session::adopt_planarised(Positions flat) {
+  Positions opened = as_opened();
+  Mesh mesh = base_;
+  mesh.positions = std::move(flat);
+  adopt(std::move(mesh), warnings_);
+  before_planarising_ = std::move(opened);
 }
 
 void Session::renew_solver() {
   if (solver_) solver_->set_options(options_);
 }
 
-Refusal Session::set_constraints(const std::string& lines) {
-  std::vector<KeptConstraint> constraints = read_constraints(lines);
-  if (const auto problem = find_problem(constraints)) return *problem;
-  if (constraints.empty() && options_.constraints.empty()) return std::nullopt;
-  options_.constraints = std::move(constraints);
-  constraints_fit_ = options_.constraints.empty();
+Refusal Session::set_options(HandleEditOptions options) {
+  if (const auto problem = find_problem(options)) return *problem;
+  const bool same = options.constraints == options_.constraints;
+  constraints_fit_ = same ? constraints_fit_ : options.constraints.empty();
+  options_ = std::move(options);
   renew_solver();
   return std::nullopt;
 }
@@ -79,25 +102,6 @@ Refusal Session::require_kept_constraints() {
   if (const auto broken = find_broken_constraint(base_, options_)) return *broken;
   constraints_fit_ = true;
   return std::nullopt;
-}
-
-Refusal Session::set_limits(const std::string& lines) {
-  std::vector<StatedLimit> limits;
-  for (const std::string_view line : lines_of(lines)) {
-    auto limit = parse_stated_limit(line);
-    if (!limit) return "A limit must be one of " + known_limits() + ".";
-    limits.push_back(std::move(*limit));
-  }
-  if (const auto problem = find_problem(limits)) return *problem;
-  if (limits.empty() && options_.bounds.empty()) return std::nullopt;
-  options_.bounds = std::move(limits);
-  renew_solver();
-  return std::nullopt;
-}
-
-Refusal Session::require_no_limits(const char* what) const {
-  if (options_.bounds.empty()) return std::nullopt;
-  return std::string(what) + " no limits yet: turn them off first.";
 }
 
 Refusal Session::set_supports(const std::string& lines) {

@@ -46,6 +46,7 @@ struct ShapeReport {
   WorstPanel worst;
   double fold_before = 0.0;    ///< degrees: sharpest at the panels of moved vertices, on the base
   Fold fold;                   ///< the same of the design
+  double fold_growth = 0.0;    ///< degrees: of the fold that sharpened most
   double handle_error = 0.0;   ///< of the design shown, model units: a variation moves handles too
   int continuation = 0;        ///< of the edit, see EditTargets
   bool lower_at_once = false;  ///< than along the path: the last edit's objective

@@ -60,6 +60,7 @@ ShapeReport Session::report_of(const Positions& positions, const std::vector<int
   report.worst = worst_panel(positions, moved);
   report.fold_before = sharpest_fold(base_, adjacency_, base_.positions, touched).degrees;
   report.fold = sharpest_fold(base_, adjacency_, positions, touched);
+  report.fold_growth = largest_fold_growth(base_, adjacency_, base_.positions, positions, touched);
   for (const auto& [vertex, target] : targets_.handles) {
     report.handle_error = std::max(report.handle_error, (positions.col(vertex) - target).norm());
   }
@@ -80,8 +81,7 @@ void Session::report_unsolved(double seconds) {
 }
 
 MeshReport Session::mesh_report() const {
-  const bool planarised = before_planarising_.cols() > 0;
-  const Positions& opened = planarised ? before_planarising_ : base_.positions;
+  const Positions& opened = as_opened();
   MeshReport report;
   report.summary = summarize(base_);
   report.degrees_of_freedom = degrees_of_freedom(base_);

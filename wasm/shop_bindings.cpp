@@ -6,7 +6,7 @@
 
 #include <exception>
 #include <string>
-#include <utility>
+#include <string_view>
 
 #include "planish/fabrication/cutting_package.hpp"
 #include "planish/fabrication/ifc.hpp"
@@ -16,6 +16,7 @@
 namespace {
 
 using emscripten::val;
+using planish::ByteSink;
 using planish::CuttingOptions;
 using planish::DrawingOptions;
 using planish::LinkCode;
@@ -46,15 +47,22 @@ DrawingOptions to_drawing_options(const val& options) {
   return result;
 }
 
-val written(const std::string& bytes, const std::string& header) {
+/// Hands `take` a view of each piece.
+ByteSink to_sink(const val& take) {
+  return [take](std::string_view piece) {
+    const auto* data = reinterpret_cast<const unsigned char*>(piece.data());
+    take(val(emscripten::typed_memory_view(piece.size(), data)));
+  };
+}
+
+/// @param header JSON, as a file has it; an object in JavaScript
+val written(const std::string& header) {
   val result = refused("");
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  result.set("bytes", val(emscripten::typed_memory_view(bytes.size(), data)).call<val>("slice"));
-  result.set("header", header);
+  result.set("header", val::global("JSON").call<val>("parse", header));
   return result;
 }
 
-val write_package(const ShopDesign& design, const val& order) {
+val write_package(const ShopDesign& design, const val& order, const ByteSink& sink) {
   const CuttingOptions options = to_cutting_options(order["options"]);
   if (design.mesh.face_count() > planish::kMostPackagePanels) {
     return refused("A cutting package holds at most 60,000 panels.");
@@ -62,37 +70,40 @@ val write_package(const ShopDesign& design, const val& order) {
   if (const Refusal problem = find_problem(options, design.mesh, true)) {
     return refused("The cutting package was refused: " + *problem + ".");
   }
-  const auto package =
-      planish::write_cutting_package(design.mesh, &design.base, options, to_code(order["code"]));
-  return written(package.zip, package.header);
+  const auto package = planish::write_cutting_package(design.mesh, &design.base, options, sink,
+                                                      to_code(order["code"]));
+  return written(package.header);
 }
 
-val write_model(const ShopDesign& design, const val& order) {
+val write_model(const ShopDesign& design, const val& order, const ByteSink& sink) {
   const CuttingOptions options = to_cutting_options(order["options"]);
   if (const Refusal problem = find_problem(options, design.mesh, true)) {
     return refused("The model was refused: " + *problem + ".");
   }
   const auto plan = planish::make_cutting_plan(design.mesh, &design.base, options);
   const auto model = planish::write_ifc(plan);
-  return written(model.text, model.header);
+  sink(model.text);
+  return written(model.header);
 }
 
-val write_views(const ShopDesign& design, const val& order) {
+val write_views(const ShopDesign& design, const val& order, const ByteSink& sink) {
   const DrawingOptions options = to_drawing_options(order["options"]);
   if (const Refusal problem = find_problem(options)) {
     return refused("The drawings were refused: " + *problem + ".");
   }
   const auto drawings = planish::write_drawings(design.mesh, options);
-  return written(drawings.zip, drawings.header);
+  sink(drawings.zip);
+  return written(drawings.header);
 }
 
-val write(const val& design, const val& order) {
+val write(const val& design, const val& order, const val& take) {
   try {
+    const ByteSink sink = to_sink(take);
     const ShopDesign given = to_design(design);
     const auto what = order["what"].as<std::string>();
-    if (what == "ifc") return write_model(given, order);
-    if (what == "drawings") return write_views(given, order);
-    return write_package(given, order);
+    if (what == "ifc") return write_model(given, order, sink);
+    if (what == "drawings") return write_views(given, order, sink);
+    return write_package(given, order, sink);
   } catch (const std::exception&) {
     return refused("There is not enough memory for this in the browser.");
   }

@@ -37,6 +37,7 @@ val to_value(const CuttingPreview& preview) {
   result.set("nodesMoved", preview.nodes_moved);
   result.set("nodesArms", preview.nodes_arms);
   result.set("flatness", preview.flatness);
+  result.set("excess", preview.excess);
   result.set("vanished", panel_names(preview.vanished));
   result.set("oversize", panel_names(preview.oversize));
   result.set("sheets", preview.sheets);

@@ -11,7 +11,8 @@ const POLICY = [
   "img-src 'self' blob: data:",
   "font-src 'self'",
   "connect-src 'self'",
-  "worker-src 'self'",
+  // In a sandboxed frame a worker is made of text that imports the page's own, see spawn.ts.
+  "worker-src 'self' data:",
   "manifest-src 'self'",
   "base-uri 'none'",
   "form-action 'none'",

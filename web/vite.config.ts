@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { coreDefaults } from "./core-defaults.ts";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
 import { noCodeFromText } from "./no-code-from-text.ts";
@@ -17,7 +18,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [firstMesh(wasm), smallFont(), smallShaders(), offline()],
+  plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), smallShaders(), offline()],
   worker: { format: "es", plugins: () => [noCodeFromText()] },
   build: {
     outDir: here("../dist"),

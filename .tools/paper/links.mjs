@@ -4,18 +4,19 @@
 // differs between the two builds by up to 1e-9 of the mesh; the largest difference is reported.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { createServer } from "vite";
+import { createServer, runnerImport } from "vite";
 import { ROOT } from "./command.mjs";
 
-async function loadPlanish() {
-  const built = new URL("../../build/wasm/wasm/", import.meta.url);
-  const { default: create } = await import(new URL("planish.mjs", built).href);
-  return create({ wasmBinary: readFileSync(new URL("planish.wasm", built)) });
+const BUILT = new URL("../../build/wasm/wasm/", import.meta.url);
+
+async function load(name) {
+  const { default: create } = await import(new URL(`${name}.mjs`, BUILT).href);
+  return create({ wasmBinary: readFileSync(new URL(`${name}.wasm`, BUILT)) });
 }
 
 /** What a link carries, as the page reads a design; its mark is the command line's. */
-function toRecipe(design, camera, { readDesign }) {
-  const read = readDesign(JSON.stringify(design));
+function toRecipe(design, camera, { fromDesign }, { readDesign }) {
+  const read = fromDesign(readDesign(JSON.stringify(design)));
   if (!read.ok) throw new Error(read.reason);
   return { ...read.value, camera };
 }
@@ -37,36 +38,31 @@ class Solver {
     return this.#reply;
   }
 
-  /** The base and the shape that `recipe` gives, by the steps of state/replaying.ts. */
-  async replay({ source, planarised, handles, settings, families }, { toTargets }) {
-    const { mesh } = await this.ask({ kind: "open", source, planarise: planarised });
-    const targets = toTargets(handles);
-    let shown = await this.ask({ kind: "edit", mode: "solve", targets, settings, budget: 1 });
-    for (const { asked, eigenbasis, coefficients } of families) {
-      await this.ask({ kind: "explore", dimension: asked, eigenbasis });
-      await this.ask({ kind: "vary", coefficients });
-      shown = await this.ask({ kind: "exact" });
-    }
-    return { base: mesh.positions, shape: shown.shape };
+  /** What replaying `recipe` gives, and its mark. */
+  async replay(recipe, { toDesign }) {
+    const { source, planarised } = recipe;
+    await this.ask({ kind: "open", source, planarise: planarised });
+    const { shape, deviation } = await this.ask({ kind: "replay", design: toDesign(recipe) });
+    const { mark } = await this.ask({ kind: "mark", shape });
+    return { mark, deviation };
   }
 }
 
 const PAGE = {
   link: "/web/src/share/link.ts",
-  recipe: "/web/src/state/recipe.ts",
-  design: "/web/src/state/design.ts",
-  text: "/web/src/share/design-text.ts",
+  text: "/web/src/share/design-value.ts",
   dispatch: "/web/src/solver/dispatch.ts",
 };
 
 async function withPageModules(use) {
+  const plugin = fileURLToPath(new URL("../../web/core-defaults.ts", import.meta.url));
+  const { module } = await runnerImport(plugin);
   const server = await createServer({
     root: ROOT,
     configFile: false,
     logLevel: "error",
-    resolve: {
-      alias: { "@wasm": fileURLToPath(new URL("../../build/wasm/wasm", import.meta.url)) },
-    },
+    resolve: { alias: { "@wasm": fileURLToPath(BUILT) } },
+    plugins: [module.coreDefaults(fileURLToPath(BUILT), (url) => import(url))],
     server: { middlewareMode: true, watch: null },
     optimizeDeps: { noDiscovery: true },
   });
@@ -82,14 +78,13 @@ async function withPageModules(use) {
 /** One { link, moved, deviation } per { design, camera }: its fragment ("#v1=…"), and how far apart
  * page and command line are, model units. */
 export const linksOf = (views) =>
-  withPageModules(async ({ link, recipe, design, text, dispatch }) => {
-    const solver = new Solver(dispatch, await loadPlanish());
+  withPageModules(async ({ link, text, dispatch }) => {
+    const solver = new Solver(dispatch, await load("planish"));
+    const files = await load("planish_glb");
     const links = [];
     for (const view of views) {
-      const native = toRecipe(view.design, view.camera, text);
-      const { base, shape } = await solver.replay(native, design);
-      const mark = recipe.markOf(shape);
-      const deviation = recipe.deviation(native.mark, shape, base);
+      const native = toRecipe(view.design, view.camera, text, files);
+      const { mark, deviation } = await solver.replay(native, text);
       links.push({
         link: await link.encodeLink({ ...native, mark }),
         moved: mark.moved,

@@ -73,7 +73,8 @@ const WORDS = {
 
 /** The words that pose a scene's edit, without its command. */
 export function editWords(scene, options = scene.options) {
-  const words = [`sample:${scene.mesh}`, "--bound", "shape=off"]; // the paper's pure problem
+  const words = [`sample:${scene.mesh}`];
+  if (!scene.keepShape) words.push("--bound", "shape=off"); // the paper's pure problem
   for (const { vertex, move } of handles(scene))
     words.push("--handle", `${vertex}+=${move.join(",")}`);
   for (const [name, word] of Object.entries(WORDS)) {

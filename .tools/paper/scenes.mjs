@@ -4,10 +4,16 @@
 //
 // `at` is where the handle sits, as shares of the mesh's extent in plan; `move` is in mean edges.
 
+/** Figures that compare methods, or weights, state the paper's problem, which knows no bound on the
+ * panels' shape; the others show what the product makes. */
+const PURE_FIGURES = new Set([2, 3, 7]);
+const figureOf = (name) => Number(/^figure-(\d)/.exec(name)[1]);
+
 /** An edit; `variation` makes it a place in a family of variations around that edit. */
 const scene = (name, label, mesh, pulls, { variation = null, ...options } = {}) => ({
   name,
-  figure: Number(/^figure-(\d)/.exec(name)[1]),
+  figure: figureOf(name),
+  keepShape: !PURE_FIGURES.has(figureOf(name)),
   label,
   mesh,
   pulls,
@@ -47,10 +53,10 @@ export const SCENES = [
   shell("figure-3-d", "fairness weight 100", { smoothness: 100 }),
 
   varied("figure-4-edit", "the edit", CROWN, null),
-  varied("figure-4-t1", "first basis vector added", CROWN, [1, 0, 0, 0]),
-  varied("figure-4-t2", "second", CROWN, [0, 1, 0, 0]),
-  varied("figure-4-t3", "third", CROWN, [0, 0, 1, 0]),
-  varied("figure-4-t4", "fourth", CROWN, [0, 0, 0, 1]),
+  varied("figure-4-t1", "first basis vector added", CROWN, [0.5, 0, 0, 0]),
+  varied("figure-4-t2", "second", CROWN, [0, 0.5, 0, 0]),
+  varied("figure-4-t3", "third", CROWN, [0, 0, 0.5, 0]),
+  varied("figure-4-t4", "fourth", CROWN, [0, 0, 0, 0.5]),
   varied("figure-4-mix-a", "a combination", CROWN, [0.6, 0.5, -0.3, 0.2]),
   varied("figure-4-mix-b", "another combination", CROWN, [-0.5, 0.3, 0.4, -0.4]),
 

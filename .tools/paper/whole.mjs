@@ -27,6 +27,23 @@ const FIGURES = {
   9: "A planar hexagonal mesh; edits of equal size are compared with tri-hex in the claims above.",
 };
 
+const spoiltIn = ({ figures }) => Object.entries(figures.spoilt_faces);
+
+/** "4 turned over, 4 concave" */
+const spoiltWords = (entry) =>
+  spoiltIn(entry)
+    .map(([damage, faces]) => `${faces.length} ${damage}`)
+    .join(", ") || "none";
+
+/** That the scenes are the paper's problem, and what that does. */
+function pureProblem(scenes) {
+  const spoilt = scenes.filter((entry) => spoiltIn(entry).length > 0);
+  const pure = scenes.filter(({ scene }) => !scene.keepShape);
+  return `Figures that compare methods or weights (${pure.length} of the ${scenes.length} scenes) state the paper's pure problem, which has
+no bound on the panels' shape (\`--bound shape=off\`); the others keep it, as the product does by default. Every
+panel is flat; ${spoilt.length} scenes spoil some, which nobody would build. The tables say which.`;
+}
+
 function gallery(scenes) {
   return Object.entries(FIGURES).map(([figure, caption]) => {
     const own = scenes.filter(({ scene }) => scene.figure === Number(figure));
@@ -34,9 +51,10 @@ function gallery(scenes) {
       scene.label,
       scene.mesh,
       `${moved} of ${figures.mesh.vertices}`,
+      spoiltWords({ figures }),
       `[recipe](scenes/${scene.name}.json) · [open](http://localhost:4173/${link})`,
     ]);
-    const what = ["scene", "mesh", "points moved", "design"];
+    const what = ["scene", "mesh", "points moved", "panels spoilt", "design"];
     return `### Figure ${figure}\n\n${caption}\n\n![Figure ${figure}: ${caption}](pictures/figure-${figure}.png)\n\n${table(what, rows)}\n`;
   });
 }
@@ -216,6 +234,8 @@ ${familyTable(measured.times)}
 ## Figures
 
 Points that moved are blue, deeper the farther they went.
+
+${pureProblem(scenes)}
 
 ${gallery(scenes).join("\n")}
 ## Equations

@@ -92,6 +92,20 @@ int parse_whole(std::string_view text, std::string_view what) {
   return value;
 }
 
+PartRange parse_part(const std::string& text, std::size_t count) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    throw CommandError(kWrongUsage, "--part: \"" + text + "\" is not K/N");
+  }
+  const int part = parse_whole(text.substr(0, slash), "--part");
+  const int parts = parse_whole(text.substr(slash + 1), "--part");
+  if (part < 1 || part > parts) {
+    throw CommandError(kWrongUsage, "--part: K of K/N must be from 1 to N");
+  }
+  const auto k = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
+  return {count * (k - 1) / n, count * k / n};
+}
+
 std::vector<std::string_view> split_at_commas(std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t comma = text.find(','); comma != std::string_view::npos;

@@ -58,6 +58,15 @@ class Arguments {
 /// A whole number that fits an int; throws CommandError naming `what` otherwise.
 [[nodiscard]] int parse_whole(std::string_view text, std::string_view what);
 
+/// Numbers begin … end - 1 of a list.
+struct PartRange {
+  std::size_t begin = 0, end = 0;
+};
+
+/// "K/N", K from 1: the K-th of N parts of `count` entries, equal to within one. Throws
+/// CommandError.
+[[nodiscard]] PartRange parse_part(const std::string& text, std::size_t count);
+
 /// `text` at its commas.
 [[nodiscard]] std::vector<std::string_view> split_at_commas(std::string_view text);
 

@@ -97,9 +97,11 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
                        const CuttingOptions& options, const std::string& output) {
   const LinkCode code = make_link_code(arguments.value("--link").value_or(""));
   const bool has_link = code.size > 0 || code.link.empty();
-  const CuttingPackage package =
-      write_cutting_package(input.mesh, input.base_or_null(), options, code);
-  save_bytes(output, package.zip);
+  std::string zip;  // whole, as a file is written whole or not at all
+  const CuttingPackage package = write_cutting_package(
+      input.mesh, input.base_or_null(), options, [&](std::string_view piece) { zip += piece; },
+      code);
+  save_bytes(output, zip);
   const CuttingReport& report = package.report;
   const bool flat = check_flat(input, report);
   print_shortfalls(report);

@@ -21,34 +21,14 @@ void print_jobs(const SweepPlan& plan) {
   std::cout.flush();
 }
 
-/// Jobs number begin … end - 1 of the plan.
-struct JobRange {
-  std::size_t begin = 0, end = 0;
-};
-
-/// "K/N", K from 1.
-JobRange parse_part(const std::string& text, std::size_t jobs) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) {
-    throw CommandError(kWrongUsage, "--part: \"" + text + "\" is not K/N");
-  }
-  const int part = parse_whole(text.substr(0, slash), "--part");
-  const int parts = parse_whole(text.substr(slash + 1), "--part");
-  if (part < 1 || part > parts) {
-    throw CommandError(kWrongUsage, "--part: K of K/N must be from 1 to N");
-  }
-  const auto k = static_cast<std::size_t>(part), n = static_cast<std::size_t>(parts);
-  return {jobs * (k - 1) / n, jobs * k / n};
-}
-
-JobRange find_job(const SweepPlan& plan, const std::string& id) {
+PartRange find_job(const SweepPlan& plan, const std::string& id) {
   for (std::size_t k = 0; k < plan.job_count(); ++k) {
     if (plan.job_id(k) == id) return {k, k + 1};
   }
   throw CommandError(kWrongUsage, "--job: there is no job \"" + id + "\" in the plan");
 }
 
-void run_jobs(const SweepPlan& plan, const JobRange& range, const std::string& folder) {
+void run_jobs(const SweepPlan& plan, const PartRange& range, const std::string& folder) {
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const std::string id = plan.job_id(k);
     if (!is_done(folder, id)) save_result(folder, id, run_job(plan.job(k)));

@@ -27,6 +27,7 @@ struct Command {
 [[nodiscard]] Command drawings_command();
 [[nodiscard]] Command offset_command();
 [[nodiscard]] Command sample_command();
+[[nodiscard]] Command mobility_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command sweep_command();
 [[nodiscard]] Command gather_command();

@@ -35,6 +35,11 @@ Bounds parse_bounds(const Arguments& arguments) {
   for (const std::string& text : arguments.values("--bound")) {
     if (text == "shape=on" || text == "shape=off") {
       bounds.keep_shape = text == "shape=on";
+    } else if (text.starts_with("flat=")) {
+      bounds.flat = parse_finite(std::string_view(text).substr(5), "--bound flat");
+      if (!(*bounds.flat > 0.0)) {
+        throw CommandError(kWrongUsage, "--bound: flat=MM_PER_M must be greater than 0");
+      }
     } else if (auto limit = parse_stated_limit(text)) {
       bounds.limits.push_back(std::move(*limit));
     } else if (const std::string name = text.substr(0, text.find('='));
@@ -186,6 +191,11 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   set_number(arguments, "--tolerance", options.tolerance);
   options.hard_handles = arguments.has("--hard");
   Bounds bounds = parse_bounds(arguments);
+  if (bounds.flat) {
+    throw CommandError(kWrongUsage,
+                       "--bound: flat=MM_PER_M is for project; an edit leaves out of flat what "
+                       "--tolerance allows");
+  }
   options.keep_shape = bounds.keep_shape;
   options.bounds = std::move(bounds.limits);
   options.constraints = parse_constraints(arguments, options.tolerance);

@@ -51,6 +51,7 @@ inline constexpr OptionRow kConstraintRow = {
 struct Bounds {
   bool keep_shape = true;  ///< the last of shape=on|off; on without any
   std::vector<StatedLimit> limits;
+  std::optional<double> flat;  ///< mm/m, > 0: flat=H, which project alone knows
 };
 
 /// Throws CommandError for a text that is no bound.

@@ -7,6 +7,7 @@
 
 #include "design_output.hpp"
 #include "planish/adjacency.hpp"
+#include "planish/exact_variation.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/slider_stops.hpp"
 
@@ -40,10 +41,6 @@ std::vector<OptionRow> family_option_rows() {
 }
 
 SubspaceOptions subspace_options(const Arguments& arguments, const HandleEditOptions& edit) {
-  if (!edit.bounds.empty()) {
-    throw CommandError(kWrongUsage,
-                       "--bound: variations keep no stated limits; limits are for edit");
-  }
   SubspaceOptions options;
   const auto dimension = arguments.value("--dimension");
   if (!dimension) throw CommandError(kWrongUsage, "--dimension is missing");
@@ -129,11 +126,8 @@ Variation with_sliders(const EditRun& run, const Family& family, const Eigen::Ve
 
 Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
-  Mesh mesh = run.base.mesh;
-  mesh.positions = shown.positions;
-  shown.exact =
-      project_to_planar(mesh, run.base.mesh.positions,
-                        exact_options(family.edit, family.exact_fairness), family.held, progress);
+  shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, family.edit,
+                                    family.exact_fairness, family.held, progress);
   for (std::size_t k = 0; k < shown.exact->moved.size(); ++k) {
     shown.positions.col(shown.exact->moved[k]) =
         shown.exact->moved_positions.col(static_cast<Eigen::Index>(k));

@@ -14,7 +14,11 @@ std::vector<OptionRow> projection_option_rows() {
            "fairer and farther away, 0 the nearest flat mesh"},
           {"--bound", "NAME=VALUE",
            "shape=on|off, default on: no panel becomes concave, crossing,\n"
-           "turned over or collapsed that was not"},
+           "turned over or collapsed that was not; flat=MM_PER_M: panels may\n"
+           "stay that far out of flat, and change as little as that needs"},
+          {"--within", "D",
+           "no vertex moves farther (units of the mesh); where the flat mesh\n"
+           "does, the result is as flat as that allows"},
           {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
           {"--pin", "V,V,...", "vertices that stay where they are"},
           {"--keep-boundary", "", "boundary points stay"},
@@ -36,12 +40,23 @@ ProjectionOptions projection_options(const Arguments& arguments) {
   } else if (!arguments.has("--reference")) {
     options.fairness_weight = Planarising{}.fairness_weight;
   }
+  if (const auto text = arguments.value("--within")) {
+    options.within = parse_finite(*text, "--within");
+    if (options.within <= 0.0) throw CommandError(kWrongUsage, "--within must be greater than 0");
+  }
   const Bounds bounds = parse_bounds(arguments);
   if (!bounds.limits.empty()) {
     throw CommandError(kWrongUsage,
                        "--bound: project keeps the panels' shape; limits are for edit");
   }
   options.keep_shape = bounds.keep_shape;
+  if (bounds.flat) {
+    if (arguments.has("--reference") || arguments.has("--tolerance")) {
+      throw CommandError(kWrongUsage, "--bound: flat=MM_PER_M takes no --reference or --tolerance");
+    }
+    options.tolerance = *bounds.flat;
+    options.no_flatter = true;
+  }
   options.constraints = parse_constraints(arguments, options.tolerance);
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
   return options;
@@ -101,6 +116,11 @@ std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
                                              const ProjectionOptions& options) {
   if (result.report.status != SolveStatus::kToleranceNotMet || !options.keep_shape) {
     return std::nullopt;
+  }
+  if (options.within > 0.0 || options.no_flatter) {
+    return std::to_string(result.failing_faces.size()) + " panels stay less flat, the worst " +
+           three_digits(result.report.planarity_after) + " mm/m: panels keep their shape" +
+           (options.within > 0.0 ? ", and no vertex moves farther than --within" : "");
   }
   return std::to_string(result.failing_faces.size()) +
          " panels cannot become flat and keep their shape; --bound shape=off gives up the shape, a "

@@ -65,20 +65,19 @@ Json damage_json(const Mesh& mesh, const Positions& before, const Positions& aft
 }
 
 Json fold_json(const Mesh& base, const Positions& after) {
-  std::vector<int> moved;
-  for (int v = 0; v < base.vertex_count(); ++v) {
-    if (base.positions.col(v) != after.col(v)) moved.push_back(v);
-  }
   const Adjacency adjacency = build_adjacency(base);
-  const std::vector<int> touched = faces_of(adjacency, moved);
+  const std::vector<int> touched = faces_of(adjacency, moved_vertices(base.positions, after));
   return {{"before", sharpest_fold(base, adjacency, base.positions, touched).degrees},
-          {"after", sharpest_fold(base, adjacency, after, touched).degrees}};
+          {"after", sharpest_fold(base, adjacency, after, touched).degrees},
+          {"growth", largest_fold_growth(base, adjacency, base.positions, after, touched)}};
 }
 
+/// The faces are those of `base`, so that what is not near a changed vertex need not be compared.
 Json remake_json(const Mesh& base, const Positions& after) {
-  Mesh mesh = base;
-  mesh.positions = after;
-  const Remake remake = find_remake(base, mesh);
+  const std::vector<int> changed = moved_vertices(base.positions, after);
+  const Adjacency adjacency = build_adjacency(base);
+  const Remake remake{panels_to_remake(base, adjacency, after, changed),
+                      nodes_to_remake(base, adjacency, after, changed)};
   return {{"outline", remake.count(PanelChange::kOutline)},
           {"bevel", remake.count(PanelChange::kBevel)},
           {"nodes_moved", remake.count(NodeChange::kMoved)},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "planish/constraints/planar_polygon.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish::cli {
@@ -15,8 +16,9 @@ struct ShopInput {
   Mesh mesh;
   std::optional<Mesh> base;
   std::string model_unit;
-  double tolerance = 1e-6;  ///< mm/m, up to which a panel is flat
-  std::string name = "";    ///< of its file, without folder and extension
+  double tolerance = PlanarPolygon::kTolerance;  ///< mm/m, up to which a panel is flat
+  /// Of its file, without folder and extension. Given a value since gcc asks for one in aggregates.
+  std::string name = "";  // NOLINT(readability-redundant-string-init)
 
   [[nodiscard]] const Mesh* base_or_null() const { return base ? &*base : nullptr; }
 };

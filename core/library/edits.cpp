@@ -128,6 +128,7 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
   Shape shape{mesh.mesh, cli::projected(mesh.mesh, result), report.dump(2), {}};
   add(shape.messages, cli::damage_sentence(report["spoilt_faces"]));
   add(shape.messages, cli::not_flat_sentence(result, options));
+  add(shape.messages, cli::confined_sentence(result));
   return shape;
 }
 
@@ -148,6 +149,11 @@ Shape make_offset(const OpenMesh& mesh, const Words& words) {
   const cli::Json report = cli::offset_json(mesh.mesh, offset, options.distance);
   std::vector<std::string> messages = cli::offset_sentences(mesh.mesh, offset);
   return {mesh.mesh, std::move(offset.positions), report.dump(2), std::move(messages)};
+}
+
+cli::MobilityRun make_mobility(const OpenMesh& mesh, const Words& words) {
+  const cli::Arguments arguments = arguments_of(words, cli::mobility_option_rows());
+  return {mesh.mesh, arguments, mesh.name, {}};
 }
 
 cli::OpenedDesign design_of_text(const std::string& text) {
@@ -190,8 +196,10 @@ std::vector<cli::OptionRow> option_rows(const std::string& command) {
   if (command == "explore") return cli::family_option_rows();
   if (command == "project") return cli::projection_option_rows();
   if (command == "offset") return cli::offset_option_rows();
-  throw CommandError(cli::kWrongUsage, "there is no command \"" + command +
-                                           "\" with options; use edit, explore, project or offset");
+  if (command == "mobility") return cli::mobility_option_rows();
+  throw CommandError(cli::kWrongUsage,
+                     "there is no command \"" + command +
+                         "\" with options; use edit, explore, project, offset or mobility");
 }
 
 }  // namespace planish::library

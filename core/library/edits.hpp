@@ -10,6 +10,7 @@
 #include "design_input.hpp"
 #include "edit_options.hpp"
 #include "exploration.hpp"
+#include "mobility_run.hpp"
 #include "open_mesh.hpp"
 #include "planish/design.hpp"
 #include "planish/offset/mesh_offset.hpp"
@@ -71,6 +72,9 @@ struct EditVariation {
 
 [[nodiscard]] Shape make_offset(const OpenMesh& mesh, const Words& words);
 
+/// Ready to measure where `mesh` can move. @param words as `planish mobility` has them
+[[nodiscard]] cli::MobilityRun make_mobility(const OpenMesh& mesh, const Words& words);
+
 /// A design done again.
 struct Replayed {
   Design design;  ///< with the mark of this result
@@ -86,7 +90,7 @@ struct Replayed {
 /// @param name must end in .json
 [[nodiscard]] std::string bytes_of(const Design& design, const std::string& name);
 
-/// Rows (name, value, help) that `command` takes: edit, explore, project or offset.
+/// Rows (name, value, help) that `command` takes: edit, explore, project, offset or mobility.
 [[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
 
 }  // namespace planish::library

@@ -47,7 +47,7 @@ OpenMesh mesh_of_lists(Positions positions, std::vector<int> offsets, std::vecto
     throw CommandError(cli::kInvalidMesh, error->message);
   }
   auto& file = std::get<MeshFile>(checked);
-  return {std::move(file.mesh), FileSource{kArrayName, 0, "", ""}, std::move(file.warnings),
+  return {std::move(file.mesh), FileSource{kArrayName, {}, "", ""}, std::move(file.warnings),
           "the mesh"};
 }
 
@@ -62,17 +62,9 @@ OpenMesh read_mesh_bytes(const std::string& name, std::string bytes) {
 }
 
 OpenMesh mesh_with(const Mesh& mesh, const Positions& positions) {
-  OpenMesh result{mesh, FileSource{kArrayName, 0, "", ""}, {}, "the mesh"};
+  OpenMesh result{mesh, FileSource{kArrayName, {}, "", ""}, {}, "the mesh"};
   result.mesh.positions = positions;
   return result;
-}
-
-std::vector<int> moved_vertices(const Positions& before, const Positions& after) {
-  std::vector<int> moved;
-  for (Eigen::Index v = 0; v < before.cols(); ++v) {
-    if (before.col(v) != after.col(v)) moved.push_back(static_cast<int>(v));
-  }
-  return moved;
 }
 
 DesignSource complete_source(const OpenMesh& open) {

@@ -32,9 +32,6 @@ struct OpenMesh {
 /// `mesh` with other positions, as a mesh of its own. @param positions 3 × n
 [[nodiscard]] OpenMesh mesh_with(const Mesh& mesh, const Positions& positions);
 
-/// What does not lie in `after` (3 × n) where it does in `before`, ascending.
-[[nodiscard]] std::vector<int> moved_vertices(const Positions& before, const Positions& after);
-
 /// The source of `open` with the bytes that make a design complete.
 [[nodiscard]] DesignSource complete_source(const OpenMesh& open);
 

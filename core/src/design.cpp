@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "crc32.hpp"
+#include "planish/exact_variation.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/io/number.hpp"
 #include "planish/metrics.hpp"
@@ -44,10 +45,10 @@ Moved moved_between(const Mesh& base, const Positions& shape) {
   return moved;
 }
 
-std::uint32_t hash_of(const Moved& moved) {
-  const std::uint32_t indices = crc32(bytes_of(moved.vertices.data(), moved.vertices.size()));
-  const auto count = static_cast<std::size_t>(moved.positions.size());
-  return crc32(bytes_of(moved.positions.data(), count), indices);
+std::uint32_t hash_of(const std::vector<int>& vertices, const Positions& positions) {
+  const std::uint32_t indices = crc32(bytes_of(vertices.data(), vertices.size()));
+  const auto count = static_cast<std::size_t>(positions.size());
+  return crc32(bytes_of(positions.data(), count), indices);
 }
 
 /// The mesh of the source, or a sentence.
@@ -68,27 +69,43 @@ std::variant<Mesh, std::string> source_mesh(const DesignSource& source, const Me
   return std::move(std::get<MeshFile>(read).mesh);
 }
 
+/// The flat base of `design`, or a sentence if it cannot be had.
+std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* given,
+                                          const Progress& progress) {
+  auto opened = source_mesh(design.source, given);
+  if (std::holds_alternative<std::string>(opened)) return opened;
+  Mesh& base = std::get<Mesh>(opened);
+  if (design.planarised) {
+    const ProjectionResult flat = planarise(base, *design.planarised, progress);
+    base.positions(Eigen::all, flat.moved) = flat.moved_positions;
+    // Where shape leaves panels above the tolerance, the edit has its own.
+    const bool done = flat.report.usable() || design.planarised->keep_shape;
+    if (!done) return "the mesh cannot be made flat";
+  }
+  const auto* file = std::get_if<FileSource>(&design.source);
+  if (file != nullptr && file->hash && *file->hash != mesh_hash(base)) {
+    return "the mesh is not the one that the design was made on";
+  }
+  return opened;
+}
+
 /// Replays the steps of one design on its base.
 class Player {
  public:
-  Player(const Design& design, const Progress& progress) : design_(design), progress_(progress) {}
+  Player(Mesh base, const Design& design, const Progress& progress)
+      : design_(design), progress_(progress) {
+    result_.base = std::move(base);
+    result_.shape = result_.base.positions;
+  }
 
-  /// A sentence if the base cannot be had.
-  Refusal open(const Mesh* given) {
-    auto opened = source_mesh(design_.source, given);
-    if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
-    result_.base = std::move(std::get<Mesh>(opened));
-    if (design_.planarised && !planarise()) return "the mesh cannot be made flat";
-    const auto* file = std::get_if<FileSource>(&design_.source);
-    if (file != nullptr && file->hash != 0 && file->hash != mesh_hash(result_.base)) {
-      return "the mesh is not the one that the design was made on";
-    }
+  /// A sentence if the design does not fit its base.
+  Refusal check() {
+    if (auto problem = find_problem(design_.targets, result_.base)) return problem;
+    if (design_.targets.handles.empty()) return std::nullopt;  // it is its base, whatever that is
     if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
       return "the mesh has panels that are not flat, and the design does not planarise it";
     }
     if (auto broken = find_broken_constraint(result_.base, design_.options)) return broken;
-    result_.shape = result_.base.positions;
-    if (auto problem = find_problem(design_.targets, result_.base)) return problem;
     for (const DesignVariation& variation : design_.variations) {
       for (const int v : variation.close) {
         if (v >= result_.base.vertex_count()) return "variations: close names a vertex too many";
@@ -120,7 +137,10 @@ class Player {
     const KeptKinds kept = kept_kinds(design_.options.tolerance, design_.options.constraints);
     Subspace found =
         compute_subspace(result_.base, result_.shape, close, options, held_, kept, progress_);
+    result_.directions.push_back(found.dimension());
     if (found.dimension() == 0) return false;
+    result_.centre = result_.shape;
+    result_.exact.reset();
     Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
     const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());
     for (Eigen::Index k = 0; k < std::min(given, values.size()); ++k) {
@@ -144,19 +164,11 @@ class Player {
   }
 
  private:
-  bool planarise() {
-    const ProjectionResult flat = planish::planarise(result_.base, *design_.planarised, progress_);
-    result_.base.positions(Eigen::all, flat.moved) = flat.moved_positions;
-    // Where shape leaves panels above the tolerance, the edit has its own.
-    return flat.report.usable() || design_.planarised->keep_shape;
-  }
-
   bool make_exact(double fairness_weight) {
-    Mesh mesh = result_.base;
-    mesh.positions = result_.shape;
     const ProjectionResult exact =
-        project_to_planar(mesh, result_.base.positions,
-                          exact_options(design_.options, fairness_weight), held_, progress_);
+        planish::make_exact({result_.base, result_.centre, result_.shape}, design_.options,
+                            fairness_weight, held_, progress_);
+    result_.exact = exact.report;
     if (!exact.report.usable()) {
       result_.report = exact.report;
       return false;
@@ -173,21 +185,27 @@ class Player {
 
 }  // namespace
 
-DesignMark mark_of(const Mesh& base, const Positions& shape) {
-  const Moved moved = moved_between(base, shape);
-  const std::size_t count = moved.vertices.size();
-  DesignMark mark{.hash = hash_of(moved), .moved = static_cast<int>(count), .probes = {}};
+DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions) {
+  const std::size_t count = vertices.size();
+  DesignMark mark{
+      .hash = hash_of(vertices, positions), .moved = static_cast<int>(count), .probes = {}};
   const std::size_t stride = std::max<std::size_t>(1, count / kProbes);
   for (std::size_t k = stride / 2; k < count && mark.probes.size() < kProbes; k += stride) {
-    const Eigen::Vector3d p = moved.positions.col(static_cast<Eigen::Index>(k));
-    mark.probes.push_back({moved.vertices[k], p.unaryExpr(&to_twelve_digits)});
+    const Eigen::Vector3d p = positions.col(static_cast<Eigen::Index>(k));
+    mark.probes.push_back({vertices[k], p.unaryExpr(&to_twelve_digits)});
   }
   return mark;
 }
 
+DesignMark mark_of(const Mesh& base, const Positions& shape) {
+  const Moved moved = moved_between(base, shape);
+  return mark_of(moved.vertices, moved.positions);
+}
+
 double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape) {
   const Moved moved = moved_between(base, shape);
-  if (hash_of(moved) == mark.hash && static_cast<int>(moved.vertices.size()) == mark.moved) {
+  const bool as_many = static_cast<int>(moved.vertices.size()) == mark.moved;
+  if (as_many && hash_of(moved.vertices, moved.positions) == mark.hash) {
     return 0.0;
   }
   double largest = std::numeric_limits<double>::epsilon();
@@ -206,17 +224,6 @@ double agreement(const Mesh& base) {
   return kShare * extent.norm();
 }
 
-ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {
-  ProjectionOptions options;
-  options.fairness_weight = fairness_weight;
-  options.fairness = edit.fairness;
-  options.engine = edit.engine;
-  options.tolerance = edit.tolerance;
-  options.keep_shape = edit.keep_shape;
-  options.constraints = edit.constraints;
-  return options;
-}
-
 GlbVariations variations_of(const Subspace& subspace) {
   GlbVariations variations{.support = subspace.support, .displacements = {}};
   const auto rows = static_cast<Eigen::Index>(subspace.support.size());
@@ -230,8 +237,16 @@ GlbVariations variations_of(const Subspace& subspace) {
 std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
                                          const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);
-  Player player(design, progress);
-  if (auto problem = player.open(given)) return std::move(*problem);
+  auto base = open_base(design, given, progress);
+  if (auto* problem = std::get_if<std::string>(&base)) return std::move(*problem);
+  return replay_on(std::move(std::get<Mesh>(base)), design, progress);
+}
+
+std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
+                                            const Progress& progress) {
+  if (auto problem = find_problem(design)) return std::move(*problem);
+  Player player(std::move(base), design, progress);
+  if (auto problem = player.check()) return std::move(*problem);
   player.edit();
   for (const DesignVariation& variation : design.variations) {
     if (!player.vary(variation)) break;

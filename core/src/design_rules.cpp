@@ -37,9 +37,6 @@ Refusal find_problem(const Design& design) {
     if (auto problem = find_problem(*design.planarised)) return "planarised: " + *problem;
   }
   if (auto problem = find_problem(design.options)) return "options: " + *problem;
-  if (!design.options.bounds.empty() && !design.variations.empty()) {
-    return "variations: they keep no stated limits yet; leave options.bounds out";
-  }
   if (auto problem = find_problem(design.targets.supports)) return problem;
   if (auto problem = find_continuation_problem(design.targets)) return problem;
   if (design.targets.continuation > 0 && design.options.engine != Engine::kNewton) {

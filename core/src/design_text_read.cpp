@@ -277,21 +277,29 @@ std::optional<Planarising> read_planarised(const Field& root) {
   if (!root.has("planarised")) return std::nullopt;
   const Field field = root.at("planarised");
   if (!field.is_object()) return field.boolean() ? std::optional(kNearestFlat) : std::nullopt;
-  field.only({"smooth", "keep_boundary", "shape", "constraints"});
+  field.only({"smooth", "keep_boundary", "shape", "constraints", "within", "flat"});
   Planarising how = kNearestFlat;
   read_if(field, "smooth", how.fairness_weight);
   read_if(field, "keep_boundary", how.keep_boundary);
   read_if(field, "shape", how.keep_shape);
   if (field.has("constraints")) how.constraints = read_constraints(field.at("constraints"));
+  read_if(field, "within", how.within);
+  read_if(field, "flat", how.flat_within);
   return how;
 }
 
+/// Before the names of the fields: what is no design has its own.
+void read_format(const Field& root) {
+  const std::string format(kDesignFormat);
+  if (!root.is_object()) root.refuse("an object");
+  if (!root.has("format")) throw Refused{"format is missing: it must be " + format};
+  if (root.at("format").text(kLongestName) != format) root.at("format").refuse(format);
+}
+
 Design read_root(const Field& root) {
+  read_format(root);
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
              "supports", "continuation", "options", "variations", "result"});
-  if (root.at("format").text(kLongestName) != kDesignFormat) {
-    root.at("format").refuse(std::string(kDesignFormat));
-  }
   const int version = root.at("version").whole(1);
   if (version != kDesignVersion) {
     throw Refused{"the design is of version " + std::to_string(version) + "; this reads version " +

@@ -28,7 +28,7 @@ Json source_json(const DesignSource& source) {
   }
   const auto& file = std::get<FileSource>(source);
   Json json = {{"file", file.name}};
-  if (file.hash != 0) json["hash"] = hash_text(file.hash);
+  if (file.hash) json["hash"] = hash_text(*file.hash);
   if (!file.bytes.empty()) {
     json["format"] = file.format;
     json["bytes"] = encode_base64(file.bytes);
@@ -94,6 +94,8 @@ Json planarised_json(const std::optional<Planarising>& how) {
                {"keep_boundary", how->keep_boundary},
                {"shape", how->keep_shape}};
   if (!how->constraints.empty()) json["constraints"] = value_json(how->constraints);
+  if (how->within > 0.0) json["within"] = how->within;
+  if (how->flat_within > 0.0) json["flat"] = how->flat_within;
   return json;
 }
 

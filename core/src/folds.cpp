@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <tuple>
 
@@ -50,10 +51,11 @@ double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
 }
 
+using FoldVisit = std::function<void(double degrees, std::size_t p, std::size_t q)>;
+
 /// Calls visit(degrees, p, q) for each two of `panels`, by place, that share an edge with no third.
-template <class Visit>
 void for_each_fold(const Mesh& mesh, const Positions& positions, std::span<const int> panels,
-                   const Visit& visit) {
+                   const FoldVisit& visit) {
   Positions normals(3, static_cast<Eigen::Index>(panels.size()));
   for (std::size_t p = 0; p < panels.size(); ++p) {
     normals.col(static_cast<Eigen::Index>(p)) = normal_of(positions, mesh.face(panels[p]));
@@ -86,8 +88,11 @@ std::vector<int> faces_of(const Adjacency& adjacency, std::span<const int> verti
   return faces;
 }
 
-Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions& positions,
-                   std::span<const int> faces) {
+namespace {
+
+/// `faces` and their neighbours, ascending.
+std::vector<int> with_neighbours(const Mesh& mesh, const Adjacency& adjacency,
+                                 std::span<const int> faces) {
   std::vector<int> corners;
   for (const int f : faces) {
     const auto face = mesh.face(f);
@@ -95,7 +100,14 @@ Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions
   }
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  const std::vector<int> panels = faces_of(adjacency, corners);
+  return faces_of(adjacency, corners);
+}
+
+}  // namespace
+
+Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions& positions,
+                   std::span<const int> faces) {
+  const std::vector<int> panels = with_neighbours(mesh, adjacency, faces);
   const auto asked = [&](std::size_t panel) {
     return std::binary_search(faces.begin(), faces.end(), panels[panel]);
   };
@@ -106,6 +118,20 @@ Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency, const Positions
     }
   });
   return sharpest;
+}
+
+double largest_fold_growth(const Mesh& mesh, const Adjacency& adjacency, const Positions& before,
+                           const Positions& after, std::span<const int> faces) {
+  const std::vector<int> panels = with_neighbours(mesh, adjacency, faces);
+  std::vector<double> folds;
+  for_each_fold(mesh, before, panels,
+                [&](double degrees, std::size_t, std::size_t) { folds.push_back(degrees); });
+  std::size_t fold = 0;
+  double growth = 0.0;
+  for_each_fold(mesh, after, panels, [&](double degrees, std::size_t, std::size_t) {
+    growth = std::max(growth, degrees - folds[fold++]);
+  });
+  return growth;
 }
 
 std::vector<double> face_folds(const Mesh& mesh, const Positions& positions) {

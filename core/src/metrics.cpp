@@ -40,12 +40,18 @@ int degrees_of_freedom(const Mesh& mesh) {
   return freedom;
 }
 
-int moved_vertex_count(const Positions& before, const Positions& after) {
-  int moved = 0;
+std::vector<int> moved_vertices(const Positions& before, const Positions& after) {
+  std::vector<int> moved;
   for (Eigen::Index v = 0; v < before.cols(); ++v) {
-    if (std::memcmp(before.col(v).data(), after.col(v).data(), 3 * sizeof(double)) != 0) ++moved;
+    if (std::memcmp(before.col(v).data(), after.col(v).data(), 3 * sizeof(double)) != 0) {
+      moved.push_back(static_cast<int>(v));
+    }
   }
   return moved;
+}
+
+int moved_vertex_count(const Positions& before, const Positions& after) {
+  return static_cast<int>(moved_vertices(before, after).size());
 }
 
 }  // namespace planish

@@ -11,6 +11,12 @@ Refusal find_problem(const Planarising& how) {
   if (!std::isfinite(how.fairness_weight) || how.fairness_weight < 0.0) {
     return "smooth must be a number of at least 0";
   }
+  if (!std::isfinite(how.within) || how.within < 0.0) {
+    return "within must be a length of at least 0";
+  }
+  if (!std::isfinite(how.flat_within) || how.flat_within < 0.0) {
+    return "flat must be a number of at least 0 (mm/m)";
+  }
   return find_problem(how.constraints);
 }
 

@@ -27,6 +27,7 @@ MeshModel::MeshModel(const Mesh& given, FairnessKind kind, const KeptKinds& kind
     constexpr Element kElement = Kind::kElement;
     static_assert(kElement == Element::kFace || kElement == Element::kVertex,
                   "patches cut rows face by face and star by star");
+    static_assert(Kind::kSense == Sense::kZero, "engines take rows as equalities");
     std::vector<int>& offsets = element_offsets[index];
     offsets.assign(1, 0);
     for (int e = 0; e < elements.count(kElement); ++e) {

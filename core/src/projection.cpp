@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engines/working_set.hpp"
+#include "nearly_flat.hpp"
 #include "planish/adjacency.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
@@ -199,6 +201,33 @@ ProjectionResult project_within_bounds(const Task& task, const Progress& progres
   return result;
 }
 
+/// On the path to the flat mesh, no farther than asked for: by the α_f asked for, then ten and a
+/// hundred times as much, because a fairer path goes farther before a panel bends.
+ProjectionResult project_nearly(const Task& task, const Progress& progress) {
+  constexpr int kRings = 32;
+  ProjectionOptions options = task.options;
+  const double within =
+      options.within > 0.0 ? options.within : std::numeric_limits<double>::infinity();
+  const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
+  const std::vector<int> free = surroundings(task, MeshModel(task.mesh, options.fairness), kRings);
+  ProjectionResult best;
+  for (const double factor : {1.0, 10.0, 100.0}) {
+    options.fairness_weight = factor * asked;
+    NearlyFlat found = find_nearly_flat(task.mesh, options, within, free, progress);
+    Mesh after = task.mesh;
+    after.positions = std::move(found.positions);
+    ProjectionResult next;
+    next.report = std::move(found.report);
+    next.fairness_weight = options.fairness_weight;
+    conclude(task, after.positions, measure_standing(after, task.adjacency, task.kept), next);
+    const bool first = factor == 1.0;
+    const SolveStatus status = next.report.status;
+    if (first || next.report.planarity_after < best.report.planarity_after) best = std::move(next);
+    if (best.failing_faces.empty() || status == SolveStatus::kCancelled) break;
+  }
+  return best;
+}
+
 ProjectionResult project(const Mesh& mesh, const Positions* reference,
                          const ProjectionOptions& options, const std::vector<int>& pins,
                          const Progress& progress) {
@@ -212,6 +241,7 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
   add_violations(kept, task.before.worst, task.before.worst, result.report);
   result.report.status = SolveStatus::kConverged;
   if (task.before.failing.empty()) return result;  // flat already: the same bits
+  if (options.no_flatter && reference == nullptr) return project_nearly(task, progress);
   // Fair meshes seldom need the bound, but the engine that knows it is the faster one as well.
   const bool fair = options.keep_shape && reference == nullptr && options.fairness_weight > 0.0 &&
                     options.engine == Engine::kNewton;
@@ -242,6 +272,8 @@ std::string_view reason(ConfinedBecause because) {
       return "the weighted distance was not minimised: its solve left panels above the tolerance";
     case ConfinedBecause::kSpoiltPanels:
       return "the weighted distance was not minimised: panels would have lost their shape";
+    case ConfinedBecause::kStatedLimits:
+      return "the variation came back towards the edit: panels would have exceeded a stated limit";
   }
   return "";
 }
@@ -256,13 +288,27 @@ Refusal find_problem(const ProjectionOptions& options) {
     return "tolerance must be a number greater than 0 (mm/m)";
   }
   if (auto problem = find_problem(options.constraints)) return problem;
+  if (!std::isfinite(options.within) || options.within < 0.0) {
+    return "within must be a length of at least 0";
+  }
   if (options.max_iterations < 0) return "max_iterations must be at least 0";
   return std::nullopt;
 }
 
 ProjectionResult project_to_planar(const Mesh& mesh, const ProjectionOptions& options,
                                    const std::vector<int>& pins, const Progress& progress) {
-  return project(mesh, nullptr, options, pins, progress);
+  ProjectionResult flat = project(mesh, nullptr, options, pins, progress);
+  const bool too_far = options.within > 0.0 && flat.max_move > options.within;
+  if (!too_far || options.no_flatter || flat.report.status == SolveStatus::kCancelled) return flat;
+  if (options.fairness_weight > 0.0) {
+    ProjectionOptions near = options;
+    near.fairness_weight = 0.0;
+    ProjectionResult nearest = project(mesh, nullptr, near, pins, progress);
+    if (nearest.report.usable() && nearest.max_move <= options.within) return nearest;
+  }
+  ProjectionOptions short_of_it = options;
+  short_of_it.no_flatter = true;
+  return project(mesh, nullptr, short_of_it, pins, progress);
 }
 
 ProjectionResult project_to_planar(const Mesh& mesh, const Positions& reference,

@@ -9,6 +9,7 @@
 #include "engines/augmented_lagrangian.hpp"
 #include "engines/nearest_flat.hpp"
 #include "engines/optimality.hpp"
+#include "engines/tangent_newton.hpp"
 #include "engines/working_set.hpp"
 #include "engines/working_set_newton.hpp"
 #include "planish/index.hpp"
@@ -64,11 +65,9 @@ void Projector::solve_nearest(const Progress& progress) {
   Patch patch;
   cutter.cut(problem_, support_, patch);
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  NearestFlatOptions nearest;
-  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
-  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
-  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
-  EngineOutcome outcome = find_nearest_flat(patch, nearest, progress, displacement);
+  EngineOutcome outcome = patch.free_count > kMostFactored
+                              ? nearest_of_large(patch, progress, displacement)
+                              : nearest_of_small(patch, progress, displacement);
   for (int k = 0; k < patch.free_count; ++k) {
     field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
   }
@@ -76,6 +75,33 @@ void Projector::solve_nearest(const Progress& progress) {
   report_.iterations = outcome.steps;
   report_.factorizations = outcome.factorizations;
   report_.records = std::move(outcome.records);
+}
+
+EngineOutcome Projector::nearest_of_small(const Patch& patch, const Progress& progress,
+                                          Eigen::Matrix3Xd& displacement) const {
+  NearestFlatOptions nearest;
+  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
+  // Who asks for fabrication's tolerance only need not wait for the last digits of the distance.
+  nearest.settled = std::clamp(0.01 * options_.tolerance, nearest.settled, 1e-3);
+  return find_nearest_flat(patch, nearest, progress, displacement);
+}
+
+/// Near the flat meshes the Hessian's curvature, which the first iteration leaves out, is what
+/// decides: it alone needs hundreds of steps there and ends short of a certificate.
+EngineOutcome Projector::nearest_of_large(const Patch& patch, const Progress& progress,
+                                          Eigen::Matrix3Xd& displacement) const {
+  constexpr int kMostTangentSteps = 200;
+  NearestFlatOptions nearest{.settled = 1e-2};
+  if (options_.max_iterations > 0) nearest.max_steps = options_.max_iterations;
+  EngineOutcome onto = find_nearest_flat(patch, nearest, progress, displacement);
+  if (onto.status != SolveStatus::kConverged) return onto;
+  TangentNewtonOptions tangent{.max_steps = kMostTangentSteps};
+  if (options_.max_iterations > 0) tangent.max_steps = options_.max_iterations - onto.steps;
+  EngineOutcome along = descend_along_flat(patch, tangent, progress, displacement);
+  along.steps += onto.steps;
+  along.factorizations += onto.factorizations;
+  along.records.insert(along.records.begin(), onto.records.begin(), onto.records.end());
+  return along;
 }
 
 void Projector::solve_newton(const std::vector<int>& failing, const Progress& progress) {

@@ -33,6 +33,10 @@ class Projector {
 
  private:
   void solve_nearest(const Progress& progress);
+  [[nodiscard]] EngineOutcome nearest_of_small(const Patch& patch, const Progress& progress,
+                                               Eigen::Matrix3Xd& displacement) const;
+  [[nodiscard]] EngineOutcome nearest_of_large(const Patch& patch, const Progress& progress,
+                                               Eigen::Matrix3Xd& displacement) const;
   void solve_newton(const std::vector<int>& failing, const Progress& progress);
   void solve_weighted(const std::vector<int>& failing, const Progress& progress);
   void solve_augmented_lagrangian(const Progress& progress);

@@ -7,6 +7,7 @@
 #include "engines/exact_finish.hpp"
 #include "engines/fair_flat.hpp"
 #include "engines/optimality.hpp"
+#include "engines/tangent_newton.hpp"
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
@@ -44,6 +45,8 @@ class SoundProjector {
                                         const Progress& progress);
 
  private:
+  [[nodiscard]] EngineOutcome solve(const Patch& patch, double first_penalty,
+                                    const Progress& progress, Eigen::Matrix3Xd& displacement) const;
   void release();
   void hold(const std::vector<int>& vertices, const DisplacementField& field);
   [[nodiscard]] Positions shape_of(const DisplacementField& field) const;
@@ -122,6 +125,20 @@ void certify(const ExactDesign& design, const Patch& patch, SolveReport& report)
   }
 }
 
+/// Large meshes along the flat meshes, others by the factor of their Hessian.
+EngineOutcome SoundProjector::solve(const Patch& patch, double first_penalty,
+                                    const Progress& progress,
+                                    Eigen::Matrix3Xd& displacement) const {
+  if (first_penalty == kAtOnce && patch.free_count > kMostFactored) {
+    TangentNewtonOptions tangent;
+    if (options_.max_iterations > 0) tangent.max_steps = options_.max_iterations;
+    return descend_along_flat(patch, tangent, progress, displacement);
+  }
+  FairFlatOptions newton{.first_penalty = first_penalty};
+  if (options_.max_iterations > 0) newton.max_steps = options_.max_iterations;
+  return find_fair_flat(patch, newton, progress, displacement);
+}
+
 SoundProjection SoundProjector::attempt(double fairness_weight, double first_penalty,
                                         const Progress& progress) {
   release();
@@ -129,9 +146,7 @@ SoundProjection SoundProjector::attempt(double fairness_weight, double first_pen
   Patch patch;
   cutter_.cut(problem_, free_, patch);
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  FairFlatOptions newton{.first_penalty = first_penalty};
-  if (options_.max_iterations > 0) newton.max_steps = options_.max_iterations;
-  EngineOutcome outcome = find_fair_flat(patch, newton, progress, displacement);
+  EngineOutcome outcome = solve(patch, first_penalty, progress, displacement);
   DisplacementField field(model_.vertex_count(), static_cast<int>(model_.equations.size()));
   for (int k = 0; k < patch.free_count; ++k) {
     field.set_displacement(patch.vertices[at(k)], displacement.col(k));

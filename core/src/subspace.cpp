@@ -270,7 +270,7 @@ void SubspaceBuilder::fill_result(const SubspaceVectorSolver& solver, Subspace& 
     const Eigen::RowVectorXd lengths = t.colwise().norm();
     result.scale[j] = largest_move / lengths.maxCoeff();
     report.tangency_error = std::max(report.tangency_error, solver.tangency_error(t));
-    report.correlation.push_back(lengths.dot(direction_.colwise().norm()));
+    report.correlation.push_back(correlation(t, direction_));
     report.fairness.push_back(fairness_of(patch_, t));
     report.support_sizes.push_back(static_cast<int>((lengths.array() > 0.0).count()));
   }
@@ -316,6 +316,10 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
 }
 
 }  // namespace
+
+double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
+  return u.colwise().norm().dot(v.colwise().norm());
+}
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
                           const SubspaceOptions& options, const std::vector<int>& pins,

@@ -2,10 +2,12 @@
 """Edit meshes whose panels must stay flat: drag a point, a few neighbours follow."""
 
 from ._core import version as __version__
+from .catalogues import catalogue
 from .design import Design, Replay
 from .edits import Edit, Family, Variation, edit
 from .errors import Error, MeshError, UsageError
 from .mesh import Mesh
+from .mobilities import Mobility, mobility
 from .operations import Offset, Projection, info, offset, options, project
 from .report import Report
 from .shape import Shape
@@ -19,6 +21,7 @@ __all__ = [
     "Job",
     "Mesh",
     "MeshError",
+    "Mobility",
     "Offset",
     "Plan",
     "Projection",
@@ -28,9 +31,11 @@ __all__ = [
     "UsageError",
     "Variation",
     "__version__",
+    "catalogue",
     "edit",
     "gather",
     "info",
+    "mobility",
     "offset",
     "options",
     "project",

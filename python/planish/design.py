@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
+import zlib
 from typing import Any
 
 from . import _core
@@ -73,6 +75,11 @@ class Design:
     def save(self, path: str | os.PathLike[str]) -> None:
         """To .json."""
         self._core.save(os.fspath(path))
+
+    def link(self, page: str) -> str:
+        """The address that opens the design in the editor at `page`, which verifies its result."""
+        packed = zlib.compress(self.text.encode(), 9)
+        return page + "#d1=" + base64.urlsafe_b64encode(packed).decode().rstrip("=")
 
     def replay(self, base: Mesh | None = None, *, progress: Progress | None = None) -> Replay:
         """Does it again.

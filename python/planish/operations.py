@@ -26,9 +26,10 @@ def project(
     *,
     reference: Mesh | None = None,
     smooth: float | None = None,
+    within: float | None = None,
     pins: Iterable[int] | None = None,
     keep_boundary: bool | None = None,
-    bounds: Mapping[str, bool] | Iterable[str] | None = None,
+    bounds: Mapping[str, bool | float] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
     fairness: str | None = None,
     solver: str | None = None,
@@ -36,10 +37,16 @@ def project(
     progress: Progress | None = None,
     **more: Any,
 ) -> Projection:
-    """Makes every panel flat, close by and fair: `planish project`."""
+    """Makes every panel flat, close by and fair: `planish project`.
+
+    Args:
+        within: model units, > 0; no vertex moves farther, and the result is as flat as that allows.
+        bounds: shape, a bool; flat, mm/m > 0: as far as panels may stay out of flat.
+    """
     options = {
         "reference": None if reference is None else "reference",
         "smooth": smooth,
+        "within": within,
         "pins": pins,
         "keep_boundary": keep_boundary,
         "bounds": bounds,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A still picture of a mesh as SVG, for notebooks."""
+"""A still picture of a mesh as SVG, for notebooks and catalogues."""
 
 from __future__ import annotations
 
@@ -17,6 +17,11 @@ MOST_PANELS = 4000
 PLAIN, MOVED = np.array([203, 213, 225]), np.array([59, 130, 246])
 #: Columns: right, up in the picture, towards the eye; from the front, above and a little aside.
 VIEW = np.array([[0.83, -0.28, 0.48], [0.56, 0.42, -0.71], [0.0, 0.86, 0.51]])
+
+
+def svg(mesh: Mesh, moved: Collection[int]) -> str:
+    """The picture alone; panels with a moved corner are tinted."""
+    return _svg(mesh, _panels(mesh, moved)[0], set(moved))
 
 
 def html(mesh: Mesh, moved: Collection[int], caption: str) -> str:

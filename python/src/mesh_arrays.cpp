@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "planish/metrics.hpp"
 
 namespace planish::python {
 
@@ -46,7 +47,7 @@ Points points_array(const Positions& positions) {
 }
 
 Indices moved_array(const Positions& before, const Positions& after) {
-  const std::vector<int> moved = library::moved_vertices(before, after);
+  const std::vector<int> moved = moved_vertices(before, after);
   const std::vector<long long> wide(moved.begin(), moved.end());
   return Indices(static_cast<py::ssize_t>(wide.size()), wide.data());
 }

@@ -6,6 +6,7 @@
 #include "edits.hpp"
 #include "files.hpp"
 #include "mesh_arrays.hpp"
+#include "mobility_run.hpp"
 #include "planish/design_text.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -189,6 +190,48 @@ void bind_sweep(py::module_& module) {
       py::call_guard<py::gil_scoped_release>());
 }
 
+/// A row as Python has it; plain, so that it goes from a worker to its client.
+using RowTuple = std::tuple<int, std::array<double, 3>, double, std::string, int, double>;
+
+std::vector<RowTuple> tuples_of(const std::vector<MobilityRow>& rows) {
+  std::vector<RowTuple> tuples;
+  for (const MobilityRow& row : rows) {
+    const Eigen::Vector3d& u = row.direction;
+    tuples.emplace_back(row.vertex, std::array{u.x(), u.y(), u.z()}, row.distance,
+                        std::string(row.limit), row.remake, row.sharpest_fold);
+  }
+  return tuples;
+}
+
+/// @param tuples keep the words that the rows look at
+std::vector<MobilityRow> rows_of(const std::vector<RowTuple>& tuples) {
+  std::vector<MobilityRow> rows;
+  for (const auto& [vertex, direction, distance, limit, remake, fold] : tuples) {
+    rows.push_back(
+        {vertex, {direction[0], direction[1], direction[2]}, distance, limit, remake, fold});
+  }
+  return rows;
+}
+
+void bind_mobility(py::module_& module) {
+  using cli::MobilityRun;
+  using Unlocked = py::call_guard<py::gil_scoped_release>;
+  py::class_<MobilityRun>(module, "Mobility")
+      .def(py::init(&make_mobility), Unlocked())
+      .def(
+          "measure",
+          [](MobilityRun& self, const std::vector<int>& vertices) {
+            return tuples_of(self.measure(vertices));
+          },
+          Unlocked())
+      .def(
+          "save",
+          [](const MobilityRun& self, const std::vector<RowTuple>& rows, const std::string& path) {
+            cli::save_bytes(path, cli::mobility_bytes(path, self.base().mesh, rows_of(rows)));
+          },
+          Unlocked());
+}
+
 void bind_functions(py::module_& module) {
   module.def(
       "project",
@@ -220,5 +263,6 @@ PYBIND11_MODULE(_core, module) {
   bind_edit(module);
   bind_design(module);
   bind_sweep(module);
+  bind_mobility(module);
   bind_functions(module);
 }

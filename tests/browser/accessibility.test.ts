@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: MIT
 // axe finds nothing in any state of the page: light and dark, on a desk and on a telephone.
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
 import { flatRoof } from "./support/faults.ts";
 import { idle, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
-
-const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-/** Off by default: targets of at least 24 pixels, which WCAG 2.2 AA asks for. */
-const RULES = `{ rules: { "target-size": { enabled: true } } }`;
-
-interface Violation {
-  readonly id: string;
-  readonly nodes: readonly { readonly html: string; readonly failureSummary?: string }[];
-}
-
-async function expectClean(page: Page, state: string): Promise<void> {
-  const violations = (await page.evaluate(
-    `${AXE}; axe.run(document, ${RULES}).then((result) => result.violations)`,
-  )) as Violation[];
-  const told = violations.map(
-    ({ id, nodes }) => `${state}: ${id}\n${nodes[0]?.failureSummary}\n${nodes[0]?.html}`,
-  );
-  expect(told).toEqual([]);
-}
 
 const push = (page: Page, name: string): Promise<void> =>
   page.getByRole("button", { name, exact: true }).click();
@@ -34,6 +14,7 @@ const push = (page: Page, name: string): Promise<void> =>
 /** Opens something, looks at it, and closes it. */
 async function lookInto(page: Page, name: string): Promise<void> {
   await push(page, name);
+  await page.locator("dialog[open], .menu:popover-open").waitFor();
   await page.waitForTimeout(100);
   await expectClean(page, name);
   await page.keyboard.press("Escape");

@@ -47,12 +47,16 @@ it("opens a design whose mesh rides along, and what it does not name has its def
 describe("says in one sentence what is wrong, and nothing has changed", () => {
   const cases: readonly (readonly [string, string, RegExp])[] = [
     ["cut.json", scene("figure-1").slice(0, 200), /not JSON/],
-    ["other.json", '{"name":"package"}', /format must be planish-design/],
+    ["other.json", '{"name":"package"}', /format is missing: it must be planish-design/],
     ["field.json", given({ sample: "vault", size: 9 }, { handles: [[1]] }), /handles\[0\]/],
     ["beside.json", given({ file: "roof.obj" }), /roof\.obj, lies beside it/],
     ["changed.json", given({ ...WHOLE, hash: "00000000" }), /not the one that was edited/],
     ["castle.json", given({ sample: "castle", size: 9 }), /no sample "castle"/],
-    ["far.json", given(WHOLE, { handles: [[900, 0, 0, 0]] }), /points that its mesh does not have/],
+    [
+      "far.json",
+      given(WHOLE, { handles: [[900, 0, 0, 0]] }),
+      /Handle 900: the mesh has vertices 0 to 48/,
+    ],
     ["mesh.json", given({ ...WHOLE, bytes: btoa("v 0 0\n") }), /line 1/],
   ];
   it.each(cases)("%s", async (name, text, sentence) => {

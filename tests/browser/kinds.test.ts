@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Circular panels, kept by the edits of a mesh that has them; designs and links carry that.
+import { readFile } from "node:fs/promises";
+import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import {
   exportAs,
@@ -14,6 +16,7 @@ import {
 import { site } from "./support/site.ts";
 
 const CIRCULAR = "Keep panels circular";
+const CONICAL = "Keep nodes conical";
 
 it("a mesh of circular panels offers to keep them so, and a design says that it does", async () => {
   const page = await site.open();
@@ -84,5 +87,57 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
   expect(JSON.parse(varied).variations).toHaveLength(1);
   await openFile(page, "varied.json", varied);
   await page.getByText(/^Verified:/).waitFor();
+  await page.context().close();
+});
+
+const shared = (name: string): Promise<Buffer> =>
+  readFile(new URL(`../../../shared/meshes/${name}`, import.meta.url));
+
+/** The offers that are seen without unfolding anything. */
+async function offers(page: Page): Promise<string[]> {
+  const seen: string[] = [];
+  for (const name of [CIRCULAR, CONICAL]) {
+    const offer = page.getByRole("checkbox", { name });
+    if ((await offer.count()) > 0 && (await offer.isVisible())) seen.push(name);
+  }
+  return seen;
+}
+
+it("meshes that are meant to be so are recognised on opening, others are not", async () => {
+  const page = await site.open();
+  const samples = page.getByRole("combobox", { name: "Sample" });
+  for (const [sample, meant] of [
+    ["Roof", [CIRCULAR, CONICAL]],
+    ["Vault", []],
+    ["Dome", [CIRCULAR, CONICAL]],
+    ["Freeform roof", []],
+  ] as const) {
+    await samples.selectOption(sample);
+    await idle(page);
+    await expect.poll(() => offers(page)).toEqual(meant);
+  }
+  // Nodes at most 0.043° off, panels up to 4.9°: and none of it exact.
+  await openFile(page, "saddle.obj", await shared("pq_conical_saddle.obj"));
+  await page
+    .getByText("half to 0.0012°, all to 0.043°; can be made exact and kept (Edit)")
+    .waitFor();
+  await expect.poll(() => offers(page)).toEqual([CONICAL]);
+  const conical = page.getByRole("checkbox", { name: CONICAL });
+  expect(await conical.isEnabled()).toBe(false);
+  await page.getByRole("button", { name: "Make nodes conical" }).click();
+  await idle(page);
+  await expect.poll(() => conical.isChecked()).toBe(true);
+  await typeTarget(page, "+5cm");
+  await page.getByText("Last solve", { exact: true }).click();
+  await page.getByText("Worst, of conical", { exact: true }).waitFor();
+  const design = JSON.parse((await exportAs(page, "JSON")).toString());
+  expect(design.options.constraints).toEqual([{ kind: "conical", tolerance: 1e-9 }]);
+  // Half of the vase's panels and nodes are nearer than 0.05° to both.
+  await openFile(page, "vase.obj", await shared("pq_vase_small.obj"));
+  await page.getByText("half to 0.02°, all to 0.031°; can be made exact and kept (Edit)").waitFor();
+  await expect.poll(() => offers(page)).toEqual([CIRCULAR, CONICAL]);
+  await page.getByRole("button", { name: "Make panels circular" }).click();
+  await idle(page);
+  await expect.poll(() => page.getByRole("checkbox", { name: CIRCULAR }).isChecked()).toBe(true);
   await page.context().close();
 });

@@ -51,7 +51,7 @@ it("an edit keeps them, and the page leads to the panels that they hold back", a
 
   const limited = await obj(page);
   const text = (await exportAs(page, "JSON")).toString();
-  expect(JSON.parse(text).options.bounds).toEqual(["fold=12"]);
+  expect(JSON.parse(text).options.bounds).toEqual(["fold=12", "fold=+10"]);
   await page.getByRole("checkbox", { name: "Folds up to" }).uncheck();
   await idle(page);
   expect(await obj(page)).not.toBe(limited);
@@ -63,19 +63,22 @@ it("an edit keeps them, and the page leads to the panels that they hold back", a
   await page.context().close();
 });
 
-it("what keeps no limits is quiet while they are on, and says so", async () => {
+it("variations made exact keep the limits", async () => {
   const page = await site.open();
   await openVault(page);
+  await type(page, "Folds sharper by", "4");
   await typeTarget(page, "+50cm");
-  const explore = page.getByRole("button", { name: "Find variations" });
-  const exact = page.getByRole("button", { name: "Make exact" });
-  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([true, true]);
-  await type(page, "Edges, first", "20cm");
-  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([false, false]);
-  await page.getByText(/^Variations keep no limits yet/).waitFor();
-  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Find variations" }).click();
+  const slider = page.getByRole("slider", { name: "Variation 1" });
+  await slider.waitFor();
+  const before = await obj(page);
+  await slider.fill("-1");
   await idle(page);
-  expect([await explore.isEnabled(), await exact.isEnabled()]).toEqual([true, true]);
+  await page.getByRole("button", { name: "Make exact" }).click();
+  await idle(page);
+  expect(await obj(page)).not.toBe(before);
+  const was = Number(/\(was ([\d.]+)°\)/.exec(await status(page))?.[1]);
+  expect(await sharpestFold(page)).toBeLessThanOrEqual(was + 4.2);
   await page.context().close();
 });
 

@@ -65,7 +65,7 @@ describe("a link that cannot be opened says why, and the page still works", () =
     [
       "of a point that is not there",
       () => encodeLink({ ...shared, handles: [handle] }),
-      /points that its mesh does not have/,
+      /^Handle 5000: the mesh has vertices 0 to 424\.$/,
     ],
     [
       "of a sample that is not there",

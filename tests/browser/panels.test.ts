@@ -219,8 +219,8 @@ it("speaks of millimetres, and of flat panels only where they are flat", async (
   };
   expect(await summary()).toContain("400 flat panels");
   await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
-  await expect.poll(summary).toContain("not all of them flat");
-  expect(await summary()).not.toContain("flat panels");
+  // Until the door shows what planarising would make of it.
+  await expect.poll(summary).toContain("1 panels, not all of them flat,");
   await page.context().close();
 });
 

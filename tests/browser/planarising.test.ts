@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { exportAs, idle, openFile, status } from "./support/page.ts";
+import { exportAs, idle, openFile, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const SIZE = 10;
@@ -29,8 +29,30 @@ const cell = (page: Page, row: string, column: number) =>
 const millimetres = (words: string | null): number =>
   Number(/([\d.]+) mm/.exec(words ?? "")?.[1] ?? Number.NaN);
 
+/** Notes what the page asks its workers, from here on. */
+async function overhear(page: Page): Promise<() => Promise<readonly Asked[]>> {
+  await page.evaluate(() => {
+    const asked: Asked[] = [];
+    Object.assign(window, { asked });
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (this: Worker, request: Asked, ...rest: []) {
+      const { kind, planarise, found } = request;
+      asked.push({ kind, planarise, found: found ? [...found] : found });
+      post.call(this, request, ...rest);
+    };
+  });
+  return () => page.evaluate(() => (window as unknown as { asked: Asked[] }).asked);
+}
+
+interface Asked {
+  kind: string;
+  planarise?: unknown;
+  found?: number[] | null | undefined;
+}
+
 it("shows what planarising gives before it is done, and does just that", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const asked = await overhear(page);
   await openFile(page, "dome.obj", dome());
   const file = await exported(page);
   const keep = page.getByRole("checkbox", { name: "Keep the boundary where it is" });
@@ -53,7 +75,9 @@ it("shows what planarising gives before it is done, and does just that", async (
   const near = millimetres(await cell(page, "Largest move", 1));
   expect(near).toBeLessThan(fair);
 
-  // What is taken is what was shown.
+  // What is taken is what was shown, to the last bit; nobody makes it a second time.
+  const before = (await asked()).filter(({ planarise }) => planarise);
+  expect(before.length).toBe(2);
   await page.getByRole("button", { name: "Planarise", exact: true }).click();
   await page.getByRole("button", { name: "Start editing" }).waitFor();
   await idle(page);
@@ -63,6 +87,10 @@ it("shows what planarising gives before it is done, and does just that", async (
   );
   expect(Math.abs(1000 * Math.max(...moves) - near)).toBeLessThanOrEqual(1);
   expect(moves.filter((move) => move > 0).length).toBe((SIZE - 1) ** 2);
+  const all = await asked();
+  expect(all.filter(({ planarise }) => planarise).length).toBe(before.length);
+  const taken = all.filter(({ kind }) => kind === "planarise");
+  expect(taken.map(({ found }) => found)).toEqual([flat.points.flat()]);
   await page.context().close();
 });
 
@@ -82,4 +110,54 @@ it("leaves the file as it is, and says where the boundary is in the way", async 
   await keep.check();
   await page.getByText(/Let the boundary move/).waitFor();
   await page.context().close();
+});
+
+it("takes what is still being tried out as soon as it is there", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const asked = await overhear(page);
+  await openFile(page, "dome.obj", dome());
+  await page.getByRole("button", { name: "Planarise", exact: true }).click();
+  await page.getByRole("button", { name: "Start editing" }).waitFor();
+  await idle(page);
+  const all = await asked();
+  expect(all.filter(({ planarise }) => planarise).length).toBe(1);
+  const flat = await exported(page);
+  expect(all.find(({ kind }) => kind === "planarise")?.found).toEqual(flat.points.flat());
+  await page.context().close();
+});
+
+it("goes no farther than it may, and stays out of flat by what it may", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "dome.obj", dome());
+  await figures(page).waitFor();
+  const free = millimetres(await cell(page, "Largest move", 1));
+  const most = page.getByRole("textbox", { name: "Largest move" });
+  expect(await most.inputValue()).toBe("any");
+  await most.fill("30mm");
+  await most.press("Enter");
+  await page
+    .getByText(/Not every panel can be exactly flat: .* no point may move farther/)
+    .waitFor();
+  expect(free).toBeGreaterThan(30);
+  expect(millimetres(await cell(page, "Largest move", 1))).toBeLessThanOrEqual(30);
+  expect(millimetres(await cell(page, "Largest move", 1))).toBeGreaterThan(10);
+  expect(await cell(page, "Worst panel", 1)).toMatch(/^[\d.]+ mm\/m$/);
+
+  await most.fill("any");
+  await most.press("Enter");
+  await page.getByRole("combobox", { name: "Flat" }).selectOption("to within 5 mm/m");
+  await expect.poll(() => cell(page, "Worst panel", 1)).toMatch(/^[1-4]\.\d* mm\/m$/);
+  const near = millimetres(await cell(page, "Largest move", 1));
+  expect(near).toBeLessThan(free);
+  await page.getByRole("button", { name: "Planarise", exact: true }).click();
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await idle(page);
+  // It can be edited, and a link makes the same mesh.
+  await typeTarget(page, "+10cm");
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  await page.context().close();
+  const again = await site.open({}, new URL(link).hash);
+  await again.getByText(/Verified/).waitFor();
+  await again.context().close();
 });

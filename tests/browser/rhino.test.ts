@@ -43,6 +43,22 @@ it("opens again as the design, to the last bit; its library comes when asked for
   await page.context().close();
 });
 
+/** Shows and hides the circle that lies beside the panels, and finds it in the picture. */
+async function hideContext(page: Page): Promise<void> {
+  const view = page.getByLabel("3D view");
+  await page.getByText("1 other object shown as context").waitFor();
+  const hidden = async (): Promise<Buffer> => {
+    await page.getByRole("button", { name: "Hide", exact: true }).click();
+    await page.getByText("1 other object hidden").waitFor();
+    const picture = await view.screenshot();
+    await page.getByRole("button", { name: "Show", exact: true }).click();
+    return picture;
+  };
+  const without = await hidden();
+  await expect.poll(async () => (await view.screenshot()).equals(without)).toBe(false);
+  expect((await hidden()).equals(without)).toBe(true);
+}
+
 it("gives the panels of another program's polylines, in its unit, and names the rest", async () => {
   const rhino = await loadRhino();
   const file = new rhino.File3dm();
@@ -60,17 +76,24 @@ it("gives the panels of another program's polylines, in its unit, and names the 
     file.objects().addCurve(new rhino.PolylineCurve(points), new rhino.ObjectAttributes());
   }
   file.objects().addTextDot("north", [0, 0, 0], new rhino.ObjectAttributes());
+  file.objects().addCurve(new rhino.Circle(6).toNurbsCurve(), new rhino.ObjectAttributes());
   const page = await site.open();
   await openFile(page, "facade.3dm", Buffer.from(file.toByteArray()));
   await expect.poll(() => page.getByRole("heading", { name: "facade.3dm" }).count()).toBe(1);
   expect(await page.getByText("3 quads").count()).toBe(1);
   expect(await page.getByText("Left out: 1 text or dimension.").count()).toBe(1);
+  await hideContext(page);
   expect(await page.getByLabel("Unit of the file").inputValue()).toBe("ft");
   await page.getByRole("button", { name: "Start editing" }).click();
   expect(await obj(page)).toContain(`v 0 0 ${1 / 3}\n`);
   await openFile(page, "broken.3dm", "no model");
   expect(await page.getByRole("alert").textContent()).toMatch(/broken\.3dm: .*not a Rhino model/);
   expect(await status(page)).toMatch(/of 8 points/);
+  // It belongs to the mesh that it came with.
+  await page.getByRole("combobox", { name: "Sample" }).selectOption({ index: 1 });
+  await expect.poll(() => page.getByText("1 other object").count()).toBe(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => page.getByText("1 other object").count()).toBe(1);
   await page.context().close();
 });
 

@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { encodeLink } from "../../web/src/share/link.ts";
 import { recipeOf } from "../../web/src/state/recipe.ts";
-import { EDITED, FILE } from "../web/support/golden-designs.ts";
+import { EDITED, FILE, MARK } from "../web/support/golden-designs.ts";
 import { flatRoof } from "./support/faults.ts";
 import { openFile, openSite, type Prepare, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
@@ -72,7 +72,11 @@ describe("markup in data stays text", () => {
     const sample = { ...EDITED, source: { kind: "sample", name: PAYLOAD, size: 3 } } as const;
     const file = { ...EDITED, handles: [], variation: null, source: { ...FILE, name: PAYLOAD } };
     for (const design of [sample, file]) {
-      const page = await site.open({}, await encodeLink(recipeOf(design, "m", null)), trapMarkup);
+      const page = await site.open(
+        {},
+        await encodeLink(recipeOf(design, "m", null, MARK)),
+        trapMarkup,
+      );
       await expectUnharmed(page);
       await page.context().close();
     }

@@ -114,6 +114,32 @@ it("a tighter tolerance than the mesh was opened with offers to planarise it, an
   await page.context().close();
 });
 
+it("variations are found by the weights that are set, and by the usual ones again", async () => {
+  const page = await site.open();
+  await openAdvanced(page);
+  await typeTarget(page, "+1m");
+  const found = async (): Promise<number> => {
+    await page.getByRole("button", { name: "Find variations" }).click();
+    await idle(page);
+    return page.getByRole("slider", { name: /^Variation \d+$/ }).count();
+  };
+  await page.getByText("Weights of variations").click();
+  const ring = page.getByRole("slider", { name: "Rings around the edit" });
+  expect(await ring.inputValue()).toBe("2");
+  await ring.fill("4");
+  const usual = page.getByRole("button", { name: "Default weights" });
+  expect(await usual.count()).toBe(1);
+  expect(await found()).toBeGreaterThan(0);
+  // The design says so, and the page opens such a design.
+  const design = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(design)).toMatchObject({ variations: [{ reach: 4 }] });
+  await openFile(page, "again.json", design);
+  await idle(page);
+  await usual.click();
+  expect(await ring.inputValue()).toBe("2");
+  await page.context().close();
+});
+
 it("settings stay for another sample and a file; Defaults takes them back", async () => {
   const page = await site.open();
   await openAdvanced(page);

@@ -8,6 +8,7 @@ import { build, createLogger } from "vite";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { launch } from "../../.tools/browser.mjs";
 import { serve } from "../../.tools/serve.mjs";
+import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
 import { loadPlanish } from "../parity/support/planish.ts";
 
 const ROOT = resolve(import.meta.dirname, "../..");
@@ -39,7 +40,7 @@ beforeAll(async () => {
 afterAll(() => rm(project, { recursive: true, force: true }));
 
 const TYPED = `
-import { edit, Design, Mesh, options, PlanishError, type Report } from "planish";
+import { edit, Design, Mesh, options, PlanishError, project, type Report } from "planish";
 
 const points = new Float64Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 1, 2, 1, 1]);
 const mesh: Mesh = await Mesh.from(points, [0, 4, 8], new Uint32Array([0, 1, 2, 3, 1, 4, 5, 2]));
@@ -60,8 +61,9 @@ try {
 } catch (error) {
   if (error instanceof PlanishError) kind = error.kind;
 }
+const near = project(result.mesh, { within: 0.01, bounds: { flat: 2, shape: true } });
 const known = Object.keys(await options("edit")).includes("keepBoundary");
-console.log(JSON.stringify([report.status, moved.length > 0, verified, kind, known]));
+console.log(JSON.stringify([report.status, moved.length > 0, verified, kind, known, near.report.status]));
 `;
 
 it.each([
@@ -76,7 +78,10 @@ it.each([
     const where = ["--module", module, "--moduleResolution", resolution, "--target", "es2022"];
     const types = ["--types", "", "--lib", "es2022,dom"];
     expect(run(tsc, ...strict, ...where, ...types, "main.mts")).toBe("");
-    expect(JSON.parse(run("node", "main.mjs"))).toEqual(["converged", true, true, "usage", true]);
+    expect(JSON.parse(run("node", "main.mjs"))).toEqual([
+      ...["converged", true, true, "usage", true],
+      "converged",
+    ]);
   },
 );
 
@@ -167,18 +172,10 @@ async function byThePage([sample, size, vertex, by]: SampleEdit) {
   done(session.openSample(sample, size));
   done(
     session.setOptions({
-      ...SAID,
-      fairness: module.FairnessKind.second,
-      sparsity: module.Sparsity.l21,
-      engine: module.Engine.newton,
-      hardHandles: false,
-      keepShape: true,
-      tolerance: 1e-6,
-      maxIterations: 0,
-      reach: 0,
-      reachLength: 0,
-      keepBoundary: false,
-      softness: 0,
+      ...DEFAULT_SETTINGS,
+      attraction: SAID.attraction,
+      locality: SAID.locality,
+      smoothness: SAID.smoothness,
     }),
   );
   const base = session.basePositions();
@@ -219,6 +216,40 @@ it.each(EDITS)(
     expect(Math.abs(report.objective.total / total - 1)).toBeLessThan(1e-9);
   },
 );
+
+it("mobility says of each point what the command says, and a watch stops it", async () => {
+  const [csv, stopped, kind] = await script<[string, number, string]>(`
+    import { mobility, Mesh, PlanishError } from "planish";
+    const mesh = await Mesh.sample("vault", 8);
+    const where = mobility(mesh, { vertices: [28, 27], bounds: { fold: "+10" } });
+    const part = mobility(mesh, { steps: 1, reach: 1, progress: (done) => done < 16 });
+    let kind = "";
+    try {
+      mobility(mesh, { vertices: [64] });
+    } catch (error) {
+      if (error instanceof PlanishError) kind = error.kind;
+    }
+    const text = new TextDecoder().decode(where.write("csv"));
+    console.log(JSON.stringify([text, part.rows.length, kind]));`);
+  expect([stopped, kind]).toEqual([4 * 16, "usage"]);
+  const given = ["mobility", "sample:vault:8", "--vertices=27,28", "--bound=fold=+10"];
+  run(join(ROOT, "build/native/planish"), ...given, "-o", "native.csv");
+  const rows = (text: string): string[][] =>
+    text
+      .trim()
+      .split("\n")
+      .map((row) => row.split(","));
+  const [own, native] = [rows(csv), rows(await readFile(inProject("native.csv"), "utf8"))];
+  expect(own[0]).toEqual(native[0]);
+  expect(own).toHaveLength(1 + 2 * 4);
+  for (const [k, row] of own.entries()) {
+    for (const [column, cell] of row.entries()) {
+      const other = native[k]?.[column] ?? "";
+      if (Number.isFinite(Number(cell))) expect(Number(cell)).toBeCloseTo(Number(other), 6);
+      else expect(cell).toBe(other);
+    }
+  }
+});
 
 it("what the solver dropped from its memory comes back with the same bits", async () => {
   const [same, exact, megabytes] = await script<[boolean, boolean, number]>(`

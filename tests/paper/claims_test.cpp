@@ -14,100 +14,16 @@
 #include "planish/metrics.hpp"
 #include "planish/projection.hpp"
 #include "planish/subspace.hpp"
+#include "support/record.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::comparison {
 namespace {
 
+using testing::record;
+
 constexpr double kFabricationLimit = 10.0;  // mm/m, Fig. 6
 constexpr int kInnerLimit = 30;             // l_max of the reference engine
-
-/// A measured figure, for the test's record.
-void record(const std::string& key, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", value);
-  ::testing::Test::RecordProperty(key, text.data());
-}
-
-/// D(u, v) and c · ξ(u, v) of Proposition 1, by quadrature over the circle.
-struct PropositionTerms {
-  double gap = 0.0, bound = 0.0;
-};
-
-PropositionTerms proposition_terms(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
-  constexpr int kSamples = 2048;
-  const double step = 2.0 * std::acos(-1.0) / kSamples;
-  PropositionTerms terms;
-  double largest = 0.0;
-  for (int k = 0; k < kSamples; ++k) {
-    const double x = std::cos((k + 0.5) * step), y = std::sin((k + 0.5) * step);
-    const Eigen::RowVectorXd apart = (x * u).colwise().norm() + (y * v).colwise().norm();
-    const Eigen::RowVectorXd together = (x * u + y * v).colwise().norm();
-    terms.gap += step * (apart - together).sum();
-    largest = std::max(largest, (apart + together).maxCoeff());
-  }
-  terms.bound = 4.0 / largest * u.colwise().norm().dot(v.colwise().norm());
-  return terms;
-}
-
-TEST(PaperClaim, PropositionOneBoundsTheGapForRandomVectors) {
-  constexpr unsigned kPairs = 200;
-  double tightest = std::numeric_limits<double>::infinity();
-  for (unsigned seed = 0; seed < kPairs; ++seed) {
-    // From one vertex, where the bound is tight, to many; some pairs share few vertices.
-    const Eigen::Index size = 1 + seed % 16;
-    Eigen::Matrix3Xd u = testing::random_points(seed, size);
-    Eigen::Matrix3Xd v = testing::random_points(seed + 1000, size);
-    v.leftCols(seed % 3 == 0 ? size / 2 : 0).setZero();
-    u.normalize();
-    v.normalize();
-    const PropositionTerms terms = proposition_terms(u, v);
-    EXPECT_GE(terms.gap, terms.bound * (1.0 - 1e-5)) << "seed " << seed;
-    tightest = std::min(tightest, terms.gap / terms.bound);
-  }
-  record("pairs", kPairs);
-  record("smallest_gap_over_bound", tightest);
-}
-
-TEST(PaperClaim, GapVanishesExactlyWithTheCorrelation) {
-  double disjoint = 0.0;
-  double touching = std::numeric_limits<double>::infinity();
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    Eigen::Matrix3Xd u = testing::random_points(seed, 12);
-    Eigen::Matrix3Xd v = testing::random_points(seed + 1000, 12);
-    u.rightCols(6).setZero();
-    v.leftCols(6).setZero();
-    u.normalize();
-    disjoint = std::max(disjoint, std::abs(proposition_terms(u, v.normalized()).gap));
-    v.col(0) = 0.1 * u.col(1);  // one shared vertex is enough
-    touching = std::min(touching, proposition_terms(u, v.normalized()).gap);
-  }
-  EXPECT_LE(disjoint, 1e-12);
-  EXPECT_GT(touching, 1e-6);
-  record("largest_gap_of_disjoint_pairs", disjoint);
-  record("smallest_gap_of_touching_pairs", touching);
-}
-
-/// Appendix A: ‖u_i‖‖v_i‖ = ¼ ∮ [(‖x u_i‖ + ‖y v_i‖)² − ‖x u_i + y v_i‖²] ds.
-TEST(PaperClaim, TheIdentityOfAppendixA) {
-  constexpr int kSamples = 2048;
-  const double step = 2.0 * std::acos(-1.0) / kSamples;
-  double largest = 0.0;
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    const Eigen::Vector3d u = testing::random_points(seed, 1).col(0);
-    const Eigen::Vector3d v = testing::random_points(seed + 1000, 1).col(0);
-    double sum = 0.0;
-    for (int k = 0; k < kSamples; ++k) {
-      const double x = std::cos((k + 0.5) * step), y = std::sin((k + 0.5) * step);
-      const double apart = (x * u).norm() + (y * v).norm();
-      sum += step * (apart * apart - (x * u + y * v).squaredNorm());
-    }
-    const double product = u.norm() * v.norm();
-    largest = std::max(largest, std::abs(0.25 * sum / product - 1.0));
-  }
-  EXPECT_LE(largest, 1e-5);
-  record("largest_difference", largest);
-}
 
 TEST(PaperClaim, DegreesOfFreedomPerVertexApproachTheCountsOfTheRegularMeshes) {
   const std::vector<std::pair<std::string, double>> claims{

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // planish.d.ts is written by hand; this holds it to what the module really has.
 import { readFileSync } from "node:fs";
+import { variationWeights } from "virtual:core-defaults";
 import { expect, it } from "vitest";
-import { loadAnalysis, loadPlanish } from "./support/planish.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../web/src/state/design.ts";
+import { KINDS } from "../../web/src/state/kept-kind.ts";
+import { loadAnalysis, loadGlb, loadMobility, loadPlanish } from "./support/planish.ts";
 
-const read = (name: string): string =>
-  readFileSync(new URL(`../../wasm/${name}.d.ts`, import.meta.url), "utf8");
+const read = (name: string, ending = "d.ts"): string =>
+  readFileSync(new URL(`../../wasm/${name}.${ending}`, import.meta.url), "utf8");
 const declarations = read("planish");
 
 const reports = read("planish_reports");
@@ -49,7 +52,7 @@ it("declares every field of every report", async () => {
   expect(mesh).toMatchObject({ vertices: 81, faces: 64, faceSizes: { 4: 64 }, warnings: [] });
   const [x = 0, y = 0, z = 0] = session.basePositions().subarray(3 * 40);
   const target = Float64Array.of(40, x, y, z + 0.5);
-  expect(session.setLimits("fold=80")).toBe("");
+  expect(session.setOptions({ ...DEFAULT_SETTINGS, limits: ["fold=80"] })).toBe("");
   expect(session.edit(module.EditMode.solve, target, new Int32Array(0), 0, 1)).toBe("");
   const shape = session.shapeReport();
   expect(fields(shape)).toEqual(declared("ShapeReport", reports));
@@ -59,23 +62,106 @@ it("declares every field of every report", async () => {
   expect(shape.movedVertices).toBe(session.moved().length);
   expect(shape.residuals.every((residual) => residual >= 0)).toBe(true);
   expect(structuredClone(shape)).toEqual(shape);
-  expect(session.setLimits("")).toBe("");
+  expect(session.setOptions(DEFAULT_SETTINGS)).toBe("");
   expect(session.edit(module.EditMode.solve, target, new Int32Array(0), 0, 1)).toBe("");
-  const options = {
-    dimension: 2,
-    fairnessWeight: 3,
-    sparsityWeight: 1,
-    closenessWeight: 0,
-    correlation: 0.95,
-    reach: 2,
-    eigenbasis: false,
-    fairness: module.FairnessKind.second,
-    engine: module.Engine.newton,
-  };
-  expect(session.explore(options)).toBe("");
+  expect(session.explore({ asked: 2, eigenbasis: false })).toBe("");
   const variations = session.variationsReport();
   expect(fields(variations)).toEqual(declared("VariationsReport", reports));
   expect(variations.supportSizes.length).toBe(variations.dimension);
+  session.delete();
+});
+
+it("declares every option of the core, in types and words", async () => {
+  const session = new (await loadPlanish()).Session();
+  for (const reach of [-1, 2.5, 1e20])
+    expect(session.setOptions({ ...DEFAULT_SETTINGS, reach })).toMatch(/^reach must be/);
+  session.delete();
+  const { options: rows, kinds } = (await loadGlb()).defaults();
+  expect(Object.keys(kinds).sort()).toEqual([...KINDS]);
+  const designs = read("planish_designs");
+  expect(rows.map(({ key }) => key).sort()).toEqual(declared("EditOptions", designs));
+  for (const { key, usual, words } of rows) {
+    const type = new RegExp(`readonly ${key}: ([^;]*);`).exec(designs)?.[1];
+    const said = words ? words.map((word) => `"${word}"`).join(" | ") : typeof usual;
+    expect(type, key).toBe(Array.isArray(usual) ? "readonly string[]" : said);
+  }
+});
+
+it("a replay gives the bits of its steps, and is known by its mark", async () => {
+  const module = await loadPlanish();
+  const [steps, whole] = [new module.Session(), new module.Session()];
+  for (const session of [steps, whole]) expect(session.openSample("vault", 15)).toBe("");
+  const [x = 0, y = 0, z = 0] = steps.basePositions().subarray(3 * 112);
+  const handles = [112, x, y, z + 0.8];
+  const { boundarySupport: _, continuation: __, ...options } = FIRST_SETTINGS;
+  expect(steps.setOptions(options)).toBe("");
+  const to = Float64Array.from(handles);
+  expect(steps.edit(module.EditMode.solve, to, new Int32Array(0), 0, 1)).toBe("");
+  const coefficients = [0.3, -0.2, 0.1];
+  const weights = { ...variationWeights, fairness: 8, spread: 3, family: 6 };
+  const family = { asked: 3, eigenbasis: true, weights };
+  expect(steps.explore({ asked: 3, eigenbasis: true })).toBe("");
+  const usual = steps.variationDisplacements();
+  expect(steps.explore(family)).toBe("");
+  expect(steps.variationDisplacements()).not.toEqual(usual);
+  expect(steps.vary(Float64Array.from(coefficients))).toBe("");
+  expect(steps.makeExact()).toBe("");
+  const mark = module.markOf(steps.moved(), steps.movedPositions());
+  const design = {
+    source: { sample: "vault", size: 15 },
+    planarised: null,
+    unit: "m",
+    handles,
+    pins: [],
+    supports: [],
+    continuation: 0,
+    options,
+    variations: [{ ...family, coefficients }],
+    result: mark,
+  };
+  expect(whole.replay(design, whole.baseHash())).toBe("");
+  expect(whole.movedPositions()).toEqual(steps.movedPositions());
+  expect(whole.replayed()).toMatchObject({ directions: Int32Array.of(3), deviation: 0 });
+  const glb = await loadGlb();
+  const { design: again } = glb.readDesign(glb.writeDesign(design));
+  expect(again).toMatchObject({
+    ...design,
+    variations: [{ ...design.variations[0], plain: true }],
+  });
+  for (const session of [steps, whole]) session.delete();
+});
+
+it("marks a shape as the first links did", async () => {
+  const { markOf } = await loadPlanish();
+  const positions = Float64Array.of(0.1, 0.2, 0.3, 1 / 3, 2 / 3, 1);
+  expect(markOf(Int32Array.of(3, 7), positions)).toEqual({
+    hash: 2756894708,
+    moved: 2,
+    probes: [3, 0.1, 0.2, 0.3, 7, 0.333333333333, 0.666666666667, 1],
+  });
+});
+
+it("declares every bound member of MobilityMap; its rows are those of the command line", async () => {
+  const { Session } = await loadPlanish();
+  const session = new Session();
+  expect(session.openSample("vault", 16)).toBe("");
+  const { openMap } = await loadMobility();
+  const mesh = [session.basePositions(), session.faceOffsets(), session.faceVertices()] as const;
+  const settings = { ...DEFAULT_SETTINGS, softness: 5, keepBoundary: true, reach: 6 };
+  const { map } = openMap(...mesh, settings);
+  if (!map) throw new Error("no map");
+  const text = read("planish_mobility");
+  expect(boundTo(map)).toEqual(declared("MobilityMap", text));
+  const rows = map.measure(100);
+  expect(rows.map((row) => Object.keys(row).sort())).toEqual(
+    rows.map(() => declared("MobilityValue", read("package/src/planish_package", "d.mts"))),
+  );
+  // planish mobility vault.obj --vertices 100 --softness 5 --keep-boundary, see 0035 for what it is.
+  expect(rows.map(({ remake }) => remake)).toEqual([112, 112, 109, 109]);
+  expect(map.best(3)).toEqual([rows[1]]);
+  const refused = openMap(...mesh, { ...settings, tolerance: -1 });
+  expect(refused.problem).toMatch(/tolerance/);
+  map.delete();
   session.delete();
 });
 
@@ -110,17 +196,14 @@ it("declares every bound member of Analysis; it measures what a session shows", 
   session.delete();
 });
 
-it.each(["EditMode", "Engine", "FairnessKind", "Sparsity"] as const)(
-  "declares every value of %s",
-  async (name) => {
-    const module = await loadPlanish();
-    const line = new RegExp(`${name}: \\{(.*)\\};`).exec(declarations)?.[1] ?? "";
-    const names = [...line.matchAll(/(\w+): EnumValue/g)].map((match) => match[1]);
-    const values = module[name] as Record<string, { value?: number }>;
-    const bound = Object.keys(values).filter((key) => typeof values[key]?.value === "number");
-    expect(bound.filter((key) => key !== "values").sort()).toEqual(names.sort());
-  },
-);
+it.each(["EditMode"] as const)("declares every value of %s", async (name) => {
+  const module = await loadPlanish();
+  const line = new RegExp(`${name}: \\{(.*)\\};`).exec(declarations)?.[1] ?? "";
+  const names = [...line.matchAll(/(\w+): EnumValue/g)].map((match) => match[1]);
+  const values = module[name] as Record<string, { value?: number }>;
+  const bound = Object.keys(values).filter((key) => typeof values[key]?.value === "number");
+  expect(bound.filter((key) => key !== "values").sort()).toEqual(names.sort());
+});
 
 it("stays a page long", () => {
   expect(declarations.split("\n").length).toBeLessThanOrEqual(110);

@@ -42,6 +42,7 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
       settings: FIRST_SETTINGS,
       budget: 10,
       limit: { degrees: LIMIT, short: Number.POSITIVE_INFINITY, from },
+      fairWay: null,
     });
     if (frame?.kind !== "shown") throw new Error(`frame ${k} was refused`);
     const { sharpestFold, maxDisplacement } = frame.report;

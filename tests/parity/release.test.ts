@@ -57,6 +57,7 @@ class Page {
       settings,
       budget: 10,
       limit: null,
+      fairWay: null,
     } as const;
     const answer = await this.ask(request);
     if (answer.kind !== "shown") throw new Error(answer.kind);

@@ -279,7 +279,8 @@ describe("a file of triangles or of little", () => {
     hidden.visible = false;
     file.objects().addPoint([1, 2, 5], hidden);
     expect(readFaces(file).remarks).toEqual([
-      "Left out: 1 text or dimension, 2 points, 1 hidden object.",
+      "Shown as context, in grey: 2 points.",
+      "Left out: 1 text or dimension, 1 hidden object.",
     ]);
     const surface = emptyFile();
     const square = polyline([
@@ -294,6 +295,72 @@ describe("a file of triangles or of little", () => {
       "It holds no mesh and no closed polyline. It holds 1 surface. In Rhino, DupFaceBorder",
     );
     expect(() => readModel(rhino, Uint8Array.of(1, 2, 3))).toThrow(/not a Rhino model/);
+  });
+});
+
+const SQUARE: Corners = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [1, 1, 0],
+  [0, 1, 0],
+];
+
+/** How far the ends of lines are from the origin at most, and at least. */
+function distances(ends: Float64Array): readonly [number, number] {
+  const all = Array.from({ length: ends.length / 3 }, (_, k) =>
+    Math.hypot(...ends.subarray(3 * k, 3 * k + 3)),
+  );
+  return [Math.min(...all), Math.max(...all)];
+}
+
+describe("what lies beside the panels", () => {
+  it("is drawn where it runs: curves, edges and meshes of surfaces, points", () => {
+    const file = emptyFile();
+    const circle = new rhino.Circle(3);
+    file.objects().addMesh(mesh(SQUARE, [[0, 1, 2, 3]]), plain());
+    file.objects().addCurve(circle.toNurbsCurve(), plain());
+    const curved = readFaces(file).context;
+    expect(curved?.count).toBe(1);
+    expect(curved?.lines.length).toBe(4 * 16 * 6); // four spans
+    for (const distance of distances(curved?.lines ?? new Float64Array()))
+      expect(distance).toBeCloseTo(3, 9);
+    const box = rhino.Brep.createFromBoundingBox(new rhino.BoundingBox([0, 0, 5], [1, 2, 8]));
+    file.objects().addBrep(box, plain());
+    file.objects().addExtrusion(rhino.Extrusion.create(circle.toNurbsCurve(), 4, true), plain());
+    file
+      .objects()
+      .addSurface(rhino.NurbsSurface.createFromSphere(new rhino.Sphere([0, 0, 0], 2)), plain());
+    const cloud = new rhino.PointCloud();
+    cloud.add([1, 2, 3]);
+    cloud.add([4, 5, 6]);
+    file.objects().addPointCloud(cloud, plain());
+    file.objects().addTextDot("north", [0, 0, 0], plain());
+    file.objects().addCurve(polyline(SQUARE), plain()); // the mesh is read instead
+    const { context, remarks, mesh: panels } = readFaces(file);
+    expect(panels.faces).toEqual([[0, 1, 2, 3]]);
+    expect(context?.count).toBe(6);
+    expect([...(context?.points ?? [])]).toEqual([1, 2, 3, 4, 5, 6]);
+    expect(remarks).toEqual([
+      "Shown as context, in grey: 1 open or curved curve, 3 surfaces, 1 point, 1 closed polyline.",
+      "Left out: 1 text or dimension.",
+    ]);
+  });
+
+  it("stays beside a design of ours, whose own layers are no context", async () => {
+    const { bytes } = writeModel(rhino, await edited("roof", 6, 0.3));
+    const file = rhino.File3dm.fromByteArray(bytes);
+    expect(readModel(rhino, bytes).context).toBeNull();
+    const layer = new rhino.Layer();
+    layer.name = "Site";
+    const attributes = plain();
+    attributes.layerIndex = file.layers().add(layer);
+    file.objects().addMesh(mesh(SQUARE, [[0, 1, 2, 3]]), attributes);
+    file.objects().addCurve(new rhino.LineCurve([0, 0, 0], [1, 2, 3]), attributes);
+    const read = readFaces(file);
+    expect(read.design).not.toBe("");
+    expect([...(read.context?.lines ?? [])]).toEqual([0, 0, 0, 1, 2, 3]);
+    expect(read.context?.triangles.length).toBe(18);
+    expect(read.remarks).toEqual(["Shown as context, in grey: 1 open or curved curve, 1 mesh."]);
   });
 });
 

@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { serve } from "../../.tools/serve.mjs";
+import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
 import { readObj } from "../browser/support/obj.ts";
 import { loadPlanish } from "./support/planish.ts";
 import { designText, makeDesign, type Recipe } from "./support/recipes.ts";
@@ -69,7 +70,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 async function inNode(): Promise<string[]> {
   const module = await loadPlanish();
-  return recipes.map((recipe) => makeDesign(module, recipe));
+  return recipes.map((recipe) => makeDesign(module, recipe, DEFAULT_SETTINGS));
 }
 
 /** In a module worker of a real browser, as the page's solver runs. */
@@ -85,7 +86,7 @@ async function inBrowser(): Promise<string[]> {
     const makeDesign = ${makeDesign.toString()};
     onmessage = async ({ data }) => {
       const module = await create();
-      postMessage(data.map((recipe) => makeDesign(module, recipe)));
+      postMessage(data.map((recipe) => makeDesign(module, recipe, ${JSON.stringify(DEFAULT_SETTINGS)})));
     };`;
   const texts = await page.evaluate(
     ([code, list]) =>

@@ -74,10 +74,15 @@ it.each(["roof", "vault", "dome", "hex"])(
         settings: FIRST_SETTINGS,
         budget: 0,
         limit: null,
+        fairWay: null,
       },
       "shown",
     );
-    const explored = { kind: "explore", job: 3, dimension: DIMENSION, eigenbasis: false } as const;
+    const explored = {
+      kind: "explore",
+      job: 3,
+      family: { asked: DIMENSION, eigenbasis: false },
+    } as const;
     const { leads } = await ask(explored, "explored");
     expect(leads.length).toBeGreaterThan(0);
     const { Analysis } = await loadAnalysis();

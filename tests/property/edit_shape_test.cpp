@@ -2,11 +2,18 @@
 /// What keeps its shape: no edit makes a panel concave, crossing, turned over or collapsed.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "planish/handle_edit.hpp"
+#include "planish/io/obj.hpp"
 #include "planish/panel_health.hpp"
+#include "planish/planarising.hpp"
+#include "support/edit_invariants.hpp"
+#include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -19,6 +26,30 @@ int spoilt_panels(const Mesh& mesh, const HandleEditResult& result) {
     count += panel_damage(mesh.positions, after, mesh.face(f)) != PanelDamage::kNone ? 1 : 0;
   }
   return count;
+}
+
+/// The least share of its size that a corner is left with, straight ones left out, by its own code.
+double least_share(const Mesh& mesh, const Positions& after) {
+  double least = 1.0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const std::size_t n = face.size();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < n; ++k) {
+      normal += mesh.positions.col(face[k]).cross(mesh.positions.col(face[(k + 1) % n]));
+    }
+    normal.normalize();
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto size = [&](const Positions& p) {
+        const Eigen::Vector3d in = p.col(face[k]) - p.col(face[(k + n - 1) % n]);
+        const Eigen::Vector3d out = p.col(face[(k + 1) % n]) - p.col(face[k]);
+        return std::pair{normal.dot(in.cross(out)), in.norm() * out.norm()};
+      };
+      const auto [before, lengths] = size(mesh.positions);
+      if (std::abs(before) > 2e-3 * lengths) least = std::min(least, size(after).first / before);
+    }
+  }
+  return least;
 }
 
 class EditShape : public ::testing::TestWithParam<const char*> {
@@ -46,6 +77,26 @@ TEST_P(EditShape, IsKeptByEveryEdit) {
     const HandleEditResult result = solver.solve(targets);
     EXPECT_EQ(spoilt_panels(mesh, result), 0);
     EXPECT_LE(result.report.planarity_after, testing::kPromise);
+    if (result.report.status == SolveStatus::kConverged) {
+      EXPECT_GE(least_share(mesh, apply(mesh, result)), 0.05);
+    }
+  }
+}
+
+/// Where the bound is what stops the edit: points at rest follow ε, and once took a corner past it.
+TEST(EditShapeAtItsBound, NoCornerOfAConvergedEditIsBeyondIt) {
+  const auto bytes = testing::shared_mesh_bytes("pq_wein99_diag.obj");
+  if (!bytes) GTEST_SKIP() << "skipped: no shared meshes";
+  Mesh mesh = std::get<MeshFile>(read_obj(*bytes)).mesh;
+  mesh.positions = testing::apply(mesh, planarise(mesh, {}));
+  HandleEditSolver solver(mesh, {});
+  const Eigen::Vector3d move(0.07447958750353563, -0.18140149348411755, 1.09819728794436);
+  for (const double times : {1.0, 1.875}) {
+    const HandleEditResult result = solver.solve(testing::pull(mesh, 662, times * move));
+    EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+    const double share = least_share(mesh, apply(mesh, result));
+    EXPECT_GE(share, 0.05);
+    EXPECT_LE(share, 0.06);
   }
 }
 

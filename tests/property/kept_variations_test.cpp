@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
-/// Variations of edits that keep more than planarity: tangent to it, and exact after (8). Measured
-/// without the product's code.
+/// Variations of edits that keep more than planarity, kinds or stated limits: tangent to what is an
+/// equation, and exact after (8). Measured without the product's code.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "planish/area_vector.hpp"
+#include "planish/exact_variation.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/projection.hpp"
+#include "planish/slider_stops.hpp"
 #include "planish/subspace.hpp"
 #include "support/circles.hpp"
 #include "support/cones.hpp"
@@ -93,6 +102,107 @@ TEST_P(KeptVariations, MadeExactKeepItAndLeaveTheRest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, KeptVariations, ::testing::Values("circular", "conical"));
+
+/// Of every edge that two panels share, degrees.
+std::vector<double> folds_of(const Mesh& mesh, const Positions& p) {
+  std::map<std::pair<int, int>, std::vector<int>> sides;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int a = face[k], b = face[(k + 1) % face.size()];
+      sides[{std::min(a, b), std::max(a, b)}].push_back(f);
+    }
+  }
+  std::vector<double> folds;
+  for (const auto& [edge, faces] : sides) {
+    if (faces.size() != 2) continue;
+    const Eigen::Vector3d a = area_vector(p, mesh.face(faces[0])).normalized();
+    const Eigen::Vector3d b = area_vector(p, mesh.face(faces[1])).normalized();
+    folds.push_back(std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::acos(-1.0));
+  }
+  return folds;
+}
+
+double most_sharpened(const Mesh& base, const Positions& after) {
+  const std::vector<double> was = folds_of(base, base.positions), is = folds_of(base, after);
+  double most = 0.0;
+  for (std::size_t k = 0; k < was.size(); ++k) most = std::max(most, is[k] - was[k]);
+  return most;
+}
+
+class LimitedVariations : public ::testing::TestWithParam<const char*> {
+ protected:
+  static constexpr double kGrowth = 4.0;        ///< degrees that folds may sharpen by
+  static constexpr double kSlack = 0.1 + 1e-6;  ///< what a relative limit adds [LIM-2]
+  static constexpr int kSettings = 50;          ///< of each sample; 200 in all
+
+  LimitedVariations() : base(testing::sample(GetParam(), 10)) {
+    const int handle = testing::middle_vertex(base);
+    options.bounds = {{.name = "fold", .least = 0.0, .most = kGrowth, .relative = true}};
+    edited =
+        apply(base, solve_handle_edit(base, testing::pull(base, handle, {0.0, 0.0, 0.3}), options));
+    subspace = compute_subspace(base, edited, {handle}, {.dimension = 4});
+  }
+
+  [[nodiscard]] Positions shape(const Eigen::VectorXd& values) const {
+    Positions rows;
+    evaluate(subspace, values, rows);
+    Positions result = edited;
+    result(Eigen::all, subspace.support) = rows;
+    return result;
+  }
+
+  [[nodiscard]] Positions exact(const Positions& shown, const HandleEditOptions& keeps) const {
+    const ProjectionResult result = make_exact({base, edited, shown}, keeps, 0.0, {});
+    EXPECT_TRUE(result.report.usable()) << status_name(result.report.status);
+    Positions after = shown;
+    after(Eigen::all, result.moved) = result.moved_positions;
+    return after;
+  }
+
+  Mesh base;
+  HandleEditOptions options;
+  Positions edited;
+  Subspace subspace;
+};
+
+TEST_P(LimitedVariations, KeepTheLimitsWhereverTheSlidersStand) {
+  ASSERT_GT(subspace.dimension(), 0);
+  ASSERT_LE(most_sharpened(base, edited), kGrowth + kSlack);
+  std::mt19937 random(7);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(subspace.dimension());
+  int held_back = 0, moved = 0;
+  for (int setting = 0; setting < kSettings; ++setting) {
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      const SliderRange range =
+          slider_ranges(base, edited, subspace, values)[static_cast<std::size_t>(k)];
+      const double low = std::max(range.lower.value, -2.0), high = std::min(range.upper.value, 2.0);
+      const double share = static_cast<double>(random() % 1000) / 1000.0;
+      values[k] = low + share * (high - low);
+    }
+    const Positions after = exact(shape(values), options);
+    EXPECT_LE(most_sharpened(base, after), kGrowth + kSlack) << "setting " << setting;
+    EXPECT_LE(planarity_summary(base, after).max_excess, testing::kPromise);
+    if (setting % 10 == 0) {
+      held_back += most_sharpened(base, exact(shape(values), {})) > kGrowth + kSlack ? 1 : 0;
+    }
+    moved += after != edited ? 1 : 0;
+  }
+  EXPECT_GT(held_back, 0) << "no setting would exceed the limit without it";
+  EXPECT_GT(moved, 0) << "every setting came back all the way";
+}
+
+TEST_P(LimitedVariations, ThatKeepThemAlreadyAreTheSameBits) {
+  ASSERT_GT(subspace.dimension(), 0);
+  HandleEditOptions wide;
+  wide.bounds = {{.name = "fold", .least = 0.0, .most = 40.0, .relative = true}};
+  const Positions shown = shape(0.01 * Eigen::VectorXd::Ones(subspace.dimension()));
+  EXPECT_TRUE(exact(shown, wide) == exact(shown, {}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, LimitedVariations,
+                         ::testing::Values("roof", "vault", "dome", "hex"),
+                         [](const auto& each) { return std::string(each.param); });
 
 }  // namespace
 }  // namespace planish

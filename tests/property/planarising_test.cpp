@@ -11,6 +11,7 @@
 #include <map>
 #include <variant>
 
+#include "planish/adjacency.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
@@ -151,6 +152,80 @@ TEST(SoundProjection, NeverSpoilsAPanelWhateverTheSurface) {
 
 /// ∇F + Jᵀλ = 0 for some λ, with J by differences: where no corner is near its bound, the result is
 /// a first-order point of α_d ‖t‖² + α_f ‖E t‖².
+/// (positions, result) of a planarising.
+std::pair<Positions, ProjectionResult> made(const Mesh& mesh, const Planarising& how) {
+  ProjectionResult result = planarise(mesh, how);
+  Positions positions = mesh.positions;
+  positions(Eigen::all, result.moved) = result.moved_positions;
+  return {positions, result};
+}
+
+TEST(NearlyFlat, ChangesLessTheFartherPanelsMayStayOutOfFlat) {
+  const Mesh mesh = bumpy_grid(16, 0.05);
+  const double before = planarity_summary(mesh).max;
+  double move = made(mesh, {}).second.rms_move;
+  for (const double most : {0.05 * before, 0.2 * before, 0.6 * before}) {
+    const auto [positions, result] = made(mesh, {.flat_within = most});
+    EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+    EXPECT_LE(planarity_summary(mesh, positions).max_excess, most);
+    EXPECT_GT(planarity_summary(mesh, positions).max_excess, 0.3 * most);
+    EXPECT_EQ(spoilt_count(mesh, positions), 0);
+    EXPECT_LT(result.rms_move, move);
+    move = result.rms_move;
+  }
+  EXPECT_TRUE(made(mesh, {.flat_within = 1.01 * before}).second.moved.empty());
+}
+
+TEST(NearlyFlat, IsAsFlatAsTheLargestMoveLetsIt) {
+  const Mesh mesh = bumpy_grid(16, 0.05);
+  const ProjectionResult flat = made(mesh, {}).second;
+  // Far enough: the flat mesh itself, bit for bit.
+  const auto [same, all] = made(mesh, {.within = flat.max_move});
+  EXPECT_EQ(all.moved_positions, flat.moved_positions);
+  double bent = planarity_summary(mesh).max;
+  for (const double share : {0.1, 0.3, 0.6}) {
+    const double most = share * flat.max_move;
+    const auto [positions, result] = made(mesh, {.within = most});
+    EXPECT_EQ(result.report.status, SolveStatus::kToleranceNotMet);
+    EXPECT_LE((positions - mesh.positions).colwise().norm().maxCoeff(), most);
+    EXPECT_GT(result.max_move, 0.5 * most);
+    EXPECT_EQ(spoilt_count(mesh, positions), 0);
+    EXPECT_LT(planarity_summary(mesh, positions).max, bent);
+    bent = planarity_summary(mesh, positions).max;
+  }
+}
+
+TEST(NearlyFlat, KeepsTheBoundaryWithinBothBounds) {
+  const Mesh mesh = bumpy_grid(12, 0.05);
+  const auto [positions, result] =
+      made(mesh, {.keep_boundary = true, .within = 0.02, .flat_within = 5.0});
+  for (const int v : boundary_vertices(mesh)) EXPECT_EQ(positions.col(v), mesh.positions.col(v));
+  EXPECT_LE(result.max_move, 0.02);
+  EXPECT_FALSE(result.moved.empty());
+}
+
+TEST(NearestFlat, OfALargeMeshIsCertified) {
+  const Mesh mesh = bumpy_grid(71, 0.05);
+  const Planarising nearest{.fairness_weight = 0.0, .keep_shape = false};
+  const ProjectionResult result = planarise(mesh, nearest);
+  EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+  ASSERT_TRUE(result.report.optimality.has_value());
+  EXPECT_LE(result.report.optimality->stationarity, 2e-5);
+  EXPECT_LE(result.report.planarity_after, 1e-6);
+  const ProjectionResult fair = planarise(mesh, {});
+  EXPECT_LT(result.rms_move, fair.rms_move);
+}
+
+TEST(SoundProjection, ALargeMeshIsFlatSoundAndCertified) {
+  const Mesh mesh = bumpy_grid(71, 0.05);  // more points than are solved by a factor of the Hessian
+  const ProjectionResult result = planarise(mesh, {});
+  EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+  ASSERT_TRUE(result.report.optimality.has_value());
+  EXPECT_TRUE(result.report.optimality->met());
+  EXPECT_LE(result.report.planarity_after, 1e-6);
+  EXPECT_EQ(spoilt_count(mesh, testing::apply(mesh, result)), 0);
+}
+
 TEST(SoundProjection, IsAFirstOrderPointOfItsProblem) {
   const Mesh mesh = bumpy_grid(9, 0.01);
   const Planarising how;

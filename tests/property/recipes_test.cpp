@@ -13,6 +13,7 @@
 
 #include "planish/design.hpp"
 #include "planish/design_text.hpp"
+#include "planish/panel_health.hpp"
 
 namespace planish {
 namespace {
@@ -38,6 +39,15 @@ bool is_certified(const Design& design) {
   return design.variations.empty() && design.options.engine == Engine::kNewton;
 }
 
+int spoilt_panels(const Replay& replay) {
+  int count = 0;
+  for (int f = 0; f < replay.base.face_count(); ++f) {
+    const auto damage = panel_damage(replay.base.positions, replay.shape, replay.base.face(f));
+    count += damage == PanelDamage::kNone ? 0 : 1;
+  }
+  return count;
+}
+
 #ifdef __EMSCRIPTEN__
 constexpr bool kRecordedHere = false;
 #else
@@ -60,6 +70,9 @@ TEST(Recipes, AllGiveTheirRecordedResult) {
       EXPECT_EQ(result.mark.moved, std::get<Design>(design).result->moved);
     } else {
       EXPECT_LE(result.deviation, kNear * mean_edge_length(result.base));
+    }
+    if (std::get<Design>(design).options.keep_shape) {
+      EXPECT_EQ(spoilt_panels(result), 0) << "a figure of what the product makes";
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Problem (7): an orthonormal, tangent, local family of variations; and Proposition 1.
+/// Problem (7): an orthonormal, tangent, local family of variations.
 #include "planish/subspace.hpp"
 
 #include <gtest/gtest.h>
@@ -239,62 +239,6 @@ TEST(SubspaceOptions, NameWhatIsWrong) {
   EXPECT_NE(problem({.correlation = 1.0}).find("correlation"), std::string::npos);
   EXPECT_NE(problem({.reach = -1}).find("reach"), std::string::npos);
 }
-
-/// Proposition 1 of the paper, by quadrature over the circle.
-class PropositionOne : public ::testing::TestWithParam<unsigned> {
- protected:
-  static constexpr int kSamples = 4096;
-
-  static double angle(int k) { return 2 * std::acos(-1.0) * (k + 0.5) / kSamples; }
-
-  static double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
-    return u.colwise().norm().dot(v.colwise().norm());
-  }
-
-  static double gap(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
-    double sum = 0.0;
-    for (int k = 0; k < kSamples; ++k) {
-      const double x = std::cos(angle(k)), y = std::sin(angle(k));
-      sum += std::abs(x) * u.colwise().norm().sum() + std::abs(y) * v.colwise().norm().sum() -
-             (x * u + y * v).colwise().norm().sum();
-    }
-    return sum * 2 * std::acos(-1.0) / kSamples;
-  }
-
-  /// 4 / max_i max (‖x u_i‖ + ‖y v_i‖ + ‖x u_i + y v_i‖)
-  static double factor(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
-    double largest = 0.0;
-    for (int k = 0; k < kSamples; ++k) {
-      const double x = std::cos(angle(k)), y = std::sin(angle(k));
-      const Eigen::RowVectorXd sums =
-          (x * u).colwise().norm() + (y * v).colwise().norm() + (x * u + y * v).colwise().norm();
-      largest = std::max(largest, sums.maxCoeff());
-    }
-    return 4.0 / largest;
-  }
-};
-
-TEST_P(PropositionOne, TheGapBoundsTheCorrelation) {
-  Eigen::Matrix3Xd u = testing::random_points(GetParam(), 12);
-  Eigen::Matrix3Xd v = testing::random_points(GetParam() + 400, 12);
-  u.normalize();
-  v.normalize();
-  EXPECT_GE(gap(u, v), factor(u, v) * correlation(u, v) * (1 - 1e-6));
-  EXPECT_LE(correlation(u, v), 1.0);
-}
-
-TEST_P(PropositionOne, DisjointRegionsHaveNeither) {
-  Eigen::Matrix3Xd u = testing::random_points(GetParam(), 12);
-  Eigen::Matrix3Xd v = testing::random_points(GetParam() + 400, 12);
-  u.rightCols(6).setZero();
-  v.leftCols(6).setZero();
-  u.normalize();
-  v.normalize();
-  EXPECT_EQ(correlation(u, v), 0.0);
-  EXPECT_NEAR(gap(u, v), 0.0, 1e-9);
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, PropositionOne, ::testing::ValuesIn(testing::seeds()));
 
 }  // namespace
 }  // namespace planish

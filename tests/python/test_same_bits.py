@@ -140,14 +140,19 @@ class SameBits(InFolder):
         bumpy.write("bumpy.obj")
         mesh.write("base.obj")
         cases = [
-            ([], {}),
-            (["--smooth=0", "--keep-boundary"], {"smooth": 0, "keep_boundary": True}),
-            (["--reference", "base.obj", "--pin=0,1"], {"reference": mesh, "pins": [0, 1]}),
+            ([], {}, 0),
+            (["--smooth=0", "--keep-boundary"], {"smooth": 0, "keep_boundary": True}, 0),
+            (["--reference", "base.obj", "--pin=0,1"], {"reference": mesh, "pins": [0, 1]}, 0),
+            (["--within=0.02"], {"within": 0.02}, 4),
+            (["--bound=flat=2", "--bound=shape=off"], {"bounds": {"flat": 2, "shape": False}}, 0),
         ]
-        for words, options in cases:
+        for words, options, code in cases:
             with self.subTest(words):
-                self.command("project", "bumpy.obj", *words, "-o", "p.glb", "--report", "p.report")
+                files = ["-o", "p.glb", "--report", "p.report"]
+                said = self.command("project", "bumpy.obj", *words, *files, code=code)
                 projection = planish.project(bumpy, **options)
+                messages = [f"planish: {message}\n" for message in projection.messages]
+                self.assertEqual("".join(messages), said.replace("--", ""))
                 self.check_file("p.glb", projection)
                 self.check_report("p.report", projection.report)
 

@@ -12,6 +12,7 @@ import zipfile
 from zipped_dxf import read_csv, read_dxf
 
 try:
+    from shapely.affinity import rotate, translate
     from shapely.geometry import Polygon, box
 except ImportError:
     sys.exit(77)
@@ -23,10 +24,10 @@ def read_drawing(archive, name):
     return space
 
 
-def cut_outlines(space):
+def loops_on(space, layer):
     return [
         Polygon([(v.dxf.location.x, v.dxf.location.y) for v in line.vertices])
-        for line in space.query('POLYLINE[layer=="CUT"]')
+        for line in space.query(f'POLYLINE[layer=="{layer}"]')
     ]
 
 
@@ -39,6 +40,21 @@ def check_no_overlap(name, outlines):
             if other_low < high and low < other_high:
                 shared = outlines[k].intersection(outlines[j]).area
                 assert shared < 1e-9 * outlines[k].area, f"{name}: two panels overlap"
+
+
+def check_texts(name, space, outline):
+    """Every text within what is cut, clear of the mark and of each other; 0.9 of its height a character."""
+    taken = loops_on(space, "MARK")
+    for mark in taken:
+        assert mark.area > 0 and outline.contains(mark), f"{name}: the mark is not on the panel"
+        assert outline.boundary.distance(mark) > 0, f"{name}: the mark is on a cut"
+    for text in space.query("TEXT"):
+        high, wide = text.dxf.height, 0.9 * text.dxf.height * len(text.dxf.text)
+        place = rotate(box(-wide / 2, -high / 2, wide / 2, high / 2), text.dxf.rotation, (0, 0))
+        place = translate(place, text.dxf.align_point[0], text.dxf.align_point[1])
+        assert outline.contains(place), f"{name}: {text.dxf.text} runs over the edge"
+        assert not any(place.intersects(other) for other in taken), f"{name}: {text.dxf.text}"
+        taken.append(place)
 
 
 def check(path):
@@ -54,12 +70,14 @@ def check(path):
     for name in archive.namelist():
         if not name.endswith(".dxf"):
             continue
-        outlines = cut_outlines(read_drawing(archive, name))
+        space = read_drawing(archive, name)
+        outlines = loops_on(space, "CUT")
         assert all(o.is_valid for o in outlines), f"{name}: an outline crosses itself"
         check_no_overlap(name, outlines)
         if name.startswith("panels/"):
             panel = name.split("/")[1].rsplit("-", 1)[0]
             assert len(outlines) == 1, name
+            check_texts(name, space, outlines[0])
             if package["gap"] == 0:
                 assert abs(outlines[0].area - area[panel]) <= 1e-6 * area[panel], name
         if name.startswith("sheets/"):

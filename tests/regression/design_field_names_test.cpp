@@ -8,7 +8,7 @@ namespace {
 
 /// The name of an unknown field went into the refusal as it was, line ends and all.
 TEST(DesignFieldNames, CannotBreakTheSentence) {
-  const auto result = read_design(R"({"a\nb":1})");
+  const auto result = read_design(R"({"format":"planish-design","a\nb":1})");
   const auto* sentence = std::get_if<std::string>(&result);
   ASSERT_NE(sentence, nullptr);
   for (const char c : *sentence) EXPECT_GE(static_cast<unsigned char>(c), ' ');

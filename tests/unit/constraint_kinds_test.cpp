@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/constraints/kept_kinds.hpp"
 #include "planish/constraints/registry.hpp"
 #include "support/constraint_checks.hpp"
 #include "support/equal_diagonals.hpp"
@@ -40,6 +41,18 @@ TEST(ConstraintKinds, TheExampleIsTheOneThatIsShown) {
   ASSERT_FALSE(code.empty());
   EXPECT_NE(text_of("docs/extending.md").find("```cpp\n" + code + "```"), std::string::npos);
   EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 60);
+}
+
+/// What ends the exact finish is what it keeps its best attempt by.
+TEST(KeptKinds, AreWithinWhereTheStrainIsAtMostOne) {
+  const KeptKinds kept(1e-6);
+  Violations violations;
+  violations[0] = {.measure = 1e-4, .excess = 0.0};  // far from the origin: rounding
+  EXPECT_TRUE(is_within(violations, kept));
+  EXPECT_EQ(strain(violations, kept), 0.0);
+  violations[0] = {.measure = 2e-6, .excess = 2e-6};
+  EXPECT_FALSE(is_within(violations, kept));
+  EXPECT_EQ(strain(violations, kept), 2.0);
 }
 
 /// Rows are numbered through, batch after batch, in the order of the list.

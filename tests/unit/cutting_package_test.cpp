@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/mesh_builders.hpp"
@@ -32,11 +33,21 @@ std::vector<std::string> names_in(const std::string& zip) {
   return names;
 }
 
+struct WholePackage : CuttingPackage {
+  std::string zip;
+};
+
+WholePackage whole_package(const Mesh& mesh, const Mesh* base, const CuttingOptions& options) {
+  std::string zip;
+  const auto keep = [&](std::string_view piece) { zip += piece; };
+  return {write_cutting_package(mesh, base, options, keep), zip};
+}
+
 TEST(CuttingPackage, HoldsTablesDrawingsSheetsAndAMap) {
   CuttingOptions options;
   options.sheet_width = 3000.0;
   options.sheet_height = 2000.0;
-  const CuttingPackage package = write_cutting_package(testing::quad_grid(4, 3), nullptr, options);
+  const WholePackage package = whole_package(testing::quad_grid(4, 3), nullptr, options);
   EXPECT_EQ(
       names_in(package.zip),
       (std::vector<std::string>{
@@ -57,8 +68,7 @@ TEST(CuttingPackage, IsTheSameBytesAgain) {
   const Mesh mesh = testing::sample("trihex", 7);
   CuttingOptions options;
   options.sheet_width = options.sheet_height = 4000.0;
-  EXPECT_TRUE(write_cutting_package(mesh, &mesh, options).zip ==
-              write_cutting_package(mesh, &mesh, options).zip);
+  EXPECT_TRUE(whole_package(mesh, &mesh, options).zip == whole_package(mesh, &mesh, options).zip);
 }
 
 TEST(CuttingPackage, DrawsWhatIsInItsScope) {
@@ -67,7 +77,7 @@ TEST(CuttingPackage, DrawsWhatIsInItsScope) {
   mesh.positions(2, 3) = mesh.positions(2, 7) = 0.25;
   CuttingOptions options;
   options.remake_only = true;
-  const CuttingPackage remade = write_cutting_package(mesh, &base, options);
+  const WholePackage remade = whole_package(mesh, &base, options);
   EXPECT_EQ(remade.report.drawn, 2);
   const auto names = names_in(remade.zip);
   EXPECT_EQ(std::count(names.begin(), names.end(), "panels/P-0001-mm.dxf"), 0);
@@ -76,7 +86,7 @@ TEST(CuttingPackage, DrawsWhatIsInItsScope) {
             R"({"outline":1,"bevel":1,"new":0,"nodes_moved":2,"nodes_arms":2,"nodes_new":0})");
   options = {};
   options.panels = {0};
-  EXPECT_EQ(write_cutting_package(mesh, nullptr, options).report.drawn, 1);
+  EXPECT_EQ(whole_package(mesh, nullptr, options).report.drawn, 1);
 }
 
 TEST(CuttingPackage, NamesWhatItCannotDraw) {
@@ -86,7 +96,7 @@ TEST(CuttingPackage, NamesWhatItCannotDraw) {
   CuttingOptions options;
   options.gap = 60.0;
   options.sheet_width = options.sheet_height = 500.0;
-  const CuttingPackage package = write_cutting_package(mesh, nullptr, options);
+  const WholePackage package = whole_package(mesh, nullptr, options);
   EXPECT_EQ(package.report.vanished, std::vector{1});
   EXPECT_EQ(package.report.oversize, std::vector{0});
   EXPECT_EQ(package.report.sheets, 0);

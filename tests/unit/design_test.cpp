@@ -81,7 +81,7 @@ TEST(Design, PlanarisesItsFileAndKnowsIt) {
   for (int v = 0; v < bumpy.vertex_count(); ++v) bumpy.positions(2, v) += 0.02 * (v % 3);
   Design design;
   design.planarised = kNearestFlat;
-  design.source = FileSource{"bumpy.obj", 0, "obj", write_mesh(bumpy, MeshFormat::kObj)};
+  design.source = FileSource{"bumpy.obj", {}, "obj", write_mesh(bumpy, MeshFormat::kObj)};
   Replay opened = replay_or_fail(design);
   const Eigen::Vector3d up(0.0, 0.0, 0.3);
   design.targets.handles = {{kLifted, opened.base.positions.col(kLifted) + up}};
@@ -93,6 +93,11 @@ TEST(Design, PlanarisesItsFileAndKnowsIt) {
   EXPECT_TRUE(replay_or_fail(design, &bumpy).verified);
   EXPECT_TRUE(replay_or_fail(design, &opened.base).verified);
   EXPECT_NE(refusal_of(design), "");
+  file.hash = 0U;  // a hash like any other
+  EXPECT_NE(refusal_of(design, &bumpy).find("not the one"), std::string::npos);
+  file.hash.reset();  // not known
+  EXPECT_TRUE(replay_or_fail(design, &bumpy).verified);
+  file.hash = mesh_hash(opened.base);
   bumpy.positions(0, 0) += 0.5;
   EXPECT_NE(refusal_of(design, &bumpy).find("not the one"), std::string::npos);
 }

@@ -41,6 +41,8 @@ Design any_design(unsigned seed) {
   if (choose(2) == 0) {
     design.planarised = Planarising{std::abs(number()), choose(2) == 0, choose(2) == 0, {}};
     if (choose(2) == 0) design.planarised->constraints.push_back({"circular", 1e-9});
+    if (choose(2) == 0) design.planarised->within = std::abs(number());
+    if (choose(2) == 0) design.planarised->flat_within = std::abs(number());
   }
   design.unit = choose(2) == 0 ? "mm" : "ft";
   for (int k = choose(4); k > 0; --k) {
@@ -154,18 +156,15 @@ TEST(DesignTextSupports, AreRefusedByName) {
 }
 
 TEST(DesignTextBounds, AreRefusedByName) {
-  const auto with = [](const std::string& bounds, const std::string& more = "") {
+  const auto with = [](const std::string& bounds) {
     return sentence_of(
         R"({"version":1,"format":"planish-design","source":{"sample":"dome","size":9},)"
         R"("options":{"bounds":)" +
-        bounds + "}" + more + "}");
+        bounds + "}}");
   };
   EXPECT_NE(with(R"(["bend=3"])").find("options.bounds[0]"), std::string::npos);
   EXPECT_NE(with(R"(["bend=3"])").find("sheet=WxH"), std::string::npos);
   EXPECT_EQ(with(R"(["fold=200"])"), "options: bounds: fold must be at most 180 degrees");
-  EXPECT_NE(with(R"(["fold=20"])", R"(,"variations":[{"dimension":2,"coefficients":[]}])")
-                .find("they keep no stated limits"),
-            std::string::npos);
 }
 
 TEST(DesignTextConstraints, OfAnUnknownKindAreRefusedByName) {
@@ -175,8 +174,10 @@ TEST(DesignTextConstraints, OfAnUnknownKindAreRefusedByName) {
         R"("options":{"constraints":)" +
         constraints + "}}");
   };
-  EXPECT_EQ(with(R"([{"kind":"round","tolerance":1}])"),
-            "options: constraints: a kind must be one of circular, conical");
+  // The build that registers the kind of docs/extending.md names it after these.
+  EXPECT_EQ(with(R"([{"kind":"round","tolerance":1}])")
+                .find("options: constraints: a kind must be one of circular, conical"),
+            0U);
   EXPECT_EQ(with(R"([{"kind":"circular"}])"), "options.constraints[0].tolerance is missing");
   EXPECT_EQ(with(R"([{"kind":"circular","tolerance":1e-9}])"), "");
 }
@@ -233,10 +234,23 @@ TEST(DesignTextFields, AnErrorNamesTheField) {
             "result.hash must be 8 hexadecimal digits");
 }
 
+TEST(DesignTextFields, AHashOfZerosIsAHash) {
+  Design design;
+  design.source = FileSource{"roof.obj", 0U, "", ""};
+  const std::string text = write_design(design);
+  EXPECT_NE(text.find("\"00000000\""), std::string::npos) << text;
+  const auto again = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(again));
+  EXPECT_EQ(std::get<FileSource>(std::get<Design>(again).source).hash, 0U);
+  design.source = FileSource{"roof.obj", {}, "", ""};
+  EXPECT_EQ(write_design(design).find("\"hash\""), std::string::npos);
+}
+
 TEST(DesignTextFields, WhatIsNoDesignIsRefused) {
   EXPECT_EQ(sentence_of(""), "the design is not JSON");
   EXPECT_EQ(sentence_of("null"), "the design must be an object");
   EXPECT_EQ(sentence_of("[1]"), "the design must be an object");
+  EXPECT_EQ(sentence_of("{\"name\":\"package\"}"), "format is missing: it must be planish-design");
   EXPECT_EQ(sentence_of(std::string(100'000, '[')), "the design is nested too deeply");
   EXPECT_EQ(sentence_of("{\"handles\":[[1,1e999,0,0]]}"), "the design is not JSON");
   EXPECT_FALSE(is_design_text("v 0 0 0"));

@@ -44,6 +44,17 @@ TEST(SharpestFold, IsOfTheFacesAskedForAndTheirNeighbours) {
   EXPECT_EQ(fold_of(mesh, {}).face, -1);
 }
 
+TEST(FoldGrowth, IsOfTheFoldThatSharpenedMost) {
+  const Mesh mesh = strip(30.0);
+  const auto growth = [&](double before, double after, const std::vector<int>& faces) {
+    return largest_fold_growth(mesh, build_adjacency(mesh), strip(before).positions,
+                               strip(after).positions, faces);
+  };
+  EXPECT_NEAR(growth(30.0, 42.0, {2}), 12.0, 1e-7);
+  EXPECT_EQ(growth(30.0, 20.0, {2}), 0.0);
+  EXPECT_EQ(growth(30.0, 42.0, {0}), 0.0) << "not a fold of this face";
+}
+
 TEST(FaceFolds, AreTheSharpestOfEachFaceWithItsNeighbours) {
   const std::vector<double> folds = face_folds(strip(30.0), strip(30.0).positions);
   ASSERT_EQ(folds.size(), 3u);

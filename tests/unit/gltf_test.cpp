@@ -55,6 +55,32 @@ GlbContent full_content(const Mesh& mesh) {
   return content;
 }
 
+TEST(Gltf, ASecondLayerIsShownAndNotRead) {
+  const Mesh mesh = *make_sample("dome", 8);
+  GlbContent content = full_content(mesh);
+  content.offset = mesh.positions.array() + 0.5;
+  const std::string bytes = write_glb(mesh, content);
+  const nlohmann::json json = take_apart(bytes).json;
+  ASSERT_EQ(json["nodes"].size(), 3U);
+  EXPECT_EQ(json["nodes"][2]["name"], "planish offset");
+  const auto& layer = json["meshes"][2]["primitives"][0];
+  EXPECT_EQ(json["materials"][layer["material"].get<std::size_t>()]["alphaMode"], "BLEND");
+  const auto& first = json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(layer["indices"], first["indices"]);
+  for (const char* end : {"min", "max"}) {
+    const auto corner = [&](const nlohmann::json& primitive) {
+      const auto accessor = primitive["attributes"]["POSITION"].get<std::size_t>();
+      return json["accessors"][accessor][end][0].get<double>();
+    };
+    EXPECT_NEAR(corner(layer) - corner(first), 0.5, 1e-6);
+  }
+  const auto opened = read_glb_design(bytes);
+  const auto* glb = std::get_if<GlbFile>(&opened);
+  ASSERT_NE(glb, nullptr);
+  EXPECT_TRUE(same_bits(mesh, glb->file.mesh));
+  EXPECT_EQ(glb->design, content.design);
+}
+
 TEST(Gltf, KeepsBaseAndDesign) {
   const Mesh mesh = *make_sample("trihex", 8);
   const GlbContent content = full_content(mesh);

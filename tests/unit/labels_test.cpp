@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/mesh_builders.hpp"
+#include "support/scenes.hpp"
 
 namespace planish {
 namespace {
@@ -27,11 +28,14 @@ TEST(Labels, AreOneForEachPanelEightToAPage) {
   EXPECT_EQ(count(html, "class=\"page\""), 2);
   EXPECT_EQ(count(html, "<div"), count(html, "</div>"));
   EXPECT_NE(html.find("<b>P-0005</b>"), std::string::npos);
-  EXPECT_NE(html.find("Sides: P-0002 P-0006 P-0008 P-0004<"), std::string::npos);
+  EXPECT_NE(html.find("Sides: <i>P-0002</i> <i>P-0006</i> <i>P-0008</i> <i>P-0004</i><"),
+            std::string::npos);
   EXPECT_NE(html.find("<p>1000 × 1000 mm</p>"), std::string::npos);
   EXPECT_NE(html.find("&lt;b>R&amp;D"), std::string::npos);
   EXPECT_EQ(html.find("<b>R&D"), std::string::npos);
   EXPECT_EQ(count(html, "<use"), 0);
+  EXPECT_EQ(count(html, "class=\"many\""), 0);
+  EXPECT_NE(html.find("i{font-style:normal;white-space:nowrap}"), std::string::npos);  // "P-" broke
 }
 
 TEST(Labels, SayWhatMustBeMadeAgain) {

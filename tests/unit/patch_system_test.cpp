@@ -43,15 +43,15 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
 
   [[nodiscard]] double lagrangian(const Eigen::Matrix3Xd& d) const {
     Eigen::VectorXd c;
-    system.residuals(d, c);
-    return system.energy(d, kSmoothing) + state.multipliers.dot(c);
+    system.lagrangian().residuals(d, c);
+    return system.lagrangian().energy(d, kSmoothing) + state.multipliers.dot(c);
   }
 
   [[nodiscard]] Eigen::VectorXd gradient_at(const Eigen::Matrix3Xd& d) const {
     PatchState there = state;
     there.displacement = d;
     Eigen::Matrix3Xd out;
-    system.lagrangian_gradient(there, kSmoothing, out);
+    system.lagrangian().gradient_at(there, kSmoothing, out);
     return Eigen::Map<const Eigen::VectorXd>(out.data(), out.size());
   }
 
@@ -73,7 +73,7 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
 
   [[nodiscard]] Eigen::VectorXd residuals_of(const Eigen::Matrix3Xd& d) const {
     Eigen::VectorXd c;
-    system.residuals(d, c);
+    system.lagrangian().residuals(d, c);
     return c;
   }
 
@@ -87,7 +87,7 @@ TEST_P(SystemOn, EnergyWithoutSmoothingIsTheObjective) {
   Patch moved = patch;
   moved.displacement.leftCols(patch.free_count) = state.displacement;
   const double expected = objective(moved).total();
-  EXPECT_NEAR(system.energy(state.displacement, 0.0), expected, 1e-12 * expected);
+  EXPECT_NEAR(system.lagrangian().energy(state.displacement, 0.0), expected, 1e-12 * expected);
 }
 
 TEST_P(SystemOn, GradientIsTheDerivativeOfTheLagrangian) {

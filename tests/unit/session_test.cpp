@@ -104,6 +104,24 @@ TEST(Session, WhatAMeshBecomesDependsOnTheFileAndTheLastChoiceAlone) {
   EXPECT_NE(twice.base().positions, fair);
 }
 
+TEST(Session, TakesAFlatMeshThatAnotherSessionFound) {
+  Session other;
+  ASSERT_EQ(other.open_file(kWideAndSmall, "obj"), std::nullopt);
+  ASSERT_EQ(other.planarise(), std::nullopt);
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  const Positions opened = session.base().positions;
+  ASSERT_EQ(session.take_planarised(other.base().positions), std::nullopt);
+  EXPECT_EQ(session.base().positions, other.base().positions);
+  EXPECT_EQ(session.before_planarising(), opened);
+  EXPECT_EQ(session.mesh_report().planarised_most, other.mesh_report().planarised_most);
+  EXPECT_NE(session.take_planarised(Positions::Zero(3, 2)), std::nullopt);
+  EXPECT_EQ(session.base().positions, other.base().positions);
+  // Another choice still begins with the file.
+  ASSERT_EQ(session.planarise(kNearestFlat), std::nullopt);
+  EXPECT_EQ(session.before_planarising(), opened);
+}
+
 /// How far the base is from circular panels.
 KindSpread circular_of(const Session& session) {
   for (const KindSpread& spread : session.mesh_report().kinds) {
@@ -120,7 +138,7 @@ TEST(Session, AMeshBecomesCircularAndItsEditsKeepThat) {
   ASSERT_EQ(session.planarise({.constraints = read_constraints("circular")}), std::nullopt);
   EXPECT_LE(defect(), 1e-9);
   EXPECT_GT(session.before_planarising().cols(), 0);
-  ASSERT_EQ(session.set_constraints("circular"), std::nullopt);
+  ASSERT_EQ(session.set_options({.constraints = read_constraints("circular")}), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
   EXPECT_FALSE(session.moved().empty());
   const Refusal unknown = session.planarise({.constraints = read_constraints("round")});
@@ -278,8 +296,9 @@ TEST(Session, LimitsHoldInEveryEditFromThereOn) {
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   ASSERT_GT(sharpest_fold_of(session), 20.1);
   EXPECT_TRUE(session.shape_report().solve.bounds.empty());
-  ASSERT_EQ(session.set_limits("fold=20\nangle=45:135\n"), std::nullopt);
-  ASSERT_EQ(session.set_options(soft), std::nullopt) << "options leave the limits alone";
+  HandleEditOptions limited = soft;
+  limited.bounds = read_limits("fold=20\nangle=45:135\n");
+  ASSERT_EQ(session.set_options(limited), std::nullopt);
   for (int frame = 1; frame <= 8; ++frame) {
     ASSERT_EQ(session.edit(EditMode::kDrag, lift(session, 0.1 * frame), 10.0), std::nullopt);
     EXPECT_LE(sharpest_fold_of(session), 20.1);
@@ -299,25 +318,33 @@ TEST(Session, LimitsHoldInEveryEditFromThereOn) {
       EXPECT_EQ(bound.name, "angle");
     }
   }
-  ASSERT_EQ(session.set_limits(""), std::nullopt);
+  ASSERT_EQ(session.set_options(soft), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   EXPECT_GT(sharpest_fold_of(session), 20.1);
 }
 
-TEST(Session, WhatKeepsNoLimitsRefusesThemInWords) {
+TEST(Session, LimitsThatCannotBeAreRefusedInWordsAndVariationsKeepTheOthers) {
   Session session = open_vault();
   const auto says = [](const Refusal& refusal, const char* words) {
     return refusal && refusal->find(words) != std::string::npos;
   };
-  EXPECT_TRUE(says(session.set_limits("flat=20"), "one of fold=MAX"));
-  EXPECT_TRUE(says(session.set_limits("angle=120:60"), "must be less than the second"));
-  ASSERT_EQ(session.set_limits("fold=+5"), std::nullopt);
-  EXPECT_TRUE(says(session.set_limits("fold=900"), "at most 180 degrees"));
+  const auto limit = [&](const char* text) {
+    return session.set_options({.bounds = read_limits(text)});
+  };
+  EXPECT_TRUE(says(limit("flat=20"), "one of fold=MAX"));
+  EXPECT_TRUE(says(limit("angle=120:60"), "must be less than the second"));
+  ASSERT_EQ(limit("fold=+5"), std::nullopt);
+  EXPECT_TRUE(says(limit("fold=900"), "at most 180 degrees"));
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 10.0), std::nullopt);
-  EXPECT_TRUE(says(session.explore({.dimension = 2}), "Variations keep no limits"));
-  EXPECT_TRUE(says(session.make_exact(), "Make exact keeps no limits"));
-  ASSERT_EQ(session.set_limits(""), std::nullopt);
-  EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  ASSERT_LE(session.shape_report().fold_growth, 5.1);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  ASSERT_EQ(session.vary(Eigen::Vector2d(1.5, -1.5)), std::nullopt);
+  EXPECT_GT(session.shape_report().fold_growth, 5.1) << "the sliders alone keep no limit";
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_LE(session.shape_report().fold_growth, 5.1);
+  EXPECT_EQ(session.shape_report().solve.status, SolveStatus::kNearestConfined);
+  ASSERT_EQ(session.shape_report().solve.bounds.size(), 1u);
+  EXPECT_FALSE(session.shape_report().solve.bounds.front().binding.empty());
 }
 
 TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
@@ -326,9 +353,12 @@ TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   const KindSpread circular = circular_of(session);
   EXPECT_LE(circular.excess, 1e-9);
   EXPECT_LE(circular.median, circular.worst);
-  EXPECT_NE(session.set_constraints("round"), std::nullopt);
-  EXPECT_NE(session.set_constraints("circular:0"), std::nullopt);
-  ASSERT_EQ(session.set_constraints("circular\n"), std::nullopt);
+  const auto keep = [&](const char* kinds) {
+    return session.set_options({.constraints = read_constraints(kinds)});
+  };
+  EXPECT_NE(keep("round"), std::nullopt);
+  EXPECT_NE(keep("circular:0"), std::nullopt);
+  ASSERT_EQ(keep("circular\n"), std::nullopt);
   const auto worst = [&] {
     const std::vector<KindViolation>& kept = session.shape_report().solve.violations;
     EXPECT_EQ(kept.back().kind, "circular");
@@ -344,18 +374,88 @@ TEST(Session, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   EXPECT_NE(session.explore({.dimension = 2}), std::nullopt) << "not circular as the sliders go";
   ASSERT_EQ(session.make_exact(), std::nullopt);
   EXPECT_LE(worst(), 1e-8);
-  ASSERT_EQ(session.set_constraints(""), std::nullopt);
+  ASSERT_EQ(keep(""), std::nullopt);
   EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
 }
 
 TEST(Session, RefusesKindsThatTheBaseDoesNotKeep) {
   Session session = open_vault();
-  ASSERT_EQ(session.set_constraints("circular"), std::nullopt) << "the base is not asked yet";
+  const HandleEditOptions circular{.constraints = read_constraints("circular")};
+  ASSERT_EQ(session.set_options(circular), std::nullopt) << "the base is not asked yet";
   const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
   ASSERT_NE(refusal, std::nullopt);
   EXPECT_NE(refusal->find("the base mesh is not circular"), std::string::npos) << *refusal;
-  ASSERT_EQ(session.set_constraints(""), std::nullopt);
+  ASSERT_EQ(session.set_options({}), std::nullopt);
   EXPECT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
+}
+
+/// A vault's middle point lifted, with two families of variations, one after the other.
+Design varied_vault(const Session& session) {
+  Design design;
+  design.targets = lift(session, 0.8);
+  design.options.softness = 5.0;
+  design.options.reach = 6;
+  design.variations = {{{.dimension = 3}, {0.4, -0.2}, true},
+                       {{.dimension = 2, .eigenbasis = true}, {0.3, 0.1}, true}};
+  return design;
+}
+
+TEST(Session, ReplaysADesignToTheBitsOfItsSteps) {
+  Session by_steps = open_vault(), replayed = open_vault();
+  Design design = varied_vault(by_steps);
+  ASSERT_EQ(by_steps.set_options(design.options), std::nullopt);
+  ASSERT_EQ(by_steps.edit(EditMode::kSolve, design.targets, 1.0), std::nullopt);
+  Positions centre;
+  for (const DesignVariation& variation : design.variations) {
+    centre = by_steps.moved_positions();
+    ASSERT_EQ(by_steps.explore(variation.options), std::nullopt);
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(by_steps.variations_report().dimension);
+    for (std::size_t k = 0; k < variation.coefficients.size(); ++k) {
+      values[static_cast<Eigen::Index>(k)] = variation.coefficients[k];
+    }
+    ASSERT_EQ(by_steps.vary(values), std::nullopt);
+    ASSERT_EQ(by_steps.make_exact(), std::nullopt);
+  }
+  design.result = mark_of(by_steps.base(), by_steps.current());
+  ASSERT_EQ(replayed.replay(design), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(replayed.current(), by_steps.current()));
+  EXPECT_EQ(replayed.moved(), by_steps.moved());
+  EXPECT_EQ(replayed.replayed().deviation, 0.0);
+  EXPECT_EQ(replayed.replayed().directions, (std::vector<int>{3, 2}));
+  EXPECT_TRUE(testing::same_bits(replayed.replayed().centre.positions, centre));
+  const ShapeReport &a = replayed.shape_report(), &b = by_steps.shape_report();
+  EXPECT_EQ(a.solve.status, b.solve.status);
+  EXPECT_EQ(a.handle_error, b.handle_error);
+  EXPECT_EQ(a.solve.iterations, b.solve.iterations);
+  // The sliders go on from where the design has them.
+  const Eigen::Vector2d further(0.5, -0.4);
+  ASSERT_EQ(by_steps.vary(further), std::nullopt);
+  ASSERT_EQ(replayed.vary(further), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(replayed.current(), by_steps.current()));
+}
+
+TEST(Session, ARefusedReplayLeavesTheSessionAsItWas) {
+  Session session = open_vault();
+  ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.5), 1.0), std::nullopt);
+  const Positions before = session.current();
+  Design design = varied_vault(session);
+  Refusal refusal = session.replay(design, mesh_hash(session.base()) ^ 1U);
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_NE(refusal->find("source.hash"), std::string::npos) << *refusal;
+  EXPECT_NE(session.replay(design, 0U), std::nullopt) << "0 is a hash like any other";
+  design.targets.handles[0].vertex = 9999;
+  refusal = session.replay(design);
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_EQ(refusal->front(), 'H') << *refusal;
+  EXPECT_EQ(refusal->back(), '.') << *refusal;
+  EXPECT_TRUE(testing::same_bits(session.current(), before));
+}
+
+TEST(Session, ADesignWithoutAnEditIsItsBase) {
+  Session session;
+  ASSERT_EQ(session.open_file(kWideAndSmall, "obj"), std::nullopt);
+  EXPECT_EQ(session.replay({}, mesh_hash(session.base())), std::nullopt) << "flat or not";
+  EXPECT_TRUE(session.moved().empty());
 }
 
 TEST(Session, RefusesADesignOfAnotherMesh) {

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "../../core/src/crc32.hpp"
 
@@ -57,12 +59,13 @@ TEST(DeflateRaw, GivesTheSameBytesBack) {
 }
 
 TEST(ZipWriter, WritesADirectoryOfItsEntries) {
-  ZipWriter zip;
+  std::string bytes;
+  ZipWriter zip([&](std::string_view piece) { bytes += piece; });
   const std::string text(1000, 'z');
   const std::string random = noise(50);
   zip.add("a.txt", text);
   zip.add("folder/b.bin", random);
-  const std::string bytes = zip.take();
+  zip.finish();
   const std::size_t end = bytes.size() - 22;
   ASSERT_EQ(number_at(bytes, end, 4), 0x06054b50U);
   EXPECT_EQ(number_at(bytes, end + 10, 2), 2U);
@@ -83,6 +86,24 @@ TEST(ZipWriter, WritesADirectoryOfItsEntries) {
     EXPECT_EQ(number_at(bytes, entry + 16, 4), crc32(content));
     entry += 46 + name.size();
   }
+}
+
+TEST(ZipWriter, HandsOnPiecesInOrder) {
+  std::vector<std::size_t> sizes;
+  std::string bytes;
+  ZipWriter zip([&](std::string_view piece) {
+    sizes.push_back(piece.size());
+    bytes += piece;
+  });
+  const std::string half = noise(ZipWriter::kPiece / 2);
+  for (const char* name : {"a", "b", "c"}) zip.add(name, half);
+  ASSERT_EQ(sizes.size(), 1U);  // two halves and their headers
+  EXPECT_LT(sizes[0], ZipWriter::kPiece + half.size());
+  zip.finish();
+  EXPECT_EQ(sizes.size(), 3U);  // the last half, the directory
+  const std::size_t directory = number_at(bytes, bytes.size() - 6, 4);
+  EXPECT_EQ(directory, sizes[0] + sizes[1]);
+  EXPECT_EQ(number_at(bytes, directory + 2 * 47 + 42, 4), sizes[0]);  // where c stands
 }
 
 }  // namespace

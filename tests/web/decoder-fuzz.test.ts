@@ -11,7 +11,7 @@ import { decodeRecord, encodeRecord, type SavedRecord } from "../../web/src/shar
 import type { Design } from "../../web/src/state/design.ts";
 import { type Recipe, recipeOf } from "../../web/src/state/recipe.ts";
 import { isUnit } from "../../web/src/state/units.ts";
-import { EDITED, FILE, OPENED, RECORD } from "./support/golden-designs.ts";
+import { EDITED, FILE, MARK, OPENED, RECORD } from "./support/golden-designs.ts";
 import { Damage, join } from "./support/mutations.ts";
 
 const INPUTS = Number(process.env.PLANISH_FUZZ_INPUTS ?? 20_000);
@@ -21,7 +21,7 @@ const LINKS = process.env.PLANISH_FUZZ_INPUTS ? INPUTS : Math.ceil(INPUTS / 20);
 
 const files = new Map([[fileKey(FILE), FILE.bytes]]);
 const camera = { position: [1, 2, 3], target: [0, 0, 0] } as const;
-const RECIPES = [recipeOf(EDITED, "m", camera), recipeOf(OPENED, "mm", null)];
+const RECIPES = [recipeOf(EDITED, "m", camera, MARK), recipeOf(OPENED, "mm", null, MARK)];
 
 /** A layout with a JSON part: where its length stands, where it begins, what the CRC covers. */
 interface Layout {

@@ -3,11 +3,16 @@
 // or one sentence that names the field.
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { readDesign } from "../../web/src/share/design-text.ts";
+import { fromDesign } from "../../web/src/share/design-value.ts";
+import { loadGlb } from "../parity/support/planish.ts";
 import { Damage } from "./support/mutations.ts";
 
 const INPUTS = Number(process.env.PLANISH_FUZZ_INPUTS ?? 5_000);
 const SEED = Number(process.env.PLANISH_SEED ?? 20_260_101);
+
+/** As the page reads one: the core by its module for files, then what the page can show of it. */
+const core = await loadGlb();
+const readDesign = (text: string) => fromDesign(core.readDesign(text));
 
 const FOLDER = new URL("../../docs/scenes/", import.meta.url);
 const TEXTS = readdirSync(FOLDER)
@@ -52,7 +57,7 @@ it("reads the steps of an edit, and refuses what are none", () => {
     return read.ok ? read.value.settings.continuation : read.reason;
   };
   expect([steps(), steps(0), steps(16)]).toEqual([0, 0, 16]);
-  for (const odd of [-1, 1.5, 1001, "8"]) expect(steps(odd)).toMatch(/^continuation must be 0/);
+  for (const odd of [-1, 1.5, 1001, "8"]) expect(steps(odd)).toMatch(/^continuation must be /);
 });
 
 it("reads limits that the page has controls for, as the core says them", () => {
@@ -61,13 +66,17 @@ it("reads limits that the page has controls for, as the core says them", () => {
     return read.ok ? read.value.settings.limits : read.reason;
   };
   expect(limits()).toEqual([]);
-  const all = ["fold=25", "fold=+5", "angle=60:120", "edge=0.5:2", "area=1e-3", "sheet=2x3"];
+  const all = ["fold=25", "fold=+5", "angle=60:120", "edge=0.5:2", "area=0.001", "sheet=2x3"];
   expect(limits(all)).toEqual(all);
-  const odd = [["flat=2"], ["fold=25", "fold=30"], ["fold=-5"], ["edge=2"], [5], "fold=25"];
-  for (const bounds of odd)
-    expect(limits(bounds)).toMatch(/^options\.bounds: this page knows fold=/);
+  expect(limits(["area=1e-3"])).toEqual(["area=0.001"]);
+  expect(limits(["flat=2"])).toMatch(/^options\.bounds\[0\] must be one of fold=MAX/);
+  expect(limits(["fold=25", "fold=30"])).toMatch(/^options\.bounds: this page knows each/);
+  expect(limits(["fold=-5"])).toMatch(/^options: bounds: fold must be greater than 0/);
+  expect(limits(["edge=2"])).toMatch(/^options\.bounds\[0\] must be one of fold=MAX/);
+  expect(limits([5])).toMatch(/^options\.bounds\[0\] must be a text/);
+  expect(limits("fold=25")).toMatch(/^options\.bounds must be a list/);
   const variations = [{ dimension: 1, coefficients: [1], exact: true }];
-  expect(limits(["fold=25"], { variations })).toMatch(/^variations: they keep no stated limits/);
+  expect(limits(["fold=25"], { variations })).toEqual(["fold=25"]);
 });
 
 it("reads the kinds that are kept, each with its tolerance", () => {
@@ -85,7 +94,7 @@ it("reads the kinds that are kept, each with its tolerance", () => {
     [{ kind: "circular" }],
     5,
   ];
-  for (const constraints of odd) expect(kinds(constraints)).toMatch(/^options\.constraints/);
+  for (const constraints of odd) expect(kinds(constraints)).toMatch(/^options(\.|: )constraints/);
   const variations = [{ dimension: 1, coefficients: [1], exact: true }];
   expect(kinds([circular], { variations })).toEqual(["circular:1e-9"]);
 });
@@ -101,17 +110,21 @@ it("reads how a mesh became flat, and what older designs mean by true", () => {
     keepBoundary: false,
     keepShape: false,
     constraints: [],
+    within: 0,
+    flat: 0,
   });
   expect(how({ smooth: 10, shape: true })).toEqual({
     smooth: 10,
     keepBoundary: false,
     keepShape: true,
     constraints: [],
+    within: 0,
+    flat: 0,
   });
   const circular = { kind: "circular", tolerance: 1e-9 };
   expect(how({ constraints: [circular] })).toMatchObject({ constraints: ["circular:1e-9"] });
   const twice = how({ constraints: [circular, circular] });
-  expect(twice).toMatch(/^planarised\.constraints: this page knows the kinds/);
+  expect(twice).toMatch(/^planarised: constraints: circular is given twice/);
   expect(how({ smooth: -1 })).toMatch(/smooth must be a number of at least 0/);
   expect(how({ fair: 1 })).toMatch(/fair is not a field/);
 });
@@ -130,14 +143,16 @@ it("takes the mesh that rides along", async () => {
 describe("names the field that is wrong", () => {
   const cases: readonly (readonly [string, RegExp])[] = [
     ["{", /not JSON/],
-    ["[]", /format must be planish-design/],
-    ['{"a":1}', /format must be planish-design/],
+    ["[]", /^the design must be an object/],
+    ['{"a":1}', /^format is missing: it must be planish-design/],
+    ["{}", /^format is missing/],
+    ['{"format":"plan"}', /^format must be planish-design/],
     [text({ version: 7 }), /version 7/],
     [text({ version: { toString: null } }), /version/],
     [text({ handel: [] }), /handel is not a field/],
     [
       text({ options: { constraints: [{ kind: "round", tolerance: 1e-9 }] } }),
-      /^options\.constraints: this page knows the kinds circular and conical/,
+      /^options: constraints: a kind must be one of circular, conical/,
     ],
     [text({ supports: ["level=x:boundary"] }), /^supports: this page knows level=z:boundary or /],
     [text({ supports: "level=z:boundary" }), /^supports must be a list/],
@@ -146,10 +161,13 @@ describe("names the field that is wrong", () => {
     [text({ pins: [-1] }), /pins/],
     [text({ unit: "furlong" }), /unit must be/],
     [text({ options: { solver: "magic" } }), /options\.solver/],
-    [text({ options: { locality: -1 } }), /options\.locality/],
-    [text({ variations: [{ dimension: 99, coefficients: [] }] }), /variations\[0\]\.dimension/],
+    [text({ options: { locality: -1 } }), /^options: locality must be a number of at least 0/],
+    [
+      text({ variations: [{ dimension: 99, coefficients: [] }] }),
+      /^variations\[0\]: dimension must be 1 to 24/,
+    ],
     [text({ variations: [{ dimension: 1, coefficients: [1, 2] }] }), /coefficients/],
-    [text({ variations: Array(33).fill({}) }), /variations must be at most 32/],
+    [text({ variations: Array(33).fill({}) }), /variations must be a list of at most 32/],
     [text({ result: { hash: "xyz" } }), /result\.hash/],
     [text({ source: { sample: "vault" } }), /source/],
     [text({ source: { file: "a", format: "dwg", bytes: "AA==" } }), /source\.format/],

@@ -70,6 +70,7 @@ describe("ways on", () => {
     expect(ways.map(({ label, growth }) => [label, growth])).toEqual([
       ["Reach 9 panels", 10],
       ["Softer", 10],
+      ["Share the bend", null],
       ["Folds up to 26°", 20],
       ["Let the boundary move", 10],
       ["Meet it exactly", null],
@@ -77,6 +78,7 @@ describe("ways on", () => {
     expect(ways.map(({ change }) => change)).toEqual([
       { reach: 9, reachLength: 0 },
       { softness: 7 },
+      { limits: ["fold=+10"] },
       {},
       { keepBoundary: false },
       { hardHandles: true },
@@ -99,6 +101,7 @@ describe("ways on", () => {
   it("are only those that are not taken yet", () => {
     expect(labels(design({ reach: 12, softness: 10 }, fold), "fold", 10)).toEqual([
       "Reach without limit",
+      "Share the bend",
       "Folds up to 26°",
       "Let the boundary move",
       "Meet it exactly",

@@ -11,3 +11,17 @@ declare module "virtual:first-mesh" {
 declare module "rhino3dm/rhino3dm.module.js" {
   export { default } from "rhino3dm";
 }
+
+declare module "virtual:core-defaults" {
+  import type { Defaults, EditOptions } from "@wasm/planish.mjs";
+  /** The command line's defaults. */
+  export const usual: EditOptions;
+  /** The words of options that are one of a few. */
+  export const words: {
+    readonly [Key in "fairness" | "sparsity" | "engine"]: readonly EditOptions[Key][];
+  };
+  export const fairFlat: Defaults["fairFlat"];
+  export const nearestFlat: Defaults["nearestFlat"];
+  export const kinds: Defaults["kinds"];
+  export const variationWeights: Defaults["variationWeights"];
+}

@@ -30,10 +30,11 @@ struct SampleSource {
 
 /// A base mesh from a file: its bytes ride along, or whoever replays brings the mesh.
 struct FileSource {
-  std::string name;        ///< for people, for example "roof.obj"
-  std::uint32_t hash = 0;  ///< mesh_hash() of the base that was edited, after planarising
-  std::string format;      ///< "obj", "off", "ply" or "glb"; "" without bytes
-  std::string bytes;       ///< the file; "" if it does not ride along
+  std::string name;  ///< for people, for example "roof.obj"
+  /// mesh_hash() of the base that was edited, after planarising; absent: not known.
+  std::optional<std::uint32_t> hash;
+  std::string format;  ///< "obj", "off", "ply" or "glb"; "" without bytes
+  std::string bytes;   ///< the file; "" if it does not ride along
 };
 
 using DesignSource = std::variant<SampleSource, FileSource>;
@@ -79,6 +80,10 @@ struct Design {
 
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
+/// The same, of what moved alone.
+/// @param vertices ascending
+/// @param positions 3 × |vertices|, none where its base has it
+[[nodiscard]] DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions);
 
 /// Largest distance of a probe from `shape`, model units; 0 only if `shape` is the recorded result
 /// to the last bit.
@@ -88,11 +93,6 @@ struct Design {
 /// Compilers round in another order; certified results agree far below it, and nobody sees it.
 [[nodiscard]] double agreement(const Mesh& base);
 
-/// How the shape with a variation is made exact: to the edit's tolerance, by its engine.
-/// @param fairness_weight α_f ≥ 0
-[[nodiscard]] ProjectionOptions exact_options(const HandleEditOptions& edit,
-                                              double fairness_weight);
-
 /// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
 [[nodiscard]] GlbVariations variations_of(const Subspace& subspace);
 
@@ -101,18 +101,25 @@ struct Replay {
   Mesh base;                         ///< what was edited: flat, planarised if the design says so
   Positions shape;                   ///< 3 × n, model units
   SolveReport report;                ///< of the edit, or of the projection that failed
+  std::vector<int> directions;       ///< that each variation found, up to one that found none
+  Positions centre;                  ///< 3 × n: what the last of them was found around
   std::optional<Subspace> subspace;  ///< of the last variation
+  std::optional<SolveReport> exact;  ///< of the projection that made it exact
   DesignMark mark;                   ///< of `shape`
   bool verified = false;             ///< `shape` is the recorded result, bit for bit
   bool agrees = false;               ///< so are its probes, up to rounding: see agreement()
   double deviation = 0.0;            ///< from the recorded probes, model units
 };
 
-/// Does it again.
+/// Does it again, for everybody: page, packages and command.
 /// @param given the mesh of a FileSource that does not ride along; otherwise not used
 /// @return the result, or one sentence that says why there is none
 [[nodiscard]] std::variant<Replay, std::string> replay(const Design& design,
                                                        const Mesh* given = nullptr,
                                                        const Progress& progress = {});
+
+/// The same on a base that was opened, and made flat, already.
+[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
+                                                          const Progress& progress = {});
 
 }  // namespace planish

@@ -26,6 +26,13 @@ struct Fold {
 [[nodiscard]] Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency,
                                  const Positions& positions, std::span<const int> faces);
 
+/// By how many degrees the fold that sharpened most did, of all folds that sharpest_fold() looks
+/// at; at least 0. A crease in a smooth place so counts in full, whatever folds elsewhere. [MET-4]
+/// @param before, after 3 × n of the whole mesh
+[[nodiscard]] double largest_fold_growth(const Mesh& mesh, const Adjacency& adjacency,
+                                         const Positions& before, const Positions& after,
+                                         std::span<const int> faces);
+
 /// The sharpest fold of every face with any neighbour, degrees; 0 for one without. [MET-4]
 /// @param positions 3 × n of the whole mesh
 [[nodiscard]] std::vector<double> face_folds(const Mesh& mesh, const Positions& positions);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planish/constraints/kept_constraint.hpp"
+#include "planish/constraints/planar_polygon.hpp"
 #include "planish/constraints/stated_limit.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
@@ -72,7 +73,7 @@ struct HandleEditOptions {
   Engine engine = Engine::kNewton;
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
-  double tolerance = 1e-6;
+  double tolerance = PlanarPolygon::kTolerance;
   /// At most one of each kind. They hold in absolute terms: see find_broken_constraint().
   std::vector<KeptConstraint> constraints = {};
   /// Outer steps ≥ 1; 0 picks the engine's own limit.

@@ -21,7 +21,9 @@ struct PlanaritySummary {
 /// d = 3 N_V − Σ (i − 3) F_i (Sec. 2.1); vertices that no face uses are left out. [MET-2]
 [[nodiscard]] int degrees_of_freedom(const Mesh& mesh);
 
-/// Vertices whose coordinates are not bit-identical.
+/// Vertices whose coordinates are not bit-identical, ascending; 0 and −0 differ.
+[[nodiscard]] std::vector<int> moved_vertices(const Positions& before, const Positions& after);
+/// How many they are.
 [[nodiscard]] int moved_vertex_count(const Positions& before, const Positions& after);
 
 }  // namespace planish

@@ -22,12 +22,16 @@ struct Planarising {
   bool keep_shape = true;      ///< ProjectionOptions::keep_shape
   /// What the mesh becomes beside flat, as HandleEditOptions::constraints.
   std::vector<KeptConstraint> constraints = {};
+  double within = 0.0;  ///< ProjectionOptions::within
+  /// mm/m, ≥ 0: panels may stay that far out of flat, and change as little as that needs; 0:
+  /// exactly flat.
+  double flat_within = 0.0;
 
   friend bool operator==(const Planarising&, const Planarising&) = default;
 };
 
 /// What designs of the time before there was a choice mean.
-inline const Planarising kNearestFlat{0.0, false, false, {}};
+inline const Planarising kNearestFlat{0.0, false, false, {}, 0.0, 0.0};
 
 [[nodiscard]] Refusal find_problem(const Planarising& how);
 

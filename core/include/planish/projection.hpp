@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planish/constraints/kept_constraint.hpp"
+#include "planish/constraints/planar_polygon.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
@@ -25,7 +26,14 @@ struct ProjectionOptions {
   /// and flatness cannot both be had, shape wins and the panels that are not flat are named; with a
   /// history, flatness wins.
   bool keep_shape = true;
-  double tolerance = 1e-6;  ///< of every panel's FacePlanarity::excess, mm/m, > 0
+  /// Of every panel's FacePlanarity::excess, mm/m, > 0.
+  double tolerance = PlanarPolygon::kTolerance;
+  /// Without a history: panels become as flat as the tolerance asks for and no flatter, by the
+  /// least change. [PRO-7]
+  bool no_flatter = false;
+  /// Without a history: no vertex moves farther, model units; where the flat mesh is farther away,
+  /// the result is as flat as that allows. 0: any distance. [PRO-7]
+  double within = 0.0;
   /// Kept beside planarity.
   std::vector<KeptConstraint> constraints = {};
   int max_iterations = 0;  ///< 0 picks the engine's own limit
@@ -39,6 +47,7 @@ enum class ConfinedBecause {
   kNothing,       ///< it did not
   kNotExact,      ///< the weighted problem's solve left panels above a tolerance
   kSpoiltPanels,  ///< its panels would have lost their shape
+  kStatedLimits,  ///< its panels would have exceeded a limit of the edit
 };
 
 /// For reports, for example "weighted distance: panels would lose their shape"; "" for kNothing.

@@ -33,6 +33,10 @@ struct SubspaceOptions {
 
 [[nodiscard]] Refusal find_problem(const SubspaceOptions& options);
 
+/// ξ(u, v) = Σ_i ‖u_i‖ ‖v_i‖: by how much two displacements move the same vertices, in [0, 1] for
+/// unit ones; 0 exactly where they move none in common. (5) [SUB-3]
+[[nodiscard]] double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v);
+
 /// How good the basis is; every figure is measured on the result.
 struct SubspaceReport {
   /// kConverged: as many vectors as asked for, each a first-order point of its problem; by the

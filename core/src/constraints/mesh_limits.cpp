@@ -44,4 +44,27 @@ MeshLimits::MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& li
   });
 }
 
+LimitStandings limit_standing(const MeshLimits& limits, std::span<const int> faces,
+                              const std::function<Eigen::Vector3d(int)>& point) {
+  constexpr double kBinding =
+      0.1;  // share: there the barrier's force is 5 to 1 of what it is at 1/4
+  LimitStandings standing;
+  for (const int face : faces) {
+    limits.for_each_row(face, [&](auto tag, const auto& row, int) {
+      using Kind = typename decltype(tag)::type;
+      RowPoints<Kind::Row::kArity> points(3, static_cast<Eigen::Index>(row.vertices.size()));
+      for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+        points.col(static_cast<Eigen::Index>(k)) = point(row.vertices[k]);
+      }
+      const double share = row.scale.share(value(row, points));
+      LimitStanding& kind = standing[LimitKinds::index_of<Kind>()];
+      // Not a number is no share that holds.
+      if (!(share >= kind.least_share)) kind.least_share = share;
+      const bool listed = !kind.binding.empty() && kind.binding.back() == face;
+      if (!(share >= kBinding) && !listed) kind.binding.push_back(face);
+    });
+  }
+  return standing;
+}
+
 }  // namespace planish

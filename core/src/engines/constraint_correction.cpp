@@ -96,6 +96,13 @@ void ConstraintCorrection::step(const Eigen::VectorXd& residuals, Eigen::Matrix3
   jacobian_.add_transposed(multipliers_, delta);
 }
 
+void ConstraintCorrection::project(Eigen::Matrix3Xd& x) {
+  jacobian_.apply(x, multipliers_);
+  multipliers_ = -multipliers_;
+  cholesky_.solve(multipliers_);
+  jacobian_.add_transposed(multipliers_, x);
+}
+
 void ConstraintCorrection::apply_jacobian(const Eigen::Matrix3Xd& delta,
                                           Eigen::VectorXd& out) const {
   jacobian_.apply(delta, out);

@@ -29,6 +29,13 @@ class ConstraintCorrection {
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
 
+  /// x ← (I − Jᵀ (J Jᵀ + ρ I)⁻¹ J) x: along the constraints. multipliers() is then the y of least
+  /// ‖x + Jᵀ y‖ for the x that came in.
+  void project(Eigen::Matrix3Xd& x);
+
+  /// y of the last step() or project().
+  [[nodiscard]] const Eigen::VectorXd& multipliers() const { return multipliers_; }
+
   /// max |y| of the last step().
   [[nodiscard]] double largest_multiplier() const {
     return multipliers_.size() > 0 ? multipliers_.cwiseAbs().maxCoeff() : 0.0;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engines/constraint_correction.hpp"
-#include "engines/patch_system.hpp"
+#include "engines/patch_lagrangian.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -23,12 +23,12 @@ Eigen::Vector3d along_its_track(const Patch& patch, int vertex, const Eigen::Vec
 Eigen::Matrix3Xd slope_of(const Patch& patch, const Eigen::Matrix3Xd& displacement) {
   Eigen::Matrix3Xd slope(3, patch.free_count);
   if (patch.fairness_weight > 0.0 || patch.shape_weight > 0.0) {
-    PatchSystem system;
-    system.attach(patch);
+    PatchLagrangian lagrangian;
+    lagrangian.attach(patch);
     const PatchState state{
         displacement, Eigen::Matrix3Xd::Zero(3, patch.free_count),
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(patch.equations.size()))};
-    system.lagrangian_gradient(state, std::numeric_limits<double>::infinity(), slope);
+    lagrangian.gradient_at(state, std::numeric_limits<double>::infinity(), slope);
     return slope;
   }
   for (int k = 0; k < patch.free_count; ++k) {

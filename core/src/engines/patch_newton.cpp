@@ -18,7 +18,7 @@ void PatchNewton::attach(const Patch& patch, PatchState state) {
 void PatchNewton::set_state(PatchState state) {
   state_ = std::move(state);
   factored_ = false;
-  system_.residuals(state_.displacement, residuals_);
+  system_.lagrangian().residuals(state_.displacement, residuals_);
 }
 
 void PatchNewton::set_smoothing(double smoothing) {
@@ -32,17 +32,18 @@ void PatchNewton::set_penalty(double penalty) {
 }
 
 double PatchNewton::gradient_norm() {
-  system_.lagrangian_gradient(state_, smoothing_, gradient_);
+  system_.lagrangian().gradient_at(state_, smoothing_, gradient_);
   return gradient_.cols() > 0 ? gradient_.colwise().norm().maxCoeff() : 0.0;
 }
 
 void PatchNewton::pulls(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const {
   const PatchState there{displacement, state_.norm_dual, state_.multipliers};
-  system_.lagrangian_gradient(there, std::numeric_limits<double>::infinity(), out);
+  system_.lagrangian().gradient_at(there, std::numeric_limits<double>::infinity(), out);
 }
 
 bool PatchNewton::step() {
-  system_.lagrangian_gradient(state_, smoothing_, gradient_);
+  if (rows_ == Rows::kSprings) state_.multipliers = penalty_ * residuals_;
+  system_.lagrangian().gradient_at(state_, smoothing_, gradient_);
   if (factored_ && take_chord()) return true;
   if (!factorize()) return false;
   find_direction();
@@ -63,6 +64,11 @@ bool PatchNewton::factorize() {
 }
 
 void PatchNewton::find_direction() {
+  if (rows_ == Rows::kSprings) {
+    remainder_.setZero(residuals_.size());  // the pull is in the gradient
+    system_.step(gradient_, remainder_, delta_);
+    return;
+  }
   system_.step(gradient_, residuals_, delta_);
   system_.apply_jacobian(delta_, linear_);
   new_multipliers_ = state_.multipliers + penalty_ * (residuals_ + linear_);
@@ -74,15 +80,19 @@ bool PatchNewton::take_chord() {
   const double length = delta_.colwise().norm().maxCoeff();
   if (!(length <= kChordProgress * length_) || shift_ > 0.0) return false;
   trial_ = state_.displacement + delta_;
-  if (!std::isfinite(system_.energy(trial_, 0.0))) return false;
-  system_.residuals(trial_, trial_residuals_);
+  if (!std::isfinite(system_.lagrangian().energy(trial_, 0.0))) return false;
+  system_.lagrangian().residuals(trial_, trial_residuals_);
   accept(1.0);
   return true;
 }
 
 double PatchNewton::merit(const Eigen::Matrix3Xd& d, const Eigen::VectorXd& c) const {
+  if (rows_ == Rows::kSprings) {
+    return system_.lagrangian().energy(d, smoothing_) + 0.5 * penalty_ * c.squaredNorm();
+  }
   const double weight = std::min(penalty_, kMeritPenalty);
-  return system_.energy(d, smoothing_) + new_multipliers_.dot(c) + 0.5 * weight * c.squaredNorm();
+  return system_.lagrangian().energy(d, smoothing_) + new_multipliers_.dot(c) +
+         0.5 * weight * c.squaredNorm();
 }
 
 bool PatchNewton::search_line() {
@@ -94,12 +104,12 @@ bool PatchNewton::search_line() {
   double share = std::min(1.0, kTrust / std::max(longest, 1e-300));
   for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
     trial_ = state_.displacement + share * delta_;
-    system_.residuals(trial_, trial_residuals_);
+    system_.lagrangian().residuals(trial_, trial_residuals_);
     double reached = merit(trial_, trial_residuals_);
     remainder_ = trial_residuals_ - (1.0 - share) * residuals_;
     system_.step(zero_, remainder_, correction_);
     correction_ += trial_;
-    system_.residuals(correction_, linear_);
+    system_.lagrangian().residuals(correction_, linear_);
     const double corrected = merit(correction_, linear_);
     if (corrected < reached) {
       reached = corrected;
@@ -120,7 +130,9 @@ void PatchNewton::accept(double share) {
   length_ = (trial_ - state_.displacement).colwise().norm().maxCoeff();
   state_.displacement.swap(trial_);  // trial_ is the state before the step from here on
   residuals_.swap(trial_residuals_);
-  state_.multipliers += share * (new_multipliers_ - state_.multipliers);
+  if (rows_ == Rows::kEquations) {
+    state_.multipliers += share * (new_multipliers_ - state_.multipliers);
+  }
   update_norm_duals(trial_, smoothing_, state_);
 }
 

@@ -17,7 +17,12 @@ class PatchNewton {
   /// A factor serves one step, or as many full steps as halve.
   enum class Factors { kFresh, kChords };
 
-  explicit PatchNewton(Factors factors) : factors_(factors) {}
+  /// What the rows do: hold at zero, or pull there with μ c alone, so that the state settles where
+  /// F + μ/2 ‖c‖² is least. [PRO-7]
+  enum class Rows { kEquations, kSprings };
+
+  explicit PatchNewton(Factors factors, Rows rows = Rows::kEquations)
+      : factors_(factors), rows_(rows) {}
 
   /// @param patch must outlive this, or the next attach()
   /// @param state within the bound
@@ -37,7 +42,9 @@ class PatchNewton {
   [[nodiscard]] double violation() const {
     return residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
   }
-  [[nodiscard]] double objective() const { return system_.energy(state_.displacement, 0.0); }
+  [[nodiscard]] double objective() const {
+    return system_.lagrangian().energy(state_.displacement, 0.0);
+  }
   [[nodiscard]] int factorizations() const { return system_.factorizations(); }
   [[nodiscard]] const PatchState& state() const { return state_; }
   /// To change it, within the bound.
@@ -60,6 +67,7 @@ class PatchNewton {
   void accept(double share);
 
   Factors factors_;
+  Rows rows_;
   PatchSystem system_;
   PatchState state_;
   double smoothing_ = 1.0;

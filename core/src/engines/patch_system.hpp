@@ -11,18 +11,12 @@
 #include <span>
 #include <vector>
 
+#include "engines/patch_lagrangian.hpp"
 #include "engines/row_jacobian.hpp"
 #include "engines/sparse_cholesky.hpp"
 #include "planish/problem.hpp"
 
 namespace planish {
-
-/// Primal and dual variables of a patch, solver units.
-struct PatchState {
-  Eigen::Matrix3Xd displacement;  ///< 3 × free
-  Eigen::Matrix3Xd norm_dual;     ///< 3 × free, w_i of Chan–Golub–Mulet, ‖w_i‖ ≤ 1
-  Eigen::VectorXd multipliers;    ///< one per equation
-};
 
 /// Chan–Golub–Mulet's update of w after a step from `before` to state.displacement. [WSN-3]
 /// @param smoothing ε > 0
@@ -30,8 +24,7 @@ void update_norm_duals(const Eigen::Matrix3Xd& before, double smoothing, PatchSt
 
 class PatchSystem {
  public:
-  /// What the constraints are: c(p + d) = 0, or their linearisation J(p) d = 0 for tangent spaces.
-  enum class Constraints { kExact, kLinearised };
+  using Constraints = PatchLagrangian::Constraints;
 
   /// Builds the sparsity pattern; O(patch). Keeps a reference to `patch`.
   void attach(const Patch& patch, Constraints constraints = Constraints::kExact);
@@ -41,8 +34,8 @@ class PatchSystem {
   [[nodiscard]] bool factorize(const PatchState& state, double smoothing, double penalty,
                                double shift);
 
-  /// ∇F_ε + Jᵀ λ at `state`, 3 × free; ε = ∞ leaves the norms out.
-  void lagrangian_gradient(const PatchState& state, double smoothing, Eigen::Matrix3Xd& out) const;
+  /// Without the factor.
+  [[nodiscard]] const PatchLagrangian& lagrangian() const { return lagrangian_; }
 
   /// δ from the last factorization. @param gradient ∇F_ε + Jᵀλ; @param residuals c
   void step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
@@ -53,12 +46,6 @@ class PatchSystem {
 
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
-
-  /// F_ε(d), weights included; ε = 0 gives the objective itself.
-  [[nodiscard]] double energy(const Eigen::Matrix3Xd& displacement, double smoothing) const;
-
-  /// c(points + d).
-  void residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
 
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
@@ -87,19 +74,12 @@ class PatchSystem {
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
   void add_shapes(const PatchState& state);
-  void shape_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   void add_limits(const PatchState& state);
-  void limit_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   void slide_blocks();
-  void slide_columns(Eigen::Matrix3Xd& x) const;
   void add_norms(const PatchState& state, double smoothing, double shift);
-  void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
-  template <ConstraintRow Row>
-  [[nodiscard]] RowPoints<Row::kArity> points_of(const Row& row,
-                                                 const Eigen::Matrix3Xd& displacement) const;
-  [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
 
   const Patch* patch_ = nullptr;
+  PatchLagrangian lagrangian_;
   Constraints constraints_ = Constraints::kExact;
   RaggedRows graph_;
   SparseCholesky cholesky_;

@@ -77,7 +77,7 @@ double SubspaceSplitting::update_multipliers() {
 }
 
 double SubspaceSplitting::objective() const {
-  double sum = system_->energy(t_, 0.0);
+  double sum = system_->lagrangian().energy(t_, 0.0);
   for (int v = 0; v < patch_.free_count; ++v) {
     sum += 0.5 * patch_.terms[at(v)].norm_weight * t_.col(v).norm();
   }

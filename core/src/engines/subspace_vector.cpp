@@ -58,7 +58,7 @@ SubspaceVectorSolver::SubspaceVectorSolver(Patch& patch) : patch_(patch) {
 
 double SubspaceVectorSolver::tangency_error(const Eigen::Matrix3Xd& t) const {
   Eigen::VectorXd out;
-  system_.residuals(t, out);
+  system_.lagrangian().residuals(t, out);
   return out.size() > 0 ? out.cwiseAbs().maxCoeff() : 0.0;
 }
 
@@ -114,8 +114,8 @@ bool SubspaceVectorSolver::newton_step(const Eigen::MatrixXd& basis, double smoo
   Eigen::Matrix3Xd gradient;
   Eigen::VectorXd residuals;
   state_.multipliers.setZero();
-  system_.lagrangian_gradient(state_, smoothing, gradient);
-  system_.residuals(t, residuals);
+  system_.lagrangian().gradient_at(state_, smoothing, gradient);
+  system_.lagrangian().residuals(t, residuals);
   Eigen::Matrix3Xd delta;
   system_.step(gradient, residuals, delta);
   // Rows G = [tᵀ; Bᵀ]: δ ← δ − K⁻¹Gᵀ (G K⁻¹ Gᵀ)⁻¹ G δ.
@@ -133,12 +133,12 @@ bool SubspaceVectorSolver::newton_step(const Eigen::MatrixXd& basis, double smoo
   const Eigen::MatrixXd schur = normals.transpose() * solved;
   Eigen::Map<Eigen::VectorXd> step(delta.data(), delta.size());
   step -= solved * schur.ldlt().solve(normals.transpose() * Eigen::VectorXd(step));
-  const double before = system_.energy(t, smoothing);
+  const double before = system_.lagrangian().energy(t, smoothing);
   double share = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
     Eigen::Matrix3Xd trial = t + share * delta;
     trial /= trial.norm();
-    if (!(system_.energy(trial, smoothing) < before)) continue;
+    if (!(system_.lagrangian().energy(trial, smoothing) < before)) continue;
     t.swap(trial);
     update_norm_duals(trial, smoothing, state_);
     return true;
@@ -151,11 +151,11 @@ double SubspaceVectorSolver::improve(const Eigen::MatrixXd& basis,
   state_.displacement = t;
   state_.norm_dual.setZero();
   double share = options.first_smoothing;
-  double last = system_.energy(t, 0.0);
+  double last = system_.lagrangian().energy(t, 0.0);
   for (int step = 0; step < options.max_steps; ++step) {
     const double largest = state_.displacement.colwise().norm().maxCoeff();
     const bool moved = newton_step(basis, share * largest, options.penalty);
-    const double now = system_.energy(state_.displacement, 0.0);
+    const double now = system_.lagrangian().energy(state_.displacement, 0.0);
     const bool settled = !moved || std::abs(last - now) <= options.stop * now;
     last = now;
     if (share <= options.last_smoothing && settled) break;

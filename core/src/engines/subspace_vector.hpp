@@ -51,7 +51,9 @@ class SubspaceVectorSolver {
   void sparsify(const Eigen::MatrixXd& basis, double threshold, Eigen::Matrix3Xd& t);
 
   /// Q(t) + Σ C^i/2 ‖t_i‖.
-  [[nodiscard]] double objective(const Eigen::Matrix3Xd& t) const { return system_.energy(t, 0.0); }
+  [[nodiscard]] double objective(const Eigen::Matrix3Xd& t) const {
+    return system_.lagrangian().energy(t, 0.0);
+  }
   /// max |J t|
   [[nodiscard]] double tangency_error(const Eigen::Matrix3Xd& t) const;
 

@@ -111,20 +111,21 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
   if (!system_.factorize(state_, smoothing, penalty, 1e-9)) return false;
   ++steps_;
   Eigen::Matrix3Xd pulls;
-  system_.lagrangian_gradient(state_, smoothing, pulls);
+  system_.lagrangian().gradient_at(state_, smoothing, pulls);
   const double sphere = as_vector(t).dot(as_vector(pulls));
   const Eigen::Matrix3Xd left = along_constraints(basis, pulls);
   Eigen::MatrixXd normals(t.size(), basis.cols() + 1);
   normals.col(0) = as_vector(t);
   normals.rightCols(basis.cols()) = basis;
   const Eigen::VectorXd step = curved_step(normals, as_vector(left), sphere);
-  const double before = system_.energy(t, smoothing);
+  const double before = system_.lagrangian().energy(t, smoothing);
   double share = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
     Eigen::Matrix3Xd trial = t;
     Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) += share * step;
     if (!make_admissible(basis, trial)) return false;
-    if (!(system_.energy(trial, smoothing) <= before + kRounding * std::abs(before))) continue;
+    if (!(system_.lagrangian().energy(trial, smoothing) <= before + kRounding * std::abs(before)))
+      continue;
     t.swap(trial);
     update_norm_duals(trial, smoothing, state_);
     return true;
@@ -137,7 +138,7 @@ void SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smooth
   for (int step = 0; step < VectorSettling::kSteps; ++step) {
     if (!settle_step(basis, smoothing)) return;
     Eigen::Matrix3Xd pulls;
-    system_.lagrangian_gradient(state_, smoothing, pulls);
+    system_.lagrangian().gradient_at(state_, smoothing, pulls);
     if (longest_row(along_constraints(basis, pulls)) <= tolerance) return;
   }
 }
@@ -162,12 +163,12 @@ Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Mat
   }
   state_.multipliers.setZero();
   Eigen::Matrix3Xd pulls;
-  system_.lagrangian_gradient(state_, smoothing, pulls);
+  system_.lagrangian().gradient_at(state_, smoothing, pulls);
   const Eigen::Matrix3Xd forces = along_constraints(basis, pulls) - pulls;
   t = state_.displacement;
   sparsify(basis, VectorSettling::kAtRest * smoothing / longest_row(t), t);
   state_.displacement = t;
-  system_.lagrangian_gradient(state_, kNoNorms, pulls);
+  system_.lagrangian().gradient_at(state_, kNoNorms, pulls);
   return optimality_of(patch_, t, pulls + forces, VectorSettling::kCounted * longest_row(t));
 }
 

@@ -128,7 +128,7 @@ bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothin
   constexpr double kArmijo = 1e-4;
   constexpr double kRounding = 1e-11;
   const auto merit_of = [&](const Eigen::Matrix3Xd& d, const Eigen::VectorXd& c) {
-    return system_.energy(d, smoothing) + new_multipliers_.dot(c) +
+    return system_.lagrangian().energy(d, smoothing) + new_multipliers_.dot(c) +
            0.5 * options.merit_penalty * c.squaredNorm();
   };
   const double start = merit_of(state_.displacement, residuals_);
@@ -137,12 +137,12 @@ bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothin
   double length = std::min(1.0, options.trust / std::max(longest, 1e-300));
   for (int halving = 0; halving < kMostHalvings; ++halving, length *= 0.5) {
     trial_ = state_.displacement + length * delta_;
-    system_.residuals(trial_, trial_residuals_);
+    system_.lagrangian().residuals(trial_, trial_residuals_);
     double merit = merit_of(trial_, trial_residuals_);
     remainder_ = trial_residuals_ - (1.0 - length) * residuals_;
     system_.step(zero_, remainder_, correction_);
     correction_ += trial_;
-    system_.residuals(correction_, linear_);
+    system_.lagrangian().residuals(correction_, linear_);
     const double corrected = merit_of(correction_, linear_);
     if (corrected < merit || linear_.squaredNorm() < 1e-2 * trial_residuals_.squaredNorm()) {
       merit = corrected;
@@ -159,8 +159,8 @@ bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothin
 
 WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& options,
                                                          double smoothing) {
-  system_.residuals(state_.displacement, residuals_);
-  system_.lagrangian_gradient(state_, smoothing, gradient_);
+  system_.lagrangian().residuals(state_.displacement, residuals_);
+  system_.lagrangian().gradient_at(state_, smoothing, gradient_);
   while (!system_.factorize(state_, smoothing, options.penalty, shift_)) {
     shift_ = std::max(4.0 * shift_, kFirstShift);
     if (!(shift_ < kLargestShift)) return StepResult::kBroken;
@@ -231,7 +231,7 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
       if (place == support_.end() || *place != v) support_.insert(place, v);
     }
     const double previous = objective;
-    objective = system_.energy(state_.displacement, 0.0);
+    objective = system_.lagrangian().energy(state_.displacement, 0.0);
     outcome.records.push_back({.objective = objective,
                                .primal_residual = violation(),
                                .step = largest_move_,

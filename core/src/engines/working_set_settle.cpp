@@ -75,8 +75,8 @@ double WorkingSetNewton::rounding() const {
 bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
                                  EngineOutcome& outcome) {
   for (int step = 0; step < kStepsPerRun; ++step) {
-    system_.residuals(state_.displacement, residuals_);
-    system_.lagrangian_gradient(state_, smoothing, gradient_);
+    system_.lagrangian().residuals(state_.displacement, residuals_);
+    system_.lagrangian().gradient_at(state_, smoothing, gradient_);
     const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
     if (gradient_.colwise().norm().maxCoeff() <= options.stationary &&
         off <= std::max(kHeld * smoothing, rounding())) {
@@ -92,13 +92,19 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
   return false;
 }
 
-/// What is at rest follows ε: w = d/√(‖d‖² + ε²) then stays what it is.
+/// What is at rest follows ε: w = d/√(‖d‖² + ε²) then stays what it is. Where that would take a
+/// corner beyond its bound, all stay where they are: a state beyond it has no merit, and the steps
+/// from there do not see the bound.
 void WorkingSetNewton::shrink_what_rests(double smoothing, double shrink) {
+  trial_ = state_.displacement;
   for (int k = 0; k < patch_.free_count; ++k) {
     if (patch_.terms[at(k)].norm_weight <= 0.0) continue;
     if (state_.displacement.col(k).norm() <= kAtRest * smoothing) {
       state_.displacement.col(k) *= shrink;
     }
+  }
+  if (!std::isfinite(system_.lagrangian().energy(state_.displacement, smoothing))) {
+    state_.displacement.swap(trial_);
   }
 }
 
@@ -120,7 +126,8 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   lay_open(problem, field);
   settled_ = state_.displacement;
   settled_smoothing_ = smoothing;
-  if (patch_.free_count == 0 || !std::isfinite(system_.energy(state_.displacement, smoothing))) {
+  if (patch_.free_count == 0 ||
+      !std::isfinite(system_.lagrangian().energy(state_.displacement, smoothing))) {
     return outcome;
   }
   for (int run = 0; run < kMostRuns && work < kMostWork; ++run) {
@@ -133,7 +140,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     const bool done = settle_at(smoothing, exact, outcome);
     work += static_cast<double>((outcome.steps - first) * patch_.free_count);
     field.store(patch_, state_);
-    outcome.objective = system_.energy(state_.displacement, 0.0);
+    outcome.objective = system_.lagrangian().energy(state_.displacement, 0.0);
     const IterationRecord record{.objective = outcome.objective,
                                  .primal_residual = violation(),
                                  .step = largest_move_,
@@ -205,11 +212,12 @@ Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<co
                                        : Eigen::Vector3d::Zero().eval();
     missing -= moved ? 1 : 0;
   }
-  system_.lagrangian_gradient(state_, std::numeric_limits<double>::infinity(), gradient_);
+  system_.lagrangian().gradient_at(state_, std::numeric_limits<double>::infinity(), gradient_);
   Optimality result =
       optimality_of(patch_, state_.displacement, gradient_, kCounted * handle_scale(problem));
-  // The finish moved what the multipliers know nothing of.
-  if (missing > 0) result.stationarity = std::numeric_limits<double>::infinity();
+  // The finish moved what the multipliers know nothing of, or a bound is broken.
+  const bool within = std::isfinite(system_.lagrangian().energy(state_.displacement, 0.0));
+  if (missing > 0 || !within) result.stationarity = std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +57,26 @@ std::vector<SeenPanel> seen_panels(const CuttingPlan& plan, const Eigen::Vector3
   return panels;
 }
 
+/// Twice the way from `middle` along an axis to the nearest side; infinite if there is none.
+double room_along(const Outline& outline, const Eigen::Vector2d& middle, Eigen::Index axis) {
+  const Eigen::Index across = 1 - axis;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < outline.cols(); ++k) {
+    const Eigen::Vector2d a = outline.col(k), b = outline.col((k + 1) % outline.cols());
+    if ((a(across) > middle(across)) == (b(across) > middle(across))) continue;
+    const double t = (middle(across) - a(across)) / (b(across) - a(across));
+    nearest = std::min(nearest, std::abs(a(axis) + t * (b(axis) - a(axis)) - middle(axis)));
+  }
+  return 2.0 * nearest;
+}
+
+/// Of a name in the middle of a panel; a character is 0.65 of its height wide or less.
+double name_height(const Outline& outline, const Eigen::Vector2d& middle, std::size_t characters) {
+  return std::min({0.22 * std::sqrt(std::abs(area_of(outline))),
+                   room_along(outline, middle, 0) / (0.65 * static_cast<double>(characters)),
+                   0.7 * room_along(outline, middle, 1)});
+}
+
 void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel,
                const Eigen::Vector2d& origin, double scale) {
   svg.append("<polygon fill=\"").append(fill_of(plan, panel.face)).append("\" points=\"");
@@ -67,14 +88,15 @@ void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel
   }
   svg.back() = '"';
   const Eigen::Vector2d middle = panel.outline.rowwise().mean();
-  const double height = 0.22 * scale * std::sqrt(std::abs(area_of(panel.outline)));
+  const std::string name = panel_name(panel.face);
+  const double height = scale * name_height(panel.outline, middle, name.size());
   svg += "/><text x=\"";
   append_decimals(svg, scale * middle.x() + origin.x());
   svg += "\" y=\"";
   append_decimals(svg, origin.y() - scale * middle.y());
   svg += "\" font-size=\"";
   append_decimals(svg, height);
-  svg.append("\">").append(panel_name(panel.face)).append("</text>\n");
+  svg.append("\">").append(name).append("</text>\n");
 }
 
 }  // namespace

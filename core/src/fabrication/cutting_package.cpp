@@ -14,7 +14,6 @@
 #include "planish/fabrication/panel_tables.hpp"
 #include "planish/fabrication/sheet_layout.hpp"
 #include "planish/index.hpp"
-#include "planish/io/zip.hpp"
 
 namespace planish {
 namespace {
@@ -38,8 +37,11 @@ PlanarMotion onto_axes(const BoundingRectangle& r, double x, double y, bool turn
 
 class PackageWriter {
  public:
-  PackageWriter(const CuttingPlan& plan, const LinkCode& code)
-      : plan_(plan), code_(code), spacing_(kSheetSpacing / metres_in(plan.options.unit).value()) {
+  PackageWriter(const CuttingPlan& plan, const LinkCode& code, const ByteSink& zip)
+      : plan_(plan),
+        code_(code),
+        spacing_(kSheetSpacing / metres_in(plan.options.unit).value()),
+        zip_(zip) {
     for (int f = 0; f < plan.mesh.face_count(); ++f) {
       if (plan.drawn[at(f)] == 0) continue;
       auto panel = draw_panel(plan, f);
@@ -69,7 +71,7 @@ class PackageWriter {
                write_dxf(panel.panel.drawing));
     }
     if (has_sheets) add_sheets(places);
-    package.zip = zip_.take();
+    zip_.finish();
     package.report = std::move(report_);
     return package;
   }
@@ -199,9 +201,10 @@ std::string PackageWriter::header(bool has_sheets) const {
 }  // namespace
 
 CuttingPackage write_cutting_package(const Mesh& mesh, const Mesh* base,
-                                     const CuttingOptions& options, const LinkCode& code) {
+                                     const CuttingOptions& options, const ByteSink& zip,
+                                     const LinkCode& code) {
   const CuttingPlan plan = make_cutting_plan(mesh, base, options);
-  return PackageWriter(plan, code).write();
+  return PackageWriter(plan, code, zip).write();
 }
 
 }  // namespace planish

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "fabrication/neighbours.hpp"
 #include "planish/fabrication/drawing.hpp"
@@ -13,13 +14,17 @@
 namespace planish {
 namespace {
 
-constexpr int kQuietZone = 4;  // modules of white around a code, as the standard asks
+constexpr std::size_t kManySides = 12;  // more names are set smaller, so that they all find room
+constexpr int kQuietZone = 4;           // modules of white around a code, as the standard asks
 
 constexpr std::string_view kStyle =
     "@page{size:A4;margin:0}body{margin:0;font:3.2mm/1.35 sans-serif}"
     ".page{display:grid;grid-template:repeat(4,74mm)/105mm 105mm;height:296mm;overflow:hidden;"
-    "break-after:page}.label{box-sizing:border-box;padding:6mm;position:relative;overflow:hidden}"
-    "b{display:block;font-size:8mm;line-height:1.2}p{margin:1mm 0;width:40mm}"
+    "break-after:page}.page:last-child{break-after:auto}svg{display:block}"
+    ".label{box-sizing:border-box;padding:4mm 6mm;position:relative;overflow:hidden}"
+    "b{display:block;font-size:8mm;line-height:1.2}p{margin:1mm 0;width:44mm}"
+    ".name{max-height:4.05em;overflow:hidden;overflow-wrap:anywhere}.many{font-size:2mm}"
+    "i{font-style:normal;white-space:nowrap}"
     ".code{position:absolute;right:4mm;top:12mm;width:50mm;height:50mm}";
 
 std::string html_quoted(std::string_view text) {
@@ -87,7 +92,8 @@ void append_rounded(std::string& html, double length) {
 void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_code) {
   const BoundingRectangle rectangle = bounding_rectangle(plan.panels[at(face)].outline);
   html += "<div class=\"label\"><b>" + panel_name(face) + "</b>";
-  html += html_quoted(plan.options.name) + " " + hash_text(plan.hash) + "<p>";
+  html += "<p class=\"name\">" + hash_text(plan.hash) + " " + html_quoted(plan.options.name);
+  html += "</p><p>";
   append_rounded(html, rectangle.width);
   html += " × ";
   append_rounded(html, rectangle.height);
@@ -95,9 +101,10 @@ void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_co
   if (const auto task = task_of(plan, face); !task.empty()) {
     html.append("<p>").append(task).append("</p>");
   }
-  html += "<p>Sides:";
-  for (const std::string& name : neighbour_names(plan, face)) html.append(" ").append(name);
-  html += "</p><p>On the outside; corner 0 is notched.</p>";
+  const std::vector<std::string> neighbours = neighbour_names(plan, face);
+  html += neighbours.size() > kManySides ? "<p class=\"many\">Sides:" : "<p>Sides:";
+  for (const std::string& name : neighbours) html += " <i>" + name + "</i>";
+  html += "</p><p>On the outside; a triangle marks corner 0.</p>";
   if (has_code) html += "<svg class=\"code\"><use href=\"#code\"/></svg>";
   html += "</div>\n";
 }

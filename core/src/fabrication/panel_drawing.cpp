@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "fabrication/neighbours.hpp"
 #include "planish/index.hpp"
@@ -91,17 +93,67 @@ Eigen::Vector2d label_point(const Outline& outline) {
   return best;
 }
 
-/// Height at which `text` is not wider than `width`; a character is 0.9 of its height wide or less.
-double fitting_height(const std::string& text, double width, double height) {
-  return std::min(height, width / (0.9 * static_cast<double>(text.size())));
+/// A character is 0.9 of its height wide or less.
+double width_of(const std::string& text, double height) {
+  return 0.9 * height * static_cast<double>(text.size());
 }
+
+/// Height at which `text` is not wider than `width`.
+double fitting_height(const std::string& text, double width, double height) {
+  return std::min(height, width / width_of(text, 1.0));
+}
+
+/// The rectangle that `text` fills at most; `along`: as it runs, of length 1.
+Outline room_of(const DrawnText& text, const Eigen::Vector2d& along) {
+  const Eigen::Vector2d up(-along.y(), along.x());
+  const Eigen::Vector2d right = 0.5 * width_of(text.text, text.height) * along;
+  const Eigen::Vector2d top = 0.5 * text.height * up;
+  Outline corners(2, 4);
+  corners << -right - top, right - top, right + top, top - right;
+  return corners.colwise() + text.position;
+}
+
+/// Whether all of `b` lies beyond one side of `a`, which is convex and runs anticlockwise.
+bool is_beyond_a_side(const Outline& a, const Outline& b) {
+  for (Eigen::Index k = 0; k < a.cols(); ++k) {
+    bool beyond = true;
+    for (const auto p : b.colwise()) {
+      beyond = beyond && turn_between(side_at(a, k), p - a.col(k)) < 0.0;
+    }
+    if (beyond) return true;
+  }
+  return false;
+}
+
+bool do_meet(const Outline& a, const Outline& b) {
+  return !is_beyond_a_side(a, b) && !is_beyond_a_side(b, a);
+}
+
+/// What is drawn on a panel so far, so that nothing is drawn over it.
+struct TakenRoom {
+  const Outline& cut;
+  std::vector<Outline> taken;
+
+  /// Whether the rectangle lies on the panel and is free.
+  [[nodiscard]] bool has(const Outline& room) const {
+    for (const auto p : room.colwise()) {
+      if (!is_inside(cut, p)) return false;
+    }
+    for (const auto p : cut.colwise()) {  // of a concave panel a corner may stand in the rectangle
+      if (is_inside(room, p)) return false;
+    }
+    return std::none_of(taken.begin(), taken.end(),
+                        [&](const Outline& other) { return do_meet(room, other); });
+  }
+};
 
 /// As it was asked for, but not above `most`; `otherwise` if it was not.
 double text_height(const CuttingPlan& plan, double otherwise, double most) {
   return plan.options.text_height > 0.0 ? std::min(plan.options.text_height, most) : otherwise;
 }
 
-void add_names(Drawing& drawing, const CuttingPlan& plan, int face, const Outline& cut) {
+void add_names(Drawing& drawing, const CuttingPlan& plan, int face, TakenRoom& room_left) {
+  const Outline& cut = room_left.cut;
   const std::string name = panel_name(face);
   const Eigen::Vector2d middle = label_point(cut);
   const double room = clearance(cut, middle);
@@ -110,33 +162,66 @@ void add_names(Drawing& drawing, const CuttingPlan& plan, int face, const Outlin
   const std::string side = "OUTSIDE UP " + plan.options.unit;
   const double small = fitting_height(side, 1.2 * room, 0.5 * height);
   drawing.texts.push_back({middle - Eigen::Vector2d(0.0, height), small, 0.0, side});
-}
-
-/// Inside each side, read from the inside.
-void add_neighbours(Drawing& drawing, const CuttingPlan& plan, int face, const Outline& cut,
-                    double largest) {
-  for (Eigen::Index k = 0; k < cut.cols(); ++k) {
-    const int neighbour = panel_beyond(plan, face, static_cast<int>(k));
-    if (neighbour < 0) continue;
-    const std::string name = panel_name(neighbour);
-    const Eigen::Vector2d side = side_at(cut, k);
-    const double length = side.norm();
-    const double height = fitting_height(name, 0.6 * length, largest);
-    const Eigen::Vector2d inwards = Eigen::Vector2d(-side.y(), side.x()) / length;
-    drawing.texts.push_back({cut.col(k) + 0.5 * side + 1.1 * height * inwards, height,
-                             arctangent(side.y(), side.x()) * 180.0 / kPi, name});
+  for (const DrawnText& text : drawing.texts) {
+    room_left.taken.push_back(room_of(text, Eigen::Vector2d::UnitX()));
   }
 }
 
-/// A triangle in corner 0.
-Outline notch(const Outline& cut, double size) {
+constexpr double kSmaller = 0.85;
+constexpr int kTries = 30;  // to 1/130 of the size, which then stands whatever it meets
+
+/// Inside each side, read from the inside; smaller where there is no room, as in acute corners.
+void add_neighbours(Drawing& drawing, const CuttingPlan& plan, int face, double largest,
+                    TakenRoom& room_left) {
+  const Outline& cut = room_left.cut;
+  for (Eigen::Index k = 0; k < cut.cols(); ++k) {
+    const int neighbour = panel_beyond(plan, face, static_cast<int>(k));
+    if (neighbour < 0) continue;
+    const Eigen::Vector2d side = side_at(cut, k);
+    const Eigen::Vector2d middle = cut.col(k) + 0.5 * side, along = side / side.norm();
+    const Eigen::Vector2d inwards(-along.y(), along.x());
+    DrawnText text;
+    text.text = panel_name(neighbour);
+    text.degrees = arctangent(side.y(), side.x()) * 180.0 / kPi;
+    text.height = fitting_height(text.text, 0.6 * side.norm(), largest);
+    text.position = middle + 1.1 * text.height * inwards;
+    for (int tries = 0; tries < kTries && !room_left.has(room_of(text, along)); ++tries) {
+      text.height *= kSmaller;
+      text.position = middle + 1.1 * text.height * inwards;
+    }
+    room_left.taken.push_back(room_of(text, along));
+    drawing.texts.push_back(std::move(text));
+  }
+}
+
+/// A triangle that points at corner 0, on the panel and clear of what is cut: no line is to be both
+/// engraved and cut.
+Outline corner_mark(const Outline& cut, double size) {
   const Eigen::Index n = cut.cols();
-  const Eigen::Vector2d out = side_at(cut, 0), in = -side_at(cut, n - 1);
+  const Eigen::Vector2d corner = cut.col(0), out = side_at(cut, 0), in = -side_at(cut, n - 1);
   const double reach = std::min({size, 0.2 * out.norm(), 0.2 * in.norm()});
+  const Eigen::Vector2d a = out.normalized(), b = in.normalized();
   Outline triangle(2, 3);
-  triangle << cut.col(0), cut.col(0) + reach * out.normalized(),
-      cut.col(0) + reach * in.normalized();
+  constexpr double kStraight = 0.2;  // sine: a triangle between the sides would have no area
+  if (turn_between(a, b) > kStraight || (turn_between(a, b) > 0.0 && a.dot(b) > 0.0)) {
+    triangle << corner, corner + reach * a, corner + reach * b;
+    const Eigen::Vector2d middle = triangle.rowwise().mean();
+    return (0.6 * triangle).colwise() + 0.4 * middle;
+  }
+  const Eigen::Vector2d inwards = Eigen::Vector2d(b.y() - a.y(), a.x() - b.x()).normalized();
+  const Eigen::Vector2d across(inwards.y(), -inwards.x());
+  triangle << corner + 0.2 * reach * inwards, corner + reach * (0.8 * inwards + 0.3 * across),
+      corner + reach * (0.8 * inwards - 0.3 * across);
   return triangle;
+}
+
+void add_corner_mark(Drawing& drawing, double size, TakenRoom& room_left) {
+  Outline mark = corner_mark(room_left.cut, size);
+  for (int tries = 0; tries < kTries && !room_left.has(mark); ++tries) {
+    mark = corner_mark(room_left.cut, size *= kSmaller);
+  }
+  room_left.taken.push_back(mark);
+  drawing.loops.push_back({DrawingLayer::kMark, std::move(mark)});
 }
 
 }  // namespace
@@ -170,9 +255,10 @@ std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
   const double size = bounding_rectangle(panel.cut).height;
   panel.drawing.loops.push_back({DrawingLayer::kCut, panel.cut});
   if (plan.options.gap > 0.0) panel.drawing.loops.push_back({DrawingLayer::kGap, whole});
-  panel.drawing.loops.push_back({DrawingLayer::kMark, notch(panel.cut, 0.1 * size)});
-  add_names(panel.drawing, plan, face, panel.cut);
-  add_neighbours(panel.drawing, plan, face, panel.cut, text_height(plan, 0.05 * size, 0.12 * size));
+  TakenRoom room_left{panel.cut, {}};
+  add_names(panel.drawing, plan, face, room_left);
+  add_corner_mark(panel.drawing, 0.1 * size, room_left);
+  add_neighbours(panel.drawing, plan, face, text_height(plan, 0.05 * size, 0.12 * size), room_left);
   return panel;
 }
 

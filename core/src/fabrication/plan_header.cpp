@@ -60,6 +60,7 @@ JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
                          .text())
       .raw("remake", remake_text(plan))
       .add("flatness_mm_per_m", report.flatness)
+      .add("excess_mm_per_m", report.excess)
       .add("vanished", panel_names(report.vanished));
   return header;
 }

@@ -165,7 +165,7 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
   for (const NamedView& view : all_views()) drawings.push_back(draw_view(mesh, view));
   const JointTable joints = joint_table(mesh);
   StructureDrawings result;
-  ZipWriter zip;
+  ZipWriter zip([&](std::string_view piece) { result.zip += piece; });
   for (std::size_t k = 0; k < options.sections.size(); ++k) {
     SectionPlane plane = options.sections[k];
     plane.offset *= factor;
@@ -195,7 +195,7 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
                       .add("missed", result.missed)
                       .text();
   zip.add("drawings.json", result.header + "\n");
-  result.zip = zip.take();
+  zip.finish();
   return result;
 }
 

@@ -12,6 +12,10 @@
 
 namespace planish {
 
+/// Names the node of GlbContent::offset, and marks its mesh in `extras`: it is no part of the
+/// design.
+inline constexpr const char* kOffsetLayer = "planish offset";
+
 struct StoredDesign {
   Positions positions;
   FaceList faces;

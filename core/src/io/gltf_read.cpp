@@ -214,7 +214,8 @@ std::vector<Piece> collect_pieces(const tinygltf::Model& model, std::size_t byte
     if (std::exchange(entered[static_cast<std::size_t>(index)], char{1}) != 0) continue;
     const Eigen::Matrix4d matrix = parent * local_matrix(node);
     if (node.mesh >= 0) {
-      append_pieces(model, element_of(model.meshes, node.mesh, "mesh"), matrix, allowance, pieces);
+      const tinygltf::Mesh& mesh = element_of(model.meshes, node.mesh, "mesh");
+      if (!mesh.extras.Has(kOffsetLayer)) append_pieces(model, mesh, matrix, allowance, pieces);
     }
     push(node.children, matrix);
   }

@@ -88,7 +88,7 @@ Points32 to_points32(const Positions& positions, const Eigen::Vector3d& origin) 
   return points;
 }
 
-/// Panel neutral to deep blue-violet by the share of the largest move, linear RGB.
+/// Panel neutral to deep blue-violet by a share, linear RGB.
 std::array<std::uint8_t, 4> heat_colour(double share) {
   constexpr std::array<double, 3> kStill = {0.88, 0.86, 0.81}, kMost = {0.05, 0.02, 0.28};
   std::array<std::uint8_t, 4> colour = {0, 0, 0, 255};
@@ -99,20 +99,31 @@ std::array<std::uint8_t, 4> heat_colour(double share) {
   return colour;
 }
 
-/// COLOR_0 and _DISPLACEMENT of the moves from `base`.
-void add_displacement(tinygltf::Model& model, const Mesh& mesh, const Positions& base,
-                      std::map<std::string, int>& attributes) {
-  const Positions moves = mesh.positions - base;
-  const double most = moves.colwise().norm().maxCoeff();
+/// COLOR_0 for a share of each vertex.
+void add_heat(tinygltf::Model& model, const Eigen::VectorXd& shares,
+              std::map<std::string, int>& attributes) {
   std::vector<std::array<std::uint8_t, 4>> colours;
-  for (Eigen::Index v = 0; v < moves.cols(); ++v) {
-    colours.push_back(heat_colour(most > 0 ? moves.col(v).norm() / most : 0.0));
-  }
+  for (const double share : shares) colours.push_back(heat_colour(share));
   const int view = add_view(model, colours, ViewUse::kVertices);
-  const int colour_accessor = add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                           TINYGLTF_TYPE_VEC4, colours.size());
+  attributes["COLOR_0"] = add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                                       TINYGLTF_TYPE_VEC4, colours.size());
   model.accessors.back().normalized = true;
-  attributes["COLOR_0"] = colour_accessor;
+}
+
+/// COLOR_0 and _DISPLACEMENT of the moves from the base, or COLOR_0 of the heat that is given.
+void add_colours(tinygltf::Model& model, const Mesh& mesh, const GlbContent& content,
+                 std::map<std::string, int>& attributes) {
+  if (content.heat) add_heat(model, *content.heat, attributes);
+  if (!content.base) return;
+  const Positions moves = mesh.positions - *content.base;
+  const double most = moves.colwise().norm().maxCoeff();
+  if (!content.heat) {
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(moves.cols());
+    for (Eigen::Index v = 0; v < moves.cols() && most > 0; ++v) {
+      shares[v] = moves.col(v).norm() / most;
+    }
+    add_heat(model, shares, attributes);
+  }
   attributes["_DISPLACEMENT"] = add_points(model, to_points32(moves, Eigen::Vector3d::Zero()));
 }
 
@@ -230,6 +241,26 @@ void add_node(tinygltf::Model& model, const char* name, tinygltf::Mesh mesh,
   model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
 }
 
+/// The panels once more at other points, translucent; readers of ours leave it out.
+void add_offset(tinygltf::Model& model, const Positions& positions,
+                const tinygltf::Primitive& panels, const tinygltf::Primitive& lines,
+                const Eigen::Vector3d& origin) {
+  const Points32 points = to_points32(positions, origin);
+  const int position = add_points(model, points);
+  set_bounds(model.accessors.back(), points);
+  tinygltf::Mesh layer;
+  for (const tinygltf::Primitive* given : {&panels, &lines}) {
+    tinygltf::Primitive& primitive = layer.primitives.emplace_back();
+    primitive.mode = given->mode;
+    primitive.indices = given->indices;
+    primitive.attributes["POSITION"] = position;
+    primitive.material = given->material;
+  }
+  layer.primitives[0].material = add_material(model, kOffsetLayer, {0.62, 0.78, 0.84, 0.35}, 0.15);
+  layer.extras = Value(Value::Object{{kOffsetLayer, Value(true)}});
+  add_node(model, kOffsetLayer, std::move(layer), origin);
+}
+
 tinygltf::Model start_model(const Mesh& mesh, const GlbContent& content) {
   tinygltf::Model model;
   model.asset.version = "2.0";
@@ -258,8 +289,8 @@ std::string write_glb(const Mesh& mesh, const GlbContent& content) {
   faces.attributes["POSITION"] = position;
   const std::vector<int> fans = encode_fans(mesh);
   faces.indices = add_indices(model, {fans.begin(), fans.end()});
-  if (content.base) add_displacement(model, mesh, *content.base, faces.attributes);
-  add_panel_materials(model, faces, content.base.has_value());
+  add_colours(model, mesh, content, faces.attributes);
+  add_panel_materials(model, faces, content.base || content.heat);
 
   tinygltf::Mesh lines;
   lines.primitives.emplace_back();
@@ -277,8 +308,10 @@ std::string write_glb(const Mesh& mesh, const GlbContent& content) {
   panel_extras["polygonSizes"] = polygon_sizes(mesh);
   panels.extras = Value(std::move(panel_extras));
   if (!line_extras.empty()) lines.extras = Value(std::move(line_extras));
+  const tinygltf::Primitive panel_form = panels.primitives[0], line_form = lines.primitives[0];
   add_node(model, "design", std::move(panels), origin);
   add_node(model, "panel edges", std::move(lines), origin);
+  if (content.offset) add_offset(model, *content.offset, panel_form, line_form, origin);
 
   std::ostringstream stream;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);

@@ -40,17 +40,19 @@ std::string entry_fields(std::string_view name, std::string_view bytes, std::str
 
 }  // namespace
 
+ZipWriter::ZipWriter(ByteSink sink) : sink_(std::move(sink)) {}
+
 void ZipWriter::add(std::string_view name, std::string_view bytes) {
   assert(count_ < kMostEntries);
   const std::string deflated = deflate_raw(bytes);
   const std::string_view stored =
       deflated.size() < bytes.size() ? std::string_view(deflated) : bytes;
   const std::string fields = entry_fields(name, bytes, stored);
-  const auto place = static_cast<std::uint32_t>(entries_.size());
-  put32(entries_, 0x04034b50);
-  entries_ += fields;
-  entries_ += name;
-  entries_ += stored;
+  const auto place = handed_on_ + static_cast<std::uint32_t>(piece_.size());
+  put32(piece_, 0x04034b50);
+  piece_ += fields;
+  piece_ += name;
+  piece_ += stored;
   put32(directory_, 0x02014b50);
   put16(directory_, kVersion);
   directory_ += fields;
@@ -61,22 +63,28 @@ void ZipWriter::add(std::string_view name, std::string_view bytes) {
   put32(directory_, place);
   directory_ += name;
   ++count_;
+  if (piece_.size() >= kPiece) hand_on();
 }
 
-std::string ZipWriter::take() {
-  const auto start = static_cast<std::uint32_t>(entries_.size());
-  std::string archive = std::move(entries_);
-  archive += directory_;
-  put32(archive, 0x06054b50);
-  put16(archive, 0);  // disk
-  put16(archive, 0);
-  put16(archive, count_);
-  put16(archive, count_);
-  put32(archive, static_cast<std::uint32_t>(directory_.size()));
-  put32(archive, start);
-  put16(archive, 0);  // no comment
-  *this = ZipWriter();
-  return archive;
+void ZipWriter::hand_on() {
+  sink_(piece_);
+  handed_on_ += static_cast<std::uint32_t>(piece_.size());
+  piece_.clear();
+}
+
+void ZipWriter::finish() {
+  hand_on();
+  piece_ = std::move(directory_);
+  const auto size = static_cast<std::uint32_t>(piece_.size());
+  put32(piece_, 0x06054b50);
+  put16(piece_, 0);  // disk
+  put16(piece_, 0);
+  put16(piece_, count_);
+  put16(piece_, count_);
+  put32(piece_, size);
+  put32(piece_, handed_on_);
+  put16(piece_, 0);  // no comment
+  hand_on();
 }
 
 }  // namespace planish

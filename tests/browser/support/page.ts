@@ -6,8 +6,8 @@ import { expect } from "vitest";
 import { launch } from "../../../.tools/browser.mjs";
 import { serve } from "../../../.tools/serve.mjs";
 import { encodeLink } from "../../../web/src/share/link.ts";
-import { DEFAULT_SETTINGS, NO_SHAPE } from "../../../web/src/state/design.ts";
-import { markOf, type Recipe } from "../../../web/src/state/recipe.ts";
+import { DEFAULT_SETTINGS } from "../../../web/src/state/design.ts";
+import type { Recipe } from "../../../web/src/state/recipe.ts";
 
 export type Prepare = (context: BrowserContext) => Promise<void>;
 
@@ -43,7 +43,7 @@ const VAULT: Recipe = {
   families: [],
   unit: "m",
   camera: null,
-  mark: markOf(NO_SHAPE),
+  mark: { hash: 0, moved: 0, probes: [] }, // of no shape
 };
 
 /** Waits until the page can be used. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Designs to be made by every build and compared to the last bit.
-import type { PlanishModule } from "@wasm/planish.mjs";
+import type { EditOptions, PlanishModule } from "@wasm/planish.mjs";
 
 export interface Recipe {
   readonly name: string;
@@ -24,53 +24,41 @@ export interface Recipe {
  * The design as the page makes it, as OBJ: seventeen digits, so equal texts are equal bits. Refers to
  * nothing outside itself: its source also runs in a worker.
  */
-export function makeDesign(module: PlanishModule, recipe: Recipe): string {
+export function makeDesign(module: PlanishModule, recipe: Recipe, usual: EditOptions): string {
   const done = (refusal: string): void => {
     if (refusal !== "") throw new Error(`${recipe.name}: ${refusal}`);
   };
   const { source, options } = recipe;
-  const [fairness, engine] = [module.FairnessKind[options.fairness], module.Engine[options.solver]];
   const session = new module.Session();
   if ("obj" in source) {
     done(session.openFile(new TextEncoder().encode(source.obj), "obj"));
-    done(session.planarise(10, false, true, ""));
+    done(
+      session.planarise({
+        smooth: 10,
+        keepBoundary: false,
+        keepShape: true,
+        constraints: [],
+        within: 0,
+        flat: 0,
+      }),
+    );
   } else {
     done(session.openSample(source.sample, source.size));
   }
   done(
     session.setOptions({
-      attraction: 1000,
-      locality: 1,
-      smoothness: 1,
-      fairness,
-      sparsity: module.Sparsity[options.sparsity],
+      ...usual,
+      fairness: options.fairness,
+      sparsity: options.sparsity,
       hardHandles: options.hard,
       keepShape: options.shape ?? false,
-      engine,
-      tolerance: 1e-6,
-      maxIterations: 0,
-      reach: 0,
-      reachLength: 0,
-      keepBoundary: false,
-      softness: 0,
+      engine: options.solver,
     }),
   );
   const handles = Float64Array.from(recipe.handles.flat());
   done(session.edit(module.EditMode.solve, handles, Int32Array.from(recipe.pins), 0, 1));
   if (recipe.coefficients) {
-    done(
-      session.explore({
-        dimension: recipe.coefficients.length,
-        fairnessWeight: 3,
-        sparsityWeight: 1,
-        closenessWeight: 0,
-        correlation: 0.95,
-        reach: 2,
-        eigenbasis: false,
-        fairness,
-        engine,
-      }),
-    );
+    done(session.explore({ asked: recipe.coefficients.length, eigenbasis: false }));
     done(session.vary(Float64Array.from(recipe.coefficients)));
     done(session.makeExact());
   }

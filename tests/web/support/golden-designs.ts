@@ -54,10 +54,20 @@ export const EDITED: Design = {
   },
 };
 
+/** Of whatever result. */
+export const MARK = { hash: 0x12345678, moved: 3, probes: [3, 0.1, 0.2, 0.3] };
+
 export const OPENED: Design = {
   ...EDITED,
   source: FILE,
-  planarised: { smooth: 0, keepBoundary: false, keepShape: false, constraints: [] },
+  planarised: {
+    smooth: 0,
+    keepBoundary: false,
+    keepShape: false,
+    constraints: [],
+    within: 0,
+    flat: 0,
+  },
   handles: [],
   shape: { moved: new Int32Array(0), positions: new Float64Array(0) },
   report: { ...EDITED.report, movedVertices: 0 },

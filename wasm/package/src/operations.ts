@@ -11,9 +11,12 @@ export interface ProjectOptions {
   readonly reference?: Mesh;
   /** 0 stays as close as possible; higher is fairer and farther away. */
   readonly smooth?: number;
+  /** Model units, > 0: no vertex moves farther, and the result is as flat as that allows. */
+  readonly within?: number;
   readonly pins?: readonly number[];
   readonly keepBoundary?: boolean;
-  readonly bounds?: { readonly shape?: boolean } | readonly string[];
+  /** Panels keep their shape; they may stay `flat` mm per m out of flat. */
+  readonly bounds?: { readonly shape?: boolean; readonly flat?: number } | readonly string[];
   readonly constraints?: Constraints;
   readonly fairness?: "laplacian" | "second" | "third";
   readonly solver?: "newton" | "alm";

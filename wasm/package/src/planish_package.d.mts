@@ -55,6 +55,28 @@ export interface DesignHandle extends Handle {
   replay(base: MeshHandle | null, watch: Watch | null): Answer<ReplayHandle>;
 }
 
+/** One vertex in one direction, as the core's MobilityRow. */
+export interface MobilityValue {
+  readonly vertex: number;
+  /** Of length 1. */
+  readonly direction: readonly [number, number, number];
+  /** Model units. */
+  readonly distance: number;
+  /** "range", "shape", "search", or the name of a limit. */
+  readonly limit: string;
+  /** Panels to be made again. */
+  readonly remake: number;
+  /** Degrees. */
+  readonly sharpestFold: number;
+}
+
+export interface MobilityHandle extends Handle {
+  /** Four rows for each vertex, in their order. */
+  measure(vertices: ArrayLike<number>): Answer<MobilityValue[]>;
+  /** The file of rows that were measured: .json, .csv or .glb. */
+  bytes(rows: readonly MobilityValue[], name: string): Answer<Uint8Array>;
+}
+
 export interface OptionRow {
   /** "--keep-boundary" */
   readonly name: string;
@@ -81,6 +103,7 @@ export interface PackageModule {
     watch: Watch | null,
   ): Answer<ShapeHandle>;
   offset(mesh: MeshHandle, words: readonly string[]): Answer<ShapeHandle>;
+  mobility(mesh: MeshHandle, words: readonly string[]): Answer<MobilityHandle>;
   readDesign(text: string): Answer<DesignHandle>;
   options(command: string): Answer<OptionRow[]>;
 }

@@ -5,13 +5,14 @@ import { isLink } from "../share/fragment.ts";
 import type { Design } from "../state/design.ts";
 import { rememberOrigin } from "../state/figures.ts";
 import { fetchPart } from "../state/later.ts";
-import { markOf, type Recipe } from "../state/recipe.ts";
+import { markOf } from "../state/marking.ts";
+import type { Steps } from "../state/recipe.ts";
 import { deleteSnapshot, providePictures, takeSnapshot } from "../state/snapshots.ts";
 import { history, problem } from "../state/store.ts";
 
 async function replayLink(
-  replay: (recipe: Recipe) => Promise<boolean>,
-  recipe: Recipe,
+  replay: (recipe: Steps) => Promise<boolean>,
+  recipe: Steps,
 ): Promise<boolean> {
   const link = location.hash;
   const opened = await replay(recipe);
@@ -22,26 +23,26 @@ async function replayLink(
 /** What opens links; null, with the problem said, if it cannot be loaded. */
 const linkParts = () =>
   fetchPart(async () => {
-    const [{ decodeLink }, { replay }] = await Promise.all([
-      import("../share/link.ts"),
+    const [{ readLink }, { replay }] = await Promise.all([
+      import("../state/linked.ts"),
       import("../state/replaying.ts"),
     ]);
-    return { decodeLink, replay };
+    return { readLink, replay };
   });
 
 /** Opens the design that the address names; false if there is none or it cannot be opened. */
 export async function openAddress(): Promise<boolean> {
   const parts = isLink(location.hash) ? await linkParts() : null;
   if (!parts) return false;
-  const recipe = await parts.decodeLink(location.hash);
+  const recipe = await parts.readLink(location.hash);
   if (recipe.ok) return replayLink(parts.replay, recipe.value);
   problem.value = recipe.reason;
   return false;
 }
 
 /** A design that was kept stays as a snapshot, unless it is the link's own. */
-async function keepAside(kept: Design, { mark }: Recipe): Promise<string | null> {
-  if (markOf(kept.shape).hash === mark.hash) return null;
+async function keepAside(kept: Design, { mark }: Steps): Promise<string | null> {
+  if ((await markOf(kept.shape))?.hash === mark?.hash) return null;
   const pictures = await fetchPart(() => import("../ui/snapshot-picture.ts"));
   if (pictures) providePictures(pictures.snapshotPicture);
   return takeSnapshot("Before the link");
@@ -50,7 +51,7 @@ async function keepAside(kept: Design, { mark }: Recipe): Promise<string | null>
 /** The same over a design that was kept. */
 export async function openAddressOverKept(): Promise<boolean> {
   const parts = isLink(location.hash) ? await linkParts() : null;
-  const recipe = parts && (await parts.decodeLink(location.hash));
+  const recipe = parts && (await parts.readLink(location.hash));
   const kept = history.value?.present;
   if (!parts || !recipe?.ok || !kept) return openAddress();
   const snapshot = await keepAside(kept, recipe.value);

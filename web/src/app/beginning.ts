@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
-import { client } from "../state/connection.ts";
+import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
 import { begin as beginHistory } from "../state/history.ts";
 import { openFirst } from "../state/opening.ts";
 import { show } from "../state/showing.ts";
-import { history, notice, problem, ready, snapshots, stranded, unit } from "../state/store.ts";
+import { history, notice, problem, ready, snapshots, unit } from "../state/store.ts";
 import { inTurn } from "../state/turns.ts";
 import { followAddress, openAddressOverKept } from "./address.ts";
 import { keepOffline } from "./offline.ts";
@@ -50,16 +50,14 @@ async function openDesigns(saved: ReturnType<typeof restoreSaved>): Promise<void
   problem.value = said;
 }
 
-/** What happens when the page opens: a shared design, the last one, or the first sample. */
+/** What happens when the page opens: a shared design, the last one, or the first sample; within
+ * another page, what that one asks for. */
 export async function begin(): Promise<void> {
+  const asked = new URLSearchParams(location.search);
+  if (asked.has("embed") && window.parent !== window)
+    return (await import("../embed/embedded.ts")).beginEmbedded(asked);
   const saved = restoreSaved();
-  try {
-    await client.ready;
-  } catch (error) {
-    problem.value = error instanceof Error ? error.message : String(error);
-    stranded.value = true;
-    return;
-  }
+  if (!(await solverIsThere())) return;
   await openDesigns(saved);
   ready.value = true;
   startAutosave();

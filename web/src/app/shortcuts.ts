@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { redo, undo } from "../state/editing.ts";
-import { ready, showBefore } from "../state/store.ts";
+import { readOnly, ready, showBefore } from "../state/store.ts";
 import { pickAndOpen } from "../ui/pick-file.ts";
 import { takesLetters } from "../ui/view-keys.ts";
 
@@ -8,7 +8,7 @@ const typing = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
 
 function down(event: KeyboardEvent): void {
-  if (typing(event.target)) return;
+  if (typing(event.target) || readOnly.value) return;
   const command = event.ctrlKey || event.metaKey;
   const key = event.key.toLowerCase();
   if (command && (key === "y" || (key === "z" && event.shiftKey))) {

@@ -31,6 +31,7 @@ const NOTHING: CuttingPreview = {
   nodesMoved: 0,
   nodesArms: 0,
   flatness: 0,
+  excess: 0,
   vanished: [],
   oversize: [],
   sheets: 0,
@@ -50,6 +51,7 @@ export const headerOf = (preview: CuttingPreview, choice: PackageChoice): Cuttin
     nodes_arms: preview.nodesArms,
   },
   flatness_mm_per_m: preview.flatness,
+  excess_mm_per_m: preview.excess,
   vanished: preview.vanished,
   sheets:
     choice.sheetWidth > 0

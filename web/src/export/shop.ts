@@ -4,6 +4,7 @@ import type {
   CuttingHeader,
   CuttingOptions,
   DrawingOptions,
+  DrawnHeader,
   ShopOrder,
 } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
@@ -47,18 +48,22 @@ export function cuttingOptions({ scope, ...choice }: PanelChoice): CuttingOption
   return { ...choice, ...named(), remakeOnly: scope === "remake", panels };
 }
 
-/** Once all that was asked for is done; the header as JSON, null if it was refused. */
+type Header = CuttingHeader | DrawnHeader;
+
+const isDrawn = (header: Header): header is DrawnHeader => "missed" in header;
+
+/** Once all that was asked for is done; the header, null if it was refused. */
 async function make(
   doing: string,
   order: () => Promise<ShopOrder>,
   type: string,
   ending: string,
-): Promise<string | null> {
-  let header: string | null = null;
+): Promise<Header | null> {
+  let header: Header | null = null;
   await inTurn(async () => {
     const answer = await run(doing, { kind: "shop", order: await order() }, "made");
     if (!answer) return;
-    save(new Blob([answer.bytes as BlobPart], { type }), ending);
+    save(new Blob([answer.file], { type }), ending);
     header = answer.header;
   });
   return header;
@@ -74,21 +79,13 @@ export async function exportPackage({
     code: linkCode((withLink && (await designLink(null))) || ""),
   });
   const header = await make("writing the package", order, "application/zip", "-package.zip");
-  return header === null ? null : JSON.parse(header);
+  return header && !isDrawn(header) ? header : null;
 }
 
 export async function exportIfc(choice: PanelChoice): Promise<CuttingHeader | null> {
   const order = async (): Promise<ShopOrder> => ({ what: "ifc", options: cuttingOptions(choice) });
   const header = await make("writing IFC", order, "application/x-step", ".ifc");
-  return header === null ? null : JSON.parse(header);
-}
-
-/** Of drawings.json. */
-export interface DrawnHeader {
-  /** 1 : scale. */
-  readonly scale: number;
-  /** Sections, from 0, that do not meet the structure. */
-  readonly missed: readonly number[];
+  return header && !isDrawn(header) ? header : null;
 }
 
 export async function exportDrawings(choice: DrawingChoice): Promise<DrawnHeader | null> {
@@ -97,5 +94,5 @@ export async function exportDrawings(choice: DrawingChoice): Promise<DrawnHeader
     options: { ...choice, ...named() },
   });
   const header = await make("drawing", order, "application/zip", "-drawings.zip");
-  return header === null ? null : JSON.parse(header);
+  return header && isDrawn(header) ? header : null;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A .3dm file as a mesh, or as the design that it came from. Every file gives one of both or a
-// sentence; what is left out is named.
+// A .3dm file as a mesh, or as the design that it came from, and what lies beside it. Every file gives
+// one of both or a sentence; what is left out is named.
 import type { Curve, File3dm, File3dmObject, Mesh } from "rhino3dm";
 import type { Unit } from "../state/units.ts";
+import type { Context } from "./context.ts";
 import { joinFans } from "./join-fans.ts";
-import { LeftOut } from "./left-out.ts";
 import {
   DESIGN_KEY,
   type Faces,
@@ -16,6 +16,7 @@ import {
   unitOf,
 } from "./model.ts";
 import { orient } from "./orient.ts";
+import { Others } from "./others.ts";
 import { weld } from "./weld.ts";
 
 export interface ReadModel {
@@ -24,7 +25,9 @@ export interface ReadModel {
   readonly mesh: Faces;
   /** null where the file has none, or one that the page does not know. */
   readonly unit: Unit | null;
-  /** Sentences: what was done to the mesh, and what was left out. */
+  /** What is no panel, to be drawn behind the panels; null for nothing. */
+  readonly context: Context | null;
+  /** Sentences: what was done to the mesh, what is context, and what was left out. */
   readonly remarks: readonly string[];
 }
 
@@ -41,7 +44,7 @@ interface Found {
   readonly meshes: Faces[];
   /** Of three and four corners only: for files whose outlines are gone. */
   readonly ownMeshes: Faces[];
-  readonly leftOut: LeftOut;
+  readonly others: Others;
 }
 
 /** null for a curve that is no closed polyline. */
@@ -81,8 +84,8 @@ function layersOf(file: File3dm): Map<number, { path: string; shown: boolean }> 
 }
 
 function search(rhino: RhinoModule, file: File3dm): Found {
-  const leftOut = new LeftOut(rhino);
-  const found: Found = { own: [], polylines: [], meshes: [], ownMeshes: [], leftOut };
+  const others = new Others(rhino);
+  const found: Found = { own: [], polylines: [], meshes: [], ownMeshes: [], others };
   const layers = layersOf(file);
   const objects = file.objects();
   for (let k = 0; k < objects.count; ++k) {
@@ -101,20 +104,20 @@ function takeOwn(rhino: RhinoModule, object: File3dmObject, found: Found): void 
   const geometry = object.geometry();
   const outline = geometry instanceof rhino.Curve ? outlineOf(rhino, geometry) : null;
   if (outline) found.own.push({ name: object.attributes().name, outline });
-  else found.leftOut.object(geometry);
+  else found.others.object(geometry);
 }
 
 function takeOwnMesh(rhino: RhinoModule, object: File3dmObject, found: Found): void {
   const geometry = object.geometry();
   if (geometry instanceof rhino.Mesh) found.ownMeshes.push(facesOf(geometry));
-  else found.leftOut.object(geometry);
+  else found.others.object(geometry);
 }
 
 function take(rhino: RhinoModule, object: File3dmObject, shown: boolean, found: Found): void {
   const attributes = object.attributes();
   if (attributes.isInstanceDefinitionObject) return; // part of a block, which is counted
   if (!shown || !attributes.visible) {
-    found.leftOut.hidden();
+    found.others.hidden();
     return;
   }
   const geometry = object.geometry();
@@ -124,7 +127,7 @@ function take(rhino: RhinoModule, object: File3dmObject, shown: boolean, found: 
   }
   const outline = geometry instanceof rhino.Curve ? outlineOf(rhino, geometry) : null;
   if (outline) found.polylines.push(outline);
-  else found.leftOut.object(geometry);
+  else found.others.object(geometry);
 }
 
 function fromOutlines(outlines: readonly Outline[]): Faces {
@@ -157,9 +160,10 @@ function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
   const meshes = [...found.ownMeshes, ...found.meshes];
   const fromMeshes = own.length === 0 && meshes.length > 0;
   const outlines = own.length > 0 ? own : found.polylines;
-  if (!fromMeshes && outlines.length === 0) throw new UnreadableModel(nothingIn(found.leftOut));
-  if (own.length > 0) found.leftOut.meshes(found.meshes.length);
-  if (own.length > 0 || fromMeshes) found.leftOut.polylines(found.polylines.length);
+  if (!fromMeshes && outlines.length === 0) throw new UnreadableModel(found.others.instead());
+  if (own.length > 0) for (const mesh of found.meshes) found.others.mesh(mesh);
+  if (own.length > 0 || fromMeshes)
+    for (const outline of found.polylines) found.others.polyline(outline);
   const whole = fromMeshes ? together(meshes) : fromOutlines(outlines);
   const { points, faces, moved, largest, collapsed } = weld(whole, tolerance);
   if (moved > 0) {
@@ -179,14 +183,6 @@ function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
       `${times(joins.uncertain, "group", "groups")} of coplanar triangles stayed triangles: where their panels end is not certain. Closed polylines say it.`,
     );
   return { points, faces: joins.faces };
-}
-
-function nothingIn(leftOut: LeftOut): string {
-  const held = leftOut.words ? ` It holds ${leftOut.words}.` : "";
-  const advice = leftOut.surfaces
-    ? " In Rhino, DupFaceBorder makes closed polylines of flat surfaces."
-    : "";
-  return `It holds no mesh and no closed polyline.${held}${advice}`;
 }
 
 /** Numbered panels in their order; Rhino may have put them in another. */
@@ -218,10 +214,11 @@ export function readModel(rhino: RhinoModule, bytes: Uint8Array): ReadModel {
   const stored = stringOf(file, DESIGN_KEY);
   const isSame = outlinesMark(inOrder(found.own)) === stringOf(file, OUTLINES_KEY);
   if (stored && !isSame) remarks.unshift(CHANGED);
-  if (found.leftOut.words) remarks.push(`Left out: ${found.leftOut.words}.`);
+  remarks.push(...found.others.remarks());
+  const context = found.others.context();
   file.destroy();
   const unit = unitOf(rhino, modelUnitSystem);
-  return { design: isSame ? stored : "", mesh, unit, remarks };
+  return { design: isSame ? stored : "", mesh, unit, context, remarks };
 }
 
 /** Every digit of every coordinate. */

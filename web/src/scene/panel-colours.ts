@@ -24,6 +24,9 @@ import {
 /** Where a panel's PanelChange is among its figures of health. */
 const CHANGE = 3;
 
+/** What is measured of points. */
+const OF_POINTS: readonly ColourBy[] = ["fairness", "conical", "mobility"];
+
 export class PanelColours {
   readonly attribute: BufferAttribute;
   readonly #mesh: DisplayMesh;
@@ -46,7 +49,7 @@ export class PanelColours {
   }
 
   /**
-   * `figures`: of points for fairness and conical nodes, of panels otherwise; null for the points'
+   * `figures`: of points for fairness, mobility and conical nodes, of panels otherwise; null for the points'
    * displacement.
    */
   choose(kind: ColourBy, figures: Float32Array | null): void {
@@ -56,8 +59,7 @@ export class PanelColours {
 
   /** Gives every panel its colour; points get theirs from `paintVertex`. */
   paintAll(): void {
-    const ofPoints = this.#kind === "fairness" || this.#kind === "conical";
-    if (this.#figures && ofPoints) this.#paintPoints(this.#figures);
+    if (this.#figures && OF_POINTS.includes(this.#kind)) this.#paintPoints(this.#figures);
     else if (this.#figures) this.#paintPanels(this.#figures);
     else this.#paintNeutral();
     this.#dirty.addAll(this.#mesh.vertices.length);
@@ -86,10 +88,11 @@ export class PanelColours {
 
   #paintPoints(values: Float32Array): void {
     const end = this.#kind === "conical" ? defectEnd(values) : largest(values);
+    const ramp = this.#kind === "mobility" ? this.#ramp : this.#panelRamp;
     values.forEach((value, vertex) => {
       const t = end > 0 ? value / end : 0;
       for (const corner of row(this.#mesh.topology.corners, vertex)) {
-        writeRamp(this.#panelRamp, t, this.#colour, 3 * corner);
+        writeRamp(ramp, t, this.#colour, 3 * corner);
       }
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Presses become clicks, drags of points, boxes or turns of the camera; with mouse, pen and touch.
 import type { Ray } from "three";
+import { readOnly } from "../state/store.ts";
 import type { Held } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";
 import type { Box, Place } from "./picking.ts";
@@ -131,7 +132,8 @@ export class PointerTool {
     if (event.button !== 0) return;
     const { x, y } = this.#place(event);
     const hold = this.#events.find(x, y, coarse(event));
-    const kind = event.shiftKey || this.#events.boxing() ? "box" : hold ? "drag" : "turn";
+    const kind =
+      event.shiftKey || this.#events.boxing() ? "box" : hold && !readOnly.value ? "drag" : "turn";
     this.#press = { event, x, y, kind, hold, session: null, moved: false };
     if (kind === "turn") {
       this.#events.turn(x, y);

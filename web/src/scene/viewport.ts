@@ -31,6 +31,8 @@ import {
   localArrows,
   lock,
   mesh,
+  mobility,
+  offsetLayer,
   panelFigures,
   panelFolds,
   panelHealth,
@@ -47,6 +49,7 @@ import {
 } from "../state/store.ts";
 import { beyond, panelsAtLimit } from "../state/wanted.ts";
 import type { Subject } from "./clearance.ts";
+import { followContext } from "./context-follower.ts";
 import { DragSession, type Snap } from "./drag-session.ts";
 import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
@@ -91,6 +94,8 @@ function figuresOf(kind: ColourBy): Float32Array | null {
   if (kind === "remake") return panelHealth.value;
   if (kind === "fairness") return bending.value;
   if (kind === "fold") return panelFolds.value;
+  if (kind === "mobility")
+    return mobility.value?.of === mesh.value ? (mobility.value?.ways ?? null) : null;
   if (kindDefects.value?.kind === kind) return kindDefects.value.values;
   return kind === "planarity" ? panelFigures.value : null;
 }
@@ -120,6 +125,7 @@ export class Viewport {
   readonly #stop: (() => void)[] = [];
   readonly #reach = new ReachLine();
   #shell: Shell | null = null;
+  #offset: { dispose(): void } | null = null;
   /** The panel was chosen here, so that it is in view already. */
   #choosing = false;
   /** Clicks so far: what an earlier one would choose comes too late. */
@@ -409,7 +415,9 @@ export class Viewport {
         void this.#dress(kind === "zebra");
         this.stage.invalidate();
       }),
+      effect(() => void this.#layOffset()),
       effect(() => this.#drawReach()),
+      followContext(this.stage, dark),
       followKnob(this.#parts.knob, this.#canvas, {
         move: (place) => this.#dragReach(place),
         end: () => void commitSettings({ reach: settings.value?.reach ?? 0, reachLength: 0 }),
@@ -437,6 +445,17 @@ export class Viewport {
       }),
     );
     recolour();
+  }
+
+  /** The design's second layer, which nothing picks or drags. */
+  async #layOffset(): Promise<void> {
+    const [shell, layer] = [this.#shell, offsetLayer.value];
+    if (!shell || (!layer && !this.#offset)) return;
+    const part = await fetchPart(() => import("./offset-layer.ts"));
+    if (shell !== this.#shell || layer !== offsetLayer.peek()) return;
+    this.#offset?.dispose();
+    this.#offset = (layer && part?.layOffset(shell, layer, palette())) ?? null;
+    this.stage.invalidate();
   }
 
   async #dress(striped: boolean): Promise<void> {

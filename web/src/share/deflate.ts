@@ -30,6 +30,12 @@ async function pump(
 export const deflate = (bytes: Uint8Array): Promise<Uint8Array> =>
   pump(bytes, new CompressionStream("deflate-raw"), Number.POSITIVE_INFINITY);
 
-/** Rejects damaged bytes, and those that unpack to more than `largest` bytes. */
-export const inflate = (bytes: Uint8Array, largest: number): Promise<Uint8Array> =>
-  pump(bytes, new DecompressionStream("deflate-raw"), largest);
+/**
+ * Rejects damaged bytes, and those that unpack to more than `largest` bytes.
+ * @param format "deflate" is zlib's, which has a checksum
+ */
+export const inflate = (
+  bytes: Uint8Array,
+  largest: number,
+  format: CompressionFormat = "deflate-raw",
+): Promise<Uint8Array> => pump(bytes, new DecompressionStream(format), largest);

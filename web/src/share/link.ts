@@ -5,6 +5,7 @@ import type { Recipe } from "../state/recipe.ts";
 import { fromBase64Url, toBase64Url } from "./base64url.ts";
 import { deflate, inflate } from "./deflate.ts";
 import { decodePayload, encodePayload } from "./payload.ts";
+import { DAMAGED_LINK, refuse } from "./refusal.ts";
 
 const PREFIX = "#v1=";
 
@@ -14,11 +15,6 @@ const LARGEST = 32 * 1024 * 1024;
 /** The fragment for `recipe`, "#" included. */
 export const encodeLink = async (recipe: Recipe): Promise<string> =>
   PREFIX + toBase64Url(await deflate(await encodePayload(recipe)));
-
-const refuse = (reason: string): { ok: false; reason: string } => ({ ok: false, reason });
-const DAMAGED = refuse(
-  "This link is damaged: part of it is missing or was changed. Ask for it again.",
-);
 
 /** Any string gives a recipe or a sentence that says what is wrong with it; it never throws. */
 export async function decodeLink(hash: string): Promise<Parsed<Recipe>> {
@@ -32,5 +28,5 @@ export async function decodeLink(hash: string): Promise<Parsed<Recipe>> {
   const packed = fromBase64Url(hash.slice(PREFIX.length));
   const bytes = packed && (await inflate(packed, LARGEST).catch(() => null));
   const recipe = bytes && decodePayload(bytes);
-  return recipe ? { ok: true, value: recipe } : DAMAGED;
+  return recipe ? { ok: true, value: recipe } : DAMAGED_LINK;
 }

@@ -3,11 +3,11 @@
 //   CRC-32 of the rest (4 bytes) | length of the JSON (4 bytes) | JSON | the file, if any
 // little-endian. Links are kept readable for ever: what is added may be missing, and a change of
 // layout is a new version.
-import type { EngineName, Fairness, FileFormat, Planarising, Source } from "../solver/protocol.ts";
+import type { FileFormat, Planarising, ResultMark, Source } from "../solver/protocol.ts";
 import type { Family } from "../state/design.ts";
 import { readKept } from "../state/kept-kind.ts";
 import { isNearestFlat, NEAREST_FLAT } from "../state/planarising.ts";
-import type { Recipe, ResultMark } from "../state/recipe.ts";
+import type { Recipe } from "../state/recipe.ts";
 import { isUnit } from "../state/units.ts";
 import { crc32 } from "./crc32.ts";
 import {
@@ -21,8 +21,11 @@ import {
   readFormat,
   readHandles,
   readSettings,
+  readWeights,
+  WEIGHT_COUNT,
   writeCamera,
   writeSettings,
+  writeWeights,
 } from "./reading.ts";
 
 const HEADER = 8;
@@ -35,25 +38,38 @@ interface Payload {
   /** Sample name and size, or file name and format. */
   s: [string, number] | [string, FileFormat];
   /** Whether its mesh was planarised; then the weight of fairness, the boundary and the
-   * shape kept, and kinds of constraints if there are any. */
-  p: 0 | 1 | [number, 0 | 1, 0 | 1] | [number, 0 | 1, 0 | 1, readonly string[]];
+   * shape kept, and kinds of constraints if there are any; then how far points may go and how far
+   * panels stay out of flat, if they do. */
+  p:
+    | 0
+    | 1
+    | [number, 0 | 1, 0 | 1]
+    | [number, 0 | 1, 0 | 1, readonly string[]]
+    | [number, 0 | 1, 0 | 1, readonly string[], number, number];
   h: [number, number, number, number, 0 | 1][];
-  w: [number, number, number, Fairness, EngineName];
+  /** By the PLACES of reading.ts. */
+  w: readonly unknown[];
   x: readonly number[] | null;
-  /** Directions asked for and whether by stiffness; without it as many as `x` has, not. */
-  d?: [number, 0 | 1];
+  /**
+   * Directions asked for, and whether by stiffness (1) and by weights that follow (2); without it as
+   * many as `x` has, not.
+   */
+  d?: number[];
   /** Families before that of `x`: what `d` says, then the coefficients. */
-  e?: [number, 0 | 1, ...number[]][];
+  e?: number[][];
   u: string;
   /** Camera: position and target. */
   c?: number[];
   r: [number, number, readonly number[]];
 }
 
-const toEarlier = ({ asked, eigenbasis, coefficients }: Family): [number, 0 | 1, ...number[]] => [
+const BY_STIFFNESS = 1;
+const BY_WEIGHTS = 2;
+
+const howFound = ({ asked, eigenbasis, weights }: Family): number[] => [
   asked,
-  eigenbasis ? 1 : 0,
-  ...coefficients,
+  (eigenbasis ? BY_STIFFNESS : 0) + (weights ? BY_WEIGHTS : 0),
+  ...(weights ? writeWeights(weights) : []),
 ];
 
 function toPayload(recipe: Recipe): Payload {
@@ -64,10 +80,12 @@ function toPayload(recipe: Recipe): Payload {
     s: source.kind === "sample" ? [source.name, source.size] : [source.name, source.format],
     p: writePlanarising(recipe.planarised),
     h: handles.map(({ vertex, target, pinned }) => [vertex, ...target, pinned ? 1 : 0]),
-    w: writeSettings(recipe.settings) as Payload["w"],
+    w: writeSettings(recipe.settings),
     x: variation?.coefficients ?? null,
-    ...(variation && { d: [variation.asked, variation.eigenbasis ? 1 : 0] }),
-    ...(earlier.length > 0 && { e: earlier.map(toEarlier) }),
+    ...(variation && { d: howFound(variation) }),
+    ...(earlier.length > 0 && {
+      e: earlier.map((family) => [...howFound(family), ...family.coefficients]),
+    }),
     u: recipe.unit,
     ...(camera && { c: writeCamera(camera) }),
     r: [mark.hash, mark.moved, mark.probes],
@@ -79,7 +97,8 @@ function writePlanarising(how: Planarising | null): Payload["p"] {
   if (!how) return 0;
   if (isNearestFlat(how)) return 1;
   const flags = [how.keepBoundary ? 1 : 0, how.keepShape ? 1 : 0] as const;
-  const { smooth, constraints } = how;
+  const { smooth, constraints, within, flat } = how;
+  if (within > 0 || flat > 0) return [smooth, ...flags, constraints, within, flat];
   return constraints.length > 0 ? [smooth, ...flags, constraints] : [smooth, ...flags];
 }
 
@@ -88,10 +107,13 @@ function readPlanarising(value: unknown): Planarising | null | undefined {
   if (!Array.isArray(value)) return value === 1 ? NEAREST_FLAT : null;
   const numbers: unknown[] = value.slice(0, 3);
   const constraints = readKept(value[3] ?? []);
-  if (!isNumbers(numbers, 3) || value.length > 4 || !constraints) return undefined;
+  const bounds: unknown[] = value.length > 4 ? value.slice(4) : [0, 0];
+  if (!isNumbers(numbers, 3) || !isNumbers(bounds, 2) || !constraints) return undefined;
   const [smooth = 0, boundary, shape] = numbers;
-  if (smooth < 0) return undefined;
-  return { smooth, keepBoundary: boundary === 1, keepShape: shape === 1, constraints };
+  const [within = 0, flat = 0] = bounds;
+  if (smooth < 0 || within < 0 || flat < 0) return undefined;
+  const kept = { keepBoundary: boundary === 1, keepShape: shape === 1 };
+  return { smooth, ...kept, constraints, within, flat };
 }
 
 export async function encodePayload(recipe: Recipe): Promise<Uint8Array> {
@@ -119,29 +141,33 @@ function readSource(value: unknown, file: Uint8Array): Source | null {
   return { kind: "file", name, format, bytes, crc: crc32(file) };
 }
 
-function readFamily(asked: unknown, eigen: unknown, x: unknown): Family | null {
-  if (!isNumbers(x) || x.length === 0 || !isIndex(asked)) return null;
-  if (asked < x.length || asked > MOST_DIRECTIONS) return null;
-  return { coefficients: x, asked, eigenbasis: eigen === 1 };
+/** @param all how it was found, then the coefficients */
+function readFamily(all: unknown): Family | null {
+  if (!isNumbers(all)) return null;
+  const [asked, flags = 0] = all;
+  const weighted = flags >= BY_WEIGHTS;
+  const start = 2 + (weighted ? WEIGHT_COUNT : 0);
+  const coefficients = all.slice(start);
+  if (coefficients.length === 0 || !isIndex(asked)) return null;
+  if (asked < coefficients.length || asked > MOST_DIRECTIONS) return null;
+  const weights = readWeights(weighted ? all.slice(2, start) : undefined);
+  return weights && { coefficients, asked, eigenbasis: flags % 2 === BY_STIFFNESS, ...weights };
 }
 
 /** null if they are not families; earlier ones make no sense without the last. */
 function readFamilies({ x, d, e = [] }: Json): Family[] | null {
   if (!Array.isArray(e) || e.length > MOST_FAMILIES) return null;
   if (x === null) return e.length === 0 ? [] : null;
-  const [asked, eigen] = Array.isArray(d)
-    ? d
-    : d === undefined && Array.isArray(x)
-      ? [x.length]
-      : [];
+  if (!isNumbers(x)) return null;
+  const how: unknown = d === undefined ? [x.length, 0] : d;
+  if (!isNumbers(how) || how.length < 2) return null;
   const all: Family[] = [];
-  for (const value of e) {
-    const family = Array.isArray(value) ? readFamily(value[0], value[1], value.slice(2)) : null;
+  for (const value of [...e, [...how, ...x]]) {
+    const family = readFamily(value);
     if (!family) return null;
     all.push(family);
   }
-  const last = readFamily(asked, eigen, x);
-  return last && [...all, last];
+  return all;
 }
 
 function readMark(value: unknown): ResultMark | null {

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What a stranger's JSON may say. Every reader gives a value of the right kind or null.
+import { words as WORDS } from "virtual:core-defaults";
 import type {
   BoundarySupport,
   EditSettings,
-  EngineName,
-  Fairness,
   FileFormat,
-  Sparsity,
+  VariationWeights,
 } from "../solver/protocol.ts";
 import type { Camera } from "../state/camera.ts";
-import { DEFAULT_SETTINGS, type HandleRow } from "../state/design.ts";
+import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../state/design.ts";
 import { readKept } from "../state/kept-kind.ts";
 import { readLimits } from "../state/stated-limit.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
-export const FAIRNESS: readonly Fairness[] = ["laplacian", "second", "third"];
-export const ENGINES: readonly EngineName[] = ["newton", "alm"];
-export const SPARSITY: readonly Sparsity[] = ["l21", "l2", "none"];
 
 /** The solver's own limit. */
 export const MOST_DIRECTIONS = 24;
@@ -62,104 +58,94 @@ export function readHandles(value: unknown): HandleRow[] | null {
   return rows;
 }
 
-type Rest = Omit<
-  EditSettings,
-  | "attraction"
-  | "locality"
-  | "smoothness"
-  | "fairness"
-  | "engine"
-  | "keepShape"
-  | "limits"
-  | "constraints"
->;
+/** Where a link and a saved record have each weight of variations: a place is never given away. */
+const WEIGHTS = ["fairness", "sparsity", "closeness", "correlation", "spread", "family"] as const;
+export const WEIGHT_COUNT = WEIGHTS.length;
+
+export const writeWeights = (weights: VariationWeights): number[] => WEIGHTS.map((w) => weights[w]);
+
+/** Nothing where a family says nothing of them; null: not weights. */
+export function readWeights(value: unknown): Pick<Family, "weights"> | null {
+  if (value === undefined) return {};
+  if (!isNumbers(value, WEIGHT_COUNT) || value.some((x) => x < 0)) return null;
+  const [fairness = 0, sparsity = 0, closeness = 0, correlation = 0, spread, family] = value;
+  if (!isIndex(spread) || !isIndex(family)) return null;
+  return { weights: { fairness, sparsity, closeness, correlation, spread, family } };
+}
+
+/**
+ * Where a link and a saved record have each setting: a place is never given to another one. Later
+ * versions of the page added places at the end, and leave out those at the end that are as usual.
+ */
+const PLACES = [
+  ...(["attraction", "locality", "smoothness", "fairness", "engine"] as const),
+  ...(["sparsity", "hardHandles", "tolerance", "maxIterations"] as const),
+  ...(["reach", "reachLength", "keepBoundary", "softness"] as const),
+  "continuation",
+] as const;
+type Place = (typeof PLACES)[number];
+/** How many places there are in what some version of the page wrote; this one writes no 6. */
+const READ_LENGTHS = [5, 6, 9, 13, 14];
+const WRITTEN_LENGTHS = [5, 9, 13, 14];
 
 /** Behind whether the boundary is kept, which is the number's first bit. */
 const BOUNDARY_SUPPORTS: readonly BoundarySupport[] = ["none", "level", "outline"];
 
-/** How many numbers follow the sparsity: the first rest, with the limits, with the continuation. */
-const [FIRST_REST, LIMITED_REST, LONGEST_REST] = [3, 7, 8];
-
-/** What was added to the settings later: absent where it is all as usual. */
-function readRest(value: readonly unknown[]): Rest | null {
-  const { attraction, locality, smoothness, fairness, engine, ...others } = DEFAULT_SETTINGS;
-  const { keepShape, limits, constraints, ...usual } = others;
-  if (value.length === 0) return usual;
-  const named = SPARSITY.find((name) => name === value[0]);
-  if (named && value.length === 1) return { ...usual, sparsity: named };
-  const numbers: unknown = value.slice(1);
-  const counted = [FIRST_REST, LIMITED_REST, LONGEST_REST].some((n) => isNumbers(numbers, n));
-  if (!named || !counted || !isNumbers(numbers)) return null;
-  const [hard, given = 0, most = 0, ...later] = numbers;
-  const [rings = 0, length = 0, keep = 0, softness = 0, continuation = 0] = later;
-  return {
-    sparsity: named,
-    hardHandles: hard === 1,
-    tolerance: given,
-    maxIterations: most,
-    reach: rings,
-    reachLength: length,
-    keepBoundary: keep % 2 === 1,
-    boundarySupport: BOUNDARY_SUPPORTS[keep >> 1] ?? "none",
-    softness,
-    continuation,
-  };
+function pack(settings: EditSettings, place: Place): number | string {
+  if (place === "keepBoundary") {
+    const { keepBoundary, boundarySupport } = settings;
+    return Number(keepBoundary) + 2 * BOUNDARY_SUPPORTS.indexOf(boundarySupport);
+  }
+  const value = settings[place];
+  return typeof value === "boolean" ? Number(value) : value;
 }
 
-/** Last of the settings but the limits where panels keep their shape; absent in designs from before that bound. */
+/** What `given` in `place` says; null if it says nothing. The core's table knows types and words. */
+function unpack(place: Place, given: unknown): Partial<EditSettings> | null {
+  const usual = DEFAULT_SETTINGS[place];
+  if (typeof usual === "string") {
+    const words: readonly string[] = WORDS[place as keyof typeof WORDS];
+    return words.some((word) => word === given) ? { [place]: given } : null;
+  }
+  if (!isNumber(given)) return null;
+  if (place === "keepBoundary")
+    return {
+      keepBoundary: given % 2 === 1,
+      boundarySupport: BOUNDARY_SUPPORTS[given >> 1] ?? "none",
+    };
+  return { [place]: typeof usual === "boolean" ? given === 1 : given };
+}
+
+/** Last of the settings but the lists where panels keep their shape; absent in designs from before that bound. */
 const SHAPE = "shape";
 
-/**
- * Attraction, locality, smoothness, fairness, engine; then sparsity; then hard, tolerance, limit;
- * then reach, its length, keep boundary, softness; then the continuation, if any; then "shape"; then
- * a list of stated limits and kept kinds, which have no "=".
- */
+const isKind = (one: unknown): boolean => typeof one === "string" && !one.includes("=");
+
+/** By PLACES; then "shape"; then a list of stated limits and kept kinds, which have no "=". */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
-  const limited = Array.isArray(value.at(-1));
-  const listed: unknown[] = limited ? value.at(-1) : [];
-  const isKind = (one: unknown): boolean => typeof one === "string" && !one.includes("=");
+  const rest: unknown[] = [...value];
+  const listed: unknown[] = Array.isArray(rest.at(-1)) ? (rest.pop() as unknown[]) : [];
+  const keepShape = rest.at(-1) === SHAPE;
+  if (keepShape) rest.pop();
   const limits = readLimits(listed.filter((one) => !isKind(one)));
   const constraints = readKept(listed.filter(isKind));
-  const others: unknown[] = limited ? value.slice(0, -1) : value;
-  const keepShape = others.at(-1) === SHAPE;
-  const weightsAndRest = readWeightsAndRest(keepShape ? others.slice(0, -1) : others);
-  if (!weightsAndRest || !limits || !constraints) return null;
-  return { ...weightsAndRest, keepShape, limits, constraints };
+  if (!limits || !constraints || !READ_LENGTHS.includes(rest.length)) return null;
+  let settings: EditSettings = { ...DEFAULT_SETTINGS, keepShape, limits, constraints };
+  for (const [k, given] of rest.entries()) {
+    const place = PLACES[k];
+    const said = place && unpack(place, given);
+    if (!said) return null;
+    settings = { ...settings, ...said };
+  }
+  return settings;
 }
-
-type WeightsAndRest = Omit<EditSettings, "keepShape" | "limits" | "constraints">;
-
-function readWeightsAndRest(value: readonly unknown[]): WeightsAndRest | null {
-  if (value.length < 5) return null;
-  const weights: unknown = value.slice(0, 3);
-  const fairness = FAIRNESS.find((name) => name === value[3]);
-  const engine = ENGINES.find((name) => name === value[4]);
-  const rest = readRest(value.slice(5));
-  if (!isNumbers(weights, 3) || !fairness || !engine || !rest) return null;
-  const [attraction = 0, locality = 0, smoothness = 0] = weights;
-  return { attraction, locality, smoothness, fairness, engine, ...rest };
-}
-
-const writeRest = ({ sparsity, hardHandles, tolerance, maxIterations }: EditSettings) => [
-  sparsity,
-  hardHandles ? 1 : 0,
-  tolerance,
-  maxIterations,
-];
 
 export function writeSettings(settings: EditSettings): unknown[] {
-  const { attraction, locality, smoothness, fairness, engine } = settings;
-  const { reach, reachLength, keepBoundary, boundarySupport, softness } = settings;
-  const boundary = (keepBoundary ? 1 : 0) + 2 * BOUNDARY_SUPPORTS.indexOf(boundarySupport);
-  const first = [attraction, locality, smoothness, fairness, engine];
-  const rest = writeRest(settings);
-  const path = settings.continuation;
-  const limits = [reach, reachLength, boundary, softness, ...(path > 0 ? [path] : [])];
-  const limited = limits.some((number) => number !== 0);
-  const usual = String(rest) === String(writeRest(DEFAULT_SETTINGS));
-  const named = limited ? [...first, ...rest, ...limits] : usual ? first : [...first, ...rest];
-  const whole = settings.keepShape ? [...named, SHAPE] : named;
+  const packed = PLACES.map((place) => pack(settings, place));
+  const different = PLACES.findLastIndex((place, k) => packed[k] !== pack(DEFAULT_SETTINGS, place));
+  const length = WRITTEN_LENGTHS.find((places) => places > different);
+  const whole = [...packed.slice(0, length), ...(settings.keepShape ? [SHAPE] : [])];
   const listed = [...settings.limits, ...settings.constraints];
   return listed.length > 0 ? [...whole, listed] : whole;
 }

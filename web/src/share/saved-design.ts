@@ -16,7 +16,9 @@ import {
   readFormat,
   readHandles,
   readSettings,
+  readWeights,
   writeSettings,
+  writeWeights,
 } from "./reading.ts";
 
 /** Kept files by fileKey(). */
@@ -46,10 +48,11 @@ const writeRow = ({ vertex, target, pinned }: HandleRow): number[] => [
   pinned ? 1 : 0,
 ];
 
-const writeFamily = ({ coefficients, asked, eigenbasis }: Family, pool: PoolWriter): Json => ({
-  x: pool.add(coefficients),
-  asked,
-  eigenbasis,
+const writeFamily = (family: Family, pool: PoolWriter): Json => ({
+  x: pool.add(family.coefficients),
+  asked: family.asked,
+  eigenbasis: family.eigenbasis,
+  ...(family.weights && { weights: writeWeights(family.weights) }),
 });
 
 function writeVariation(variation: Variation, pool: PoolWriter): unknown {
@@ -133,7 +136,10 @@ function readFamily(value: unknown, pool: PoolReader): Family | null {
   const coefficients = Array.from(pool.at(value.x) ?? []);
   if (coefficients.length === 0 || !isNumbers(coefficients)) return null;
   if (!isIndex(asked) || asked < coefficients.length || asked > MOST_DIRECTIONS) return null;
-  return typeof eigenbasis === "boolean" ? { coefficients, asked, eigenbasis } : null;
+  const weights = readWeights(value.weights);
+  return weights && typeof eigenbasis === "boolean"
+    ? { coefficients, asked, eigenbasis, ...weights }
+    : null;
 }
 
 function readVariation(value: unknown, pool: PoolReader): Variation | null | undefined {
@@ -165,14 +171,17 @@ function readPlanarising(value: unknown): Planarising | null | undefined {
   if (value === null || value === false) return null;
   if (value === true) return NEAREST_FLAT;
   if (!isRecord(value)) return undefined;
-  const { smooth, keepBoundary, keepShape } = value;
+  const { smooth, keepBoundary, keepShape, within = 0, flat = 0 } = value;
   const constraints = readKept(value.constraints ?? []);
-  if (typeof smooth !== "number" || !(smooth >= 0) || !constraints) return undefined;
+  const weight = (x: unknown): x is number => typeof x === "number" && x >= 0;
+  if (!weight(smooth) || !weight(within) || !weight(flat) || !constraints) return undefined;
   return {
     smooth,
     keepBoundary: keepBoundary === true,
     keepShape: keepShape === true,
     constraints,
+    within,
+    flat,
   };
 }
 

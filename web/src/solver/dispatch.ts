@@ -3,25 +3,26 @@
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
-import { openGlb, writeGlb } from "./glb.ts";
+import { SUPPORT_WORDS } from "./boundary-support.ts";
+import { fairLimit } from "./fair-folds.ts";
+import { openGlb, readDesign, writeDesign, writeGlb } from "./glb.ts";
 import type {
   AlsoMeasured,
-  BoundarySupport,
   EditMode,
   EditSettings,
   FileFormat,
   OpenedMesh,
-  Planarising,
   Reply,
   Request,
   Shape,
+  SliderLead,
   Source,
   StoredDesign,
   Targets,
 } from "./protocol.ts";
 import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
 import { aboutFile, keepCopy, readFile, readGiven, readKept } from "./reading.ts";
-import { previewPackage, writeForShop } from "./shop.ts";
+import { offsetOf, previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
@@ -29,7 +30,16 @@ export type Post = (reply: Reply, transfer: Transferable[]) => void;
 type Job = Exclude<Request, { kind: "start" }>;
 
 /** Jobs that wait for something: a file, a module. */
-type Waited = "open" | "read" | "export" | "shop" | "preview" | "unpack" | "model";
+type Waited =
+  | "open"
+  | "read"
+  | "readDesign"
+  | "export"
+  | "shop"
+  | "preview"
+  | "unpack"
+  | "model"
+  | "offset";
 
 /** Raised by an operation that the session refused; its message is for the user. */
 class Refused extends Error {}
@@ -39,11 +49,6 @@ const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
 function insist(refusal: string): void {
   if (refusal) throw new Refused(refusal);
 }
-
-const planariseBase = (
-  session: Session,
-  { smooth, keepBoundary, keepShape, constraints }: Planarising,
-): string => session.planarise(smooth, keepBoundary, keepShape, constraints.join("\n"));
 
 function insistReadable(name: string, refusal: string): void {
   insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
@@ -76,34 +81,10 @@ function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
   };
 }
 
-function toOptions(module: PlanishModule, settings: EditSettings) {
-  return {
-    attraction: settings.attraction,
-    locality: settings.locality,
-    smoothness: settings.smoothness,
-    fairness: module.FairnessKind[settings.fairness],
-    sparsity: module.Sparsity[settings.sparsity],
-    hardHandles: settings.hardHandles,
-    keepShape: settings.keepShape,
-    engine: module.Engine[settings.engine],
-    tolerance: settings.tolerance,
-    maxIterations: settings.maxIterations,
-    reach: settings.reach,
-    reachLength: settings.reachLength,
-    keepBoundary: settings.keepBoundary,
-    softness: settings.softness,
-  };
-}
-
-/** The core's words for them. */
-const SUPPORTS: Readonly<Record<BoundarySupport, string>> = {
-  none: "",
-  level: "level=z:boundary",
-  outline: "outline:boundary",
-};
-
 /** That a drag may wait for its limit. */
 const SEARCH_MS = 2000;
+
+const WRITERS = { glb: writeGlb, json: writeDesign } as const;
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
@@ -146,8 +127,10 @@ export class Dispatcher {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "export") await this.#export(request);
+      else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
       else if (request.kind === "preview") await this.#preview(request);
+      else if (request.kind === "offset") await this.#offset(request);
       else if (request.kind === "unpack") await this.#unpack(request);
       else if (request.kind === "model") await this.#model(request);
       else this.#run(request);
@@ -169,7 +152,7 @@ export class Dispatcher {
         source.format === "glb" ? await openGlb(name, bytes) : asIs(bytes, source);
       insistReadable(name, session.openFile(mesh, format));
     }
-    if (planarise) insist(planariseBase(session, planarise));
+    if (planarise) insist(session.planarise(planarise));
     this.#postOpened(job, null, null);
   }
 
@@ -185,16 +168,22 @@ export class Dispatcher {
     this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
   }
 
-  async #export({ job, format, design }: Extract<Request, { kind: "export" }>): Promise<void> {
-    const session = this.#session;
-    const bytes = format === "glb" ? await writeGlb(session, design) : session.write(format);
+  async #export(request: Extract<Request, { kind: "export" }>): Promise<void> {
+    const { job, format } = request;
+    const bytes =
+      request.design === null
+        ? this.#session.write(request.format)
+        : await WRITERS[request.format](this.#session, request.design, request.offset);
     if (bytes.length === 0) throw new Refused(`${format.toUpperCase()} cannot be written.`);
     this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
   }
 
+  async #readDesign({ job, text }: Extract<Request, { kind: "readDesign" }>): Promise<void> {
+    this.#post({ kind: "design", job, reading: await readDesign(text) }, []);
+  }
+
   async #shop({ job, order }: Extract<Request, { kind: "shop" }>): Promise<void> {
-    const { bytes, header } = await writeForShop(this.#session, order);
-    this.#post({ kind: "made", job, bytes, header }, [bytes.buffer]);
+    this.#post({ kind: "made", job, ...(await writeForShop(this.#session, order)) }, []);
   }
 
   async #preview(request: Extract<Request, { kind: "preview" }>): Promise<void> {
@@ -203,11 +192,18 @@ export class Dispatcher {
     this.#post({ kind: "previewed", job, preview }, []);
   }
 
+  async #offset({ job, distance, form }: Extract<Request, { kind: "offset" }>): Promise<void> {
+    const offset = await offsetOf(this.#session, distance, form);
+    this.#post({ kind: "offset", job, offset }, []);
+  }
+
   async #unpack({ job, file, name }: Extract<Request, { kind: "unpack" }>): Promise<void> {
     const bytes = await readGiven(file, name, this.#onPiece);
     const { openRhino } = await rhinoPart();
     const model = await openRhino(name, bytes);
-    this.#post({ kind: "unpacked", job, model }, [model.mesh.buffer]);
+    const { lines, triangles, points } = model.context ?? {};
+    const drawn = [lines, triangles, points].flatMap((list) => (list ? [list.buffer] : []));
+    this.#post({ kind: "unpacked", job, model }, [model.mesh.buffer, ...drawn]);
   }
 
   async #model({ job, unit, design }: Extract<Request, { kind: "model" }>): Promise<void> {
@@ -221,7 +217,9 @@ export class Dispatcher {
     const { job } = request;
     switch (request.kind) {
       case "planarise":
-        insist(planariseBase(session, request.how));
+        insist(
+          request.found ? session.takePlanarised(request.found) : session.planarise(request.how),
+        );
         this.#postOpened(job, null, null);
         return;
       case "edit":
@@ -231,6 +229,14 @@ export class Dispatcher {
         insist(this.#restore(request));
         this.#postShown(job, true);
         return;
+      case "replay":
+        this.#replay(request);
+        return;
+      case "mark": {
+        const { moved, positions } = request.shape;
+        this.#post({ kind: "marked", job, mark: this.#module.markOf(moved, positions) }, []);
+        return;
+      }
       case "explore":
         this.#explore(request);
         return;
@@ -281,7 +287,8 @@ export class Dispatcher {
     if (!limit) {
       this.#hold = new PullHold();
       attempt(targets.handles, mode);
-      this.#postShown(job, mode !== "drag");
+      const stated = this.#unfold(request, () => attempt(targets.handles, mode));
+      this.#postShown(job, mode !== "drag", null, stated);
       return;
     }
     if (mode !== "drag") this.#hold = new PullHold();
@@ -296,16 +303,55 @@ export class Dispatcher {
     this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
   }
 
+  /** Makes the edit again with the limit on folds that costs its handles nothing, if there is one. */
+  #unfold(request: Extract<Request, { kind: "edit" }>, again: () => void): string | null {
+    const { settings, fairWay } = request;
+    if (fairWay === null) return null;
+    let tried = false;
+    const stated = fairLimit(this.#session.shapeReport(), fairWay, (limit) => {
+      tried = true;
+      this.#setOptions({ ...settings, limits: [...settings.limits, limit] });
+      again();
+      return this.#session.shapeReport();
+    });
+    if (tried && stated === null) {
+      this.#setOptions(settings);
+      again();
+    }
+    return stated;
+  }
+
   /** Options that stay the same keep the solver's warm start; each message is a copy. */
   #setOptions(given: EditSettings): void {
     const settings = { ...given, continuation: 0 }; // each edit has its own
     if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
     this.#settings = null; // where one of them is refused, the others hold already
-    insist(this.#session.setOptions(toOptions(this.#module, settings)));
-    insist(this.#session.setLimits(settings.limits.join("\n")));
-    insist(this.#session.setConstraints(settings.constraints.join("\n")));
-    insist(this.#session.setSupports(SUPPORTS[settings.boundarySupport]));
+    insist(this.#session.setOptions(settings));
+    insist(this.#session.setSupports(SUPPORT_WORDS[settings.boundarySupport]));
     this.#settings = settings;
+  }
+
+  #replay({ job, design }: Extract<Request, { kind: "replay" }>): void {
+    const session = this.#session;
+    this.#hold = new PullHold();
+    this.#settings = null; // the design brings its own
+    const { source } = design;
+    insist(session.replay(design, "hash" in source ? source.hash : null));
+    const { directions, deviation, moved, positions } = session.replayed();
+    const centre = { moved, positions };
+    const changes = session.takeChanges();
+    const reply: Reply = {
+      kind: "replayed",
+      job,
+      changes,
+      report: session.shapeReport(),
+      shape: { moved: session.moved(), positions: session.movedPositions() },
+      directions: [...directions],
+      centre,
+      leads: this.#takeFamily(centre),
+      deviation,
+    };
+    this.#post(reply, [changes.buffer]);
   }
 
   #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
@@ -328,36 +374,25 @@ export class Dispatcher {
     this.#post(reply, [moved.buffer, positions.buffer]);
   }
 
-  #explore({ job, dimension, eigenbasis }: Extract<Request, { kind: "explore" }>): void {
+  #explore({ job, family }: Extract<Request, { kind: "explore" }>): void {
     const session = this.#session;
-    insist(session.explore(this.#exploreOptions(dimension, eigenbasis)));
-    const family: ShapeFamily = {
-      centre: { moved: session.moved(), positions: session.movedPositions() },
-      support: session.variationSupport(),
-      moves: session.variationDisplacements(),
-    };
-    this.#family = family;
-    const leads = leadsOf(family);
+    insist(session.explore(family));
+    const centre = { moved: session.moved(), positions: session.movedPositions() };
+    const leads = this.#takeFamily(centre);
     this.#post({ kind: "explored", job, report: session.variationsReport(), leads }, []);
+  }
+
+  /** What the sliders around `centre` do; none if nothing was found. */
+  #takeFamily(centre: Shape): SliderLead[] {
+    const session = this.#session;
+    const [support, moves] = [session.variationSupport(), session.variationDisplacements()];
+    this.#family = { centre, support, moves };
+    return leadsOf(this.#family);
   }
 
   #postStops(job: number, coefficients: readonly number[]): void {
     const stops = this.#family && this.#analysis.stops(this.#family, coefficients);
     this.#post({ kind: "stops", job, ranges: stops && rangesOf(stops) }, []);
-  }
-
-  #exploreOptions(dimension: number, eigenbasis: boolean) {
-    return {
-      dimension,
-      fairnessWeight: 3,
-      sparsityWeight: 1,
-      closenessWeight: 0,
-      correlation: 0.95,
-      reach: 2,
-      eigenbasis,
-      fairness: this.#module.FairnessKind[this.#settings?.fairness ?? "second"],
-      engine: this.#module.Engine[this.#settings?.engine ?? "newton"],
-    };
   }
 
   #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
@@ -367,7 +402,12 @@ export class Dispatcher {
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(job: number, withShape: boolean, taken: HandleList | null = null): void {
+  #postShown(
+    job: number,
+    withShape: boolean,
+    taken: HandleList | null = null,
+    stated: string | null = null,
+  ): void {
     const session = this.#session;
     const changes = session.takeChanges();
     const report = session.shapeReport();
@@ -376,6 +416,6 @@ export class Dispatcher {
       : null;
     const buffers: Transferable[] = [changes.buffer];
     if (shape) buffers.push(shape.moved.buffer, shape.positions.buffer);
-    this.#post({ kind: "shown", job, changes, report, shape, taken }, buffers);
+    this.#post({ kind: "shown", job, changes, report, shape, taken, stated }, buffers);
   }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// GLB is read and written by a module of its own, fetched when it is needed for the first time.
+// GLB, and designs as text, are read and written by a module of its own, fetched when it is needed
+// for the first time.
 // Meshes pass between it and the session as OBJ, which keeps every bit.
 import type { Session } from "@wasm/planish.mjs";
-import type { GlbModule } from "@wasm/planish_glb.mjs";
+import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_glb.mjs";
 import glbUrl from "@wasm/planish_glb.wasm?url";
 import type { StoredDesign } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
@@ -21,7 +22,9 @@ async function loadGlb(): Promise<GlbModule> {
     return await loading;
   } catch {
     loading = null;
-    throw new Error("The part that reads and writes GLB could not be loaded. Try again online.");
+    throw new Error(
+      "The part that reads and writes designs could not be loaded. Try again online.",
+    );
   }
 }
 
@@ -35,19 +38,40 @@ interface OpenedGlb {
 /** The base of the design in a GLB, or its mesh; throws a sentence if it is refused. */
 export async function openGlb(name: string, bytes: Uint8Array): Promise<OpenedGlb> {
   const glb = await loadGlb();
-  const { problem, mesh, design, moved, positions, warnings } = glb.openGlb(bytes);
+  const { problem, mesh, stored, moved, positions, warnings } = glb.openGlb(bytes);
   if (problem) throw new Error(aboutFile(name, problem));
-  return { mesh, format: "obj", stored: { design, shape: { moved, positions }, warnings } };
+  const shape = { moved, positions };
+  return { mesh, format: "obj", stored: { design: stored, shape, warnings } };
 }
 
-/** The design shown, with its base, its variations as morph targets, and its recipe as text. */
-export async function writeGlb(session: Session, design: string): Promise<Uint8Array> {
+/** The design shown, with its base, its variations as morph targets, its recipe as text, and a second
+ * layer if there is one. */
+export async function writeGlb(
+  session: Session,
+  design: DesignValue,
+  offset: Float64Array | null,
+): Promise<Uint8Array> {
   const glb = await loadGlb();
   return glb.assembleGlb(
     session.write("obj"),
     session.basePositions(),
     session.variationSupport(),
     session.variationDisplacements(),
-    design,
+    offset ?? new Float64Array(),
+    withBase(session, design),
   );
 }
+
+export const readDesign = async (text: string): Promise<DesignReading> =>
+  (await loadGlb()).readDesign(text);
+
+export async function writeDesign(session: Session, design: DesignValue): Promise<Uint8Array> {
+  const glb = await loadGlb();
+  return new TextEncoder().encode(glb.writeDesign(withBase(session, design)));
+}
+
+/** With the mesh that is open as its base. */
+const withBase = (session: Session, { source, ...design }: DesignValue): DesignValue => ({
+  ...design,
+  source: "sample" in source ? source : { ...source, hash: session.baseHash() },
+});

@@ -5,27 +5,49 @@
 
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
-import type { CuttingOptions, CuttingPreview, ShopOrder } from "@wasm/planish_shop.mjs";
+import type {
+  CuttingHeader,
+  CuttingOptions,
+  CuttingPreview,
+  DrawnHeader,
+  MeshOffset,
+  OffsetKind,
+  ShopOrder,
+} from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
 import type { Unit } from "../state/units.ts";
 import type { HandleList, PullLimit } from "./pull-limit.ts";
 import type { OpenedModel } from "./rhino.ts";
 
-export type { KindDefects, MeshReport, Optimality, VariationsReport } from "@wasm/planish.mjs";
+export type {
+  DesignReading,
+  DesignValue,
+  DesignVariation,
+  KindDefects,
+  MeshReport,
+  Optimality,
+  Planarising,
+  ResultMark,
+  VariationFamily,
+  VariationsReport,
+  VariationWeights,
+} from "@wasm/planish.mjs";
 export type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
 export type {
+  CuttingHeader,
   CuttingOptions,
   CuttingPreview,
   DrawingOptions,
+  DrawnHeader,
   LinkCode,
+  MeshOffset,
+  OffsetKind,
   ShopOrder,
 } from "@wasm/planish_shop.mjs";
 
 export type FileFormat = "obj" | "off" | "ply" | "glb";
-export type Fairness = "laplacian" | "second" | "third";
-export type EngineName = "newton" | "alm";
-export type Sparsity = "l21" | "l2" | "none";
+export type Fairness = Reports.EditOptions["fairness"];
 export type EditMode = "drag" | "release" | "solve";
 
 /** Targets in model units. `handles`: vertex, x, y, z for each. */
@@ -37,35 +59,9 @@ export interface Targets {
 /** What the points of a boundary slide along where they move. */
 export type BoundarySupport = "none" | "level" | "outline";
 
-/** The core's HandleEditOptions. */
-export interface EditSettings {
-  readonly attraction: number;
-  readonly locality: number;
-  readonly smoothness: number;
-  readonly fairness: Fairness;
-  readonly engine: EngineName;
-  readonly sparsity: Sparsity;
-  /** Targets are met exactly, or the edit is refused. */
-  readonly hardHandles: boolean;
-  /** No panel becomes concave, crossing, turned over or collapsed that was not. */
-  readonly keepShape: boolean;
-  /** Worst panel of a finished edit, mm/m. */
-  readonly tolerance: number;
-  /** 0: the engine's own limit. */
-  readonly maxIterations: number;
-  /** Face rings around the handles that may move; 0: no limit. */
-  readonly reach: number;
-  /** The same as a distance from a handle, model units; 0: no limit. */
-  readonly reachLength: number;
-  /** Points on a boundary stay, handles excepted. */
-  readonly keepBoundary: boolean;
+/** The core's options, and what it counts among the targets. */
+export interface EditSettings extends Reports.EditOptions {
   readonly boundarySupport: BoundarySupport;
-  /** As --bound says them: "fold=25"; degrees and model units. See state/stated-limit.ts. */
-  readonly limits: readonly string[];
-  /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See state/kept-kind.ts. */
-  readonly constraints: readonly string[];
-  /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
-  readonly softness: number;
   /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
   readonly continuation: number;
 }
@@ -88,24 +84,19 @@ export type Source =
       readonly crc: number;
     };
 
-/** How an opened mesh is made flat. */
-export interface Planarising {
-  /** Weight of fairness, at least 0; 0: the nearest flat mesh. */
-  readonly smooth: number;
-  readonly keepBoundary: boolean;
-  /** No panel becomes concave, crossing, turned over or collapsed that was not. */
-  readonly keepShape: boolean;
-  /** What it becomes beside flat, as EditSettings has them. */
-  readonly constraints: readonly string[];
-}
-
 export type Request =
   /** The worker holds the lock named `alive` for as long as it lives. */
   | { kind: "start"; job: 0; module: WebAssembly.Module; alive: string }
-  | { kind: "open"; job: number; source: Source; planarise: Planarising | null } // → opened
+  | { kind: "open"; job: number; source: Source; planarise: Reports.Planarising | null } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
-  | { kind: "planarise"; job: number; how: Planarising } // → opened
+  /** `found`: the flat mesh, where another worker made it so already. */
+  | {
+      kind: "planarise";
+      job: number;
+      how: Reports.Planarising;
+      found: Float64Array | null;
+    } // → opened
   | {
       kind: "edit";
       job: number;
@@ -115,6 +106,8 @@ export type Request =
       budget: number;
       /** Takes the handles back to where the edit is within it; null: never. */
       limit: PullLimit | null;
+      /** Looks for a limit on folds, see fairLimit(), to which this is the way; null: for none. */
+      fairWay: number | null;
     } // → shown
   /** `keep`: the design is one of the family that was found last, or its centre. */
   | {
@@ -125,7 +118,7 @@ export type Request =
       shape: Shape;
       keep: boolean;
     } // → shown
-  | { kind: "explore"; job: number; dimension: number; eigenbasis: boolean } // → explored
+  | { kind: "explore"; job: number; family: Reports.VariationFamily } // → explored
   | { kind: "vary"; job: number; coefficients: readonly number[] } // → shown
   /** Where the sliders of the family found last stop, standing at these values. */
   | { kind: "stops"; job: number; coefficients: readonly number[] } // → stops
@@ -136,14 +129,29 @@ export type Request =
   /** The same of any shape of the mesh that is open, with folds; the design shown stays. */
   | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
-  | { kind: "export"; job: number; format: FileFormat; design: string } // → exported
+  /** Does a design again on the mesh that is open. */
+  | { kind: "replay"; job: number; design: Reports.DesignValue } // → replayed
+  | { kind: "mark"; job: number; shape: Shape } // → marked
+  | { kind: "readDesign"; job: number; text: string } // → design
+  | { kind: "export"; job: number; format: Exclude<FileFormat, "glb">; design: null } // → exported
+  /** `design`: of the mesh that is open, whose hash is added. `offset`: the points of a second layer
+   * that a GLB shows beside it. */
+  | {
+      kind: "export";
+      job: number;
+      format: "glb" | "json";
+      design: Reports.DesignValue;
+      offset: Float64Array | null;
+    } // → exported
+  /** The design shown at a distance, model units. `form`: "" for the first that it has. */
+  | { kind: "offset"; job: number; distance: number; form: OffsetKind | "" } // → offset
   | { kind: "shop"; job: number; order: ShopOrder } // → made
   /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
   | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
   /** What a .3dm holds; the mesh that is open stays. */
   | { kind: "unpack"; job: number; file: Blob; name: string } // → unpacked
-  /** The design shown as a .3dm, with its recipe as text. */
-  | { kind: "model"; job: number; unit: Unit; design: string }; // → modelled
+  /** The design shown as a .3dm. `design`: of the mesh that is open, whose hash is added. */
+  | { kind: "model"; job: number; unit: Unit; design: Reports.DesignValue }; // → modelled
 
 /** The core's ShapeReport; less of it in records from before there was more. */
 export type ShapeReport = Omit<Reports.ShapeReport, Younger> &
@@ -152,9 +160,9 @@ export type ShapeReport = Omit<Reports.ShapeReport, Younger> &
   };
 type Younger = "sharpestFold" | "continuation" | "lowerAtOnce" | "bounds" | "violations";
 
-/** `panels`: absent where nobody measured them. */
-export type SharpestFold = Omit<Reports.SharpestFold, "panels"> &
-  Partial<Pick<Reports.SharpestFold, "panels">>;
+/** `panels`, `growth`: absent where nobody measured them. */
+export type SharpestFold = Omit<Reports.SharpestFold, "panels" | "growth"> &
+  Partial<Pick<Reports.SharpestFold, "panels" | "growth">>;
 
 /** Numbers per panel in PanelMeasures. */
 export const PER_PANEL = { figures: 3, health: 4 } as const;
@@ -186,27 +194,6 @@ export interface PanelMeasures {
   readonly defects: Float32Array | null;
 }
 
-/** What of the header of a cutting package or an IFC model is said on the page, see docs/fabrication.md. */
-export interface CuttingHeader {
-  readonly counts: { readonly panels: number; readonly drawn: number };
-  readonly remake: {
-    readonly outline: number;
-    readonly bevel: number;
-    readonly nodes_moved: number;
-    readonly nodes_arms: number;
-  } | null;
-  readonly flatness_mm_per_m: number;
-  readonly vanished: readonly string[];
-  /** Of a package alone. */
-  readonly sheets?: {
-    readonly count: number;
-    readonly used_fraction: number;
-    readonly oversize: readonly string[];
-  } | null;
-  /** Of a package alone. */
-  readonly labels?: { readonly link: string | null; readonly code: boolean };
-}
-
 /** What a slider does at value 1. */
 export interface SliderLead {
   /** The point that it moves most, and that point's move, model units. */
@@ -232,8 +219,8 @@ export interface OpenedMesh extends DisplayMesh {
 
 /** What a GLB held beside its mesh. */
 export interface StoredDesign {
-  /** The recipe as text; "" for none. */
-  readonly design: string;
+  /** The recipe; null for none. */
+  readonly design: Reports.DesignReading | null;
   /** The stored result; empty without a recipe. */
   readonly shape: Shape;
   readonly warnings: readonly string[];
@@ -254,6 +241,7 @@ export type Reply =
   /**
    * `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. `taken`: the
    * handles that were edited, where a limit held them back; null: those that were asked for.
+   * `stated`: the limit on folds that was found, which the edit has beside those asked for.
    */
   | {
       kind: "shown";
@@ -262,7 +250,25 @@ export type Reply =
       report: ShapeReport;
       shape: Shape | null;
       taken: HandleList | null;
+      stated: string | null;
     }
+  /**
+   * `directions`: found for each variation; `centre`: what the last was found around; `leads`:
+   * of its sliders; `deviation`: from the recorded result, model units.
+   */
+  | {
+      kind: "replayed";
+      job: number;
+      changes: Float32Array;
+      report: ShapeReport;
+      shape: Shape;
+      directions: readonly number[];
+      centre: Shape;
+      leads: readonly SliderLead[];
+      deviation: number;
+    }
+  | { kind: "marked"; job: number; mark: Reports.ResultMark }
+  | { kind: "design"; job: number; reading: Reports.DesignReading }
   | {
       kind: "explored";
       job: number;
@@ -279,9 +285,9 @@ export type Reply =
   /** null until `measurable`, and where too many points move to count. */
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
-  /** `header`: JSON. */
-  | { kind: "made"; job: number; bytes: Uint8Array; header: string }
+  | { kind: "made"; job: number; file: Blob; header: CuttingHeader | DrawnHeader }
   | { kind: "previewed"; job: number; preview: CuttingPreview }
+  | { kind: "offset"; job: number; offset: MeshOffset }
   | { kind: "unpacked"; job: number; model: OpenedModel }
   | { kind: "modelled"; job: number; model: WrittenModel }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */

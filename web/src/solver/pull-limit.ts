@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A drag is held back where panels would fold much sharper than those of the base do, and where limits
 // that are stated do not let its handles follow.
+import { foldGrowth } from "./fair-folds.ts";
 import type { ShapeReport } from "./protocol.ts";
 
 /** Handles are vertex, x, y, z for each, model units. */
 export type HandleList = readonly number[];
 
 export interface PullLimit {
-  /** By which the sharpest fold may grow; ∞: the drag's own limit on folds does not act. */
+  /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
   readonly degrees: number;
   /** By how much of the largest move handles may stop short; ∞: by any. */
   readonly short: number;
@@ -17,11 +18,10 @@ export interface PullLimit {
 
 /** Whether an edit is within the limit; one that found no way to move is not. */
 export function isWithin({ degrees, short }: PullLimit, report: ShapeReport): boolean {
-  const { status, movedVertices, sharpestFold, handleError, maxDisplacement } = report;
+  const { status, movedVertices, handleError, maxDisplacement } = report;
   if (status === "iteration_limit" && movedVertices === 0) return false;
-  const growth = sharpestFold ? sharpestFold.after - sharpestFold.before : 0;
   // ∞ · 0 is no number, and nothing exceeds that.
-  return growth <= degrees && !(handleError > short * maxDisplacement);
+  return foldGrowth(report) <= degrees && !(handleError > short * maxDisplacement);
 }
 
 /**

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Rhino's models are read and written by McNeel's own library, fetched when it is needed for the
 // first time: a megabyte after gzip.
-import type { Session } from "@wasm/planish.mjs";
+import type { DesignValue, Session } from "@wasm/planish.mjs";
 import rhinoUrl from "rhino3dm/rhino3dm.wasm?url";
+import type { Context } from "../rhino/context.ts";
 import { csvRows } from "../rhino/csv-rows.ts";
 import type { RhinoModule } from "../rhino/model.ts";
 import { readModel, UnreadableModel, writeObj } from "../rhino/read-model.ts";
 import { type WrittenModel, writeModel } from "../rhino/write-model.ts";
 import type { Unit } from "../state/units.ts";
+import { writeDesign } from "./glb.ts";
 import { aboutFile } from "./reading.ts";
 import { panelRows } from "./shop.ts";
 
@@ -27,6 +29,7 @@ export interface OpenedModel {
   /** "" for none. */
   readonly design: string;
   readonly unit: Unit | null;
+  readonly context: Context | null;
   readonly remarks: readonly string[];
 }
 
@@ -42,13 +45,14 @@ export async function openRhino(name: string, bytes: Uint8Array): Promise<Opened
   }
 }
 
-/** The design shown, with its rows of panels.csv in model units, and its recipe as text. */
+/** The design shown, with its rows of panels.csv in model units, and its recipe. */
 export async function writeRhino(
   session: Session,
   unit: Unit,
-  design: string,
+  design: DesignValue,
 ): Promise<WrittenModel> {
   const rows = csvRows(await panelRows(session, unit));
+  const text = new TextDecoder().decode(await writeDesign(session, design));
   const rhino = await loadRhino();
   const [offsets, vertices] = [session.faceOffsets(), session.faceVertices()];
   const faces = rows.map((_, f) => vertices.subarray(offsets[f], offsets[f + 1]));
@@ -58,7 +62,7 @@ export async function writeRhino(
     positions.set(moved.subarray(3 * k, 3 * k + 3), 3 * v);
   });
   try {
-    return writeModel(rhino, { positions, faces, rows, unit, design });
+    return writeModel(rhino, { positions, faces, rows, unit, design: text });
   } catch {
     throw new Error("There is not enough memory for this model in the browser.");
   }

@@ -4,6 +4,8 @@ import type { Session } from "@wasm/planish.mjs";
 import type {
   CuttingOptions,
   CuttingPreview,
+  MeshOffset,
+  OffsetKind,
   ShopDesign,
   ShopModule,
   ShopOrder,
@@ -30,12 +32,21 @@ const designOf = (session: Session): ShopDesign => ({
   movedPositions: session.movedPositions(),
 });
 
+export interface ShopFile {
+  /** The page hands it on without ever holding its bytes. */
+  readonly file: Blob;
+  readonly header: Written["header"];
+}
+
 /** The design shown against its base; throws a sentence if it is refused. */
-export async function writeForShop(session: Session, order: ShopOrder): Promise<Written> {
+export async function writeForShop(session: Session, order: ShopOrder): Promise<ShopFile> {
   const shop = await loadShop();
-  const written = shop.write(designOf(session), order);
-  if (written.problem) throw new Error(written.problem);
-  return written;
+  const pieces: Blob[] = [];
+  const { problem, header } = shop.write(designOf(session), order, (piece) => {
+    pieces.push(new Blob([piece as BlobPart]));
+  });
+  if (problem) throw new Error(problem);
+  return { file: new Blob(pieces), header };
 }
 
 /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
@@ -47,6 +58,16 @@ export async function previewPackage(
 ): Promise<CuttingPreview> {
   const shop = await loadShop();
   return shop.cuttingPreview(designOf(session), options, face, map);
+}
+
+/** The design shown at a distance, model units. `kind`: "" for the first that it has. */
+export async function offsetOf(
+  session: Session,
+  distance: number,
+  kind: OffsetKind | "",
+): Promise<MeshOffset> {
+  const shop = await loadShop();
+  return shop.offsetMesh(designOf(session), distance, kind);
 }
 
 /** panels.csv in the model's own unit. */

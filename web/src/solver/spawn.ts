@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 import wasmUrl from "@wasm/planish.wasm?url";
 import type { Request } from "./protocol.ts";
+import { reachable } from "./reachable.ts";
+import workerUrl from "./worker.ts?worker&url";
 
 let compiled: Promise<WebAssembly.Module> | null = null;
 
@@ -30,7 +32,7 @@ function watch(worker: Worker, alive: string, died: () => void): void {
 export async function spawnSolver(died: () => void): Promise<Worker> {
   compiled ??= compile();
   // The worker loads its script while the module compiles.
-  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  const worker = new Worker(reachable(workerUrl), { type: "module" });
   const module = await compiled.catch((error: unknown) => {
     worker.terminate();
     throw error;

@@ -3,7 +3,19 @@
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
 import type { Planarising, Shape, Source } from "../solver/protocol.ts";
 import { spawnSolver } from "../solver/spawn.ts";
-import { activity, figures, measurable, problem } from "./store.ts";
+import { activity, figures, measurable, problem, stranded } from "./store.ts";
+
+/** Whether the solver came; where it did not, the problem has been said. */
+export async function solverIsThere(): Promise<boolean> {
+  try {
+    await client.ready;
+    return true;
+  } catch (error) {
+    problem.value = sentence(error);
+    stranded.value = true;
+    return false;
+  }
+}
 
 export type ChangesListener = (changes: Float32Array) => void;
 
@@ -87,6 +99,7 @@ function account(question: Question, done: boolean): void {
       if (done && !question.keep) held.centre = null;
       return;
     case "edit":
+    case "replay":
     case "read":
       if (done) held.centre = null;
   }
@@ -106,7 +119,7 @@ async function ask(question: Question): Promise<Answer> {
 }
 
 function show(answer: Answer): void {
-  if (answer.kind !== "shown") return;
+  if (answer.kind !== "shown" && answer.kind !== "replayed") return;
   announceChanges(answer.changes);
   figures.value = answer.report;
 }

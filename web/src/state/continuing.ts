@@ -17,7 +17,7 @@ export const continueFromShape = (): Promise<void> =>
     const design = history.value?.present;
     if (!design || design.shape.moved.length === 0) return;
     const label = "starting from this shape";
-    const written = await run(label, { kind: "export", format: "obj", design: "" }, "exported");
+    const written = await run(label, { kind: "export", format: "obj", design: null }, "exported");
     if (!written) return;
     const file = new Blob([written.bytes as BlobPart]);
     const name = continuedName(sourceName(design.source));

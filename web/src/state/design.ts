@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A design is data: a source, a recipe, and the shape that the recipe gave.
+import { usual } from "virtual:core-defaults";
 import type {
+  DesignVariation,
   EditSettings,
   Planarising,
   Shape,
@@ -21,14 +23,15 @@ export interface HandleRow {
 }
 
 /** One member of a family of variations. */
-export interface Family {
-  /** One per slider; 1 moves some point as far as the edit's own largest move. */
-  readonly coefficients: readonly number[];
-  /** How many directions were asked for; fewer may have been found. */
-  readonly asked: number;
-  /** Ordered by stiffness instead of by how local they are. */
-  readonly eigenbasis: boolean;
-}
+export type Family = DesignVariation;
+
+/** The family alone, of what may say more. */
+export const familyOf = ({ coefficients, asked, eigenbasis, weights }: Family): Family => ({
+  coefficients,
+  asked,
+  eigenbasis,
+  ...(weights && { weights }),
+});
 
 export interface Variation extends Family {
   /** The shape around which the directions were found; the same shape gives the same ones. */
@@ -51,24 +54,9 @@ export interface Design {
 
 /** The command line's defaults; what a link or a file does not say. */
 export const DEFAULT_SETTINGS: EditSettings = {
-  attraction: 1000,
-  locality: 1,
-  smoothness: 1,
-  fairness: "second",
-  engine: "newton",
-  sparsity: "l21",
-  hardHandles: false,
-  keepShape: true,
-  tolerance: 1e-6,
-  maxIterations: 0,
-  reach: 0,
-  reachLength: 0,
-  keepBoundary: false,
+  ...usual,
   boundarySupport: "none",
   continuation: 0,
-  limits: [],
-  constraints: [],
-  softness: 0,
 };
 
 /** What a new visitor's page starts with, see docs/decisions/0009-reach-and-softness.md. */

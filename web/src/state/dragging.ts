@@ -2,6 +2,7 @@
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
 import type { Question } from "../solver/client.ts";
+import { foldGrowth } from "../solver/fair-folds.ts";
 import type { EditSettings } from "../solver/protocol.ts";
 import type { HandleList, PullLimit } from "../solver/pull-limit.ts";
 import { client, frame } from "./connection.ts";
@@ -38,6 +39,7 @@ import {
   mesh,
   notice,
   problem,
+  readOnly,
   ready,
   selection,
 } from "./store.ts";
@@ -74,7 +76,7 @@ const scale = ([x, y, z]: Point, by: number): Point => [by * x, by * y, by * z];
 
 const END_ON = "This direction points at you: turn the view, or type the coordinate.";
 
-/** Degrees by which a drag may sharpen the sharpest fold. */
+/** Degrees by which a drag may sharpen a fold. */
 const FOLD_GROWTH = 10;
 
 const HELD = "Held back: ";
@@ -101,11 +103,10 @@ function pullLimit(grips: readonly Grip[]): PullLimit | null {
   const settings = draft.value?.settings ?? DEFAULT_SETTINGS;
   const [own, stated] = [ownLimit(settings), settings.limits.length > 0];
   if (!own && !stated) return null;
-  const { sharpestFold, handleError, maxDisplacement } = figures.value;
-  const { before, after } = sharpestFold ?? { before: 0, after: 0 };
+  const { handleError, maxDisplacement } = figures.value;
   const short = maxDisplacement > 0 ? handleError / maxDisplacement : 0;
   return {
-    degrees: own ? Math.max(FOLD_GROWTH, after - before) : Number.POSITIVE_INFINITY,
+    degrees: own ? Math.max(FOLD_GROWTH, foldGrowth(figures.value)) : Number.POSITIVE_INFINITY,
     short: stated ? Math.max(NOTICEABLE, short) : Number.POSITIVE_INFINITY,
     from: toTargets(withTargets(grips, [0, 0, 0])).handles,
   };
@@ -281,7 +282,7 @@ export const allPinned = (): boolean =>
 
 /** Pins what is selected, or lets it go if all of it is pinned. */
 export function togglePins(): void {
-  if (!ready.value) return;
+  if (!ready.value || readOnly.value) return;
   if (!baseFlat.value) notice.value = FLAT_FIRST;
   else if (allPinned()) void freePins(selection.value);
   else void setPinned(selection.value, true);

@@ -2,6 +2,7 @@
 // Every way to change an edit. Each ends as one step of the history.
 
 import type { Question } from "../solver/client.ts";
+import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
 import type { EditMode, EditSettings, ShapeReport } from "../solver/protocol.ts";
 import type { PullLimit } from "../solver/pull-limit.ts";
 import { client, frame, run } from "./connection.ts";
@@ -20,7 +21,17 @@ import * as steps from "./history.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { show, showPresent } from "./showing.ts";
-import { draft, hintVertex, history, mesh, notice, refusedTolerance, selected } from "./store.ts";
+import { limitNumbers } from "./stated-limit.ts";
+import {
+  draft,
+  figures,
+  hintVertex,
+  history,
+  mesh,
+  notice,
+  refusedTolerance,
+  selected,
+} from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -39,11 +50,34 @@ export function editQuestion(
   design: Design,
   mode: EditMode,
   limit: PullLimit | null = null,
+  fairWay: number | null = null,
 ): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0)
     return { kind: "restore", targets, settings: design.settings, shape: NO_SHAPE, keep: false };
-  return { kind: "edit", mode, targets, settings: design.settings, budget: FRAME_SECONDS, limit };
+  const { settings } = design;
+  return { kind: "edit", mode, targets, settings, budget: FRAME_SECONDS, limit, fairWay };
+}
+
+/** Whether folds are kept fair without being asked: not by raw weights, nor where they are free to be
+ * sharp, by a limit of their own or by what is shown already. */
+function wantsFairFolds({ settings }: Design): boolean {
+  const { softness, hardHandles, limits } = settings;
+  const own = limits.some((limit) => limit.startsWith("fold="));
+  const sharp = foldGrowth(figures.value) > (FAIR_STEPS[0] ?? 0);
+  return softness > 0 && !hardHandles && !own && !sharp;
+}
+
+/** Of the handle that goes furthest, model units; null where folds are as they come. */
+function fairWayOf(design: Design): number | null {
+  if (!wantsFairFolds(design)) return null;
+  const ways = design.handles
+    .filter(({ pinned }) => !pinned)
+    .map(({ vertex, target }) => {
+      const from = basePoint(vertex);
+      return Math.hypot(...target.map((x, axis) => x - (from[axis] ?? 0)));
+    });
+  return Math.max(0, ...ways);
 }
 
 /** The last burst of keys on a slider and what it gave. */
@@ -80,10 +114,13 @@ export async function commit(
   }
   const handles = answer.taken ? withTaken(next.handles, answer.taken) : next.handles;
   const { shape, report } = answer;
-  const settings = { ...next.settings, continuation: continuationOf(ask, report, next) };
+  const { stated } = answer;
+  const limits = stated ? [...next.settings.limits, stated] : next.settings.limits;
+  const settings = { ...next.settings, limits, continuation: continuationOf(ask, report, next) };
   const done: Design = { ...next, handles, settings, shape, report };
   recordStep(steady, done, burst);
   if (draft.value === next) draft.value = done;
+  if (stated) notice.value = keptFair(stated);
   if (leftBehind(steady.present) && !done.variation) notice.value = LEFT_BEHIND;
 }
 
@@ -92,6 +129,9 @@ function continuationOf(ask: Question, report: ShapeReport, { settings }: Design
   if (ask.kind === "edit") return report.continuation ?? 0;
   return ask.kind === "restore" ? 0 : settings.continuation;
 }
+
+const keptFair = (limit: string): string =>
+  `Folds are kept to ${limitNumbers(limit)[0]}° sharper than they were. To let them go, use Limits.`;
 
 const LEFT_BEHIND =
   "The variation was left behind: Undo brings it back. To keep it, use Continue from this shape first.";
@@ -116,7 +156,9 @@ export const edit = (
 ): Promise<void> =>
   inTurn(async () => {
     const next = changed(change(draft.value?.handles ?? []));
-    if (next) await commitEdit(next, "solve", burst);
+    if (!next) return;
+    const asked = { ...next, variation: null };
+    await commit(asked, editQuestion(asked, "solve", null, fairWayOf(asked)), "computing", burst);
   }, burst);
 
 export async function setTarget(

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
 import { signal } from "@preact/signals";
-import type { Shape, SliderLead } from "../solver/protocol.ts";
+import type { Shape, SliderLead, VariationFamily } from "../solver/protocol.ts";
 import { client, frame, held, run, runUnseen } from "./connection.ts";
-import { type Design, type Family, toTargets, type Variation } from "./design.ts";
+import { type Design, type Family, familyOf, toTargets, type Variation } from "./design.ts";
 import { commit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { planariseNow } from "./opening.ts";
 import { show } from "./showing.ts";
-import { baseFlat, dimension, draft, eigenbasis, figures, history, notice } from "./store.ts";
+import {
+  baseFlat,
+  dimension,
+  draft,
+  eigenbasis,
+  figures,
+  history,
+  notice,
+  variationWeights,
+} from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
@@ -20,13 +29,8 @@ export const sliderLeads = signal<{
 } | null>(null);
 
 /** Finds the directions around the shape that the solver shows; how many there are, or null. */
-export async function findDirections(
-  design: Design,
-  asked: number,
-  byStiffness: boolean,
-): Promise<number | null> {
-  const question = { kind: "explore", dimension: asked, eigenbasis: byStiffness } as const;
-  const answer = await run("finding variations", question, "explored");
+async function findDirections(design: Design, family: VariationFamily): Promise<number | null> {
+  const answer = await run("finding variations", { kind: "explore", family }, "explored");
   if (answer) {
     held.centre = design.shape;
     sliderLeads.value = { centre: design.shape, leads: answer.leads };
@@ -37,9 +41,9 @@ export async function findDirections(
 /** The families that led to the shape of `design`; one that was not used led nowhere. */
 function earlierOf({ variation }: Design): readonly Family[] {
   if (!variation) return [];
-  const { coefficients, asked, eigenbasis, earlier } = variation;
-  if (coefficients.every((x) => x === 0)) return earlier;
-  return [...earlier, { coefficients, asked, eigenbasis }];
+  const { earlier } = variation;
+  if (variation.coefficients.every((x) => x === 0)) return earlier;
+  return [...earlier, familyOf(variation)];
 }
 
 export const explore = (): Promise<void> =>
@@ -47,15 +51,19 @@ export const explore = (): Promise<void> =>
     if (draft.value?.variation && !draft.value.variation.exact) await makeExactNow();
     const design = draft.value;
     if (!design || !history.value) return;
-    const [asked, byStiffness] = [dimension.value, eigenbasis.value];
-    const found = await findDirections(design, asked, byStiffness);
+    const weights = variationWeights.value;
+    const family: VariationFamily = {
+      asked: dimension.value,
+      eigenbasis: eigenbasis.value,
+      ...(weights && { weights }),
+    };
+    const found = await findDirections(design, family);
     if (found === null || !history.value) return;
     const variation: Variation = {
+      ...family,
       coefficients: Array.from({ length: found }, () => 0),
       centre: design.shape,
       earlier: earlierOf(design),
-      asked,
-      eigenbasis: byStiffness,
       exact: true,
     };
     const next: Design = { ...design, variation };
@@ -76,7 +84,7 @@ export async function ensureDirections(design: Design): Promise<boolean> {
   const shape = variation.centre;
   const restore = { kind: "restore", targets, settings, shape, keep: false } as const;
   if (!(await runUnseen("finding variations", restore, "shown"))) return false;
-  const found = await findDirections(before, variation.asked, variation.eigenbasis);
+  const found = await findDirections(before, familyOf(variation));
   return (await show(design)) && found === variation.coefficients.length;
 }
 

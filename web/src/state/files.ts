@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Opening the user's files. A design, as text or in a GLB or 3DM, opens as that design.
-import { readDesign } from "../share/design-text.ts";
-import type { FileFormat, OpenedMesh, Source, StoredDesign } from "../solver/protocol.ts";
+import type { Context } from "../rhino/context.ts";
+import { fromDesign } from "../share/design-value.ts";
+import type {
+  DesignReading,
+  FileFormat,
+  OpenedMesh,
+  Source,
+  StoredDesign,
+} from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { type Design, toTargets } from "./design.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
@@ -10,7 +17,16 @@ import { adopt, freshDesign } from "./opening.ts";
 import type { Steps } from "./recipe.ts";
 import { compute, replayNow, sizeOf } from "./replaying.ts";
 import { takeMesh } from "./showing.ts";
-import { draft, history, importReport, notice, problem, unit } from "./store.ts";
+import {
+  contextHidden,
+  contexts,
+  draft,
+  history,
+  importReport,
+  notice,
+  problem,
+  unit,
+} from "./store.ts";
 import { inTurn } from "./turns.ts";
 import type { Unit } from "./units.ts";
 
@@ -39,8 +55,13 @@ async function asStored(design: Design, { shape }: StoredDesign, why: string): P
 }
 
 /** Does the stored recipe again; where that gives another shape today, the stored one counts. */
-async function reopen(source: Source, opened: OpenedMesh, stored: StoredDesign): Promise<void> {
-  const text = readDesign(stored.design);
+async function reopen(
+  source: Source,
+  opened: OpenedMesh,
+  stored: StoredDesign,
+  reading: DesignReading,
+): Promise<void> {
+  const text = fromDesign(reading);
   if (!text.ok) {
     const plain = freshDesign(source, null, opened);
     takeMesh(plain, opened);
@@ -79,7 +100,9 @@ async function openDesign(file: File): Promise<void> {
   if (file.size > LONGEST_DESIGN) return refuse("A design has at most 64 MB.");
   const text = await file.text().catch(() => null);
   if (text === null) return refuse("It could not be read. Open it again.");
-  const read = readDesign(text);
+  const answer = await run(`reading ${file.name}`, { kind: "readDesign", text }, "design");
+  if (!answer) return;
+  const read = fromDesign(answer.reading);
   if (!read.ok) return refuse(read.reason);
   const { source, meshName } = read.value;
   if (!source)
@@ -88,19 +111,30 @@ async function openDesign(file: File): Promise<void> {
   if (!opened && problem.value) refuse(problem.value);
 }
 
+function keepContext(source: Source, context: Context | null): void {
+  if (context) contexts.value = new Map([...contexts.value, [source, context]]);
+  contextHidden.value = false;
+}
+
 /** A design again, or a mesh with what was done to it and what was left out. */
 async function openModel(file: File): Promise<void> {
   const { name } = file;
   const answer = await run(`reading ${name}`, { kind: "unpack", file, name }, "unpacked");
   if (!answer) return;
-  const { mesh, design, unit: unitOfFile, remarks } = answer.model;
-  if (design) return openDesign(new File([design], name));
+  const { mesh, design, unit: unitOfFile, context, remarks } = answer.model;
+  if (design) {
+    const before = draft.value;
+    await openDesign(new File([design], name));
+    if (draft.value && draft.value !== before) keepContext(draft.value.source, context);
+    return;
+  }
   const read = { kind: "read", file: new Blob([mesh as BlobPart]), name, format: "obj" } as const;
   const opened = await run(`reading ${name}`, read, "opened");
   if (!opened?.source) return;
   const { report } = opened.mesh;
   const warnings = [...remarks, ...report.warnings];
   adopt(opened.source, null, { ...opened.mesh, report: { ...report, warnings } });
+  keepContext(opened.source, context);
   if (unitOfFile) unit.value = unitOfFile;
   importReport.value = true;
 }
@@ -120,7 +154,8 @@ async function openNow(file: File): Promise<void> {
   const question = { kind: "read", file, name, format } as const;
   const answer = await run(`reading ${name}`, question, "opened");
   if (!answer?.source) return;
-  if (answer.stored?.design) return reopen(answer.source, answer.mesh, answer.stored);
+  const { stored } = answer;
+  if (stored?.design) return reopen(answer.source, answer.mesh, stored, stored.design);
   adopt(answer.source, null, answer.mesh);
   importReport.value = true;
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // How far a panel is out of flat, in words: the same ones everywhere.
+import { usual } from "virtual:core-defaults";
 import { formatGap, type Unit } from "./units.ts";
 
 /** mm/m: what a finished design promises. What is below is rounding, and no figure worth reading. */
-export const FLAT = 1e-6;
+export const FLAT = usual.tolerance;
 
-const PROMISE = "< 0.000001";
+/** The same without a power of ten: "0.000001". */
+export const FLAT_TEXT = FLAT.toFixed(Math.round(-Math.log10(FLAT)));
+
+const PROMISE = `< ${FLAT_TEXT}`;
 
 /** What "flat" in a column means. */
 export const FLAT_MEANS = `flat: ${PROMISE} mm/m`;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kinds of constraints that an edit keeps beside planarity, each with its tolerance in degrees:
 // "circular:1e-9".
+import { kinds } from "virtual:core-defaults";
 import type { MeshReport } from "../solver/protocol.ts";
 
 export const KINDS = ["circular", "conical"] as const;
@@ -9,7 +10,7 @@ export type Kind = (typeof KINDS)[number];
 export const isKind = (word: string): word is Kind => KINDS.some((kind) => kind === word);
 
 /** The command line's own, degrees. */
-const TOLERANCE = 1e-9;
+const toleranceOf = (kind: Kind): number => kinds[kind] ?? Number.NaN;
 
 export const kindOf = (kept: string): Kind | undefined =>
   KINDS.find((kind) => kept.startsWith(`${kind}:`));
@@ -30,7 +31,7 @@ export function readKept(value: unknown): readonly string[] | null {
 export function withKind(kept: readonly string[], kind: Kind): readonly string[] {
   return KINDS.flatMap((name) => {
     const same = kept.filter((one) => kindOf(one) === name);
-    return same.length === 0 && name === kind ? [`${kind}:${TOLERANCE}`] : same;
+    return same.length === 0 && name === kind ? [`${kind}:${toleranceOf(kind)}`] : same;
   });
 }
 
@@ -45,4 +46,4 @@ export const LEAST_DEFECT = 1e-6;
 
 /** Whether an edit can keep it on this mesh. */
 export const isKeptBy = (report: MeshReport, kind: Kind): boolean =>
-  (report.kinds[kind]?.excess ?? Number.POSITIVE_INFINITY) <= TOLERANCE;
+  (report.kinds[kind]?.excess ?? Number.POSITIVE_INFINITY) <= toleranceOf(kind);

@@ -6,7 +6,7 @@ import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from
 import { commitEdit } from "./editing.ts";
 import * as steps from "./history.ts";
 import { isKeptBy, type Kind, kindOf, withKind } from "./kept-kind.ts";
-import { FAIR_FLAT } from "./planarising.ts";
+import { FAIR_FLAT, sameWay, type Trial } from "./planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { showPresent, takeMesh } from "./showing.ts";
@@ -17,6 +17,7 @@ import {
   history,
   mesh,
   notice,
+  planariseTrial,
   planarising,
   refusedTolerance,
   settings,
@@ -81,8 +82,9 @@ function missed(asked: readonly string[], report: MeshReport): string {
 /**
  * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step.
  * @param kind what it becomes beside flat and what is kept already
+ * @param trial what was tried out; taken as it is where it is what is wanted
  */
-export async function planariseNow(kind?: Kind): Promise<void> {
+export async function planariseNow(kind?: Kind, trial?: Trial): Promise<void> {
   const design = draft.value;
   if (!design) return;
   const { handles, settings } = design;
@@ -91,17 +93,29 @@ export async function planariseNow(kind?: Kind): Promise<void> {
   // What was chosen at a door is not seen where a mesh is flat.
   const chosen = kind && baseFlat.value ? FAIR_FLAT : planarising.value;
   const how = { ...chosen, keepShape: settings.keepShape, constraints };
+  const found = trial && sameWay(trial.how, how) ? trial.mesh.positions : null;
   const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
-  const answer = await run(doing, { kind: "planarise", how }, "opened");
+  const answer = await run(doing, { kind: "planarise", how, found }, "opened");
   if (!answer) return;
-  draft.value = { ...design, settings: { ...settings, tolerance, constraints } };
+  // An edit cannot be flatter than its mesh.
+  const met = Math.max(tolerance, how.flat);
+  draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
   adopt(design.source, how, answer.mesh);
   const words = missed(constraints, answer.mesh.report);
   if (words) notice.value = words;
   if (handles.length > 0 && baseFlat.value) await commitEdit({ ...draft.value, handles }, "solve");
 }
 
-export const planarise = (): Promise<void> => inTurn(() => planariseNow());
+/** What is tried out is what is taken, as soon as it is there. */
+export function planarise(): Promise<void> {
+  const tried = planariseTrial.peek();
+  return inTurn(async () => {
+    if (tried.kind === "shown") return planariseNow(undefined, tried.trial);
+    if (tried.kind !== "running") return planariseNow();
+    const trial = await tried.done;
+    if (trial) await planariseNow(undefined, trial);
+  });
+}
 
 /** Makes the mesh itself circular or conical, which its edits then keep. */
 export const makeKept = (kind: Kind): Promise<void> => inTurn(() => planariseNow(kind));

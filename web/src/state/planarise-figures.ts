@@ -2,7 +2,7 @@
 // What is said of a planarising that is tried out.
 import type { Shape } from "../solver/protocol.ts";
 import { damageWords } from "./damage.ts";
-import type { Trial } from "./planarise-trial.ts";
+import type { Trial } from "./planarising.ts";
 
 /** Where two meshes of one topology differ. */
 export function shapeOf(now: Float64Array, base: Float64Array): Shape {

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The planarising that is tried out at the door: what the view shows of it, and its figures.
-import { batch, type Signal, signal } from "@preact/signals";
-import type { OpenedMesh } from "../solver/protocol.ts";
+import { batch } from "@preact/signals";
+import type { OpenedMesh, Planarising } from "../solver/protocol.ts";
 import { type Design, NO_REPORT } from "./design.ts";
 import { shapeOf } from "./planarise-figures.ts";
-import { GivenUp, PlanariseTrials, type Trial } from "./planarise-trial.ts";
+import { GivenUp, PlanariseTrials } from "./planarise-trial.ts";
+import type { Trial } from "./planarising.ts";
 import { showOnly } from "./showing.ts";
-import { draft, figures, mesh } from "./store.ts";
-
-export type Preview =
-  | { readonly kind: "none" }
-  | { readonly kind: "running" }
-  | { readonly kind: "refused"; readonly sentence: string }
-  | { readonly kind: "shown"; readonly trial: Trial };
+import { draft, figures, mesh, planariseTrial } from "./store.ts";
 
 /** Points: larger meshes wait until they are asked for. */
 export const EAGER_POINTS = 5000;
 
+/** Whether every panel is as flat as was asked for. */
+export const isMet = ({ how, mesh: { report } }: Trial, { settings }: Design): boolean =>
+  report.worstExcess <= Math.max(settings.tolerance, how.flat);
+
 /** Tries ways to planarise one mesh while its door is open. */
 export class PlanarisePreview {
-  readonly state: Signal<Preview> = signal({ kind: "none" });
   readonly #trials = new PlanariseTrials();
   readonly #opened: OpenedMesh;
   readonly #design: Design;
@@ -29,28 +27,46 @@ export class PlanarisePreview {
     this.#design = design;
   }
 
-  /** Whether every panel becomes flat; null where something newer is tried. */
-  async show(how: Trial["how"]): Promise<boolean | null> {
-    this.state.value = { kind: "running" };
+  /** The first of the ways that makes every panel flat, or else the last; null where it is refused,
+   * given up, or something newer is tried. */
+  show(...ways: readonly Planarising[]): Promise<Trial | null> {
+    const done = this.#find(ways);
+    planariseTrial.value = { kind: "running", done, giveUp: () => this.end() };
+    return done;
+  }
+
+  async #find(ways: readonly Planarising[]): Promise<Trial | null> {
     try {
-      const trial = await this.#trials.run(this.#design.source, how);
+      const trial = await this.#try(ways);
+      if (!trial) return null;
       this.#draw(trial.mesh);
-      this.state.value = { kind: "shown", trial };
-      return trial.mesh.report.worstExcess <= this.#design.settings.tolerance;
+      planariseTrial.value = { kind: "shown", trial };
+      return trial;
     } catch (error) {
       if (error instanceof GivenUp) return null;
       this.#drawFile();
       const sentence = error instanceof Error ? error.message : String(error);
-      this.state.value = { kind: "refused", sentence };
-      return false;
+      planariseTrial.value = { kind: "refused", sentence };
+      return null;
     }
+  }
+
+  async #try([how, ...others]: readonly Planarising[]): Promise<Trial | null> {
+    if (!how) return null;
+    const last = others.length === 0;
+    const trial = await this.#trials.run(this.#design.source, how).catch((error) => {
+      if (last || error instanceof GivenUp) throw error;
+      return null;
+    });
+    const flat = trial && isMet(trial, this.#design);
+    return flat || last ? trial : this.#try(others);
   }
 
   /** The file is shown again. */
   end(): void {
     this.#trials.end();
     this.#drawFile();
-    this.state.value = { kind: "none" };
+    planariseTrial.value = { kind: "none" };
   }
 
   #isHere(): boolean {

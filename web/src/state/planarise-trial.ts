@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What planarising would make of the opened mesh, computed beside the solver that holds it: nothing
 // that it does changes the design, and it can be given up at any time.
-import type {
-  OpenedMesh,
-  PanelMeasures,
-  Planarising,
-  Reply,
-  Request,
-  Source,
-} from "../solver/protocol.ts";
+import type { PanelMeasures, Planarising, Reply, Request, Source } from "../solver/protocol.ts";
 import { spawnSolver } from "../solver/spawn.ts";
-
-export interface Trial {
-  readonly how: Planarising;
-  readonly mesh: OpenedMesh;
-  /** null where it cannot be measured. */
-  readonly measures: PanelMeasures | null;
-}
+import type { Trial } from "./planarising.ts";
 
 /** Rejects a trial that another one took the place of, or that nobody waits for any more. */
 export class GivenUp extends Error {}

@@ -1,27 +1,44 @@
 // SPDX-License-Identifier: MIT
 // What making the opened mesh flat did to it, before any edit.
-import type { MeshReport, Planarising } from "../solver/protocol.ts";
+import { fairFlat, nearestFlat } from "virtual:core-defaults";
+import type { MeshReport, OpenedMesh, PanelMeasures, Planarising } from "../solver/protocol.ts";
 import { formatLength, type Unit } from "./units.ts";
 
 /** What links and designs mean that only say that a mesh was planarised. */
-export const NEAREST_FLAT: Planarising = {
-  smooth: 0,
-  keepBoundary: false,
-  keepShape: false,
-  constraints: [],
-};
+export const NEAREST_FLAT: Planarising = nearestFlat;
 
 /** The command line's default. */
-export const FAIR_FLAT: Planarising = {
-  smooth: 10,
-  keepBoundary: false,
-  keepShape: true,
-  constraints: [],
-};
+export const FAIR_FLAT: Planarising = fairFlat;
+
+/** What a way to make a mesh flat gives, tried out. */
+export interface Trial {
+  readonly how: Planarising;
+  readonly mesh: OpenedMesh;
+  /** null where it cannot be measured. */
+  readonly measures: PanelMeasures | null;
+}
+
+export type Preview =
+  | { readonly kind: "none" }
+  | {
+      readonly kind: "running";
+      /** null where it is refused, overtaken or given up. */
+      readonly done: Promise<Trial | null>;
+      readonly giveUp: () => void;
+    }
+  | { readonly kind: "refused"; readonly sentence: string }
+  | { readonly kind: "shown"; readonly trial: Trial };
+
+export const sameWay = (a: Planarising | null, b: Planarising | null): boolean =>
+  a?.smooth === b?.smooth &&
+  a?.keepBoundary === b?.keepBoundary &&
+  a?.keepShape === b?.keepShape &&
+  a?.within === b?.within &&
+  a?.flat === b?.flat &&
+  a?.constraints.join() === b?.constraints.join();
 
 /** What designs write as `true`, and links as 1. */
-export const isNearestFlat = (how: Planarising): boolean =>
-  how.smooth === 0 && !how.keepBoundary && !how.keepShape && how.constraints.length === 0;
+export const isNearestFlat = (how: Planarising): boolean => sameWay(how, NEAREST_FLAT);
 
 /** "2570 points moved by up to 1675 mm"; "" where nothing had to be made flat. */
 export function planarisingWords({ planarising }: MeshReport, unit: Unit): string {

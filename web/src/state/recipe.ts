@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What makes a design again: its source and what was done to it, with a mark of the result.
-import { crc32 } from "../share/crc32.ts";
-import type { EditSettings, Planarising, Source } from "../solver/protocol.ts";
+import type { EditSettings, Planarising, ResultMark, Source } from "../solver/protocol.ts";
 import type { Camera } from "./camera.ts";
-import type { Design, Family, HandleRow } from "./design.ts";
+import { type Design, type Family, familyOf, type HandleRow } from "./design.ts";
 import type { Unit } from "./units.ts";
-
-/** Enough of a result to recognise it, or to say how far another one is from it. */
-export interface ResultMark {
-  /** CRC-32 of the moved indices and their coordinates, bit by bit. */
-  readonly hash: number;
-  readonly moved: number;
-  /** A few moved vertices and where they went, model units: vertex, x, y, z for each. */
-  readonly probes: readonly number[];
-}
 
 export interface Recipe {
   readonly source: Source;
@@ -37,33 +27,17 @@ export interface Steps extends Omit<Recipe, "mark"> {
   readonly someSliders?: boolean;
 }
 
-/** Vertices that are recorded to measure a deviation. */
-const PROBES = 5;
-
-const bytesOf = (array: Int32Array | Float64Array): Uint8Array =>
-  new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-
-export function markOf({ moved, positions }: Design["shape"]): ResultMark {
-  const probes: number[] = [];
-  const stride = Math.max(1, Math.floor(moved.length / PROBES));
-  for (
-    let k = Math.floor(stride / 2);
-    k < moved.length && probes.length < 4 * PROBES;
-    k += stride
-  ) {
-    const at = (axis: number) => Number((positions[3 * k + axis] ?? 0).toPrecision(12));
-    probes.push(moved[k] ?? 0, at(0), at(1), at(2));
-  }
-  return { hash: crc32(bytesOf(positions), crc32(bytesOf(moved))), moved: moved.length, probes };
-}
-
 function familiesOf({ variation }: Design): Family[] {
   if (!variation) return [];
-  const { coefficients, asked, eigenbasis, earlier } = variation;
-  return [...earlier, { coefficients, asked, eigenbasis }];
+  return [...variation.earlier, familyOf(variation)];
 }
 
-export const recipeOf = (design: Design, unit: Unit, camera: Camera | null): Recipe => ({
+export const recipeOf = (
+  design: Design,
+  unit: Unit,
+  camera: Camera | null,
+  mark: ResultMark,
+): Recipe => ({
   source: design.source,
   planarised: design.planarised,
   handles: design.handles,
@@ -71,19 +45,5 @@ export const recipeOf = (design: Design, unit: Unit, camera: Camera | null): Rec
   families: familiesOf(design),
   unit,
   camera,
-  mark: markOf(design.shape),
+  mark,
 });
-
-/** Model units; 0 if the result is the recorded one to the last bit. */
-export function deviation(mark: ResultMark, shape: Design["shape"], base: Float64Array): number {
-  if (markOf(shape).hash === mark.hash) return 0;
-  let largest = Number.EPSILON;
-  for (let p = 0; p + 3 < mark.probes.length; p += 4) {
-    const vertex = mark.probes[p] ?? 0;
-    const k = shape.moved.indexOf(vertex);
-    const from = k < 0 ? base.subarray(3 * vertex) : shape.positions.subarray(3 * k);
-    const gap = (axis: number) => (from[axis] ?? 0) - (mark.probes[p + 1 + axis] ?? 0);
-    largest = Math.max(largest, Math.hypot(gap(0), gap(1), gap(2)));
-  }
-  return largest;
-}

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A recipe is opened by doing it again, and the result is held against its mark. All of it is one
-// step of the history; if a part fails, nothing has happened.
-import { meshHash } from "../share/mesh-hash.ts";
+// A recipe is opened by letting the core do it again, and the result is held against its mark. All
+// of it is one step of the history; if a part fails, nothing has happened.
+import { toDesign } from "../share/design-value.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
-import { run } from "./connection.ts";
-import type { Design, Family } from "./design.ts";
+import { held, run } from "./connection.ts";
+import type { Design, Family, Variation } from "./design.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
-import { editQuestion } from "./editing.ts";
-import { findDirections } from "./exploring.ts";
+import { sliderLeads } from "./exploring.ts";
 import * as steps from "./history.ts";
 import { freshDesign } from "./opening.ts";
-import { deviation, type Recipe, type Steps } from "./recipe.ts";
+import type { Steps } from "./recipe.ts";
 import { showPresent, takeMesh } from "./showing.ts";
 import { draft, history, notice, problem, unit } from "./store.ts";
 import { inTurn } from "./turns.ts";
@@ -19,65 +18,46 @@ import { inTurn } from "./turns.ts";
 /** Of the mesh, model units: display coordinates span ten. */
 export const sizeOf = ({ scale }: OpenedMesh["report"]): number => 10 / scale;
 
-type Step = { readonly design: Design } | { readonly reason: string | null };
+/** `deviation`: from the recorded result, model units. */
+type Outcome =
+  | { readonly design: Design; readonly deviation: number }
+  | { readonly reason: string | null };
 
-async function solved(design: Design): Promise<Step> {
-  if (design.handles.length === 0) return { design };
-  const answer = await run("opening the design", editQuestion(design, "solve"), "shown");
-  if (!answer?.shape) return { reason: problem.value };
-  return { design: { ...design, shape: answer.shape, report: answer.report } };
-}
-
-/** One family around `design`: found, evaluated and made exact. */
-async function member(
-  design: Design,
-  given: Family,
-  earlier: readonly Family[],
-  someSliders: boolean,
-): Promise<Step> {
-  const { asked, eigenbasis } = given;
-  const found = await findDirections(design, asked, eigenbasis);
-  if (found === null) return { reason: problem.value };
-  const count = given.coefficients.length;
-  if (count > found || (count < found && !someSliders))
-    return { reason: `The design sets ${count} variations where its edit has ${found}.` };
-  const coefficients = Array.from({ length: found }, (_, k) => given.coefficients[k] ?? 0);
-  const family: Family = { ...given, coefficients };
-  const centre = design.shape;
-  const next: Design = { ...design, variation: { ...family, centre, earlier, exact: true } };
-  if (coefficients.every((x) => x === 0)) return { design: next };
-  const vary = await run("opening the design", { kind: "vary", coefficients }, "shown");
-  const exact = vary && (await run("opening the design", { kind: "exact" }, "shown"));
-  if (!exact?.shape) return { reason: problem.value };
-  return { design: { ...next, shape: exact.shape, report: exact.report } };
-}
-
-async function varied(design: Design, { families, someSliders = false }: Steps): Promise<Step> {
-  let step: Step = { design };
-  const earlier: Family[] = [];
-  for (const family of families) {
-    if (!("design" in step)) break;
-    step = await member(step.design, family, [...earlier], someSliders);
-    const found = "design" in step ? step.design.variation : null;
-    if (found) earlier.push({ ...family, coefficients: found.coefficients });
+/** The families with a slider for every direction that was found, or why that is not what they say. */
+function withSliders(
+  { families, someSliders = false }: Steps,
+  directions: readonly number[],
+): Family[] | string {
+  const all: Family[] = [];
+  for (const [k, family] of families.entries()) {
+    const found = directions[k];
+    if (found === undefined) return "The design varies an edit that moves nothing.";
+    const count = family.coefficients.length;
+    if (count > found || (count < found && !someSliders))
+      return `The design sets ${count} variations where its edit has ${found}.`;
+    const coefficients = Array.from({ length: found }, (_, i) => family.coefficients[i] ?? 0);
+    all.push({ ...family, coefficients });
   }
-  return step;
+  return all;
 }
 
 /** The design of `recipe` on its mesh, which the solver has open; within a turn. */
-export async function compute(recipe: Steps, opened: OpenedMesh): Promise<Step> {
-  const { source, planarised, handles, settings, baseHash = null } = recipe;
+export async function compute(recipe: Steps, opened: OpenedMesh): Promise<Outcome> {
+  const { source, planarised, handles, settings } = recipe;
   const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
   takeMesh(fresh, opened);
-  // Making a mesh flat may round differently elsewhere.
-  if (baseHash !== null && planarised === null && meshHash(opened) !== baseHash)
-    return {
-      reason: "The mesh in the design is not the one that was edited (source.hash differs).",
-    };
-  if (handles.some((row) => row.vertex >= opened.report.vertices))
-    return { reason: "The design moves points that its mesh does not have." };
-  const edited = await solved(fresh);
-  return "design" in edited ? varied(edited.design, recipe) : edited;
+  const question = { kind: "replay", design: toDesign(recipe) } as const;
+  const answer = await run("opening the design", question, "replayed");
+  if (!answer) return { reason: problem.value };
+  const { shape, report, centre, leads, deviation } = answer;
+  const families = withSliders(recipe, answer.directions);
+  if (typeof families === "string") return { reason: families };
+  const last = families.at(-1);
+  const earlier = families.slice(0, -1);
+  const variation: Variation | null = last ? { ...last, centre, earlier, exact: true } : null;
+  held.centre = variation && centre;
+  if (variation) sliderLeads.value = { centre, leads };
+  return { design: { ...fresh, shape, report, variation }, deviation };
 }
 
 /** Within a turn; true if the design is there, otherwise the problem has been said. */
@@ -86,21 +66,21 @@ export async function replayNow(recipe: Steps): Promise<boolean> {
   const question = { kind: "open", source, planarise: planarised } as const;
   const answer = await run("opening the design", question, "opened");
   const end = answer ? await compute(recipe, answer.mesh) : { reason: problem.value };
-  if (!("design" in end)) {
+  if (!answer || !("design" in end)) {
     await showPresent();
-    problem.value = end.reason;
+    problem.value = "reason" in end ? end.reason : null;
     return false;
   }
   unit.value = recipe.unit;
   placeCamera(recipe.camera);
   draft.value = end.design;
   history.value = history.value ? steps.record(history.value, end.design) : steps.begin(end.design);
-  if (answer) sayHowItCompares(recipe, end.design, answer.mesh);
+  sayHowItCompares(recipe, end.deviation, answer.mesh);
   return true;
 }
 
 /** True if the design is there; otherwise the problem has been said. */
-export async function replay(recipe: Recipe): Promise<boolean> {
+export async function replay(recipe: Steps): Promise<boolean> {
   let opened = false;
   await inTurn(async () => {
     opened = await replayNow(recipe);
@@ -109,12 +89,12 @@ export async function replay(recipe: Recipe): Promise<boolean> {
 }
 
 /** More than rounding is no mere notice. */
-function sayHowItCompares({ mark }: Steps, { shape }: Design, opened: OpenedMesh): void {
+function sayHowItCompares({ mark }: Steps, off: number, opened: OpenedMesh): void {
   if (!mark) {
     notice.value = "Opened: the design holds no result to compare with.";
     return;
   }
-  const [off, size] = [deviation(mark, shape, opened.positions), sizeOf(opened.report)];
+  const size = sizeOf(opened.report);
   const words = deviationWords(off, size, unit.value);
   const same = isRounding(off, size, unit.value);
   notice.value = same ? words : null;

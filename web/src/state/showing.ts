@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Puts a known design on the screen and into the solver without solving anything.
 import { batch } from "@preact/signals";
-import type { OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
+import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import {
   announceChanges,
   type Base,
@@ -12,6 +12,7 @@ import {
   tell,
 } from "./connection.ts";
 import { type Design, sourceName, toTargets } from "./design.ts";
+import { sameWay } from "./planarising.ts";
 import {
   bending,
   displayMesh,
@@ -29,6 +30,7 @@ import {
   panelFolds,
   panelHealth,
   panelTroubles,
+  planariseTrial,
   problem,
   refusedTolerance,
   selectedPanel,
@@ -44,11 +46,8 @@ const sameSource = (a: Source, b: Source): boolean => {
   return a.crc === b.crc && a.bytes.size === b.bytes.size;
 };
 
-const samePlanarising = (a: Planarising | null, b: Planarising | null): boolean =>
-  a?.smooth === b?.smooth && a?.keepBoundary === b?.keepBoundary && a?.keepShape === b?.keepShape;
-
 export const sameBase = (a: Base, b: Base): boolean =>
-  samePlanarising(a.planarised, b.planarised) && sameSource(a.source, b.source);
+  sameWay(a.planarised, b.planarised) && sameSource(a.source, b.source);
 
 /** The base of the mesh on screen; null before the first. */
 let shown: Base | null = null;
@@ -140,6 +139,8 @@ onDeath(() => {
  * bit, so nobody waits for the new solver: it is told behind the scenes, and later actions wait.
  */
 export function cancel(): void {
+  const trial = planariseTrial.peek();
+  if (trial.kind === "running") trial.giveUp();
   dropTurns();
   restartSolver();
   const design = history.value?.present;

@@ -2,12 +2,24 @@
 // Everything the page shows, as signals. Only the modules of state/ write them.
 import { computed, signal } from "@preact/signals";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { Context } from "../rhino/context.ts";
 import type { Snapshot } from "../share/saved-record.ts";
-import type { FreedomReport, NodeCounts, OpenedMesh, ShapeReport } from "../solver/protocol.ts";
+import type { MobilityRow } from "../solver/mobility-worker.ts";
+import type {
+  EditSettings,
+  FreedomReport,
+  MeshOffset,
+  NodeCounts,
+  OffsetKind,
+  OpenedMesh,
+  ShapeReport,
+  Source,
+  VariationWeights,
+} from "../solver/protocol.ts";
 import { type Design, NO_REPORT, sourceName } from "./design.ts";
 import type { History } from "./history.ts";
 import { isKind, type Kind, kindOf } from "./kept-kind.ts";
-import { FAIR_FLAT } from "./planarising.ts";
+import { FAIR_FLAT, type Preview } from "./planarising.ts";
 import { FIRST_SAMPLE } from "./samples.ts";
 import { turnsLeft } from "./turns.ts";
 import { niceStep, type Unit } from "./units.ts";
@@ -26,6 +38,19 @@ export interface Lock {
   readonly plane: boolean;
 }
 
+/** A second layer. */
+export interface OffsetChoice {
+  /** Model units, positive outside. */
+  readonly distance: number;
+  /** What lies at the distance; "": the first of them that the design has. */
+  readonly form: OffsetKind | "";
+}
+
+/** One that was laid out, and the mesh that it ends with. */
+export interface LaidOffset extends OffsetChoice {
+  readonly of: OpenedMesh | null;
+}
+
 export type ColourBy =
   | "displacement"
   | "planarity"
@@ -33,14 +58,38 @@ export type ColourBy =
   | "fairness"
   | "health"
   | "remake"
+  | "mobility"
   | "zebra"
   | Kind
   | "none";
 
+/** Where a mesh can move, as far as it has been measured. */
+export interface Mobility {
+  readonly of: OpenedMesh;
+  /** That its edits had. */
+  readonly settings: EditSettings;
+  /** Mean of the ways of every point up and down, model units; 0 where it is not measured yet. */
+  readonly ways: Float32Array;
+  readonly measured: number;
+  /** Where the shape can change most, of what is measured. */
+  readonly best: readonly MobilityRow[];
+  readonly running: boolean;
+  /** Why it does not go on. */
+  readonly problem: string | null;
+}
+
+/** null until someone looks. */
+export const mobility = signal<Mobility | null>(null);
+/** What second layer is wanted of this mesh and its designs; null for none. */
+export const offsetChoice = signal<LaidOffset | null>(null);
+/** That of the design shown; null without one, and while points move. */
+export const offsetLayer = signal<MeshOffset | null>(null);
 /** False until the page can be used. */
 export const ready = signal(false);
 /** True if the solver could not be loaded: the page will not get ready. */
 export const stranded = signal(false);
+/** Whether the design is only looked at: the page around this one says so. */
+export const readOnly = signal(false);
 export const displayMesh = signal<DisplayMesh | null>(null);
 export const mesh = signal<OpenedMesh | null>(null);
 export const history = signal<History<Design> | null>(null);
@@ -55,6 +104,8 @@ export const keeping = signal<string | null>(null);
 export const snapshots = signal<readonly Snapshot[]>([]);
 /** How a mesh that is not flat becomes so; whether panels keep their shape is the edit's setting. */
 export const planarising = signal(FAIR_FLAT);
+/** What that would give, tried out while its door is open. */
+export const planariseTrial = signal<Preview>({ kind: "none" });
 export const notice = signal<string | null>(null);
 /** Changes to a newer version of the page; null while there is none. */
 export const update = signal<(() => void) | null>(null);
@@ -73,8 +124,12 @@ export const boxTool = signal(false);
 /** Whether the arrows at a point follow its surface instead of X, Y and Z. */
 export const localArrows = signal(false);
 export const unit = signal<Unit>("m");
+/** How the viewport takes a picture of itself; null before it stands. */
+export const takePicture = signal<(() => Promise<Blob | null>) | null>(null);
 export const dimension = signal(4);
 export const eigenbasis = signal(false);
+/** What the next variations are found by; undefined: the core's weights. */
+export const variationWeights = signal<VariationWeights | undefined>(undefined);
 export const colourBy = signal<ColourBy>("displacement");
 /** Counts how often what measures designs has arrived: with every new solver. */
 export const measurable = signal(0);
@@ -103,6 +158,9 @@ export const watchFreedom = signal(false);
 export const freedom = signal<FreedomReport | null>(null);
 /** The panel that the table and the view point at. */
 export const selectedPanel = signal<number | null>(null);
+/** What Rhino models held beside their panels, by where their meshes came from. */
+export const contexts = signal<ReadonlyMap<Source, Context>>(new Map());
+export const contextHidden = signal(false);
 /** Shows the base instead of the design while held. */
 export const showBefore = signal(false);
 /** The first visit's sentence; gone after the first edit. */
@@ -120,6 +178,8 @@ export const snapDistance = computed(
 export const designName = computed(() =>
   draft.value ? sourceName(draft.value.source) : FIRST_SAMPLE.label,
 );
+/** What lies beside the panels of the mesh that is open; undefined for nothing. */
+export const context = computed(() => draft.value && contexts.value.get(draft.value.source));
 export const handles = computed(() => draft.value?.handles ?? []);
 export const settings = computed(() => draft.value?.settings ?? null);
 /** Whether every panel of the opened mesh is flat up to the tolerance: only then do points move. */

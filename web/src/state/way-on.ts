@@ -95,6 +95,13 @@ function softer({ softness: now }: EditSettings, growth: number): WayOn[] {
   return [{ label: "Softer", title, change: { softness }, growth }];
 }
 
+/** The same bend over more panels: what no fold may do, others have to. */
+function shared({ limits }: EditSettings, growth: number): WayOn {
+  const change = { limits: [...limits, `fold=+${growth}`] };
+  const title = "A limit on every fold: panels further away bend in their place";
+  return { label: "Share the bend", title, change, growth: null };
+}
+
 function sharper({ report }: Design, growth: number): WayOn {
   const degrees = Math.ceil((report.sharpestFold?.before ?? 0) + growth + MORE_DEGREES);
   const [label, title] = [`Folds up to ${degrees}°`, "Lets panels fold more sharply"];
@@ -119,7 +126,8 @@ export function waysOn(design: Design, reason: Reason, growth: number | null): r
   const { settings } = design;
   const kept = reason === "fold" ? growth : null;
   const ways = wider(settings, kept);
-  if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
+  if (kept !== null)
+    ways.push(...softer(settings, kept), shared(settings, kept), sharper(design, kept));
   if (reason === "limits") ways.push(looser(settings));
   if (settings.keepBoundary) {
     const [label, title] = ["Let the boundary move", "Points on the boundary may follow"];

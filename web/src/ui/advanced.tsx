@@ -9,6 +9,7 @@ import { TOLERANCES } from "../state/tolerance.ts";
 import { Choice } from "./choice.tsx";
 import { KeptKinds } from "./kept-kinds.tsx";
 import { RawWeights } from "./raw-weights.tsx";
+import { VariationWeights } from "./variation-weights.tsx";
 
 const FAIRNESS = [
   ["laplacian", "Laplacian"],
@@ -136,6 +137,7 @@ export function Advanced() {
         </label>
         <p class="quiet small">None becomes concave, crossing, turned over or collapsed.</p>
         <KeptKinds offered={false} />
+        <VariationWeights />
       </details>
       <Differences of={shown} />
     </div>

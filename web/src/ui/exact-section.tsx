@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { makeExact } from "../state/exploring.ts";
 import { isFlat } from "../state/flatness.ts";
-import { baseFlat, figures, limited, mesh, ready, showBefore } from "../state/store.ts";
+import { figures, mesh, ready, showBefore } from "../state/store.ts";
 import { later } from "./later.tsx";
 
 const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
@@ -14,7 +14,6 @@ function hold(on: boolean): void {
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
   const exact = isFlat(figures.value);
-  const withheld = limited.value && baseFlat.value;
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">
@@ -24,8 +23,8 @@ export function ExactSection() {
       <div class="row">
         <button
           type="button"
-          class={`button grow${exact || withheld ? "" : " primary"}`}
-          disabled={!ready.value || withheld}
+          class={`button grow${exact ? "" : " primary"}`}
+          disabled={!ready.value}
           onClick={() => void makeExact()}
         >
           Make exact
@@ -45,9 +44,6 @@ export function ExactSection() {
           Before
         </button>
       </div>
-      {withheld && (
-        <p class="quiet small">It keeps no limits yet. An edit within limits is exact already.</p>
-      )}
       <PanelsTable />
     </section>
   );

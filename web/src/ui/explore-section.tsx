@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { explore } from "../state/exploring.ts";
 import { fetchPart } from "../state/later.ts";
-import { dimension, draft, eigenbasis, figures, limited, ready } from "../state/store.ts";
+import { dimension, draft, eigenbasis, figures, ready } from "../state/store.ts";
 import { later } from "./later.tsx";
 import { Slider } from "./slider.tsx";
 
@@ -30,7 +30,7 @@ async function exploreAndShow(): Promise<void> {
 
 /** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
-  const possible = ready.value && figures.value.movedVertices > 0 && !limited.value;
+  const possible = ready.value && figures.value.movedVertices > 0;
   return (
     <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
@@ -80,9 +80,6 @@ export function ExploreSection() {
       >
         Find variations
       </button>
-      {limited.value && (
-        <p class="quiet small">Variations keep no limits yet: turn the limits off first.</p>
-      )}
       <VariationSliders />
       <ContinueButton />
       <VariationGallery />

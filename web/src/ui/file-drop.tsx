@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { ready } from "../state/store.ts";
+import { readOnly, ready } from "../state/store.ts";
 import { openGiven } from "./pick-file.ts";
 
 /** The whole page takes a dropped mesh. */
@@ -11,7 +11,7 @@ export function FileDrop({ children }: { children: ComponentChildren }) {
     event.preventDefault();
     over.value = false;
     const file = event.dataTransfer?.files[0];
-    if (file && ready.value) void openGiven(file);
+    if (file && ready.value && !readOnly.value) void openGiven(file);
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button Open file does the same

@@ -4,6 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { MeshReport } from "../solver/protocol.ts";
 import { damage, damageWords } from "../state/damage.ts";
 import { flatnessWords } from "../state/flatness.ts";
+import { isKeptBy, isMeant, KINDS, type Kind } from "../state/kept-kind.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
 import { planarisingWords } from "../state/planarising.ts";
@@ -45,6 +46,21 @@ function planarisingFacts(report: MeshReport): readonly Fact[] {
   return words ? [["Planarised first", words]] : [];
 }
 
+const MADE_OF: Readonly<Record<Kind, string>> = {
+  circular: "Circular panels",
+  conical: "Conical nodes",
+};
+
+/** Kinds that the mesh is meant to keep; the step below has how. */
+function meantFacts(report: MeshReport): readonly Fact[] {
+  return KINDS.filter((kind) => isMeant(report, kind)).map((kind) => {
+    if (isKeptBy(report, kind)) return [MADE_OF[kind], "exact; can be kept (Edit)"];
+    const { median = 0, worst = 0 } = report.kinds[kind] ?? {};
+    const [half, all] = [median, worst].map((degrees) => Number(degrees.toPrecision(2)));
+    return [MADE_OF[kind], `half to ${half}°, all to ${all}°; can be made exact and kept (Edit)`];
+  });
+}
+
 function Facts({ report }: { report: MeshReport }) {
   const { worstGap, worstMmPerM, worstExcess } = report;
   const facts: readonly Fact[] = [
@@ -53,6 +69,7 @@ function Facts({ report }: { report: MeshReport }) {
     ["Worst panel", flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence],
     ...planarisingFacts(report),
     ...outlineFacts(),
+    ...meantFacts(report),
     ["Boundary loops", String(report.boundaryLoops)],
     ["Separate parts", String(report.components)],
     ["Non-manifold edges", String(report.nonmanifoldEdges)],
@@ -126,12 +143,11 @@ export function ImportReport() {
             <button
               type="button"
               class="button primary"
-              onClick={() => {
-                close();
+              onClick={() =>
                 void planarise().then(() => {
-                  importReport.value = baseFlat.value;
-                });
-              }}
+                  if (baseFlat.value) importReport.value = true;
+                })
+              }
             >
               Planarise
             </button>

@@ -62,7 +62,12 @@ function planarisingFact(): readonly (readonly [string, string])[] {
 function certificateFact(): readonly (readonly [string, string])[] {
   const { optimality, status } = figures.value;
   if (status === "nearest_confined") {
-    return [["Lowest nearby", "not sought: the nearest flat mesh of the surroundings"]];
+    return [
+      [
+        "Lowest nearby",
+        "not sought: the nearest flat mesh of the surroundings, or within the limits",
+      ],
+    ];
   }
   if (!("certifiedVertices" in optimality)) return [];
   const { stationarity, outside } = optimality;

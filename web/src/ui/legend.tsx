@@ -23,6 +23,9 @@ const HealthScale = later(() => import("./health-scale.tsx").then((part) => part
 const PlanarityScale = later(() =>
   import("./planarity-scale.tsx").then((part) => part.PlanarityScale),
 );
+const MobilityScale = later(() =>
+  import("./mobility-scale.tsx").then((part) => part.MobilityScale),
+);
 const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
 
 const CHOICES: readonly (readonly [ColourBy, string])[] = [
@@ -34,6 +37,7 @@ const CHOICES: readonly (readonly [ColourBy, string])[] = [
   ["remake", "Make again"],
   ["circular", "Circular"],
   ["conical", "Conical"],
+  ["mobility", "Mobility"],
   ["zebra", "Reflection lines"],
   ["none", "Nothing"],
 ];
@@ -86,9 +90,17 @@ function Scale() {
     <>
       <Histogram />
       <Bar
-        ramp={(palette) => (kind === "displacement" ? palette.displacement : palette.planarity)}
+        ramp={(palette) =>
+          kind === "displacement" || kind === "mobility" ? palette.displacement : palette.planarity
+        }
       />
-      {kind === "planarity" ? <PlanarityScale /> : <Ends of={kind} />}
+      {kind === "planarity" ? (
+        <PlanarityScale />
+      ) : kind === "mobility" ? (
+        <MobilityScale />
+      ) : (
+        <Ends of={kind} />
+      )}
       {kind === "fairness" && <p class="legend-note">Difference between neighbours' moves</p>}
       {kind === "fold" && <p class="legend-note">Each panel's sharpest with a neighbour</p>}
       {kind === "circular" && <p class="legend-note">Opposite angles from 180° together</p>}

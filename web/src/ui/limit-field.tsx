@@ -11,6 +11,8 @@ interface LimitFieldProps {
   /** null: a plain number. */
   readonly unit: Unit | null;
   readonly invalid: boolean;
+  /** What 0 is called; an empty field says it, too. */
+  readonly zero?: string;
   readonly onApply: (value: number) => void;
 }
 
@@ -22,17 +24,20 @@ function parse(text: string, unit: Unit | null, current: number): Parsed<number>
 }
 
 /** One number of a limit, applied by Enter or on leaving; lengths take units and arithmetic. */
-export function LimitField({ label, about, value, unit, invalid, onApply }: LimitFieldProps) {
+export function LimitField(props: LimitFieldProps) {
+  const { label, about, value, unit, invalid, zero, onApply } = props;
+  const shown = zero !== undefined && value === 0 ? zero : formatCoordinate(value);
   const text = useSignal<string | null>(null);
   const unreadable = useSignal(false);
 
   const apply = (): void => {
     const typed = text.value;
-    if (typed === null || typed === formatCoordinate(value)) {
+    if (typed === null || typed === shown) {
       text.value = null;
       return;
     }
-    const parsed = parse(typed, unit, value);
+    const nought = zero !== undefined && ["", zero].includes(typed.trim());
+    const parsed = nought ? ({ ok: true, value: 0 } as const) : parse(typed, unit, value);
     unreadable.value = !parsed.ok;
     if (parsed.ok) {
       text.value = null;
@@ -51,7 +56,7 @@ export function LimitField({ label, about, value, unit, invalid, onApply }: Limi
       aria-description={about}
       aria-invalid={invalid || unreadable.value}
       disabled={!ready.value}
-      value={text.value ?? formatCoordinate(value)}
+      value={text.value ?? shown}
       onFocus={({ currentTarget }) => currentTarget.select()}
       onInput={({ currentTarget }) => {
         text.value = currentTarget.value;

@@ -3,28 +3,39 @@
 // fair.
 import "./planarise-step.css";
 import { useEffect, useMemo } from "preact/hooks";
-import type { OpenedMesh } from "../solver/protocol.ts";
+import type { OpenedMesh, Planarising } from "../solver/protocol.ts";
 import { decimal, flatnessWords } from "../state/flatness.ts";
 import { formatDegrees } from "../state/fold.ts";
 import { spoiltWords, usualFold } from "../state/planarise-figures.ts";
-import { EAGER_POINTS, PlanarisePreview, type Preview } from "../state/planarise-preview.ts";
-import type { Trial } from "../state/planarise-trial.ts";
+import { EAGER_POINTS, isMet, PlanarisePreview } from "../state/planarise-preview.ts";
+import type { Preview, Trial } from "../state/planarising.ts";
 import {
   draft,
   mesh,
   panelFolds,
+  planariseTrial,
   planarising,
   ready,
   settings,
   showBefore,
   unit,
 } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { formatLength, unitWord } from "../state/units.ts";
+import { Choice } from "./choice.tsx";
+import { LimitField } from "./limit-field.tsx";
 import { Slider } from "./slider.tsx";
 
 /** Weights of fairness, from the nearest flat mesh to the fairest. */
 const STOPS = [0, 1, 10, 100, 1000] as const;
 const NAMES = ["nearest", "close", "fair", "fairer", "fairest"] as const;
+
+/** mm/m that panels may stay out of flat; the last is the most that edits can live with. */
+const FLATNESSES = [0, 1, 5, 20] as const;
+const MOST_BENT = 20;
+
+const FLATNESS_CHOICES = FLATNESSES.map(
+  (flat) => [String(flat), flat > 0 ? `to within ${flat} mm/m` : "exactly"] as const,
+);
 
 /** The stop for a weight that may have come from elsewhere. */
 const stopOf = (smooth: number): number => {
@@ -84,31 +95,56 @@ function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
 }
 
 /** What else there is where panels stay bent. */
-function ways(keepBoundary: boolean): string {
-  const boundary = keepBoundary ? " Let the boundary move, or try" : " Try";
-  return `${boundary} another place between close and fair.`;
+function ways({ keepBoundary, within }: Planarising): string {
+  const others = [
+    ...(within > 0 ? ["let points move farther"] : []),
+    ...(keepBoundary ? ["let the boundary move"] : []),
+    "try another place between close and fair",
+  ];
+  const sentence = `${others.join(", or ")}.`;
+  return ` ${sentence[0]?.toUpperCase()}${sentence.slice(1)}`;
 }
 
-function Outcome({ preview, opened }: { preview: Preview; opened: OpenedMesh }) {
-  const { keepBoundary } = planarising.value;
+/** Why a trial is not as flat as was asked for, and what there is instead. */
+function Short({ trial: { how, mesh }, onTry }: { trial: Trial; onTry: (flat: number) => void }) {
+  const bent = decimal(mesh.report.worstMmPerM);
+  const asked = how.flat > 0 ? `flat to ${how.flat} mm/m` : "exactly flat";
+  const because = how.within > 0 ? "no point may move farther, and panels keep" : "they would lose";
+  return (
+    <div class="note warn">
+      <p>
+        {`Not every panel can be ${asked}: the worst stays ${bent} mm/m out of flat, because ${because} their shape.${ways(how)}`}
+      </p>
+      {how.flat < MOST_BENT && (
+        <button type="button" class="button small" onClick={() => onTry(MOST_BENT)}>
+          {`Try flat to within ${MOST_BENT} mm/m`}
+        </button>
+      )}
+    </div>
+  );
+}
+
+interface OutcomeProps {
+  readonly preview: Preview;
+  readonly opened: OpenedMesh;
+  readonly onTry: (flat: number) => void;
+}
+
+function Outcome({ preview, opened, onTry }: OutcomeProps) {
   switch (preview.kind) {
     case "none":
       return <p class="quiet small">Move the slider to see on the model what it gives.</p>;
     case "running":
       return <p class="quiet small">Trying it on the model…</p>;
     case "refused":
-      return <p class="note warn">{preview.sentence + ways(keepBoundary)}</p>;
+      return <p class="note warn">{preview.sentence + ways(planarising.value)}</p>;
     case "shown": {
-      const { worstExcess, worstMmPerM } = preview.trial.mesh.report;
-      const short = worstExcess > (settings.value?.tolerance ?? 0);
+      const { trial } = preview;
+      const short = draft.value && !isMet(trial, draft.value);
       return (
         <>
-          <Figures trial={preview.trial} opened={opened} />
-          {short && (
-            <p class="note warn">
-              {`Some panels stay up to ${decimal(worstMmPerM)} mm/m out of flat, or would lose their shape.${ways(keepBoundary)}`}
-            </p>
-          )}
+          <Figures trial={trial} opened={opened} />
+          {short && <Short trial={trial} onTry={onTry} />}
         </>
       );
     }
@@ -145,34 +181,42 @@ export function PlanariseStep({ live }: { live: boolean }) {
     () => (opened && design ? new PlanarisePreview(opened, design) : null),
     [opened, design],
   );
-  const show = async (): Promise<boolean | null> => {
+  const wanted = (): Planarising => {
     const { keepShape = true, constraints = [] } = settings.peek() ?? {};
-    return preview?.show({ ...planarising.peek(), keepShape, constraints }) ?? null;
+    return { ...planarising.peek(), keepShape, constraints };
   };
+  const show = (): void => void preview?.show(wanted());
   const keep = (keepBoundary: boolean): void => {
     planarising.value = { ...planarising.peek(), keepBoundary };
   };
+  const change = (changed: Partial<Planarising>): void => {
+    planarising.value = { ...planarising.peek(), ...changed };
+    show();
+  };
   /** With the boundary where it is, unless that leaves panels bent. */
   const begin = async (): Promise<void> => {
-    if ((await show()) !== false || !planarising.peek().keepBoundary) return;
-    keep(false);
-    await show();
+    const first = wanted();
+    const ways = first.keepBoundary ? [first, { ...first, keepBoundary: false }] : [first];
+    const trial = await preview?.show(...ways);
+    if (trial) keep(trial.how.keepBoundary);
   };
   useEffect(() => {
     if (!opened || !preview) return;
-    if (live) keep(canKeepBoundary(opened));
+    if (live) {
+      const keepBoundary = canKeepBoundary(opened);
+      planarising.value = { ...planarising.peek(), keepBoundary, within: 0, flat: 0 };
+    }
     if (live && opened.report.vertices <= EAGER_POINTS) void begin();
     return () => preview.end();
   }, [opened, preview, live]);
   if (!opened || !preview) return null;
-  const { smooth, keepBoundary } = planarising.value;
+  const { smooth, keepBoundary, within, flat } = planarising.value;
   const stop = stopOf(smooth);
   const name = NAMES[stop] ?? "";
   const choose = (place: number): void => {
     const chosen = STOPS[place] ?? 0;
-    if (chosen === planarising.peek().smooth && preview.state.peek().kind !== "none") return;
-    planarising.value = { ...planarising.peek(), smooth: chosen };
-    void show();
+    if (chosen === planarising.peek().smooth && planariseTrial.peek().kind !== "none") return;
+    change({ smooth: chosen });
   };
   return (
     <>
@@ -193,15 +237,36 @@ export function PlanariseStep({ live }: { live: boolean }) {
         <input
           type="checkbox"
           checked={keepBoundary}
-          onChange={({ currentTarget }) => {
-            keep(currentTarget.checked);
-            void show();
-          }}
+          onChange={({ currentTarget }) => change({ keepBoundary: currentTarget.checked })}
         />
         <span>Keep the boundary where it is</span>
       </label>
-      <Outcome preview={preview.state.value} opened={opened} />
-      {preview.state.value.kind === "shown" && <HoldFile />}
+      <div class="planarise-bounds">
+        <Choice
+          label="Flat"
+          value={String(flat)}
+          words={FLATNESS_CHOICES}
+          onChoose={(chosen) => change({ flat: Number(chosen) })}
+        />
+        <div class="field">
+          <span aria-hidden="true">{`Largest move (${unit.value})`}</span>
+          <LimitField
+            label="Largest move"
+            about={`${unitWord(unit.value)}, or any: no point moves farther`}
+            zero="any"
+            value={within}
+            unit={unit.value}
+            invalid={within < 0}
+            onApply={(length) => change({ within: Math.max(0, length) })}
+          />
+        </div>
+      </div>
+      <Outcome
+        preview={planariseTrial.value}
+        opened={opened}
+        onTry={(most) => change({ flat: most })}
+      />
+      {planariseTrial.value.kind === "shown" && <HoldFile />}
     </>
   );
 }

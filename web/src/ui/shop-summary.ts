@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was saved for the workshop, in words.
 import type { CuttingHeader } from "../solver/protocol.ts";
+import { decimal, FLAT } from "../state/flatness.ts";
 
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
@@ -14,7 +15,7 @@ function sheetWords({ sheets }: CuttingHeader): string[] {
 }
 
 export function summary(header: CuttingHeader): string {
-  const { counts, remake, vanished, labels, flatness_mm_per_m } = header;
+  const { counts, remake, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
   const parts = [`${panels(counts.drawn)} drawn`];
   if (remake)
     parts.push(
@@ -28,7 +29,7 @@ export function summary(header: CuttingHeader): string {
     parts.push(
       `not drawn, as nothing is left of them or they cross themselves: ${vanished.join(", ")}`,
     );
-  if (flatness_mm_per_m > 1e-3)
-    parts.push(`not flat: a panel is out of its plane by ${flatness_mm_per_m.toPrecision(2)} mm/m`);
+  if (excess_mm_per_m > FLAT)
+    parts.push(`not flat: a panel is out of its plane by ${decimal(flatness_mm_per_m)} mm/m`);
   return `${parts.join("; ")}.`;
 }

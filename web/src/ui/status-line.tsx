@@ -8,6 +8,7 @@ import {
   type Activity,
   activity,
   busy,
+  context,
   figures,
   keeping,
   limited,
@@ -22,6 +23,7 @@ import {
 import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
 
+const ContextNote = later(() => import("./context-note.tsx").then((part) => part.ContextNote));
 const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
 const RemakeNote = later(() => import("./remake-note.tsx").then((part) => part.RemakeNote));
 
@@ -78,6 +80,7 @@ export function StatusLine() {
         <Numbers /> <DamageNote />
       </div>
       <RemakeNote />
+      {context.value && <ContextNote />}
       {problem.value && (
         <div role="alert" class="alert">
           {problem.value}

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { providePicture } from "../export/exporting.ts";
 import type { ViewName } from "../scene/framing.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import { provideCamera } from "../state/camera.ts";
 import { isFlat } from "../state/flatness.ts";
-import { figures, mesh, problem, showBefore } from "../state/store.ts";
+import { figures, mesh, offsetChoice, problem, showBefore, takePicture } from "../state/store.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
@@ -14,6 +13,7 @@ import { ViewKeys } from "./view-keys.ts";
 
 const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
 const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
+const OffsetNote = later(() => import("./offset-note.tsx").then((part) => part.OffsetNote));
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
 const VIEWS: readonly (readonly [ViewName, string])[] = [
@@ -99,10 +99,10 @@ export function ViewportPane() {
     viewport.current = view;
     if (!parts || !view) return;
     const keys = new ViewKeys(parts.canvas, view);
-    providePicture(() => view.picture());
+    takePicture.value = () => view.picture();
     provideCamera(view.stage);
     return () => {
-      providePicture(null);
+      takePicture.value = null;
       provideCamera(null);
       keys.dispose();
       view.dispose();
@@ -135,6 +135,7 @@ export function ViewportPane() {
       <div ref={knob} class="reach-knob" title="Drag: how far the edit reaches" hidden />
       <div ref={box} class="selection-box" hidden />
       <BeforeNote />
+      {offsetChoice.value && <OffsetNote />}
       <DragTools />
       <Legend element={legend} />
       <fieldset ref={views} class="views">

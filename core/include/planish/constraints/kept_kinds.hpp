@@ -123,11 +123,12 @@ using Violations = std::array<Violation, ConstraintKinds::kCount>;
   return within;
 }
 
-/// The largest measure of a kept kind, as a multiple of its tolerance; NaN if one is.
+/// The largest excess of a kept kind, as a multiple of its tolerance; at most 1 where is_within().
+/// NaN if one is.
 [[nodiscard]] inline double strain(const Violations& violations, const KeptKinds& kept) {
   double largest = 0.0;
   kept.for_each([&](auto, std::size_t kind) {
-    const double share = violations[kind].measure / kept.tolerance(kind);
+    const double share = violations[kind].excess / kept.tolerance(kind);
     if (!(share <= largest)) largest = share;
   });
   return largest;

@@ -7,6 +7,7 @@
 
 #include "planish/fabrication/cutting_plan.hpp"
 #include "planish/fabrication/labels.hpp"
+#include "planish/io/zip.hpp"
 
 namespace planish {
 
@@ -18,7 +19,6 @@ struct CuttingReport : DrawnReport {
 };
 
 struct CuttingPackage {
-  std::string zip;     ///< see docs/fabrication.md
   std::string header;  ///< package.json without its tables
   CuttingReport report;
 };
@@ -26,10 +26,12 @@ struct CuttingPackage {
 /// Faces that a package holds at most: one drawing each, in an archive of at most 65,535 files.
 inline constexpr int kMostPackagePanels = 60000;
 
+/// Writes a zip, see docs/fabrication.md, and says what it holds.
 /// @param mesh at most kMostPackagePanels faces; otherwise as for make_cutting_plan()
+/// @param zip gets the archive in pieces of about a MiB
 /// @param code what the labels carry
-[[nodiscard]] CuttingPackage write_cutting_package(const Mesh& mesh, const Mesh* base,
-                                                   const CuttingOptions& options,
-                                                   const LinkCode& code = {});
+CuttingPackage write_cutting_package(const Mesh& mesh, const Mesh* base,
+                                     const CuttingOptions& options, const ByteSink& zip,
+                                     const LinkCode& code = {});
 
 }  // namespace planish

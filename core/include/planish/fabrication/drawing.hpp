@@ -13,7 +13,7 @@ namespace planish {
 /// What a line is, and what a machine does with it.
 enum class DrawingLayer {
   kCut,    ///< cuts it
-  kMark,   ///< marks it: the notch at corner 0
+  kMark,   ///< marks it: the triangle at corner 0
   kText,   ///< writes it
   kGap,    ///< nothing: the panel without its joints
   kSheet,  ///< nothing: the edge of the sheet

@@ -24,6 +24,9 @@ struct GlbContent {
   std::optional<Positions> base;            ///< 3 × n: gives colours and _DISPLACEMENT
   std::optional<GlbVariations> variations;  ///< gives morph targets around the mesh
   std::string design;                       ///< UTF-8, kept in asset.extras; "" for none
+  /// n, each in [0, 1]: gives colours in place of those of the moves.
+  std::optional<Eigen::VectorXd> heat = {};
+  std::optional<Positions> offset = {};  ///< 3 × n: a second layer to look at, never read again
 };
 
 /// A GLB as opened again.

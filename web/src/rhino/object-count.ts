@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Objects of a file that are no panels, by what an architect calls them.
+// Objects of a file that are no panels, counted by what an architect calls them.
 import type { GeometryBase } from "rhino3dm";
 import type { RhinoModule } from "./model.ts";
 
@@ -17,7 +17,7 @@ const LIGHT: Words = ["light", "lights"];
 const HATCH: Words = ["hatch", "hatches"];
 const OTHER: Words = ["other object", "other objects"];
 
-export class LeftOut {
+export class ObjectCount {
   readonly #rhino: RhinoModule;
   readonly #counts = new Map<Words, number>();
 
@@ -25,27 +25,25 @@ export class LeftOut {
     this.#rhino = rhino;
   }
 
-  #count(words: Words, times = 1): void {
-    if (times > 0) this.#counts.set(words, (this.#counts.get(words) ?? 0) + times);
+  #add(words: Words): void {
+    this.#counts.set(words, (this.#counts.get(words) ?? 0) + 1);
   }
 
   hidden(): void {
-    this.#count(HIDDEN);
+    this.#add(HIDDEN);
   }
 
-  /** Where a mesh was read instead. */
-  polylines(times: number): void {
-    this.#count(POLYLINE, times);
+  polyline(): void {
+    this.#add(POLYLINE);
   }
 
-  /** Where outlines of ours were read instead. */
-  meshes(times: number): void {
-    this.#count(MESH, times);
+  mesh(): void {
+    this.#add(MESH);
   }
 
   object(geometry: GeometryBase): void {
     const words = wordsFor(this.#rhino).find(([type]) => type === geometry.objectType);
-    this.#count(words?.[1] ?? OTHER);
+    this.#add(words?.[1] ?? OTHER);
   }
 
   /** "2 surfaces, 1 point"; "" for nothing. */

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// What a slider shows, made exact within everything that the edit keeps.
+#pragma once
+
+#include <vector>
+
+#include "planish/handle_edit.hpp"
+#include "planish/mesh.hpp"
+#include "planish/projection.hpp"
+#include "planish/solve_report.hpp"
+
+namespace planish {
+
+/// A shape that the sliders show. Positions are 3 × n, model units; the three outlive their use.
+struct ShownVariation {
+  const Mesh& base;
+  const Positions& edited;  ///< p⁺ of the family: exact, within the edit's limits
+  const Positions& shown;
+};
+
+/// (8) with the base as its history, to the edit's tolerance and by its engine. Where the result
+/// exceeds a limit of the edit, the variation comes back towards the edit until none does: by
+/// bisection of the way, so it is the furthest of those tried, and the edit itself if none of them
+/// holds. Then the status is kNearestConfined, because of kStatedLimits, and the report names the
+/// panels that would have exceeded each. [PRO-9]
+/// @param fairness_weight α_f ≥ 0
+/// @param held see held_in_variations()
+/// @returns moves from `shown`
+[[nodiscard]] ProjectionResult make_exact(const ShownVariation& variation,
+                                          const HandleEditOptions& options, double fairness_weight,
+                                          const std::vector<int>& held,
+                                          const Progress& progress = {});
+
+}  // namespace planish

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "planish/exact_variation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planish/constraints/mesh_limits.hpp"
+#include "planish/folds.hpp"
+#include "planish/metrics.hpp"
+#include "planish/problem.hpp"
+
+namespace planish {
+namespace {
+
+/// Halvings of the way: the last is finer than a slider's step of a hundredth.
+constexpr int kBisections = 6;
+
+/// Judges shapes by the edit's limits.
+class LimitJudge {
+ public:
+  LimitJudge(const Mesh& base, const HandleEditOptions& options)
+      : model_(base, options.fairness),
+        limits_(LimitBase{model_.mesh, model_.adjacency, model_.points, model_.unit()},
+                options.bounds) {}
+
+  [[nodiscard]] bool accepts(const Positions& shape) const {
+    const LimitStandings standing = standing_of(shape);
+    return std::all_of(standing.begin(), standing.end(),
+                       [](const LimitStanding& one) { return one.least_share >= 0.0; });
+  }
+
+  /// The panels of `shape` that each limit holds back.
+  [[nodiscard]] std::vector<BoundStanding> holding(const Positions& shape) const {
+    const LimitStandings standing = standing_of(shape);
+    std::vector<BoundStanding> bounds;
+    LimitKinds::for_each([&](auto tag) {
+      using Kind = typename decltype(tag)::type;
+      const std::size_t index = LimitKinds::index_of<Kind>();
+      if (limits_.has(index)) bounds.push_back({Kind::kName, standing[index].binding});
+    });
+    return bounds;
+  }
+
+ private:
+  [[nodiscard]] LimitStandings standing_of(const Positions& shape) const {
+    const Positions& base = model_.mesh.positions;
+    const auto place = [&](int v) -> Eigen::Vector3d {
+      return model_.points.col(v) + (shape.col(v) - base.col(v)) / model_.unit();
+    };
+    return limit_standing(limits_, faces_of(model_.adjacency, moved_vertices(base, shape)), place);
+  }
+
+  MeshModel model_;
+  MeshLimits limits_;
+};
+
+ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {
+  ProjectionOptions options;
+  options.fairness_weight = fairness_weight;
+  options.fairness = edit.fairness;
+  options.engine = edit.engine;
+  options.tolerance = edit.tolerance;
+  options.keep_shape = edit.keep_shape;
+  options.constraints = edit.constraints;
+  return options;
+}
+
+/// `share` of the way from the edit; what the sliders do not move keeps its bits.
+Positions part_of_the_way(const ShownVariation& variation, double share) {
+  Positions part = variation.edited;
+  for (Eigen::Index v = 0; v < part.cols(); ++v) {
+    const Eigen::Vector3d way = variation.shown.col(v) - variation.edited.col(v);
+    if (!way.isZero(0.0)) part.col(v) += share * way;
+  }
+  return part;
+}
+
+Positions after(Positions shape, const ProjectionResult& result) {
+  shape(Eigen::all, result.moved) = result.moved_positions;
+  return shape;
+}
+
+/// From `shown` to `shape`, and by how much.
+void record_moves(const Positions& shown, const Positions& shape, ProjectionResult& result) {
+  result.moved.clear();
+  result.max_move = 0.0;
+  double squares = 0.0;
+  for (int v = 0; v < shape.cols(); ++v) {
+    const double move = (shape.col(v) - shown.col(v)).norm();
+    if (move == 0.0) continue;
+    result.moved.push_back(v);
+    squares += move * move;
+    result.max_move = std::max(result.max_move, move);
+  }
+  result.moved_positions = shape(Eigen::all, result.moved);
+  result.rms_move =
+      std::sqrt(squares / static_cast<double>(std::max<Eigen::Index>(1, shape.cols())));
+  result.report.moved_vertices = static_cast<int>(result.moved.size());
+  result.report.max_displacement = result.max_move;
+}
+
+}  // namespace
+
+ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOptions& options,
+                            double fairness_weight, const std::vector<int>& held,
+                            const Progress& progress) {
+  const ProjectionOptions exact = exact_options(options, fairness_weight);
+  const auto project = [&](const Positions& shape) {
+    Mesh mesh = variation.base;
+    mesh.positions = shape;
+    return project_to_planar(mesh, variation.base.positions, exact, held, progress);
+  };
+  ProjectionResult result = project(variation.shown);
+  if (options.bounds.empty() || !result.report.usable()) return result;
+  const LimitJudge judge(variation.base, options);
+  const Positions wanted = after(variation.shown, result);
+  if (judge.accepts(wanted)) return result;
+  Positions shape = variation.edited;
+  double low = 0.0;
+  double high = 1.0;
+  for (int k = 0; k < kBisections && result.report.status != SolveStatus::kCancelled; ++k) {
+    const double share = 0.5 * (low + high);
+    const Positions part = part_of_the_way(variation, share);
+    ProjectionResult next = project(part);
+    Positions projected = after(part, next);
+    const bool cancelled = next.report.status == SolveStatus::kCancelled;
+    const bool holds = next.report.usable() && judge.accepts(projected);
+    (holds ? low : high) = share;
+    if (holds) shape = std::move(projected);
+    if (holds || cancelled) result = std::move(next);
+  }
+  if (result.report.status == SolveStatus::kCancelled) return result;
+  if (low == 0.0) result = project(variation.edited);
+  record_moves(variation.shown, shape, result);
+  result.failing_faces.clear();
+  result.report.optimality.reset();
+  result.report.bounds = judge.holding(wanted);
+  result.report.status = SolveStatus::kNearestConfined;
+  result.confined_because = ConfinedBecause::kStatedLimits;
+  return result;
+}
+
+}  // namespace planish

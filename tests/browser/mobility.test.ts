@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Where the mesh can move, as colours that fill in while the page goes on.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
+import { idle, movedCount, status } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+const colourBy = (page: Page, what: string) =>
+  page.getByRole("combobox", { name: "Colour by" }).selectOption(what);
+
+/** Points measured so far, of how many. */
+async function progress(page: Page): Promise<readonly [number, number]> {
+  const words = await page.getByText(/^\d+( of \d+)? points measured$/).innerText();
+  const [measured = 0, all = measured] = words.match(/\d+/g)?.map(Number) ?? [];
+  return [measured, all];
+}
+const measured = async (page: Page): Promise<number> => (await progress(page))[0];
+
+it("a map of mobility fills in, is stopped and goes on, and the page stays responsive", async () => {
+  const page = await site.openVault();
+  await colourBy(page, "Mobility");
+  await expect.poll(() => measured(page)).toBeGreaterThan(3);
+  // The longest that the page's own thread is busy meanwhile, milliseconds.
+  const longest = await page.evaluate(async () => {
+    let worst = 0;
+    let last = performance.now();
+    const end = last + 2000;
+    while (performance.now() < end) {
+      await new Promise((resolve) => setTimeout(resolve));
+      worst = Math.max(worst, performance.now() - last);
+      last = performance.now();
+    }
+    return worst;
+  });
+  console.info(`longest pause of the page while the map fills in: ${Math.round(longest)} ms`);
+  expect(longest).toBeLessThan(500);
+  await page.getByRole("button", { name: "Stop" }).click();
+  // The point that was being measured may still come.
+  await page.waitForTimeout(1500);
+  const stopped = await measured(page);
+  await page.waitForTimeout(1500);
+  expect(await measured(page)).toBe(stopped);
+  const [, all] = await progress(page);
+  expect(all).toBe(441);
+  await page.getByRole("button", { name: "Go on" }).click();
+  await expect.poll(() => measured(page)).toBeGreaterThan(stopped);
+  await page.context().close();
+});
+
+it("the best places open as edits that get there", async () => {
+  const page = await site.open();
+  await colourBy(page, "Mobility");
+  const places = page.getByRole("list", { name: "Best places to change the shape" });
+  await expect.poll(() => places.getByRole("button").count()).toBeGreaterThan(1);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await page.waitForTimeout(1500);
+  const first = places.getByRole("button").first();
+  const words = await first.innerText();
+  expect(words).toMatch(
+    /^Point \d+ (up|down) [\d.,]+ (mm|m)\s+\d+ panels? again, folds up to [\d.]+°$/,
+  );
+  const vertex = /\d+/.exec(words)?.[0] ?? "";
+  await expectClean(page, "mobility");
+  await first.click();
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  const handles = page.getByRole("table", { name: "Handles" });
+  expect(await handles.getByRole("spinbutton", { name: "Z" }).count()).toBe(1);
+  await handles.getByRole("button", { name: `Select point ${vertex}` }).waitFor();
+  expect(await handles.getByText(/ short$/).count()).toBe(0);
+  expect(await status(page)).not.toContain("cannot be reached");
+  // One step of the history.
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => movedCount(page)).toBe(0);
+  await page.context().close();
+});
+
+it("another mesh is measured from its beginning, and one under other settings when asked", async () => {
+  const page = await site.openVault();
+  await colourBy(page, "Mobility");
+  await expect.poll(() => measured(page)).toBeGreaterThan(0);
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("hex");
+  await idle(page);
+  await expect.poll(async () => (await progress(page))[1]).not.toBe(441);
+  await expect.poll(() => measured(page)).toBeGreaterThan(0);
+  await page.getByRole("checkbox", { name: "Keep boundary" }).click();
+  await idle(page);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await page.getByRole("button", { name: "Measure again" }).click();
+  await expect.poll(() => page.getByRole("button", { name: "Measure again" }).count()).toBe(0);
+  await expect.poll(() => measured(page)).toBeGreaterThan(0);
+  await page.context().close();
+});

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+import { join } from "node:path";
+
+export const ROOT = new URL("../../..", import.meta.url).pathname;
+
+/** With the wheel installed, as `bash .tools/test.sh python` leaves it. */
+export const PYTHON = process.env.PLANISH_PYTHON ?? join(ROOT, "build/python/venv/bin/python");

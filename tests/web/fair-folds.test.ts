@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Which limit on folds an edit gets of itself: the least that costs its handles nothing.
+import { expect, it } from "vitest";
+import { fairLimit, foldGrowth } from "../../web/src/solver/fair-folds.ts";
+import type { ShapeReport } from "../../web/src/solver/protocol.ts";
+import { NO_REPORT } from "../../web/src/state/design.ts";
+
+const WAY = 2;
+const report = (growth: number, short: number, more: Partial<ShapeReport> = {}): ShapeReport => ({
+  ...NO_REPORT,
+  movedVertices: 9,
+  handleError: short * WAY,
+  sharpestFold: { before: 17, after: Math.max(17, growth), growth },
+  ...more,
+});
+
+/** What is found, and the limits that were tried. */
+function found(free: ShapeReport, answers: Record<string, ShapeReport>) {
+  const tried: string[] = [];
+  const limit = fairLimit(free, WAY, (one) => {
+    tried.push(one);
+    return answers[one] ?? free;
+  });
+  return { limit, tried };
+}
+
+it("is none where no fold sharpens by more than ten degrees, and nothing is tried", () => {
+  expect(found(report(10, 0.01), {})).toEqual({ limit: null, tried: [] });
+});
+
+it("is the first with which the handles lose no more than a twentieth of their way", () => {
+  const answers = { "fold=+10": report(10, 0.2), "fold=+20": report(20, 0.05) };
+  expect(found(report(60, 0.01), answers).limit).toBe("fold=+20");
+  const near = { "fold=+10": report(10, 0.059) };
+  expect(found(report(60, 0.01), near)).toEqual({ limit: "fold=+10", tried: ["fold=+10"] });
+});
+
+it("is none where each costs the handles more, or none would bind", () => {
+  const far = { "fold=+10": report(10, 0.3), "fold=+20": report(20, 0.3) };
+  expect(found(report(60, 0.01), far)).toEqual({ limit: null, tried: ["fold=+10", "fold=+20"] });
+  expect(found(report(14, 0.01), far)).toEqual({ limit: null, tried: ["fold=+10"] });
+});
+
+it("takes no edit that gave up, though it is as near", () => {
+  const gaveUp = report(10, 0.01, { status: "infeasible_handles" });
+  expect(found(report(14, 0.01), { "fold=+10": gaveUp }).limit).toBeNull();
+});
+
+it("sees a crease in a smooth place, however sharp the folds elsewhere are", () => {
+  expect(foldGrowth(report(15, 0))).toBe(15);
+  const old = { ...NO_REPORT, sharpestFold: { before: 3, after: 9 } };
+  expect(foldGrowth(old)).toBe(6);
+});

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "design_values.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "planish/constraints/registry.hpp"
+#include "planish/edit_option_table.hpp"
+#include "session.hpp"
+
+namespace planish {
+namespace {
+
+using emscripten::val;
+
+template <class T>
+val copy(const T* data, std::size_t size) {
+  return val(emscripten::typed_memory_view(size, data)).call<val>("slice");
+}
+
+template <class T>
+val list_of(const std::vector<T>& items) {
+  val list = val::array();
+  for (std::size_t k = 0; k < items.size(); ++k) list.set(k, val(items[k]));
+  return list;
+}
+
+template <class Item, class Text>
+val texts_of(const std::vector<Item>& items, const Text& text) {
+  val list = val::array();
+  for (std::size_t k = 0; k < items.size(); ++k) list.set(k, text(items[k]));
+  return list;
+}
+
+/// "circular:1e-9", the number as JavaScript writes it, so that a link keeps its letters.
+std::string constraint_text(const KeptConstraint& one) {
+  return one.kind + ":" + val(one.tolerance).call<std::string>("toString");
+}
+
+/// One text a line.
+std::string lines_of(const val& texts) { return texts.call<std::string>("join", val("\n")); }
+
+val option_value(double number) { return val(number); }
+val option_value(int number) { return val(number); }
+val option_value(bool flag) { return val(flag); }
+val option_value(const std::vector<KeptConstraint>& list) {
+  return texts_of(list, constraint_text);
+}
+val option_value(const std::vector<StatedLimit>& list) { return texts_of(list, stated_limit_text); }
+template <class Value>
+val option_value(Value word) {
+  return val(std::string(word_of(word, words_for(word))));
+}
+
+void take(const val& given, double& value) { value = given.as<double>(); }
+/// A link may say anything: what is no whole number becomes -1, which breaks the option's rule.
+void take(const val& given, int& value) {
+  constexpr double kLargest = 1e9;
+  const auto number = given.as<double>();
+  const bool is_whole = number >= 0.0 && number <= kLargest && std::floor(number) == number;
+  value = is_whole ? static_cast<int>(number) : -1;
+}
+void take(const val& given, bool& value) { value = given.as<bool>(); }
+void take(const val& given, std::vector<KeptConstraint>& value) {
+  value = read_constraints(lines_of(given));
+}
+void take(const val& given, std::vector<StatedLimit>& value) {
+  value = read_limits(lines_of(given));
+}
+template <class Value>
+void take(const val& given, Value& value) {
+  value = value_of(given.as<std::string>(), words_for(value)).value_or(value);
+}
+
+/// Of an option that is one of a few; null for any other.
+template <class Value>
+val words_value(Value) {
+  return val::null();
+}
+template <class Value>
+requires requires(Value value) { words_for(value); }
+val words_value(Value value) {
+  val list = val::array();
+  std::size_t k = 0;
+  for (const auto& entry : words_for(value)) list.set(k++, std::string(entry.first));
+  return list;
+}
+
+val source_value(const DesignSource& source) {
+  val value = val::object();
+  if (const auto* sample = std::get_if<SampleSource>(&source)) {
+    value.set("sample", sample->name);
+    value.set("size", sample->size);
+    return value;
+  }
+  const auto& file = std::get<FileSource>(source);
+  value.set("file", file.name);
+  value.set("hash", file.hash ? val(*file.hash) : val::null());
+  value.set("format", file.format);
+  value.set("bytes",
+            copy(reinterpret_cast<const unsigned char*>(file.bytes.data()), file.bytes.size()));
+  return value;
+}
+
+DesignSource to_source(const val& value) {
+  if (value["sample"].isString()) {
+    return SampleSource{value["sample"].as<std::string>(), value["size"].as<int>()};
+  }
+  FileSource file{.name = value["file"].as<std::string>(),
+                  .hash = to_hash(value["hash"]),
+                  .format = value["format"].as<std::string>(),
+                  .bytes = {}};
+  const val bytes = value["bytes"];
+  file.bytes.resize(bytes["length"].as<std::size_t>());
+  val(emscripten::typed_memory_view(file.bytes.size(),
+                                    reinterpret_cast<unsigned char*>(file.bytes.data())))
+      .call<void>("set", bytes);
+  return file;
+}
+
+val planarising_value(const Planarising& how) {
+  val value = val::object();
+  value.set("smooth", how.fairness_weight);
+  value.set("keepBoundary", how.keep_boundary);
+  value.set("keepShape", how.keep_shape);
+  value.set("constraints", texts_of(how.constraints, constraint_text));
+  value.set("within", how.within);
+  value.set("flat", how.flat_within);
+  return value;
+}
+
+/// Whether the page could have made it.
+bool is_plain(const DesignVariation& variation) {
+  return variation.exact && variation.exact_fairness == 0.0 && variation.close.empty();
+}
+
+val weights_value(const SubspaceOptions& options) {
+  val value = val::object();
+  value.set("fairness", options.fairness_weight);
+  value.set("sparsity", options.sparsity_weight);
+  value.set("closeness", options.closeness_weight);
+  value.set("correlation", options.correlation);
+  value.set("spread", options.reach);
+  value.set("family", options.family);
+  return value;
+}
+
+bool has_usual_weights(const SubspaceOptions& given) {
+  const SubspaceOptions usual;
+  return given.fairness_weight == usual.fairness_weight &&
+         given.sparsity_weight == usual.sparsity_weight &&
+         given.closeness_weight == usual.closeness_weight &&
+         given.correlation == usual.correlation && given.reach == usual.reach &&
+         given.family == usual.family;
+}
+
+val variation_value(const DesignVariation& variation) {
+  val value = val::object();
+  value.set("asked", variation.options.dimension);
+  value.set("eigenbasis", variation.options.eigenbasis);
+  if (!has_usual_weights(variation.options)) {
+    value.set("weights", weights_value(variation.options));
+  }
+  value.set("coefficients", list_of(variation.coefficients));
+  value.set("plain", is_plain(variation));
+  return value;
+}
+
+std::vector<double> numbers_of(const val& list) {
+  return emscripten::convertJSArrayToNumberVector<double>(list);
+}
+
+/// Rows of vertex, x, y, z.
+template <class Row>
+void take_rows(const val& list, std::vector<Row>& rows) {
+  const std::vector<double> flat = numbers_of(list);
+  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
+    rows.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
+  }
+}
+
+template <class Row, class Place>
+val rows_value(const std::vector<Row>& rows, Place Row::*place) {
+  std::vector<double> flat;
+  for (const Row& row : rows) {
+    const Eigen::Vector3d& p = row.*place;
+    flat.insert(flat.end(), {static_cast<double>(row.vertex), p.x(), p.y(), p.z()});
+  }
+  return list_of(flat);
+}
+
+val option_rows() {
+  const HandleEditOptions usual;
+  val rows = val::array();
+  std::size_t k = 0;
+  for_each_edit_option([&](const auto& option) {
+    val row = val::object();
+    row.set("name", std::string(option.name));
+    row.set("key", std::string(option.key));
+    row.set("usual", option_value(usual.*option.member));
+    row.set("words", words_value(usual.*option.member));
+    rows.set(k++, row);
+  });
+  return rows;
+}
+
+/// Degrees, by name.
+val kind_tolerances() {
+  val tolerances = val::object();
+  ConstraintKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kName == PlanarPolygon::kName) return;
+    tolerances.set(std::string(Kind::kName), Kind::kTolerance);
+  });
+  return tolerances;
+}
+
+EditTargets to_targets(const val& design) {
+  EditTargets targets;
+  take_rows(design["handles"], targets.handles);
+  targets.pins = emscripten::convertJSArrayToNumberVector<int>(design["pins"]);
+  for (const val& text : emscripten::vecFromJSArray<val>(design["supports"])) {
+    auto support = parse_point_support(text.as<std::string>());
+    if (!support) throw std::invalid_argument("no support");
+    targets.supports.push_back(std::move(*support));
+  }
+  targets.continuation = design["continuation"].as<int>();
+  return targets;
+}
+
+DesignMark to_mark(const val& value) {
+  DesignMark mark{
+      .hash = value["hash"].as<std::uint32_t>(), .moved = value["moved"].as<int>(), .probes = {}};
+  take_rows(value["probes"], mark.probes);
+  return mark;
+}
+
+}  // namespace
+
+val to_value(const HandleEditOptions& options) {
+  val value = val::object();
+  for_each_edit_option([&](const auto& option) {
+    value.set(std::string(option.key), option_value(options.*option.member));
+  });
+  return value;
+}
+
+std::optional<std::uint32_t> to_hash(const val& hash) {
+  if (hash.isNull()) return std::nullopt;
+  return hash.as<std::uint32_t>();
+}
+
+HandleEditOptions to_options(const val& settings) {
+  HandleEditOptions options;
+  for_each_edit_option(
+      [&](const auto& option) { take(settings[std::string(option.key)], options.*option.member); });
+  return options;
+}
+
+val defaults_value() {
+  val value = val::object();
+  value.set("options", option_rows());
+  value.set("fairFlat", planarising_value(Planarising{}));
+  value.set("nearestFlat", planarising_value(kNearestFlat));
+  value.set("kinds", kind_tolerances());
+  value.set("variationWeights", weights_value(SubspaceOptions{}));
+  return value;
+}
+
+SubspaceOptions to_subspace_options(const val& family) {
+  SubspaceOptions options{.dimension = family["asked"].as<int>(),
+                          .eigenbasis = family["eigenbasis"].as<bool>()};
+  if (const val weights = family["weights"]; !weights.isUndefined()) {
+    options.fairness_weight = weights["fairness"].as<double>();
+    options.sparsity_weight = weights["sparsity"].as<double>();
+    options.closeness_weight = weights["closeness"].as<double>();
+    options.correlation = weights["correlation"].as<double>();
+    options.reach = weights["spread"].as<int>();
+    options.family = weights["family"].as<int>();
+  }
+  return options;
+}
+
+Planarising to_planarising(const val& how) {
+  return {how["smooth"].as<double>(),  how["keepBoundary"].as<bool>(),
+          how["keepShape"].as<bool>(), read_constraints(lines_of(how["constraints"])),
+          how["within"].as<double>(),  how["flat"].as<double>()};
+}
+
+val to_value(const DesignMark& mark) {
+  val value = val::object();
+  value.set("hash", mark.hash);
+  value.set("moved", mark.moved);
+  value.set("probes", rows_value(mark.probes, &DesignProbe::position));
+  return value;
+}
+
+val to_value(const Design& design) {
+  val variations = val::array();
+  for (std::size_t k = 0; k < design.variations.size(); ++k) {
+    variations.set(k, variation_value(design.variations[k]));
+  }
+  val value = val::object();
+  value.set("source", source_value(design.source));
+  value.set("planarised", design.planarised ? planarising_value(*design.planarised) : val::null());
+  value.set("unit", design.unit);
+  value.set("handles", rows_value(design.targets.handles, &Handle::target));
+  value.set("pins", list_of(design.targets.pins));
+  value.set("supports", texts_of(design.targets.supports, point_support_text));
+  value.set("continuation", design.targets.continuation);
+  value.set("options", to_value(design.options));
+  value.set("variations", variations);
+  value.set("result", design.result ? to_value(*design.result) : val::null());
+  return value;
+}
+
+Design to_design(const val& value) {
+  Design design = to_recipe(value);
+  design.source = to_source(value["source"]);
+  if (const val how = value["planarised"]; !how.isNull()) design.planarised = to_planarising(how);
+  return design;
+}
+
+Design to_recipe(const val& value) {
+  Design design;
+  design.unit = value["unit"].as<std::string>();
+  design.targets = to_targets(value);
+  design.options = to_options(value["options"]);
+  for (const val& one : emscripten::vecFromJSArray<val>(value["variations"])) {
+    DesignVariation variation{.options = to_subspace_options(one),
+                              .coefficients = numbers_of(one["coefficients"]),
+                              .exact = true};
+    variation.options.fairness = design.options.fairness;
+    variation.options.engine = design.options.engine;
+    design.variations.push_back(std::move(variation));
+  }
+  if (const val mark = value["result"]; !mark.isNull()) design.result = to_mark(mark);
+  return design;
+}
+
+}  // namespace planish

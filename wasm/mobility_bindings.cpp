@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// The mobility module as JavaScript sees it: a list. Memory that runs out ends the module, and
+/// with it the worker that measures.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <memory>
+#include <utility>
+
+#include "design_values.hpp"
+#include "mobility_map.hpp"
+#include "mobility_values.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::Mesh;
+using planish::MobilityMap;
+using planish::Positions;
+
+Mesh to_mesh(const val& positions, const val& offsets, const val& vertices) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(positions);
+  Mesh mesh;
+  mesh.positions =
+      Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
+  mesh.face_offsets = emscripten::convertJSArrayToNumberVector<int>(offsets);
+  mesh.face_vertices = emscripten::convertJSArrayToNumberVector<int>(vertices);
+  return mesh;
+}
+
+/// {map}, or {problem} with one sentence. @param settings of the page's edits
+val open_map(const val& positions, const val& offsets, const val& vertices, const val& settings) {
+  Mesh mesh = to_mesh(positions, offsets, vertices);
+  const auto options = planish::map_options(planish::to_options(settings));
+  val answer = val::object();
+  if (const auto problem = planish::find_map_problem(mesh, options)) {
+    answer.set("problem", *problem);
+  } else {
+    answer.set("map", std::make_shared<MobilityMap>(std::move(mesh), options));
+  }
+  return answer;
+}
+val measure(MobilityMap& map, int vertex) { return planish::to_value(map.measure(vertex)); }
+val best(const MobilityMap& map, int count) { return planish::to_value(map.best(count)); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_mobility) {
+  emscripten::class_<MobilityMap>("MobilityMap")
+      .smart_ptr<std::shared_ptr<MobilityMap>>("MobilityMapHold")
+      .function("measure", &measure)
+      .function("best", &best);
+  emscripten::function("openMap", &open_map);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "mobility_map.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "planish/constraints/fold_limit.hpp"
+#include "planish/mobility/best_places.hpp"
+
+namespace planish {
+
+MobilityOptions map_options(HandleEditOptions edit) {
+  MobilityOptions options;
+  const HandleEditOptions usual = MobilityOptions::default_edit();
+  options.edit = std::move(edit);
+  options.edit.engine = usual.engine;
+  options.edit.reach = usual.reach;
+  options.edit.reach_length = 0.0;
+  auto& bounds = options.edit.bounds;
+  const bool own = std::any_of(bounds.begin(), bounds.end(), [](const StatedLimit& limit) {
+    return limit.name == FoldLimit::kName;
+  });
+  if (!own) bounds.insert(bounds.end(), usual.bounds.begin(), usual.bounds.end());
+  return options;
+}
+
+Refusal find_map_problem(const Mesh& mesh, const MobilityOptions& options) {
+  if (auto problem = find_problem(options)) return problem;
+  return find_broken_constraint(mesh, options.edit);
+}
+
+MobilityMap::MobilityMap(Mesh mesh, const MobilityOptions& options)
+    : mesh_(std::move(mesh)), adjacency_(build_adjacency(mesh_)), meter_(mesh_, options) {}
+
+std::vector<MobilityRow> MobilityMap::measure(int vertex) {
+  const auto measured = meter_.measure(vertex);
+  rows_.insert(rows_.end(), measured.begin(), measured.end());
+  return {measured.begin(), measured.end()};
+}
+
+std::vector<MobilityRow> MobilityMap::best(int count) const {
+  return best_places(adjacency_, rows_, count);
+}
+
+}  // namespace planish

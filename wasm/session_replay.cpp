@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// Doing a recorded design again: the core replays it, the session shows what that gave.
+#include <utility>
+#include <variant>
+
+#include "planish/stopwatch.hpp"
+#include "refused_outcome.hpp"
+#include "session.hpp"
+
+namespace planish {
+namespace {
+
+/// As a sentence of the page, not as a clause of the command line.
+std::string as_sentence(std::string clause) {
+  const bool is_word = clause.size() > 1 && clause[1] >= 'a' && clause[1] <= 'z';
+  if (is_word && clause[0] >= 'a' && clause[0] <= 'z') clause[0] += 'A' - 'a';
+  return clause.back() == '.' ? clause : clause + ".";
+}
+
+Refusal stopped(const Replay& replay) {
+  if (auto refusal = unusable(replay.report, replay.exact ? "The projection" : "The edit")) {
+    return refusal;
+  }
+  const bool nowhere = !replay.directions.empty() && replay.directions.back() == 0;
+  return nowhere ? Refusal("No variation was found around this edit.") : std::nullopt;
+}
+
+}  // namespace
+
+Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
+  if (base_hash && *base_hash != mesh_hash(base_)) {
+    return "The mesh in the design is not the one that was edited (source.hash differs).";
+  }
+  const Stopwatch watch;
+  auto result = replay_on(base_, design, progress_);
+  if (auto* sentence = std::get_if<std::string>(&result)) return as_sentence(std::move(*sentence));
+  auto& done = std::get<Replay>(result);
+  if (Refusal refusal = stopped(done)) return refusal;
+  options_ = std::move(design.options);
+  supports_ = design.targets.supports;
+  targets_ = std::move(design.targets);
+  // On a base without an edit they were not looked at.
+  supports_fit_ = supports_.empty() || !targets_.handles.empty();
+  constraints_fit_ = options_.constraints.empty() || !targets_.handles.empty();
+  renew_solver();
+  lower_at_once_ = false;
+  subspace_.reset();
+  replayed_ = {.directions = done.directions, .centre = {}, .deviation = done.deviation};
+  if (done.subspace) {
+    replayed_.centre = shape_of(done.centre);
+    show(replayed_.centre.moved, replayed_.centre.positions);
+    take_subspace(std::move(*done.subspace));
+  }
+  const Shape shape = shape_of(done.shape);
+  show(shape.moved, shape.positions);
+  renew_report(std::move(done.exact ? *done.exact : done.report), watch.seconds());
+  return std::nullopt;
+}
+
+}  // namespace planish

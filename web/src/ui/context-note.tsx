@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+import { context, contextHidden } from "../state/store.ts";
+
+/** How many objects of a file lie beside its panels, and the way to hide them. */
+export function ContextNote() {
+  const count = context.value?.count ?? 0;
+  const hidden = contextHidden.value;
+  const objects = `${count} other ${count === 1 ? "object" : "objects"}`;
+  return (
+    <div class="notice">
+      {`${objects} ${hidden ? "hidden" : "shown as context"}`}{" "}
+      <button
+        type="button"
+        class="text-button"
+        onClick={() => {
+          contextHidden.value = !hidden;
+        }}
+      >
+        {hidden ? "Show" : "Hide"}
+      </button>
+    </div>
+  );
+}

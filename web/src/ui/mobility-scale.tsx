@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+import "./mobility-scale.css";
+import { effect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { largest } from "../scene/ramp.ts";
+import { formatDegrees } from "../state/fold.ts";
+import {
+  isOutdated,
+  type MobilityRow,
+  measureMobility,
+  openPlace,
+  stopMobility,
+} from "../state/mobility.ts";
+import { baseFlat, mesh, mobility, ready, unit } from "../state/store.ts";
+import { formatLength } from "../state/units.ts";
+
+/** Measures while someone looks, whichever mesh is open. */
+function useMeasuring(): void {
+  useEffect(() => {
+    const off = effect(() => {
+      const opened = mesh.value;
+      if (ready.value && baseFlat.value && mobility.peek()?.of !== opened) measureMobility();
+    });
+    if (mobility.peek()?.of === mesh.peek()) measureMobility();
+    return () => {
+      off();
+      stopMobility();
+    };
+  }, []);
+}
+
+function Place({ row }: { row: MobilityRow }) {
+  const way = `${row.direction[2] > 0 ? "up" : "down"} ${formatLength(row.distance, unit.value)}`;
+  const cost = `${row.remake} ${row.remake === 1 ? "panel" : "panels"} again, folds up to ${formatDegrees(row.sharpestFold)}`;
+  return (
+    <li>
+      <button type="button" title="Open as an edit" onClick={() => void openPlace(row)}>
+        {`Point ${row.vertex} ${way}`}
+        <span>{cost}</span>
+      </button>
+    </li>
+  );
+}
+
+/** How far it is, and what stops it or goes on. */
+function Progress() {
+  const map = mobility.value;
+  if (!map) return null;
+  const points = map.ways.length;
+  const done = map.measured === points;
+  if (map.problem) return <p class="legend-note">{map.problem}</p>;
+  return (
+    <div class="mobility-progress">
+      <span>
+        {done ? `${points} points measured` : `${map.measured} of ${points} points measured`}
+      </span>
+      {map.running && (
+        <button type="button" class="button small" onClick={stopMobility}>
+          Stop
+        </button>
+      )}
+      {!map.running && (!done || isOutdated(map)) && (
+        <button type="button" class="button small" onClick={measureMobility}>
+          {isOutdated(map) ? "Measure again" : "Go on"}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** How far points get up and down, and where the shape can change most. */
+export function MobilityScale() {
+  useMeasuring();
+  const map = mobility.value?.of === mesh.value ? mobility.value : null;
+  if (!baseFlat.value) return <p class="legend-note">Make it flat first: Planarise.</p>;
+  return (
+    <>
+      <div class="legend-ends">
+        <span>stays</span>
+        <span>{formatLength(map ? largest(map.ways) : 0, unit.value)}</span>
+      </div>
+      <p class="legend-note">Mean way up and down before a panel stops it, from the base</p>
+      <Progress />
+      {map && map.best.length > 0 && (
+        <>
+          <p class="places-head" id="best-places">
+            Best places to change the shape
+          </p>
+          <ol class="places" aria-labelledby="best-places">
+            {map.best.map((row) => (
+              <Place key={row.vertex} row={row} />
+            ))}
+          </ol>
+        </>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+import { useSignal } from "@preact/signals";
+import { layOut, offsetWords } from "../state/offset.ts";
+import {
+  mesh,
+  type OffsetChoice,
+  offsetChoice,
+  offsetLayer,
+  problem,
+  unit,
+} from "../state/store.ts";
+import { niceStep, unitWord } from "../state/units.ts";
+import { ChoiceRow, NumberRow, ShopForm } from "./shop-fields.tsx";
+
+const FORMS = [
+  { value: "", text: "What the design allows" },
+  { value: "face", text: "Panels at the distance" },
+  { value: "vertex", text: "Points at the distance" },
+  { value: "parallel", text: "Parallel edges only" },
+] as const;
+
+/** The design at a distance: a glazing layer, a lower chord, the other side of a thick panel. */
+export function SecondLayer() {
+  const usual = niceStep((mesh.value?.report.meanEdge ?? 1) / 5);
+  const distance = useSignal("");
+  const form = useSignal<OffsetChoice["form"]>(offsetChoice.peek()?.form ?? "");
+  const said = useSignal<string | null>(null);
+  const show = async (): Promise<void> => {
+    const choice = { distance: Number(distance.value || usual), form: form.value };
+    await layOut(choice);
+    const layer = offsetLayer.value;
+    said.value = layer ? offsetWords(layer, choice.distance) : problem.value;
+  };
+  return (
+    <ShopForm save="Show" onSave={show} said={said.value}>
+      <NumberRow
+        label={`Distance, ${unitWord(unit.value)}`}
+        value={distance}
+        otherwise={String(usual)}
+        min=""
+      />
+      <ChoiceRow label="Keeps" value={form} choices={FORMS} />
+      <p class="quiet">
+        A second layer whose edges are parallel to those of the design, outside of it, or inside
+        with a distance below 0. It stays in the view and follows the design; GLB files hold it too.
+      </p>
+    </ShopForm>
+  );
+}
