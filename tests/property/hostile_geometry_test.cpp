@@ -15,6 +15,7 @@
 #include "support/edit_invariants.hpp"
 #include "support/hostile_meshes.hpp"
 #include "support/mesh_builders.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -93,7 +94,7 @@ TEST(HostileGeometry, GivesARightAnswerOrAnHonestStatus) {
 
 /// Every readable mesh among the shared real and nasty ones.
 TEST(HostileGeometry, RealMeshesCanBePlanarisedAndEdited) {
-  const std::filesystem::path folder = PLANISH_SHARED_MESHES;
+  const std::filesystem::path folder = testing::in_shared_meshes("");
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared meshes here";
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -14,13 +14,14 @@
 #include "planish/design.hpp"
 #include "planish/design_text.hpp"
 #include "planish/panel_health.hpp"
+#include "support/places.hpp"
 
 namespace planish {
 namespace {
 
 std::vector<std::string> recipes() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PLANISH_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(testing::in_tree("docs/scenes"))) {
     const std::string name = entry.path().stem().string();
     if (name.rfind("figure-", 0) == 0) names.push_back(name);
   }
@@ -28,7 +29,7 @@ std::vector<std::string> recipes() {
 }
 
 std::string text_of(const std::string& name) {
-  std::ifstream file(std::string(PLANISH_SCENES) + "/" + name + ".json");
+  std::ifstream file(testing::in_tree("docs/scenes/" + name + ".json"));
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

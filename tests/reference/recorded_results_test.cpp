@@ -12,13 +12,14 @@
 #include <variant>
 
 #include "planish/design.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
 namespace {
 
 constexpr int kSide = 12;
-const std::string kFile = std::string(PLANISH_REFERENCE_DATA) + "/recorded_results.txt";
+const std::string kFile = testing::in_tree("tests/reference/data/recorded_results.txt");
 
 using Record = std::map<std::string, std::uint32_t>;  ///< design → DesignMark::hash
 

@@ -14,13 +14,14 @@
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
 #include "planish/projection.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
 namespace {
 
 nlohmann::json cases(const std::string& name) {
-  std::ifstream file(std::string(PLANISH_REFERENCE_DATA) + "/" + name + ".json");
+  std::ifstream file(testing::in_tree("tests/reference/data/" + name + ".json"));
   return nlohmann::json::parse(file);
 }
 

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/places.hpp"
+
 namespace planish::testing {
 
 Mesh make_mesh(const std::vector<Eigen::Vector3d>& points,
@@ -49,7 +51,7 @@ bool same_bits(const Mesh& a, const Mesh& b) {
 }
 
 std::optional<std::string> shared_mesh_bytes(const std::string& name) {
-  std::ifstream file(std::string(PLANISH_SHARED_MESHES) + "/" + name, std::ios::binary);
+  std::ifstream file(in_shared_meshes(name), std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
 }

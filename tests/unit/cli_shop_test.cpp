@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/cli.hpp"
+#include "support/places.hpp"
 
 namespace planish {
 namespace {
@@ -56,7 +57,7 @@ TEST_F(Cli, AWorkshopReadsACuttingPackage) {
        "v 0 3 0\nf 4 1 2 3\nf 1 5 2\nf 8 9 10 3 2\nf 1 6 7 5\n");
   ASSERT_EQ(run("panels odd.obj -o e.zip"), 0) << err();
   ASSERT_EQ(run("panels odd.obj -o f.zip --gap 8 --text-height 300"), 0) << err();
-  const std::string check = std::string(PLANISH_REFERENCE_DATA) + "/../check_package.py";
+  const std::string check = testing::in_tree("tests/reference/check_package.py");
   const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
                            "' a.zip b.zip c.zip d.zip e.zip f.zip 2>err";
   const int status = std::system(line.c_str());
@@ -71,7 +72,7 @@ TEST_F(Cli, AReaderOfDxfAgreesWithTheMeshOnPlanElevationsAndSection) {
       << err();
   EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "r.json"))["drawings"].size(), 7U);
   ASSERT_EQ(run("drawings m.obj -o b.zip --section x=3.3 --unit in --scale 33"), 0) << err();
-  const std::string check = std::string(PLANISH_REFERENCE_DATA) + "/../check_drawings.py";
+  const std::string check = testing::in_tree("tests/reference/check_drawings.py");
   for (const char* zip : {"a.zip", "b.zip"}) {
     const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
                              "' m.obj " + zip + " 2>err";

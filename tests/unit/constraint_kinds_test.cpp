@@ -13,6 +13,7 @@
 #include "planish/constraints/registry.hpp"
 #include "support/constraint_checks.hpp"
 #include "support/equal_diagonals.hpp"
+#include "support/places.hpp"
 
 namespace planish {
 namespace {
@@ -32,7 +33,7 @@ TEST(ConstraintKinds, TheExampleIsOne) {
 }
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(PLANISH_REFERENCE_DATA) + "/../../../" + path);
+  std::ifstream file(testing::in_tree(path));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
