@@ -3,18 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/folds.hpp"
 #include "planish/metrics.hpp"
 #include "planish/problem.hpp"
+#include "sound_projection.hpp"
 
 namespace planish {
 namespace {
 
 /// Halvings of the way: the last is finer than a slider's step of a hundredth.
 constexpr int kBisections = 6;
+
+/// The bound on every panel's shape, among the stated limits of a report.
+constexpr std::string_view kShapeBound = "shape";
 
 /// Judges shapes by the edit's limits.
 class LimitJudge {
@@ -53,6 +59,50 @@ class LimitJudge {
 
   MeshModel model_;
   MeshLimits limits_;
+};
+
+/// Judges shapes by all that the edit keeps beside its constraints.
+class Judge {
+ public:
+  Judge(const ShownVariation& variation, const HandleEditOptions& options)
+      : variation_(variation), keep_shape_(options.keep_shape) {
+    if (!options.bounds.empty()) limits_.emplace(variation.base, options);
+    if (keep_shape_) spoilt_by_edit_ = spoilt(variation.edited);
+  }
+
+  /// What `shape` exceeds; kNothing where it keeps everything.
+  [[nodiscard]] ConfinedBecause objection(const Positions& shape) const {
+    if (limits_ && !limits_->accepts(shape)) return ConfinedBecause::kStatedLimits;
+    if (keep_shape_ && !newly_spoilt(shape).empty()) return ConfinedBecause::kSpoiltByVariation;
+    return ConfinedBecause::kNothing;
+  }
+
+  /// The panels of `shape` that each limit holds back, and those that are spoilt.
+  [[nodiscard]] std::vector<BoundStanding> holding(const Positions& shape) const {
+    std::vector<BoundStanding> bounds;
+    if (limits_) bounds = limits_->holding(shape);
+    std::vector<int> faces = newly_spoilt(shape);
+    if (keep_shape_ && !faces.empty()) bounds.push_back({kShapeBound, std::move(faces)});
+    return bounds;
+  }
+
+ private:
+  [[nodiscard]] std::vector<int> spoilt(const Positions& shape) const {
+    return spoilt_faces(variation_.base, variation_.base.positions, shape);
+  }
+  /// By the variation; the edit had none of them.
+  [[nodiscard]] std::vector<int> newly_spoilt(const Positions& shape) const {
+    std::vector<int> faces = spoilt(shape);
+    std::erase_if(faces, [&](int f) {
+      return std::binary_search(spoilt_by_edit_.begin(), spoilt_by_edit_.end(), f);
+    });
+    return faces;
+  }
+
+  const ShownVariation& variation_;
+  bool keep_shape_;
+  std::optional<LimitJudge> limits_;
+  std::vector<int> spoilt_by_edit_;
 };
 
 ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {
@@ -112,10 +162,11 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
     return project_to_planar(mesh, variation.base.positions, exact, held, progress);
   };
   ProjectionResult result = project(variation.shown);
-  if (options.bounds.empty() || !result.report.usable()) return result;
-  const LimitJudge judge(variation.base, options);
+  if (!result.report.usable()) return result;
+  const Judge judge(variation, options);
   const Positions wanted = after(variation.shown, result);
-  if (judge.accepts(wanted)) return result;
+  const ConfinedBecause objection = judge.objection(wanted);
+  if (objection == ConfinedBecause::kNothing) return result;
   Positions shape = variation.edited;
   double low = 0.0;
   double high = 1.0;
@@ -125,7 +176,8 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
     ProjectionResult next = project(part);
     Positions projected = after(part, next);
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
-    const bool holds = next.report.usable() && judge.accepts(projected);
+    const bool holds =
+        next.report.usable() && judge.objection(projected) == ConfinedBecause::kNothing;
     (holds ? low : high) = share;
     if (holds) shape = std::move(projected);
     if (holds || cancelled) result = std::move(next);
@@ -137,7 +189,7 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
   result.report.optimality.reset();
   result.report.bounds = judge.holding(wanted);
   result.report.status = SolveStatus::kNearestConfined;
-  result.confined_because = ConfinedBecause::kStatedLimits;
+  result.confined_because = objection;
   return result;
 }
 

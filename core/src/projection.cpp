@@ -274,6 +274,8 @@ std::string_view reason(ConfinedBecause because) {
       return "the weighted distance was not minimised: panels would have lost their shape";
     case ConfinedBecause::kStatedLimits:
       return "the variation came back towards the edit: panels would have exceeded a stated limit";
+    case ConfinedBecause::kSpoiltByVariation:
+      return "the variation came back towards the edit: panels would have lost their shape";
   }
   return "";
 }

@@ -2,6 +2,7 @@
 #include "sound_projection.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "engines/exact_finish.hpp"
@@ -172,11 +173,18 @@ SoundProjection SoundProjector::attempt(double fairness_weight, double first_pen
   return result;
 }
 
+/// Whether no corner moves: then nothing can be spoilt, and most of a large mesh is not measured.
+bool is_unmoved(std::span<const int> face, const Positions& before, const Positions& after) {
+  return std::all_of(face.begin(), face.end(),
+                     [&](int v) { return before.col(v) == after.col(v); });
+}
+
 }  // namespace
 
 std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const Positions& after) {
   std::vector<int> spoilt;
   for (int f = 0; f < mesh.face_count(); ++f) {
+    if (is_unmoved(mesh.face(f), before, after)) continue;
     if (panel_damage(before, after, mesh.face(f)) != PanelDamage::kNone) spoilt.push_back(f);
   }
   return spoilt;

@@ -16,6 +16,7 @@
 #include "planish/exact_variation.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
 #include "planish/projection.hpp"
 #include "planish/slider_stops.hpp"
 #include "planish/subspace.hpp"
@@ -199,6 +200,72 @@ TEST_P(LimitedVariations, ThatKeepThemAlreadyAreTheSameBits) {
   const Positions shown = shape(0.01 * Eigen::VectorXd::Ones(subspace.dimension()));
   EXPECT_TRUE(exact(shown, wide) == exact(shown, {}));
 }
+
+/// Beyond their stops the sliders show spoilt panels; what is made exact of that has none.
+class FarVariations : public ::testing::TestWithParam<const char*> {
+ protected:
+  static constexpr int kSettings = 20;  ///< of each sample; 100 in all
+
+  FarVariations() : base(testing::sample(GetParam(), 10)) {
+    const int handle = testing::middle_vertex(base);
+    edited = apply(base, solve_handle_edit(base, testing::pull(base, handle, {0.0, 0.0, 0.3})));
+    subspace = compute_subspace(base, edited, {handle}, {.dimension = 4});
+  }
+
+  /// The edit with one slider up to four times as far as its stop, or ten where it has none.
+  [[nodiscard]] Positions far(int k, double share) const {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(subspace.dimension());
+    const SliderRange range =
+        slider_ranges(base, edited, subspace, none)[static_cast<std::size_t>(k)];
+    const double stop = share < 0.0 ? range.lower.value : range.upper.value;
+    Positions rows;
+    evaluate(subspace,
+             (std::isfinite(stop) ? 4.0 * std::abs(share) * stop : 10.0 * share) *
+                 Eigen::VectorXd::Unit(subspace.dimension(), k),
+             rows);
+    Positions shown = edited;
+    shown(Eigen::all, subspace.support) = rows;
+    return shown;
+  }
+
+  [[nodiscard]] std::size_t spoilt(const Positions& shape) const {
+    std::size_t count = 0;
+    for (int f = 0; f < base.face_count(); ++f) {
+      count += panel_damage(base.positions, shape, base.face(f)) != PanelDamage::kNone ? 1 : 0;
+    }
+    return count;
+  }
+
+  Mesh base;
+  Positions edited;
+  Subspace subspace;
+};
+
+TEST_P(FarVariations, MadeExactKeepTheShapeOfPanels) {
+  ASSERT_GT(subspace.dimension(), 0);
+  ASSERT_EQ(spoilt(edited), 0U);
+  std::mt19937 random(7);
+  int came_back = 0, stayed = 0;
+  for (int setting = 0; setting < kSettings; ++setting) {
+    const double share = static_cast<double>(random() % 1001) / 500.0 - 1.0;
+    const Positions shown = far(setting % static_cast<int>(subspace.dimension()), share);
+    const ProjectionResult result = make_exact({base, edited, shown}, {}, 0.0, {});
+    ASSERT_TRUE(result.report.usable()) << status_name(result.report.status);
+    Positions after = shown;
+    after(Eigen::all, result.moved) = result.moved_positions;
+    EXPECT_EQ(spoilt(after), 0U) << "setting " << setting;
+    EXPECT_LE(planarity_summary(base, after).max_excess, testing::kPromise);
+    const bool back = result.confined_because == ConfinedBecause::kSpoiltByVariation;
+    (back ? came_back : stayed) += 1;
+    EXPECT_EQ(back, !result.report.bounds.empty()) << "the panels are named";
+  }
+  RecordProperty("came_back", came_back);
+  EXPECT_GT(stayed, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, FarVariations,
+                         ::testing::Values("roof", "vault", "dome", "hex", "trihex"),
+                         [](const auto& each) { return std::string(each.param); });
 
 INSTANTIATE_TEST_SUITE_P(Samples, LimitedVariations,
                          ::testing::Values("roof", "vault", "dome", "hex"),

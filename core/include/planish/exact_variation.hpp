@@ -19,10 +19,11 @@ struct ShownVariation {
 };
 
 /// (8) with the base as its history, to the edit's tolerance and by its engine. Where the result
-/// exceeds a limit of the edit, the variation comes back towards the edit until none does: by
-/// bisection of the way, so it is the furthest of those tried, and the edit itself if none of them
-/// holds. Then the status is kNearestConfined, because of kStatedLimits, and the report names the
-/// panels that would have exceeded each. [PRO-9]
+/// exceeds a limit of the edit, or has a panel spoilt that the edit had not although the edit keeps
+/// shape, the variation comes back towards the edit until neither is so: by bisection of the way,
+/// so it is the furthest of those tried, and the edit itself if none of them holds. Then the status
+/// is kNearestConfined, because of kStatedLimits or kSpoiltByVariation, and the report names the
+/// panels that would have exceeded each limit, or would be spoilt. [PRO-9]
 /// @param fairness_weight α_f ≥ 0
 /// @param held see held_in_variations()
 /// @returns moves from `shown`

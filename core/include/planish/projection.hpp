@@ -44,10 +44,11 @@ struct ProjectionOptions {
 /// Why the nearest mesh within some rings of what failed took the place of (8) with its weighted
 /// distance: SolveStatus::kNearestConfined.
 enum class ConfinedBecause {
-  kNothing,       ///< it did not
-  kNotExact,      ///< the weighted problem's solve left panels above a tolerance
-  kSpoiltPanels,  ///< its panels would have lost their shape
-  kStatedLimits,  ///< its panels would have exceeded a limit of the edit
+  kNothing,            ///< it did not
+  kNotExact,           ///< the weighted problem's solve left panels above a tolerance
+  kSpoiltPanels,       ///< its panels would have lost their shape
+  kStatedLimits,       ///< its panels would have exceeded a limit of the edit
+  kSpoiltByVariation,  ///< no other flat mesh near it keeps the shape of panels either
 };
 
 /// For reports, for example "weighted distance: panels would lose their shape"; "" for kNothing.

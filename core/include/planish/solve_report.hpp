@@ -68,7 +68,7 @@ struct KindViolation {
   double after_max = 0.0;
 };
 
-/// A stated limit and the panels that it holds back.
+/// A stated limit and the panels that it holds back; "shape": those that a variation would spoil.
 struct BoundStanding {
   std::string_view name;     ///< for example "fold"
   std::vector<int> binding;  ///< faces, ascending
