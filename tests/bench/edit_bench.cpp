@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <string>
 
+#include "bench/survey_meshes.hpp"
 #include "engines/edit_splitting.hpp"
 #include "planish/handle_edit.hpp"
+#include "planish/metrics.hpp"
 #include "planish/subspace.hpp"
+#include "sound_projection.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::bench {
@@ -35,8 +39,9 @@ int periodic_handle(int size) {
 struct Scene {
   Mesh mesh;
   int handle = 0;
+  double lift = 1.5;  ///< model units
   [[nodiscard]] EditTargets at(double share) const {
-    return testing::pull(mesh, handle, {0, 0, 1.5 * share});
+    return testing::pull(mesh, handle, {0, 0, lift * share});
   }
 };
 
@@ -69,6 +74,7 @@ void drag(benchmark::State& state, const Scene& scene) {
   constexpr int kFrames = 60;
   std::vector<double> frames;
   double worst = 0.0;
+  std::size_t spoilt = 0;
   HandleEditResult result;
   for (auto _ : state) {
     state.PauseTiming();
@@ -80,6 +86,7 @@ void drag(benchmark::State& state, const Scene& scene) {
       result = solver.drag(targets, 10.0);
       frames.push_back(milliseconds() - start);
       worst = std::max(worst, result.report.planarity_after);
+      spoilt += spoilt_faces(scene.mesh, scene.mesh.positions, apply(scene.mesh, result)).size();
     }
   }
   std::sort(frames.begin(), frames.end());
@@ -87,6 +94,7 @@ void drag(benchmark::State& state, const Scene& scene) {
   state.counters["median_ms"] = frames[frames.size() / 2];
   state.counters["p95_ms"] = frames[frames.size() * 95 / 100];
   state.counters["worst_mm_per_m"] = worst;
+  state.counters["spoilt"] = static_cast<double>(spoilt);
 }
 
 void EditColdVault(benchmark::State& state) { edit_cold(state, scene(0, 32), {}); }
@@ -220,6 +228,21 @@ BENCHMARK(Drag)
     ->Arg(1000)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
+/// The middle vertex of every mesh of the survey, lifted by a mean edge.
+const bool kDragsRegistered = [] {
+  for (const NamedMesh& named : samples_and_real_meshes()) {
+    benchmark::RegisterBenchmark(("DragSurvey/" + named.name).c_str(),
+                                 [mesh = named.mesh](benchmark::State& state) {
+                                   Scene scene{made_flat(mesh), testing::middle_vertex(mesh)};
+                                   scene.lift = mean_edge_length(scene.mesh);
+                                   drag(state, scene);
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1);
+  }
+  return true;
+}();
+
 BENCHMARK(EditBySize)
     ->Arg(1)
     ->Arg(10)
