@@ -185,7 +185,7 @@ ProjectionResult project_within_bounds(const Task& task, const Progress& progres
     std::vector<int> free = surroundings(task, model, rings);
     if (free.size() == last.size()) continue;
     SoundProjection next = project_soundly(mesh, reference != nullptr ? *reference : mesh.positions,
-                                           options, free, progress);
+                                           options, free, pins, progress);
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
     if (cancelled || best.is_flat()) break;

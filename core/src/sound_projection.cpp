@@ -26,10 +26,11 @@ constexpr double kHeldBack = 1.0;   ///< mm/m: a panel above it is held back by 
 class SoundProjector {
  public:
   SoundProjector(const Mesh& mesh, const Positions& before, const ProjectionOptions& options,
-                 const std::vector<int>& free)
+                 const std::vector<int>& free, const std::vector<int>& pins)
       : options_(options),
         before_(before),
         free_(free),
+        pins_(pins),
         kept_(kept_kinds(options.tolerance, options.constraints)),
         model_(mesh, options.fairness, kept_),
         finish_(model_),
@@ -58,6 +59,7 @@ class SoundProjector {
   ProjectionOptions options_;
   const Positions& before_;
   const std::vector<int>& free_;
+  const std::vector<int>& pins_;
   KeptKinds kept_;
   MeshModel model_;
   ExactFinish finish_;
@@ -70,6 +72,7 @@ void SoundProjector::release() {
     term = {};
     term.square_weight = 2.0 * options_.distance_weight;
   }
+  for (const int v : pins_) problem_.terms[at(v)].fixed = true;
 }
 
 /// Keeps vertices where the field has them.
@@ -192,9 +195,9 @@ std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const P
 
 SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
                                 const ProjectionOptions& options, const std::vector<int>& free,
-                                const Progress& progress) {
+                                const std::vector<int>& pins, const Progress& progress) {
   const Stopwatch watch;
-  SoundProjector projector(mesh, before, options, free);
+  SoundProjector projector(mesh, before, options, free, pins);
   const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
   const std::pair<double, double> ladder[] = {{asked, kAtOnce},
                                               {asked, kGradually},

@@ -34,10 +34,13 @@ struct SoundProjection {
 /// sound ends the search; otherwise the sound one with the fewest panels above the tolerance is the
 /// result, none of them less flat than it was; without any, `positions` are empty.
 /// @param before 3 × n: the panels' shape is compared with this
-/// @param free ascending; all other vertices stay
+/// @param free ascending, no pins; the finish may take up to three face rings more where panels
+///             cannot become flat otherwise
+/// @param pins vertices that stay, bit by bit
 [[nodiscard]] SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
                                               const ProjectionOptions& options,
                                               const std::vector<int>& free,
+                                              const std::vector<int>& pins,
                                               const Progress& progress);
 
 }  // namespace planish

@@ -126,6 +126,26 @@ TEST(SoundProjection, AKeptBoundaryKeepsItsBits) {
   for (const int v : boundary) EXPECT_EQ(positions.col(v), mesh.positions.col(v)) << v;
 }
 
+/// Also where panels cannot become flat without it: then they are named.
+TEST(SoundProjection, AKeptBoundaryKeepsItsBitsOnRealMeshes) {
+  if (!testing::shared_mesh_bytes("pq_gitter.obj")) GTEST_SKIP() << "skipped: no shared meshes";
+  int bent = 0;
+  for (const char* name :
+       {"hex_enneper_concave", "pq_botanic_bubble", "pq_enneper_quads", "pq_octtorus",
+        "pq_static_roof", "pq_vase_small", "pq_wein99_diag", "kagome_from_tri_mesh",
+        "mixed345_airport", "quad_chebyshev_sphere", "quad_eight_genus2"}) {
+    const Mesh mesh = shared_mesh(name);
+    const ProjectionResult result = planarise(mesh, {.keep_boundary = true});
+    const Positions positions = testing::apply(mesh, result);
+    for (const int v : boundary_vertices(mesh)) {
+      ASSERT_EQ(positions.col(v), mesh.positions.col(v)) << name << ' ' << v;
+    }
+    EXPECT_EQ(result.failing_faces.empty(), result.report.usable()) << name;
+    bent += result.failing_faces.empty() ? 0 : 1;
+  }
+  EXPECT_GT(bent, 0);
+}
+
 /// Surfaces whose lines are far from conjugate: not all have a sound flat mesh close by.
 TEST(SoundProjection, NeverSpoilsAPanelWhateverTheSurface) {
   int flat = 0;
