@@ -150,6 +150,22 @@ def certificates_part():
             f"stationarity and the bound outside hold to 1e-4 in {check['met']} of those. Not in: {missed}."]
 
 
+def drags_part(results):
+    """Every mesh of the survey that is flat or becomes so, and whose handle can move."""
+    rows = {name.split("/")[1].removesuffix(".obj"): row for name, row in results.items()
+            if name.startswith("DragSurvey/") and row["worst_mm_per_m"] <= 1e-6 and row["moved"] > 1}
+    if not rows:
+        return []
+    spoilt = sum(row["spoilt"] for row in rows.values())
+    return ["## Drags over the survey",
+            "60 frames, the middle point lifted by a mean edge, default weights, no reach. Of the frames "
+            f"{spoilt:.0f} have a spoilt panel; the worst panel of any frame is "
+            f"{max(row['worst_mm_per_m'] for row in rows.values()):.0e} mm/m.",
+            table(["mesh", "points moved", "frame, median ms", "p95 ms"],
+                  [[name, f"{row['moved']:.0f}", number(row["median_ms"]), number(row["p95_ms"])]
+                   for name, row in rows.items()])]
+
+
 SOLVERS = {"planish": "block Cholesky", "simplicial": "Eigen SimplicialLLT",
            "cholmod_simplicial": "CHOLMOD simplicial", "cholmod_supernodal": "CHOLMOD supernodal"}
 
@@ -293,7 +309,7 @@ def markdown(data):
             [[number(get("SubspaceOfSix/32")), number(get("SliderTick/316"))]],
         ),
         "![Cost against mesh size and against edit size](benchmarks.svg)\n",
-        *(part.rstrip("\n") + "\n" for part in cholesky_part() + survey_part() + certificates_part()),
+        *(part.rstrip("\n") + "\n" for part in cholesky_part() + survey_part() + drags_part(results) + certificates_part()),
     ]
     return "\n".join(parts)
 
