@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes this machine able to build and test Planish. Safe to run again: it only adds what is missing.
+# Makes this machine able to build and test Planish. Safe to run again: it only adds what is missing. With
+# `firefox`, also for the tests in a second browser engine, which nothing else needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,6 +10,10 @@ packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev 
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
   python3-distributed parallel
   clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
+
+if [ "${1:-}" = firefox ]; then
+  packages+=(firefox-esr xvfb xauth libgl1-mesa-dri libegl1)
+fi
 
 has_package() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
 # npm run check. With names, only those: format lint types architecture native wasm unit parity browser
-# browser_first browser_rest python package doors tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
+# browser_first browser_rest firefox python package doors tidy cppcheck sanitize fuzz sanitize_all. sanitize runs the unit and regression tests
 # under ASan and UBSan, sanitize_all (half an hour) all of them. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -68,6 +68,12 @@ check_browser_rest() {
   local others=()
   for name in "${browser_first[@]}"; do others+=(--exclude "**/$name.test.ts"); done
   in_browser "${others[@]}"
+}
+# A second engine. It draws only on a screen, even one that nobody looks at.
+check_firefox() {
+  bash .tools/setup.sh firefox && bash .tools/build.sh wasm site &&
+    xvfb-run -a -s "-screen 0 1500x1000x24" \
+      npx --no-install vitest run --config web/vitest.config.ts --dir tests/firefox
 }
 # The packed npm package in a project of its own.
 check_package() {
@@ -151,7 +157,7 @@ checks=("$@")
 if [ ${#checks[@]} -eq 0 ]; then
   checks=(format lint types architecture native unit parity browser_first)
 elif [ "$*" = rest ]; then
-  checks=(wasm python package doors browser_rest tidy cppcheck sanitize fuzz)
+  checks=(wasm python package doors browser_rest firefox tidy cppcheck sanitize fuzz)
 fi
 for check in "${checks[@]}"; do run "$check"; done
 echo

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What must not depend on one browser engine: the first drag, links that verify, export and storage.
+import { readFileSync } from "node:fs";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { readObj, worstFlatness } from "../browser/support/obj.ts";
+import { usable, type Visitor, visit } from "./support/visitor.ts";
+
+interface Link {
+  readonly name: string;
+  readonly moved: number;
+  readonly link: string;
+}
+
+const links: readonly Link[] = JSON.parse(
+  readFileSync(new URL("../../docs/scenes/links.json", import.meta.url), "utf8"),
+);
+
+let visitor: Visitor;
+beforeAll(async () => {
+  visitor = await visit();
+});
+afterAll(() => visitor.leave());
+
+/** As the menu of Export gives it. */
+async function exportObj(): Promise<string> {
+  await visitor.press("Export");
+  return visitor.download(() => visitor.press("OBJ"));
+}
+
+it("a drag is exact, local, saved as a file and still there after a reload", async () => {
+  const { page } = visitor;
+  await usable(visitor);
+  const before = readObj(await exportObj());
+  const canvas = await page.$("canvas");
+  const box = await canvas?.boundingBox();
+  if (!box) throw new Error("no 3D view");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let k = 1; k <= 6; ++k) await page.mouse.move(x, y - 5 * k);
+  await page.mouse.up();
+  await expect.poll(visitor.moved).toBeGreaterThan(0);
+  await page.waitForSelector("::-p-aria([name='Cancel'][role='button'][disabled])");
+  const moved = await visitor.moved();
+  const text = await exportObj();
+  const after = readObj(text);
+  expect(after.faces).toEqual(before.faces);
+  expect(worstFlatness(after)).toBeLessThan(1e-6);
+  expect(after.lines.filter((line, v) => line !== before.lines[v]).length).toBe(moved);
+  expect(moved).toBeLessThan(before.lines.length / 2);
+  await page.reload();
+  await usable(visitor);
+  await expect.poll(visitor.moved).toBe(moved);
+  expect(await exportObj()).toBe(text);
+});
+
+it.each(links)("$name opens from its link, verified", async ({ link, moved }) => {
+  const { page, url } = visitor;
+  await page.goto("about:blank");
+  await page.goto(url + link);
+  await usable(visitor);
+  await expect.poll(visitor.verified).toBe(1);
+  expect(await visitor.moved()).toBe(moved);
+});

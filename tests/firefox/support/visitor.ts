@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Somebody who opens the built site in Debian's Firefox. It has WebGL only with a screen, so the tests run
+// under Xvfb (.tools/test.sh); playwright-core cannot drive it, puppeteer-core does by WebDriver BiDi.
+import { mkdtemp, readdir, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import puppeteer, { type Page } from "puppeteer-core";
+import { expect } from "vitest";
+import { serve } from "../../../.tools/serve.mjs";
+
+export interface Visitor {
+  readonly page: Page;
+  readonly url: string;
+  status(): Promise<string>;
+  /** How many points the status line says move. */
+  moved(): Promise<number>;
+  /** How often the page says that a link gave what it was shared as. */
+  verified(): Promise<number>;
+  press(name: string): Promise<void>;
+  /** What the browser saved, once it is there. */
+  download(press: () => Promise<void>): Promise<string>;
+  /** Nothing was logged as an error. */
+  leave(): Promise<void>;
+}
+
+/** Waits until the page can be used. */
+export const usable = ({ status }: Visitor): Promise<void> =>
+  expect.poll(status).toMatch(/points move/);
+
+/** Goes there; the page may still be loading. */
+export async function visit(): Promise<Visitor> {
+  const { server, url } = await serve("dist", { prefix: "/under/a/path/" });
+  const saved = await mkdtemp(join(tmpdir(), "planish-firefox-"));
+  const browser = await puppeteer.launch({
+    browser: "firefox",
+    executablePath: "/usr/bin/firefox-esr",
+    headless: false,
+    extraPrefsFirefox: {
+      "webgl.force-enabled": true,
+      "browser.download.folderList": 2,
+      "browser.download.dir": saved,
+      "browser.download.always_ask_before_handling_new_types": false,
+    },
+  });
+  const complaints: string[] = [];
+  const page = await browser.newPage();
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
+  await page.setViewport({ width: 900, height: 640 });
+  await page.goto(url);
+  const status = (): Promise<string> =>
+    page.$eval("[role=status]", (line) => line.textContent ?? "");
+  const visitor: Visitor = {
+    page,
+    url,
+    status,
+    moved: async () => Number(/(\d+) of \d+ points move/.exec(await status())?.[1] ?? Number.NaN),
+    verified: () => page.evaluate(() => (document.body.innerText.match(/Verified:/g) ?? []).length),
+    press: (name) => page.locator(`::-p-aria([name="${name}"][role="button"])`).click(),
+    async download(press) {
+      const before = await readdir(saved);
+      const fresh = async (): Promise<string | undefined> =>
+        (await readdir(saved)).find((name) => !(before.includes(name) || name.endsWith(".part")));
+      await press();
+      await expect.poll(fresh).toBeDefined();
+      const name = (await fresh()) ?? "";
+      await expect.poll(async () => (await readFile(join(saved, name))).length).toBeGreaterThan(0);
+      return readFile(join(saved, name), "utf8");
+    },
+    async leave() {
+      await browser.close();
+      server.close();
+      await rm(saved, { recursive: true });
+      expect(complaints).toEqual([]);
+    },
+  };
+  return visitor;
+}
