@@ -20,8 +20,8 @@ const POLICY = [
 
 const here = (path: string): URL => new URL(path, import.meta.url);
 
-/** A megabyte after gzip that few need: comes when it is asked for, and stays from then on. */
-const comesLater = (name: string): boolean => /\brhino3dm[.-]/.test(name);
+/** What few need, a megabyte after gzip and the guide: comes when it is asked for, and stays from then on. */
+const comesLater = (name: string): boolean => /\brhino3dm[.-]|^guide\//.test(name);
 
 const list = (names: readonly string[]): string =>
   names.map((name) => JSON.stringify(`./${name}`)).join(", ");

@@ -21,14 +21,18 @@ async function dropOldVersions() {
 
 self.addEventListener("activate", (event) => event.waitUntil(dropOldVersions()));
 
+const isGuide = (url) => url.startsWith(new URL("./guide/", self.registration.scope).href);
+
 async function answer(request) {
   const cache = await caches.open(NAME);
-  const wanted = request.mode === "navigate" ? "./index.html" : request;
+  const isPage = request.mode === "navigate" && !isGuide(request.url);
+  const wanted = isPage ? "./index.html" : request;
   const own = await cache.match(wanted, { ignoreSearch: true });
   const kept = own ?? (await caches.match(request, { ignoreSearch: true }));
   if (kept) return kept;
   const fetched = await fetch(request);
-  const isPart = LATER.some((name) => new URL(name, self.registration.scope).href === request.url);
+  const [url] = request.url.split("#");
+  const isPart = LATER.some((name) => new URL(name, self.registration.scope).href === url);
   // A full disk is no reason to do without.
   if (fetched.ok && isPart) await cache.put(request, fetched.clone()).catch(() => {});
   return fetched;

@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { coreDefaults } from "./core-defaults.ts";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
+import { guide } from "./guide.ts";
 import { noCodeFromText } from "./no-code-from-text.ts";
 import { offline } from "./offline.ts";
 import { oneBeginning } from "./one-beginning.ts";
@@ -18,7 +19,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), smallShaders(), offline()],
+  plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), smallShaders(), guide(), offline()],
   worker: { format: "es", plugins: () => [noCodeFromText()] },
   build: {
     outDir: here("../dist"),

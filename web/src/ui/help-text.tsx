@@ -81,6 +81,12 @@ export function HelpText() {
         whichever leads there. Where another solution is lower, it is offered. To start from a shape
         instead, a variation for example, use Continue from this shape.
       </p>
+      <p>
+        <a href="./guide/index.html" target="_blank" rel="noopener">
+          The guide
+        </a>{" "}
+        has every control, the formats and a glossary.
+      </p>
       <dl class="keys">
         {HINTS.map(({ how, what }) => (
           <div key={how}>
