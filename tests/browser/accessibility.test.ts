@@ -5,6 +5,7 @@ import { describe, expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
 import { flatRoof } from "./support/faults.ts";
 import { idle, openFile, typeTarget } from "./support/page.ts";
+import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
 
@@ -99,4 +100,19 @@ describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
     await opening(page);
     await page.context().close();
   });
+});
+
+it("forced colours leave tracks of sliders and the scale visible", async () => {
+  const page = await site.open({ forcedColors: "active" });
+  const track = page.getByRole("slider", { name: "Softness" });
+  const width = (await track.boundingBox())?.width ?? 0;
+  const slider = await readPng(await track.screenshot());
+  const colour = (x: number, y: number): string => slider.at(Math.round(x), y).join(",");
+  for (const x of [0.1 * width, 0.9 * width]) {
+    expect(colour(x, 12), "the track against what is above it").not.toBe(colour(x, 3));
+  }
+  const scale = await readPng(await page.locator(".legend-bar").first().screenshot());
+  expect(scale.at(4, 4).join(","), "the two ends").not.toBe(scale.at(200, 4).join(","));
+  await expectClean(page, "forced colours");
+  await page.context().close();
 });

@@ -88,6 +88,32 @@ it("edits, explores, makes exact, shares and exports", async () => {
   await page.context().close();
 });
 
+it("F6 goes from the bar to the view to the inspector, and Shift F6 back", async () => {
+  const page = await site.open();
+  const region = (): Promise<string> =>
+    page.evaluate(() => {
+      const here = document.activeElement?.closest("header, canvas, aside");
+      return here?.localName ?? "none";
+    });
+  const steps = [
+    ["F6", ["header", "canvas", "aside", "header"]],
+    ["Shift+F6", ["aside", "canvas", "header"]],
+  ] as const;
+  for (const [key, order] of steps) {
+    for (const name of order) {
+      await page.keyboard.press(key);
+      await expect.poll(region).toBe(name);
+    }
+  }
+  // From a field, too.
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  await page.getByRole("spinbutton").first().focus();
+  await page.keyboard.press("F6");
+  await expect.poll(region).toBe("header");
+  await page.context().close();
+});
+
 it("reduced motion: nothing pulses, and the camera is there at once", async () => {
   const page = await site.open({ reducedMotion: "reduce" });
   await page.getByText("Drag this point").waitFor();

@@ -8,6 +8,11 @@ const typing = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
 
 function down(event: KeyboardEvent): void {
+  if (event.key === "F6") {
+    event.preventDefault();
+    void import("./regions.ts").then((regions) => regions.goToRegion(event.shiftKey ? -1 : 1));
+    return;
+  }
   if (typing(event.target) || readOnly.value) return;
   const command = event.ctrlKey || event.metaKey;
   const key = event.key.toLowerCase();
@@ -29,7 +34,7 @@ function up(event: KeyboardEvent): void {
   if (event.key.toLowerCase() === "b") showBefore.value = false;
 }
 
-/** Undo, redo, and B held for before/after. Returns how to stop listening. */
+/** Undo, redo, F6 from region to region, and B held for before/after. Returns how to stop listening. */
 export function listenToShortcuts(): () => void {
   const off = new AbortController();
   window.addEventListener("keydown", down, { signal: off.signal });

@@ -47,6 +47,10 @@ const HINTS: readonly Hint[] = [
   { how: "[1] [2] [3] [4]", what: "perspective; top, front, side in parallel" },
   { how: "[F], [Shift] [F]", what: "fit what is selected, or all of the model, into the view" },
   { how: "[B], held", what: "shows the design before the edit" },
+  {
+    how: "[F6], [Shift] [F6]",
+    what: "go from the bar to the view to the inspector, and back",
+  },
   { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
   { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
   {
