@@ -14,18 +14,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from survey import ROOT, Topology, area_vector, damage, mean_edge, read_obj, run
+from survey import ROOT, Topology, damage, mean_edge, read_obj, run
 
 PLANISH = ROOT / "build" / "native" / "planish"
-
-
-def folds(topology, points):
-    """Degrees, of every edge that two panels share."""
-    normals = np.array([area_vector(points[face]) for face in topology.faces])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-    signs = [-1.0 if a[1] == b[1] else 1.0 for a, b in topology.inner]
-    cosines = [s * normals[a[0]] @ normals[b[0]] for s, (a, b) in zip(signs, topology.inner)]
-    return np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
 
 
 def measure(path, options, scratch):
@@ -36,7 +27,7 @@ def measure(path, options, scratch):
     topology = Topology(faces)
     said = json.loads(report.read_text())
     spoilt = [damage(before[face], after[face]) for face in faces]
-    sharp = [float(np.percentile(folds(topology, points), 95)) for points in (before, after)]
+    sharp = [float(np.percentile(topology.folds(points), 95)) for points in (before, after)]
     return {"bent": said["planarity_mm_per_m"]["before_max"], "left": said["planarity_mm_per_m"]["after_max"],
             "spoilt": sum(d is not None for d in spoilt), "concave": spoilt.count("concave"), "folds": sharp,
             "move": float(np.linalg.norm(after - before, axis=1).max()) / mean_edge(before, faces),

@@ -126,18 +126,17 @@ class Topology:
         self.inner = [(a, b) for a, b in (s for s in sides.values() if len(s) == 2)]
         self.boundary = sorted({v for edge, s in sides.items() if len(s) == 1 for v in edge})
 
-    def sharpest_fold(self, points):
-        """Degrees between the normals of neighbouring panels."""
+    def folds(self, points):
+        """Degrees between the normals of neighbouring panels, both of which have one."""
         normals = np.array([area_vector(points[face]) for face in self.faces])
         lengths = np.linalg.norm(normals, axis=1)
-        worst = 0.0
-        for (f, way_f), (g, way_g) in self.inner:
-            if lengths[f] == 0 or lengths[g] == 0:
-                continue
-            sign = -1.0 if way_f == way_g else 1.0
-            cosine = sign * normals[f] @ normals[g] / (lengths[f] * lengths[g])
-            worst = max(worst, math.degrees(math.acos(min(1.0, max(-1.0, cosine)))))
-        return worst
+        normals /= np.maximum(lengths, 1e-300)[:, None]
+        cosines = [(-1.0 if way_f == way_g else 1.0) * normals[f] @ normals[g]
+                   for (f, way_f), (g, way_g) in self.inner if lengths[f] > 0 and lengths[g] > 0]
+        return np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
+
+    def sharpest_fold(self, points):
+        return float(self.folds(points).max(initial=0.0))
 
 
 def run(planish, arguments):
