@@ -80,7 +80,8 @@ function missed(asked: readonly string[], report: MeshReport): string {
 }
 
 /**
- * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step.
+ * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step. Where a mesh
+ * cannot become of a kind with its boundary kept, the boundary moves too.
  * @param kind what it becomes beside flat and what is kept already
  * @param trial what was tried out; taken as it is where it is what is wanted
  */
@@ -92,11 +93,16 @@ export async function planariseNow(kind?: Kind, trial?: Trial): Promise<void> {
   const constraints = kind ? withKind(settings.constraints, kind) : settings.constraints;
   // What was chosen at a door is not seen where a mesh is flat.
   const chosen = kind && baseFlat.value ? FAIR_FLAT : planarising.value;
-  const how = { ...chosen, keepShape: settings.keepShape, constraints };
+  let how = { ...chosen, keepShape: settings.keepShape, constraints };
   const found = trial && sameWay(trial.how, how) ? trial.mesh.positions : null;
   const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
-  const answer = await run(doing, { kind: "planarise", how, found }, "opened");
+  let answer = await run(doing, { kind: "planarise", how, found }, "opened");
   if (!answer) return;
+  if (kind && how.keepBoundary && !isKeptBy(answer.mesh.report, kind)) {
+    const free = { ...how, keepBoundary: false };
+    const freed = await run(doing, { kind: "planarise", how: free, found: null }, "opened");
+    if (freed) [how, answer] = [free, freed];
+  }
   // An edit cannot be flatter than its mesh.
   const met = Math.max(tolerance, how.flat);
   draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
