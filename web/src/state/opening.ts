@@ -19,6 +19,7 @@ import {
   notice,
   planariseTrial,
   planarising,
+  problem,
   refusedTolerance,
   settings,
 } from "./store.ts";
@@ -96,13 +97,16 @@ export async function planariseNow(kind?: Kind, trial?: Trial): Promise<void> {
   let how = { ...chosen, keepShape: settings.keepShape, constraints };
   const found = trial && sameWay(trial.how, how) ? trial.mesh.positions : null;
   const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
+  problem.value = null;
   let answer = await run(doing, { kind: "planarise", how, found }, "opened");
-  if (!answer) return;
-  if (kind && how.keepBoundary && !isKeptBy(answer.mesh.report, kind)) {
+  // A refusal has been said; what was given up has not.
+  const missesKind = answer ? kind && !isKeptBy(answer.mesh.report, kind) : problem.value !== null;
+  if (kind && how.keepBoundary && missesKind) {
     const free = { ...how, keepBoundary: false };
     const freed = await run(doing, { kind: "planarise", how: free, found: null }, "opened");
     if (freed) [how, answer] = [free, freed];
   }
+  if (!answer) return;
   // An edit cannot be flatter than its mesh.
   const met = Math.max(tolerance, how.flat);
   draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
