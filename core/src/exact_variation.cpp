@@ -10,6 +10,7 @@
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/folds.hpp"
 #include "planish/metrics.hpp"
+#include "planish/panel_health.hpp"
 #include "planish/problem.hpp"
 #include "sound_projection.hpp"
 
@@ -67,7 +68,6 @@ class Judge {
   Judge(const ShownVariation& variation, const HandleEditOptions& options)
       : variation_(variation), keep_shape_(options.keep_shape) {
     if (!options.bounds.empty()) limits_.emplace(variation.base, options);
-    if (keep_shape_) spoilt_by_edit_ = spoilt(variation.edited);
   }
 
   /// What `shape` exceeds; kNothing where it keeps everything.
@@ -87,14 +87,12 @@ class Judge {
   }
 
  private:
-  [[nodiscard]] std::vector<int> spoilt(const Positions& shape) const {
-    return spoilt_faces(variation_.base, variation_.base.positions, shape);
-  }
   /// By the variation; the edit had none of them.
   [[nodiscard]] std::vector<int> newly_spoilt(const Positions& shape) const {
-    std::vector<int> faces = spoilt(shape);
+    const Mesh& base = variation_.base;
+    std::vector<int> faces = spoilt_faces(base, base.positions, shape);
     std::erase_if(faces, [&](int f) {
-      return std::binary_search(spoilt_by_edit_.begin(), spoilt_by_edit_.end(), f);
+      return panel_damage(base.positions, variation_.edited, base.face(f)) != PanelDamage::kNone;
     });
     return faces;
   }
@@ -102,7 +100,6 @@ class Judge {
   const ShownVariation& variation_;
   bool keep_shape_;
   std::optional<LimitJudge> limits_;
-  std::vector<int> spoilt_by_edit_;
 };
 
 ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {

@@ -10,7 +10,6 @@
 
 #include "planish/handle_edit.hpp"
 #include "planish/io/obj.hpp"
-#include "planish/panel_health.hpp"
 #include "planish/planarising.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
@@ -20,12 +19,7 @@ namespace planish {
 namespace {
 
 int spoilt_panels(const Mesh& mesh, const HandleEditResult& result) {
-  const Positions after = apply(mesh, result);
-  int count = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    count += panel_damage(mesh.positions, after, mesh.face(f)) != PanelDamage::kNone ? 1 : 0;
-  }
-  return count;
+  return testing::spoilt_count(mesh, apply(mesh, result));
 }
 
 /// The least share of its size that a corner is left with, straight ones left out, by its own code.

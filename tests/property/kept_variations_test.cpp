@@ -16,7 +16,6 @@
 #include "planish/exact_variation.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
 #include "planish/projection.hpp"
 #include "planish/slider_stops.hpp"
 #include "planish/subspace.hpp"
@@ -43,11 +42,8 @@ class KeptVariations : public ::testing::TestWithParam<const char*> {
 
   /// The edit with slider `k` at `value`.
   [[nodiscard]] Positions slid(const Subspace& subspace, int k, double value) const {
-    Positions rows;
-    evaluate(subspace, value * Eigen::VectorXd::Unit(subspace.dimension(), k), rows);
-    Positions positions = edited;
-    positions(Eigen::all, subspace.support) = rows;
-    return positions;
+    return testing::varied(edited, subspace,
+                           value * Eigen::VectorXd::Unit(subspace.dimension(), k));
   }
 
   [[nodiscard]] double defect(const Positions& positions) const {
@@ -146,11 +142,7 @@ class LimitedVariations : public ::testing::TestWithParam<const char*> {
   }
 
   [[nodiscard]] Positions shape(const Eigen::VectorXd& values) const {
-    Positions rows;
-    evaluate(subspace, values, rows);
-    Positions result = edited;
-    result(Eigen::all, subspace.support) = rows;
-    return result;
+    return testing::varied(edited, subspace, values);
   }
 
   [[nodiscard]] Positions exact(const Positions& shown, const HandleEditOptions& keeps) const {
@@ -218,22 +210,9 @@ class FarVariations : public ::testing::TestWithParam<const char*> {
     const SliderRange range =
         slider_ranges(base, edited, subspace, none)[static_cast<std::size_t>(k)];
     const double stop = share < 0.0 ? range.lower.value : range.upper.value;
-    Positions rows;
-    evaluate(subspace,
-             (std::isfinite(stop) ? 4.0 * std::abs(share) * stop : 10.0 * share) *
-                 Eigen::VectorXd::Unit(subspace.dimension(), k),
-             rows);
-    Positions shown = edited;
-    shown(Eigen::all, subspace.support) = rows;
-    return shown;
-  }
-
-  [[nodiscard]] std::size_t spoilt(const Positions& shape) const {
-    std::size_t count = 0;
-    for (int f = 0; f < base.face_count(); ++f) {
-      count += panel_damage(base.positions, shape, base.face(f)) != PanelDamage::kNone ? 1 : 0;
-    }
-    return count;
+    const double value = std::isfinite(stop) ? 4.0 * std::abs(share) * stop : 10.0 * share;
+    return testing::varied(edited, subspace,
+                           value * Eigen::VectorXd::Unit(subspace.dimension(), k));
   }
 
   Mesh base;
@@ -243,7 +222,7 @@ class FarVariations : public ::testing::TestWithParam<const char*> {
 
 TEST_P(FarVariations, MadeExactKeepTheShapeOfPanels) {
   ASSERT_GT(subspace.dimension(), 0);
-  ASSERT_EQ(spoilt(edited), 0U);
+  ASSERT_EQ(testing::spoilt_count(base, edited), 0);
   std::mt19937 random(7);
   int came_back = 0, stayed = 0;
   for (int setting = 0; setting < kSettings; ++setting) {
@@ -253,7 +232,7 @@ TEST_P(FarVariations, MadeExactKeepTheShapeOfPanels) {
     ASSERT_TRUE(result.report.usable()) << status_name(result.report.status);
     Positions after = shown;
     after(Eigen::all, result.moved) = result.moved_positions;
-    EXPECT_EQ(spoilt(after), 0U) << "setting " << setting;
+    EXPECT_EQ(testing::spoilt_count(base, after), 0) << "setting " << setting;
     EXPECT_LE(planarity_summary(base, after).max_excess, testing::kPromise);
     const bool back = result.confined_because == ConfinedBecause::kSpoiltByVariation;
     (back ? came_back : stayed) += 1;

@@ -14,7 +14,6 @@
 #include "planish/adjacency.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
 #include "planish/problem.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
@@ -31,14 +30,6 @@ Mesh bumpy_grid(int size, double noise) {
   });
   mesh.positions += noise * testing::random_points(7, mesh.vertex_count());
   return mesh;
-}
-
-int spoilt_count(const Mesh& mesh, const Positions& positions) {
-  int count = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    count += panel_damage(mesh.positions, positions, mesh.face(f)) != PanelDamage::kNone;
-  }
-  return count;
 }
 
 /// Angle between the panels of every interior edge, degrees, by its own code.
@@ -87,7 +78,7 @@ TEST(SoundProjection, FairMeshesKeepTheirShape) {
     EXPECT_EQ(result.report.status, SolveStatus::kConverged) << noise;
     const Positions positions = testing::apply(mesh, result);
     expect_flat(mesh, positions);
-    EXPECT_EQ(spoilt_count(mesh, positions), 0) << noise;
+    EXPECT_EQ(testing::spoilt_count(mesh, positions), 0) << noise;
     EXPECT_LE(fold_p95(mesh, positions), 1.05 * fold_p95(mesh, mesh.positions)) << noise;
   }
 }
@@ -96,7 +87,7 @@ TEST(SoundProjection, TheNearestFlatMeshAloneSpoilsSuchAMesh) {
   const Mesh mesh = bumpy_grid(33, 0.005);
   const ProjectionResult nearest = planarise(mesh, kNearestFlat);
   const ProjectionResult fair = planarise(mesh, {});
-  EXPECT_GT(spoilt_count(mesh, testing::apply(mesh, nearest)), 0);
+  EXPECT_GT(testing::spoilt_count(mesh, testing::apply(mesh, nearest)), 0);
   EXPECT_LT(nearest.rms_move, fair.rms_move);
 }
 
@@ -110,7 +101,7 @@ TEST(SoundProjection, NearlyFlatRoofsStayAsFairAsTheyWere) {
     const ProjectionResult result = planarise(mesh, {});
     const Positions positions = testing::apply(mesh, result);
     expect_flat(mesh, positions);
-    EXPECT_EQ(spoilt_count(mesh, positions), 0) << name;
+    EXPECT_EQ(testing::spoilt_count(mesh, positions), 0) << name;
     EXPECT_LE(fold_p95(mesh, positions), 1.05 * fold_p95(mesh, mesh.positions)) << name;
   }
 }
@@ -120,7 +111,7 @@ TEST(SoundProjection, AKeptBoundaryKeepsItsBits) {
   const ProjectionResult result = planarise(mesh, {.keep_boundary = true});
   const Positions positions = testing::apply(mesh, result);
   expect_flat(mesh, positions);
-  EXPECT_EQ(spoilt_count(mesh, positions), 0);
+  EXPECT_EQ(testing::spoilt_count(mesh, positions), 0);
   const std::vector<int> boundary = boundary_vertices(mesh);
   EXPECT_EQ(boundary.size(), 80U);
   for (const int v : boundary) EXPECT_EQ(positions.col(v), mesh.positions.col(v)) << v;
@@ -157,7 +148,7 @@ TEST(SoundProjection, NeverSpoilsAPanelWhateverTheSurface) {
       });
       const ProjectionResult result = planarise(mesh, {.fairness_weight = smooth});
       const Positions positions = testing::apply(mesh, result);
-      EXPECT_EQ(spoilt_count(mesh, positions), 0) << twist << ' ' << smooth;
+      EXPECT_EQ(testing::spoilt_count(mesh, positions), 0) << twist << ' ' << smooth;
       Mesh left = mesh;
       left.positions = positions;
       const bool is_flat = planarity_summary(left).max_excess <= 1e-6;
@@ -189,7 +180,7 @@ TEST(NearlyFlat, ChangesLessTheFartherPanelsMayStayOutOfFlat) {
     EXPECT_EQ(result.report.status, SolveStatus::kConverged);
     EXPECT_LE(planarity_summary(mesh, positions).max_excess, most);
     EXPECT_GT(planarity_summary(mesh, positions).max_excess, 0.3 * most);
-    EXPECT_EQ(spoilt_count(mesh, positions), 0);
+    EXPECT_EQ(testing::spoilt_count(mesh, positions), 0);
     EXPECT_LT(result.rms_move, move);
     move = result.rms_move;
   }
@@ -209,7 +200,7 @@ TEST(NearlyFlat, IsAsFlatAsTheLargestMoveLetsIt) {
     EXPECT_EQ(result.report.status, SolveStatus::kToleranceNotMet);
     EXPECT_LE((positions - mesh.positions).colwise().norm().maxCoeff(), most);
     EXPECT_GT(result.max_move, 0.5 * most);
-    EXPECT_EQ(spoilt_count(mesh, positions), 0);
+    EXPECT_EQ(testing::spoilt_count(mesh, positions), 0);
     EXPECT_LT(planarity_summary(mesh, positions).max, bent);
     bent = planarity_summary(mesh, positions).max;
   }
@@ -243,7 +234,7 @@ TEST(SoundProjection, ALargeMeshIsFlatSoundAndCertified) {
   ASSERT_TRUE(result.report.optimality.has_value());
   EXPECT_TRUE(result.report.optimality->met());
   EXPECT_LE(result.report.planarity_after, 1e-6);
-  EXPECT_EQ(spoilt_count(mesh, testing::apply(mesh, result)), 0);
+  EXPECT_EQ(testing::spoilt_count(mesh, testing::apply(mesh, result)), 0);
 }
 
 TEST(SoundProjection, IsAFirstOrderPointOfItsProblem) {

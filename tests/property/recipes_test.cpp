@@ -13,8 +13,8 @@
 
 #include "planish/design.hpp"
 #include "planish/design_text.hpp"
-#include "planish/panel_health.hpp"
 #include "support/places.hpp"
+#include "support/scenes.hpp"
 
 namespace planish {
 namespace {
@@ -38,15 +38,6 @@ std::string text_of(const std::string& name) {
 /// Whether another compiler must agree up to rounding.
 bool is_certified(const Design& design) {
   return design.variations.empty() && design.options.engine == Engine::kNewton;
-}
-
-int spoilt_panels(const Replay& replay) {
-  int count = 0;
-  for (int f = 0; f < replay.base.face_count(); ++f) {
-    const auto damage = panel_damage(replay.base.positions, replay.shape, replay.base.face(f));
-    count += damage == PanelDamage::kNone ? 0 : 1;
-  }
-  return count;
 }
 
 #ifdef __EMSCRIPTEN__
@@ -73,7 +64,8 @@ TEST(Recipes, AllGiveTheirRecordedResult) {
       EXPECT_LE(result.deviation, kNear * mean_edge_length(result.base));
     }
     if (std::get<Design>(design).options.keep_shape) {
-      EXPECT_EQ(spoilt_panels(result), 0) << "a figure of what the product makes";
+      EXPECT_EQ(testing::spoilt_count(result.base, result.shape), 0)
+          << "a figure of what the product makes";
     }
   }
 }

@@ -46,11 +46,7 @@ class SliderStopsOf : public ::testing::TestWithParam<const char*> {
   }
 
   [[nodiscard]] Positions shape(const Eigen::VectorXd& values) const {
-    Positions rows;
-    evaluate(subspace, values, rows);
-    Positions result = edited;
-    result(Eigen::all, subspace.support) = rows;
-    return result;
+    return testing::varied(edited, subspace, values);
   }
 
   [[nodiscard]] double worst_share(const Eigen::VectorXd& values) const {

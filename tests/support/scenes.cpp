@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "planish/panel_health.hpp"
 #include "planish/shapes.hpp"
 
 namespace planish::testing {
@@ -119,6 +120,22 @@ std::vector<int> moved_beyond(const Mesh& mesh, const HandleEditResult& result, 
     if (move.norm() > length) list.push_back(result.moved[k]);
   }
   return list;
+}
+
+int spoilt_count(const Mesh& base, const Positions& after) {
+  int count = 0;
+  for (int f = 0; f < base.face_count(); ++f) {
+    count += panel_damage(base.positions, after, base.face(f)) != PanelDamage::kNone ? 1 : 0;
+  }
+  return count;
+}
+
+Positions varied(const Positions& edited, const Subspace& subspace, const Eigen::VectorXd& values) {
+  Positions rows;
+  evaluate(subspace, values, rows);
+  Positions positions = edited;
+  positions(Eigen::all, subspace.support) = rows;
+  return positions;
 }
 
 int middle_vertex(const Mesh& mesh) {

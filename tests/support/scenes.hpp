@@ -10,6 +10,7 @@
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
 #include "planish/problem.hpp"
+#include "planish/subspace.hpp"
 
 namespace planish::testing {
 
@@ -46,6 +47,11 @@ inline constexpr double kPromise = 1e-6;  ///< mm/m out of flat, what every exac
 /// Vertices that a result moves by more than `length`.
 [[nodiscard]] std::vector<int> moved_beyond(const Mesh& mesh, const HandleEditResult& result,
                                             double length);
+/// Panels that `after` spoils, all of them counted.
+[[nodiscard]] int spoilt_count(const Mesh& base, const Positions& after);
+/// An edit's positions with its variation at `values`.
+[[nodiscard]] Positions varied(const Positions& edited, const Subspace& subspace,
+                               const Eigen::VectorXd& values);
 /// The vertex nearest to the middle of the bounding box.
 [[nodiscard]] int middle_vertex(const Mesh& mesh);
 
