@@ -3,26 +3,13 @@
 // code that shares nothing with the product.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
+import { expectLocalAndFlat, type ObjMesh, readObj } from "./support/obj.ts";
 import { exportAs, idle, movedCount, pickFile, status } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { handleRows } from "./support/view.ts";
 
-/** mm/m: what a finished edit promises. */
-const TOLERANCE = 1e-6;
-
 const exportObj = async (page: Page): Promise<ObjMesh> =>
   readObj((await exportAs(page, "OBJ")).toString());
-
-/** Everything flat, everything that is not counted as moved written with the same digits. */
-function expectLocalAndFlat(before: ObjMesh, after: ObjMesh, moved: number): void {
-  expect(after.faces).toEqual(before.faces);
-  expect(worstFlatness(after)).toBeLessThan(TOLERANCE);
-  const differing = after.lines.filter((line, v) => line !== before.lines[v]).length;
-  expect(differing).toBe(moved);
-  expect(moved).toBeGreaterThan(0);
-  expect(moved).toBeLessThan(before.lines.length / 2);
-}
 
 describe("the first minute", () => {
   it("moves a point by typing", async () => {

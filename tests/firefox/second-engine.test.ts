@@ -2,7 +2,7 @@
 // What must not depend on one browser engine: the first drag, links that verify, export and storage.
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { readObj, worstFlatness } from "../browser/support/obj.ts";
+import { expectLocalAndFlat, readObj } from "../browser/support/obj.ts";
 import { usable, type Visitor, visit } from "./support/visitor.ts";
 
 interface Link {
@@ -43,11 +43,7 @@ it("a drag is exact, local, saved as a file and still there after a reload", asy
   await page.waitForSelector("::-p-aria([name='Cancel'][role='button'][disabled])");
   const moved = await visitor.moved();
   const text = await exportObj();
-  const after = readObj(text);
-  expect(after.faces).toEqual(before.faces);
-  expect(worstFlatness(after)).toBeLessThan(1e-6);
-  expect(after.lines.filter((line, v) => line !== before.lines[v]).length).toBe(moved);
-  expect(moved).toBeLessThan(before.lines.length / 2);
+  expectLocalAndFlat(before, readObj(text), moved);
   await page.reload();
   await usable(visitor);
   await expect.poll(visitor.moved).toBe(moved);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An independent reading of exported OBJ files: shares no code with the product.
+import { expect } from "vitest";
 
 export interface ObjMesh {
   /** Coordinates as written, one line a vertex. */
@@ -56,3 +57,16 @@ export function flatness(points: readonly (readonly number[])[]): number {
 
 export const worstFlatness = ({ points, faces }: ObjMesh): number =>
   Math.max(...faces.map((face) => flatness(face.map((v) => points[v] ?? []))));
+
+/** mm/m: what a finished edit promises. */
+const TOLERANCE = 1e-6;
+
+/** Everything flat, everything that is not counted as moved written with the same digits. */
+export function expectLocalAndFlat(before: ObjMesh, after: ObjMesh, moved: number): void {
+  expect(after.faces).toEqual(before.faces);
+  expect(worstFlatness(after)).toBeLessThan(TOLERANCE);
+  const differing = after.lines.filter((line, v) => line !== before.lines[v]).length;
+  expect(differing).toBe(moved);
+  expect(moved).toBeGreaterThan(0);
+  expect(moved).toBeLessThan(before.lines.length / 2);
+}
