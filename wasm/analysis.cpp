@@ -70,7 +70,9 @@ std::vector<unsigned char> Analysis::panel_damage() const {
                                      [&](int v) { return current_.col(v) != opened_.col(v); });
     const PanelDamage here =
         changed ? planish::panel_damage(opened_, current_, face) : PanelDamage::kNone;
-    damage.push_back(static_cast<unsigned char>(here));
+    const bool sliver =
+        changed && here == PanelDamage::kNone && became_sliver(opened_, current_, face);
+    damage.push_back(sliver ? kNewSliver : static_cast<unsigned char>(here));
   }
   return damage;
 }

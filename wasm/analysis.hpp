@@ -17,6 +17,9 @@
 
 namespace planish {
 
+/// In panel_damage(), after the last PanelDamage.
+inline constexpr unsigned char kNewSliver = 5;
+
 /// One base mesh and the design shown on it.
 class Analysis {
  public:
@@ -35,7 +38,8 @@ class Analysis {
   /// How many nodes moved since the base, and how many only have another axis or arm, see
   /// nodes_to_remake().
   [[nodiscard]] std::array<int, 2> nodes_to_remake() const;
-  /// What became of every face since the mesh was opened: a PanelDamage for each.
+  /// What became of every face since the mesh was opened: a PanelDamage for each, or kNewSliver
+  /// where it is none but became a sliver.
   [[nodiscard]] std::vector<unsigned char> panel_damage() const;
   /// The sharpest fold of every face with a neighbour, degrees, see face_folds().
   [[nodiscard]] std::vector<float> panel_folds() const;

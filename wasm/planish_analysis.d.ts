@@ -30,7 +30,8 @@ export interface Analysis {
   /** Of every panel: outline, shortest edge, smallest angle (degrees), a PanelChange. */
   panelHealth(): Float32Array;
   nodesToRemake(): NodeCounts;
-  /** A PanelDamage for every panel: what became of it since the mesh was opened. */
+  /** A PanelDamage for every panel: what became of it since the mesh was opened; 5 where it is none
+   * of them but became a sliver. */
   panelDamage(): Uint8Array;
   /** The sharpest fold of every panel with a neighbour, degrees. */
   panelFolds(): Float32Array;

@@ -149,4 +149,9 @@ PanelDamage panel_damage(const Positions& before, const Positions& after,
   return dented ? PanelDamage::kConcave : PanelDamage::kNone;
 }
 
+bool became_sliver(const Positions& before, const Positions& after, std::span<const int> face) {
+  return panel_health(after, face).smallest_angle < kSliverAngle &&
+         panel_health(before, face).smallest_angle >= kSliverAngle;
+}
+
 }  // namespace planish

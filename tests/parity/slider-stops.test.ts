@@ -93,7 +93,8 @@ it.each(["roof", "vault", "dome", "hex"])(
     analysis.setFamily(shape.moved, shape.positions, support, moves);
     const spoilt = (moved: Int32Array, at: Float64Array): number => {
       analysis.show(moved, at);
-      return analysis.panelDamage().filter((kind) => kind !== 0).length;
+      // A new sliver, 5, is sound.
+      return analysis.panelDamage().filter((kind) => kind > 0 && kind < 5).length;
     };
     expect(spoilt(shape.moved, shape.positions)).toBe(0);
     const random = numbers(7);

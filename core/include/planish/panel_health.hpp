@@ -21,6 +21,9 @@ struct PanelHealth {
   double smallest_angle = 0.0;  ///< inside the panel, degrees, 0 … 360
 };
 
+/// Degrees: a panel with a sharper corner is a sliver and breaks there.
+inline constexpr double kSliverAngle = 15.0;
+
 /// What became of a panel since `before`; the worst of it, most serious first.
 enum class PanelDamage {
   kNone,          ///< including what was there before
@@ -37,5 +40,9 @@ enum class PanelDamage {
 /// `before` and `after` are 3 × n of the whole mesh.
 [[nodiscard]] PanelDamage panel_damage(const Positions& before, const Positions& after,
                                        std::span<const int> face);
+
+/// Whether a panel is a sliver that was none before, whatever else became of it.
+[[nodiscard]] bool became_sliver(const Positions& before, const Positions& after,
+                                 std::span<const int> face);
 
 }  // namespace planish

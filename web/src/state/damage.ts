@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Panels that an edit, a variation or planarising has spoilt, although each of them is flat.
 import { computed } from "@preact/signals";
+import { PER_PANEL } from "../solver/protocol.ts";
+import { formatDegrees } from "./fold.ts";
 import { draft, history, panelDamage } from "./store.ts";
 
-/** One panel, several panels: by the core's PanelDamage, the most serious first. */
+/** One panel, several panels: by the core's PanelDamage, the most serious first; then new slivers. */
 export const DAMAGES: readonly (readonly [string, string])[] = [
   ["", ""],
   ["crosses itself", "cross themselves"],
   ["is turned over", "are turned over"],
   ["has collapsed", "have collapsed"],
   ["became concave", "became concave"],
+  ["became a sliver", "became slivers"],
 ];
+/** Place in DAMAGES. */
+const SLIVER = 5;
+
+/** " (12°)", " (from 9°)": their sharpest corners; "" without measured panels. */
+function sharpestWords(damage: Uint8Array, health: Float32Array | null): string {
+  if (!health) return "";
+  const angles = Array.from(damage).flatMap((kind, panel) => {
+    const angle = health[PER_PANEL.health * panel + 2];
+    return kind === SLIVER && angle !== undefined ? [angle] : [];
+  });
+  return ` (${angles.length > 1 ? "from " : ""}${formatDegrees(Math.min(...angles))})`;
+}
 
 /** Spoilt panels, the most serious damage first, then by number. */
 export function spoiltPanels(damage: Uint8Array): readonly number[] {
@@ -21,13 +36,15 @@ export function spoiltPanels(damage: Uint8Array): readonly number[] {
   return classes.flat();
 }
 
-/** "1 panel crosses itself, 3 became concave"; "" where nothing is spoilt. */
-export function damageWords(damage: Uint8Array): string {
+/** "1 panel crosses itself, 3 became concave, 1 became a sliver (12°)"; "" where nothing is spoilt. */
+export function damageWords(damage: Uint8Array, health: Float32Array | null = null): string {
   const counts = DAMAGES.map(() => 0);
   for (const kind of damage) counts[kind] = (counts[kind] ?? 0) + 1;
   const parts = DAMAGES.flatMap(([one, several], kind) => {
     const count = kind > 0 ? (counts[kind] ?? 0) : 0;
-    return count > 0 ? [{ count, words: count === 1 ? one : several }] : [];
+    const words = count === 1 ? one : several;
+    const angle = count > 0 && kind === SLIVER ? sharpestWords(damage, health) : "";
+    return count > 0 ? [{ count, words: words + angle }] : [];
   });
   return parts
     .map(({ count, words }, k) => {

@@ -129,7 +129,7 @@ async function panelsOf(shape: Shape): Promise<GalleryPanels | null> {
     const answer = await client.ask({ kind: "measure", shape });
     if (answer.kind !== "panels" || !answer.measures) return null;
     const { health, damage } = answer.measures;
-    return { changed: countHealth(health).changed, damage: damageWords(damage) };
+    return { changed: countHealth(health).changed, damage: damageWords(damage, health) };
   } catch {
     return null;
   }

@@ -21,4 +21,4 @@ export function usualFold(folds: Float32Array): number | null {
 
 /** "4 panels became concave"; "none" where no panel is spoilt. */
 export const spoiltWords = ({ measures }: Trial): string =>
-  measures ? damageWords(measures.damage) || "none" : "not measured";
+  measures ? damageWords(measures.damage, measures.health) || "none" : "not measured";

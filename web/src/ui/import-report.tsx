@@ -35,7 +35,7 @@ type Fact = readonly [string, string];
 function outlineFacts(): readonly Fact[] {
   if (!panelHealth.value) return [];
   const { concave, crossing } = countHealth(panelHealth.value);
-  const spoilt = damage.value ? damageWords(damage.value) : "";
+  const spoilt = damage.value ? damageWords(damage.value, panelHealth.value) : "";
   const facts: Fact[] = [["Outlines", `${concave} concave, ${crossing} self-crossing`]];
   if (spoilt) facts.push(["Made flat, but", spoilt]);
   return facts;

@@ -12,7 +12,7 @@ export function Verdict() {
   const { worstGap, worstMmPerM, worstExcess } = figures.value;
   const exact = isFlat(figures.value);
   const crossing = panelHealth.value ? countHealth(panelHealth.value).crossing : 0;
-  const spoilt = damage.value ? damageWords(damage.value) : "";
+  const spoilt = damage.value ? damageWords(damage.value, panelHealth.value) : "";
   const sound = crossing === 0 && spoilt === "";
   const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
   return (

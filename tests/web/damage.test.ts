@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What is said of panels that an edit spoilt or made hard to make.
+import { expect, it } from "vitest";
+import { damageWords, spoiltPanels } from "../../web/src/state/damage.ts";
+
+/** Outline, shortest edge, smallest angle and change of each panel. */
+const healthOf = (...angles: number[]): Float32Array =>
+  Float32Array.from(angles.flatMap((angle) => [0, 1, angle, 1]));
+
+it("says how sharp a new sliver is, after what is worse", () => {
+  const health = healthOf(90, 12, 90, 8.5);
+  expect(damageWords(Uint8Array.of(0, 0, 0, 0), health)).toBe("");
+  expect(damageWords(Uint8Array.of(0, 5, 0, 0), health)).toBe("1 panel became a sliver (12°)");
+  expect(damageWords(Uint8Array.of(0, 5, 0, 5), health)).toBe(
+    "2 panels became slivers (from 8.5°)",
+  );
+  const mixed = Uint8Array.of(0, 5, 4, 0);
+  expect(damageWords(mixed, health)).toBe("1 panel became concave, 1 became a sliver (12°)");
+  expect(spoiltPanels(mixed)).toEqual([2, 1]);
+});
