@@ -17,6 +17,7 @@ ExitCode run_edit(const Arguments& arguments) {
   if (output) save_edit(*output, run, run.edited, design);
   const Json json = edit_json(run, run.edited, options.engine);
   print_sentence(damage_sentence(json["spoilt_faces"]));
+  print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
   save_report(arguments, json);
   return exit_code(run.report);

@@ -124,6 +124,14 @@ std::optional<std::string> damage_sentence(const Json& damage) {
   return "flat, but spoilt: " + words;
 }
 
+std::optional<std::string> fold_sentence(const Json& fold) {
+  constexpr double kNotable = 20.0;  // degrees
+  if (fold["growth"].get<double>() <= kNotable) return std::nullopt;
+  return "sharpest fold " + three_digits(fold["after"].get<double>()) + " degrees, " +
+         three_digits(fold["before"].get<double>()) +
+         " before: --softness bends more gently, --bound fold=MAX limits it";
+}
+
 void print_sentence(const std::optional<std::string>& sentence) {
   if (sentence) print_message(*sentence);
 }

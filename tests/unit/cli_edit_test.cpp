@@ -71,7 +71,7 @@ TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
 TEST_F(Cli, EditMovesTheHandleAndReports) {
   ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
   ASSERT_EQ(run("edit a.obj --handle 65+=0,0,0.5 --pin 0,11 -o b.obj --report r.json"), 0) << err();
-  EXPECT_EQ(err(), "");
+  EXPECT_EQ(err().rfind("planish: sharpest fold 31.2 degrees, 18.6 before", 0), 0U) << err();
   const Mesh before = load("a.obj"), after = load("b.obj");
   EXPECT_GT(after.positions(2, 65), before.positions(2, 65) + 0.3);
   EXPECT_EQ(after.positions.col(11), before.positions.col(11));
@@ -251,8 +251,11 @@ TEST_F(Cli, ASupportThatIsNoneIsRefused) {
 
 TEST_F(Cli, SaysWhatAnEditDidNotReach) {
   const std::string edit = "edit sample:vault:12 --handle 66+=0,0,1.5 --report - ";
+  ASSERT_EQ(run(edit + "--bound fold=+15"), 0) << err();
+  EXPECT_EQ(err().find("sharpest fold"), std::string::npos) << err();
   ASSERT_EQ(run(edit), 0) << err();
-  EXPECT_EQ(err(), "");
+  EXPECT_NE(err().find("sharpest fold 54.6 degrees, 18.6 before"), std::string::npos) << err();
+  EXPECT_EQ(err().find("stopped"), std::string::npos) << err();
   ASSERT_EQ(run(edit + "--hard --pin 53,54,55,65,67,77,78,79"), 0) << err();
   EXPECT_EQ(nlohmann::json::parse(out())["status"], "infeasible_handles");
   EXPECT_NE(err().find("stopped 1.5 short of a target"), std::string::npos) << err();
