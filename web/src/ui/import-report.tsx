@@ -8,7 +8,15 @@ import { isKeptBy, isMeant, KINDS, type Kind } from "../state/kept-kind.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
 import { planarisingWords } from "../state/planarising.ts";
-import { baseFlat, designName, importReport, mesh, panelHealth, unit } from "../state/store.ts";
+import {
+  baseFlat,
+  designName,
+  draft,
+  importReport,
+  mesh,
+  panelHealth,
+  unit,
+} from "../state/store.ts";
 import { isUnit, UNITS, unitWord } from "../state/units.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
 import { later } from "./later.tsx";
@@ -154,7 +162,7 @@ export function ImportReport() {
           </>
         ) : (
           <button type="button" class="button primary" onClick={close}>
-            Start editing
+            {draft.value?.handles.length ? "Close" : "Start editing"}
           </button>
         )}
       </div>
