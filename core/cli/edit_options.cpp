@@ -80,8 +80,7 @@ Handle parse_handle(std::string_view text, const Mesh& base) {
     throw CommandError(kWrongUsage, "--handle: \"" + std::string(text) + "\" needs 3 coordinates");
   }
   for (int c = 0; c < 3; ++c) {
-    handle.target[c] =
-        parse_finite(numbers[static_cast<std::size_t>(c)], "--handle (units of the mesh)");
+    handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
   }
   if (relative) handle.target += base.positions.col(handle.vertex);
   return handle;
