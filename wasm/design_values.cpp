@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "analysis.hpp"
 #include "planish/constraints/registry.hpp"
 #include "planish/edit_option_table.hpp"
+#include "planish/panel_health.hpp"
 #include "session.hpp"
 
 namespace planish {
@@ -51,6 +53,7 @@ val option_value(const std::vector<KeptConstraint>& list) {
   return texts_of(list, constraint_text);
 }
 val option_value(const std::vector<StatedLimit>& list) { return texts_of(list, stated_limit_text); }
+val option_value(const std::vector<KeepOut>& list) { return texts_of(list, keep_out_text); }
 template <class Value>
 val option_value(Value word) {
   return val(std::string(word_of(word, words_for(word))));
@@ -70,6 +73,9 @@ void take(const val& given, std::vector<KeptConstraint>& value) {
 }
 void take(const val& given, std::vector<StatedLimit>& value) {
   value = read_limits(lines_of(given));
+}
+void take(const val& given, std::vector<KeepOut>& value) {
+  value = read_keep_outs(lines_of(given));
 }
 template <class Value>
 void take(const val& given, Value& value) {
@@ -268,6 +274,8 @@ val defaults_value() {
   value.set("nearestFlat", planarising_value(kNearestFlat));
   value.set("kinds", kind_tolerances());
   value.set("variationWeights", weights_value(SubspaceOptions{}));
+  value.set("sliverAngle", kSliverAngle);
+  value.set("newSliver", static_cast<int>(kNewSliver));
   return value;
 }
 
@@ -312,6 +320,7 @@ val to_value(const Design& design) {
   value.set("pins", list_of(design.targets.pins));
   value.set("supports", texts_of(design.targets.supports, point_support_text));
   value.set("continuation", design.targets.continuation);
+  value.set("symmetry", texts_of(design.symmetry, symmetry_text));
   value.set("options", to_value(design.options));
   value.set("variations", variations);
   value.set("result", design.result ? to_value(*design.result) : val::null());

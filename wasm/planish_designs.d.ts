@@ -21,6 +21,10 @@ export interface Defaults {
   /** Degrees, by the name of each kind that can be kept beside planarity. */
   readonly kinds: Readonly<Record<string, number>>;
   readonly variationWeights: VariationWeights;
+  /** Degrees: a panel with a sharper corner is a sliver. */
+  readonly sliverAngle: number;
+  /** What panel_damage() says of a panel that became one. */
+  readonly newSliver: number;
 }
 
 /** The core's HandleEditOptions. */
@@ -49,6 +53,10 @@ export interface EditOptions {
   readonly constraints: readonly string[];
   /** As --bound says them: "fold=25"; degrees and model units. See state/stated-limit.ts. */
   readonly limits: readonly string[];
+  /** Where nothing may go, as --keep-out says it: "below=0"; model units. */
+  readonly keepOuts: readonly string[];
+  /** Kept from every one of them, model units. */
+  readonly clearance: number;
   /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
   readonly softness: number;
 }
@@ -137,6 +145,8 @@ export interface DesignValue {
 
 /** `plain`: exact, and without what only the command line can set. */
 export interface ReadDesignValue extends DesignValue {
+  /** As --symmetry says it, one each. */
+  readonly symmetry: readonly string[];
   readonly variations: readonly (DesignVariation & { readonly plain: boolean })[];
 }
 

@@ -45,10 +45,11 @@ struct Replayed {
   double deviation = 0.0;       ///< from the recorded result, see deviation()
 };
 
-// One a line, as --constraint and --bound say them; "" for none. What cannot be read breaks a rule
-// of find_problem().
+// One a line, as --constraint, --bound and --keep-out say them; "" for none. What cannot be read
+// breaks a rule of find_problem().
 [[nodiscard]] std::vector<KeptConstraint> read_constraints(std::string_view lines);
 [[nodiscard]] std::vector<StatedLimit> read_limits(std::string_view lines);
+[[nodiscard]] std::vector<KeepOut> read_keep_outs(std::string_view lines);
 
 class Session {
  public:

@@ -26,7 +26,7 @@ ExitCode run_edit(const Arguments& arguments) {
 }  // namespace
 
 Command edit_command() {
-  std::vector<OptionRow> rows = edit_option_rows();
+  std::vector<OptionRow> rows = edit_command_rows();
   rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
   return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json] [--design D.json]",
           "move a few vertices; panels stay flat, the rest stays put", rows, run_edit};

@@ -17,6 +17,7 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
   if (run.base.planarised) design.planarised = run.base.how;
   design.unit = run.unit;
   design.targets = run.targets;
+  if (run.symmetry) design.symmetry = run.symmetry->elements;
   design.options = options;
   design.variations = std::move(variations);
   design.result = mark_of(run.base.mesh, shape);

@@ -105,6 +105,11 @@ std::vector<OptionRow> edit_option_rows() {
            "turned over or collapsed that was not; limits of panels, each at most\n"
            "as broken as in MESH: fold=MAX degrees or fold=+MAX beyond what it was,\n"
            "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH (repeatable)"},
+          {"--keep-out", "KIND=VALUE",
+           "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
+           "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1;\n"
+           "what is there in MESH goes no deeper (repeatable)"},
+          {"--clearance", "D", "kept from every --keep-out (units of the mesh)"},
           kConstraintRow,
           {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
           {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
@@ -119,7 +124,41 @@ std::vector<OptionRow> edit_option_rows() {
           {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
 }
 
+std::vector<OptionRow> edit_command_rows() {
+  std::vector<OptionRow> rows = edit_option_rows();
+  rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
+                  "default off; an edit of one point edits its images. x, y, z: the mirror\n"
+                  "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
+                  "turns about z, or x; several joined by commas; auto: all that MESH has"});
+  return rows;
+}
+
 namespace {
+
+/// The symmetry of `mesh` that --symmetry asks for; nullopt without or off.
+std::optional<MeshSymmetry> asked_symmetry(const Arguments& arguments, const Mesh& mesh,
+                                           const HandleEditOptions& options) {
+  const auto text = arguments.value("--symmetry");
+  if (!text) return std::nullopt;
+  const auto stated = parse_symmetry(*text);
+  if (!stated) {
+    throw CommandError(
+        kWrongUsage, "--symmetry: \"" + *text + "\" is none of " + std::string(known_symmetries()));
+  }
+  if (stated->is_off()) return std::nullopt;
+  if (options.engine != Engine::kNewton) {
+    throw CommandError(kWrongUsage, "symmetry: the engine alm knows none; it needs newton");
+  }
+  auto found = find_symmetry(mesh, *stated);
+  if (auto* why = std::get_if<std::string>(&found)) throw CommandError(kWrongUsage, *why);
+  return std::get<MeshSymmetry>(std::move(found));
+}
+
+EditTargets all_images(const EditTargets& targets, const Mesh& base, const MeshSymmetry& symmetry) {
+  auto all = with_images(targets, base, symmetry);
+  if (auto* why = std::get_if<std::string>(&all)) throw CommandError(kWrongUsage, *why);
+  return std::get<EditTargets>(std::move(all));
+}
 
 constexpr Words<double, 6> kUnits = {
     {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
@@ -183,6 +222,25 @@ FairnessKind parse_fairness(std::string_view text) {
 
 Engine parse_engine(std::string_view text) { return parse_word(text, "--solver", kEngineWords); }
 
+namespace {
+
+void set_keep_outs(const Arguments& arguments, HandleEditOptions& options) {
+  for (const std::string& text : arguments.values("--keep-out")) {
+    auto keep_out = parse_keep_out(text);
+    if (!keep_out) {
+      throw CommandError(
+          kWrongUsage, "--keep-out: \"" + text + "\" is none of " + std::string(known_keep_outs()));
+    }
+    options.keep_outs.push_back(std::move(*keep_out));
+  }
+  set_number(arguments, "--clearance", options.clearance);
+  if (arguments.has("--clearance") && options.keep_outs.empty()) {
+    throw CommandError(kWrongUsage, "--clearance is from a --keep-out: there is none");
+  }
+}
+
+}  // namespace
+
 HandleEditOptions edit_options(const Arguments& arguments) {
   HandleEditOptions options;
   set_number(arguments, "--locality", options.locality);
@@ -198,6 +256,7 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   }
   options.keep_shape = bounds.keep_shape;
   options.bounds = std::move(bounds.limits);
+  set_keep_outs(arguments, options);
   options.constraints = parse_constraints(arguments, options.tolerance);
   if (const auto text = arguments.value("--fairness")) options.fairness = parse_fairness(*text);
   if (const auto text = arguments.value("--solver")) options.engine = parse_engine(*text);
@@ -212,6 +271,9 @@ HandleEditOptions edit_options(const Arguments& arguments) {
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
   if (arguments.has("--support") && options.engine != Engine::kNewton) {
     throw CommandError(kWrongUsage, "--support: the solver alm knows none; supports need newton");
+  }
+  if (!options.keep_outs.empty() && options.engine != Engine::kNewton) {
+    throw CommandError(kWrongUsage, "--keep-out: the solver alm knows none; it needs newton");
   }
   if (arguments.has("--continuation") && options.engine != Engine::kNewton) {
     throw CommandError(kWrongUsage, "--continuation: the solver alm knows none; it needs newton");
@@ -290,6 +352,12 @@ std::optional<std::string> planarised_sentence(const FlatBase& base) {
          three_digits(base.planarised->max_move) + " (units of the mesh)";
 }
 
+std::optional<std::string> evened_sentence(const EditRun& run) {
+  if (run.evened.max_move == 0.0) return std::nullopt;
+  return "not exactly symmetric; made so first, which moved vertices by up to " +
+         three_digits(run.evened.max_move) + " (units of the mesh)";
+}
+
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
                  const std::string& name, const Progress& progress) {
   EditRun run;
@@ -298,6 +366,12 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
   run.source = std::move(source.source);
   // Wrong targets must not cost a projection first; the vertices are the same after it.
   run.targets = edit_targets(arguments, run.given);
+  run.symmetry = asked_symmetry(arguments, run.given, options);
+  if (run.symmetry) {
+    Mesh even = run.given;
+    even_out(*run.symmetry, even.face_vertices, even.positions);
+    (void)all_images(edit_targets(arguments, even), even, *run.symmetry);
+  }
   bool stopped = false;
   Progress watched;
   if (progress) {
@@ -313,18 +387,29 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
     run.report.status = SolveStatus::kCancelled;
     return run;
   }
+  if (run.symmetry && (!run.base.planarised || run.base.planarised->report.usable())) {
+    run.evened = make_symmetric(run.base.mesh, *run.symmetry, options.tolerance, watched);
+  }
   run.targets = edit_targets(arguments, run.base.mesh);
   run.edited = run.base.mesh.positions;
   if (run.base.planarised && !run.base.planarised->report.usable()) {
     run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
     return run;
   }
+  if (!run.evened.symmetric) {
+    throw CommandError(kInvalidMesh,
+                       name + ": symmetry: the mesh cannot be made flat and symmetric");
+  }
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
     throw CommandError(kInvalidMesh,
                        name + ": " + *broken + "; planish project --constraint makes it so");
   }
   HandleEditSolver solver(run.base.mesh, options);
-  const HandleEditResult result = solver.solve(run.targets, watched);
+  const HandleEditResult result =
+      run.symmetry && run.symmetry->operations.size() > 1
+          ? solver.solve_symmetric(all_images(run.targets, run.base.mesh, *run.symmetry),
+                                   *run.symmetry, watched)
+          : solver.solve(run.targets, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -335,6 +420,7 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
   clear_progress_line();
   if (const auto sentence = planarised_sentence(run.base)) print_message(name + ": " + *sentence);
+  if (const auto sentence = evened_sentence(run)) print_message(name + ": " + *sentence);
   return run;
 }
 
@@ -351,6 +437,10 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
   json["remake"] = remake_json(run.base.mesh, after);
   add_supports(json, run.targets.supports, run.base.mesh, after);
+  if (run.symmetry) {
+    json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
+    if (run.evened.max_move > 0.0) json["symmetry"]["base_moved_by"] = run.evened.max_move;
+  }
   return json;
 }
 

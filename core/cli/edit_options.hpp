@@ -14,12 +14,16 @@
 #include "planish/mesh.hpp"
 #include "planish/planarising.hpp"
 #include "planish/projection.hpp"
+#include "planish/symmetric_edit.hpp"
 #include "report.hpp"
 
 namespace planish::cli {
 
 /// Rows of the option table for handles, pins, weights, fairness and solver.
 [[nodiscard]] std::vector<OptionRow> edit_option_rows();
+
+/// The same and what `edit` alone knows: --symmetry.
+[[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
 
@@ -76,8 +80,10 @@ struct EditRun {
   Mesh given;        ///< as in the file
   DesignSource source;
   FlatBase base;
-  EditTargets targets;
-  Positions edited;  ///< 3 × n
+  EditTargets targets;                   ///< without images
+  std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
+  SymmetricBase evened;                  ///< how the base became symmetric
+  Positions edited;                      ///< 3 × n
   SolveReport report;
 };
 
@@ -94,6 +100,9 @@ struct EditRun {
 /// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
 /// the mesh was flat.
 [[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
+
+/// Nor need it be symmetric; nullopt where it was.
+[[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
 
 /// Everything of the report that does not depend on the command.
 [[nodiscard]] Json edit_json(const EditRun& run, const Positions& after, Engine engine);

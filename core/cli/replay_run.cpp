@@ -23,6 +23,9 @@ Json replay_json(const Design& design, const Replay& replayed) {
   json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
   json["remake"] = remake_json(replayed.base, replayed.shape);
   add_supports(json, design.targets.supports, replayed.base, replayed.shape);
+  if (replayed.symmetry) {
+    json["symmetry"] = symmetry_json(*replayed.symmetry, replayed.base, replayed.shape);
+  }
   if (replayed.subspace) {
     json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
   }

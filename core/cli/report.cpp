@@ -109,8 +109,14 @@ std::optional<std::string> outcome_sentence(const SolveReport& report) {
            "any nearer";
   }
   if (report.status == SolveStatus::kIterationLimit) {
-    return "not converged: every panel is as it should be, but the edit is not certified to be the "
-           "best one near";
+    constexpr double kRounding = 1e-6;  // of the largest move
+    const std::string short_of =
+        report.handle_error > kRounding * report.max_displacement
+            ? ", " + three_digits(report.handle_error) + " short of a target (units of the mesh)"
+            : "";
+    return "not converged" + short_of +
+           ": every panel is as it should be, but the edit is not certified to be the best one "
+           "near";
   }
   return std::nullopt;
 }
@@ -206,6 +212,16 @@ Progress progress_line() {
 
 void clear_progress_line() {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
+Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base, const Positions& after) {
+  Json elements = Json::array();
+  for (const SymmetryElement& element : symmetry.elements) {
+    elements.push_back(symmetry_text(element));
+  }
+  return {{"elements", elements},
+          {"images", symmetry.operations.size()},
+          {"asymmetry_mean_edges", asymmetry(symmetry, base, after)}};
 }
 
 void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,

@@ -12,6 +12,7 @@
 #include "planish/mesh.hpp"
 #include "planish/solve_report.hpp"
 #include "planish/subspace.hpp"
+#include "planish/symmetry.hpp"
 
 namespace planish::cli {
 
@@ -37,6 +38,10 @@ using Json = nlohmann::ordered_json;
 /// How far the points of each support are off it; nothing where there are none.
 void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
                   const Positions& after);
+
+/// Under which symmetry an edit was, and how far `after` is from it, in mean edges.
+[[nodiscard]] Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base,
+                                 const Positions& after);
 
 /// What `damage_json` found; nullopt where it found nothing.
 [[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);

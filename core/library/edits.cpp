@@ -33,6 +33,7 @@ bool is_json(const std::string& path) { return path.ends_with(".json"); }
 std::vector<std::string> edit_messages(const cli::EditRun& run, const cli::Json& report) {
   std::vector<std::string> messages;
   add(messages, cli::planarised_sentence(run.base));
+  add(messages, cli::evened_sentence(run));
   add(messages, cli::damage_sentence(report["spoilt_faces"]));
   add(messages, cli::outcome_sentence(run.report));
   return messages;
@@ -48,7 +49,7 @@ cli::EditRun with_source(const Edit& edit) {
 }  // namespace
 
 Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const Words& words, const Progress& progress) {
-  const cli::Arguments arguments = arguments_of(words, cli::edit_option_rows());
+  const cli::Arguments arguments = arguments_of(words, cli::edit_command_rows());
   // Not in the braces of `edit`: g++ 12 destroys its members twice where an initializer throws.
   const HandleEditOptions options = cli::edit_options(arguments);
   Edit edit{mesh, {}, options};
@@ -76,6 +77,9 @@ EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
                        const Progress& progress) {
   const cli::Arguments arguments = arguments_of(words, cli::family_option_rows());
   const SubspaceOptions options = cli::subspace_options(arguments, edit->options);
+  if (edit->run.symmetry) {
+    throw CommandError(cli::kWrongUsage, "symmetry: variations do not keep it");
+  }
   return {edit, cli::find_family(edit->run, edit->options, options, arguments, progress)};
 }
 
@@ -192,7 +196,7 @@ std::string bytes_of(const Design& design, const std::string& name) {
 }
 
 std::vector<cli::OptionRow> option_rows(const std::string& command) {
-  if (command == "edit") return cli::edit_option_rows();
+  if (command == "edit") return cli::edit_command_rows();
   if (command == "explore") return cli::family_option_rows();
   if (command == "project") return cli::projection_option_rows();
   if (command == "offset") return cli::offset_option_rows();

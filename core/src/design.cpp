@@ -2,6 +2,7 @@
 #include "planish/design.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "planish/io/number.hpp"
 #include "planish/metrics.hpp"
 #include "planish/shapes.hpp"
+#include "planish/symmetric_edit.hpp"
 
 namespace planish {
 namespace {
@@ -70,11 +72,18 @@ std::variant<Mesh, std::string> source_mesh(const DesignSource& source, const Me
 }
 
 /// The flat base of `design`, or a sentence if it cannot be had.
+/// @param symmetry set to that of the design, if it has one
 std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* given,
-                                          const Progress& progress) {
+                                          const Progress& progress,
+                                          std::optional<MeshSymmetry>& symmetry) {
   auto opened = source_mesh(design.source, given);
   if (std::holds_alternative<std::string>(opened)) return opened;
   Mesh& base = std::get<Mesh>(opened);
+  if (!design.symmetry.empty()) {
+    auto found = find_symmetry(base, {false, design.symmetry});
+    if (auto* problem = std::get_if<std::string>(&found)) return std::move(*problem);
+    symmetry = std::get<MeshSymmetry>(std::move(found));
+  }
   if (design.planarised) {
     const ProjectionResult flat = planarise(base, *design.planarised, progress);
     base.positions(Eigen::all, flat.moved) = flat.moved_positions;
@@ -82,12 +91,17 @@ std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* give
     const bool done = flat.report.usable() || design.planarised->keep_shape;
     if (!done) return "the mesh cannot be made flat";
   }
+  if (symmetry && !make_symmetric(base, *symmetry, design.options.tolerance, progress).symmetric) {
+    return "symmetry: the mesh cannot be made flat and symmetric";
+  }
   const auto* file = std::get_if<FileSource>(&design.source);
   if (file != nullptr && file->hash && *file->hash != mesh_hash(base)) {
     return "the mesh is not the one that the design was made on";
   }
   return opened;
 }
+
+using SolveEdit = std::function<HandleEditResult(HandleEditSolver&)>;
 
 /// Replays the steps of one design on its base.
 class Player {
@@ -115,11 +129,11 @@ class Player {
     return std::nullopt;
   }
 
-  void edit() {
+  void edit(const SolveEdit& solve) {
     result_.report.status = SolveStatus::kConverged;
     if (design_.targets.handles.empty()) return;
     HandleEditSolver solver(result_.base, design_.options);
-    const HandleEditResult edited = solver.solve(design_.targets, progress_);
+    const HandleEditResult edited = solve(solver);
     result_.report = edited.report;
     if (edited.report.usable()) result_.shape = apply(result_.base, edited);
   }
@@ -234,24 +248,48 @@ GlbVariations variations_of(const Subspace& subspace) {
   return variations;
 }
 
-std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
-                                         const Progress& progress) {
-  if (auto problem = find_problem(design)) return std::move(*problem);
-  auto base = open_base(design, given, progress);
-  if (auto* problem = std::get_if<std::string>(&base)) return std::move(*problem);
-  return replay_on(std::move(std::get<Mesh>(base)), design, progress);
-}
+namespace {
 
-std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
-                                            const Progress& progress) {
+std::variant<Replay, std::string> play(Mesh base, const Design& design, const SolveEdit& solve,
+                                       const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);
   Player player(std::move(base), design, progress);
   if (auto problem = player.check()) return std::move(*problem);
-  player.edit();
+  player.edit(solve);
   for (const DesignVariation& variation : design.variations) {
     if (!player.vary(variation)) break;
   }
   return player.finish();
+}
+
+}  // namespace
+
+std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
+                                         const Progress& progress) {
+  if (auto problem = find_problem(design)) return std::move(*problem);
+  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
+  std::optional<MeshSymmetry> symmetry;
+  auto opened = open_base(design, given, progress, symmetry);
+  if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
+  Mesh& base = std::get<Mesh>(opened);
+  if (!symmetry) return replay_on(std::move(base), design, progress);
+  auto targets = with_images(design.targets, base, *symmetry);
+  if (auto* problem = std::get_if<std::string>(&targets)) return std::move(*problem);
+  const auto solve = [&](HandleEditSolver& solver) {
+    return solver.solve_symmetric(std::get<EditTargets>(targets), *symmetry, progress);
+  };
+  auto played = play(std::move(base), design, solve, progress);
+  if (auto* done = std::get_if<Replay>(&played)) done->symmetry = std::move(symmetry);
+  return played;
+}
+
+std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
+                                            const Progress& progress) {
+  if (!design.symmetry.empty()) return "symmetry: this base is of a design without one";
+  const auto solve = [&](HandleEditSolver& solver) {
+    return solver.solve(design.targets, progress);
+  };
+  return play(std::move(base), design, solve, progress);
 }
 
 }  // namespace planish

@@ -28,6 +28,15 @@ Refusal find_problem(const DesignVariation& variation) {
 
 }  // namespace
 
+Refusal find_symmetry_problem(const Design& design) {
+  if (design.symmetry.empty()) return std::nullopt;
+  if (design.options.engine != Engine::kNewton) {
+    return "symmetry: the engine alm knows none; it needs newton";
+  }
+  if (!design.variations.empty()) return "symmetry: variations do not keep it";
+  return std::nullopt;
+}
+
 Refusal find_problem(const Design& design) {
   constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
   if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
@@ -44,6 +53,9 @@ Refusal find_problem(const Design& design) {
   }
   if (!design.targets.supports.empty() && design.options.engine != Engine::kNewton) {
     return "supports: the engine alm knows none; they need newton";
+  }
+  if (!design.options.keep_outs.empty() && design.options.engine != Engine::kNewton) {
+    return "keep_out: the engine alm knows none; it needs newton";
   }
   for (std::size_t k = 0; k < design.variations.size(); ++k) {
     if (const auto problem = find_problem(design.variations[k])) {

@@ -24,8 +24,8 @@ constexpr std::size_t kLongestText = std::size_t{256} << 20;
 constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
                       kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
-                      kMostBounds = 16, kMostSupports = 1000, kLongestName = 400,
-                      kLongestSupport = 10'000'000;
+                      kMostBounds = 16, kMostKeepOuts = 64, kMostSupports = 1000,
+                      kMostElements = 16, kLongestName = 400, kLongestSupport = 10'000'000;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -178,6 +178,16 @@ std::vector<StatedLimit> read_bounds(const Field& field) {
   return bounds;
 }
 
+std::vector<KeepOut> read_value(const Field& field, const std::vector<KeepOut>&) {
+  std::vector<KeepOut> keep_outs;
+  for (std::size_t k = 0; k < field.size(kMostKeepOuts); ++k) {
+    const auto keep_out = parse_keep_out(field[k].text(kLongestName));
+    if (!keep_out) field[k].refuse("one of " + std::string(known_keep_outs()));
+    keep_outs.push_back(*keep_out);
+  }
+  return keep_outs;
+}
+
 double read_value(const Field& field, double) { return field.number(); }
 bool read_value(const Field& field, bool) { return field.boolean(); }
 int read_value(const Field& field, int) { return field.whole(0); }
@@ -254,6 +264,16 @@ std::vector<PointSupport> read_supports(const Field& field) {
   return supports;
 }
 
+std::vector<SymmetryElement> read_symmetry(const Field& field) {
+  std::vector<SymmetryElement> elements;
+  for (std::size_t k = 0; k < field.size(kMostElements); ++k) {
+    const auto stated = parse_symmetry(field[k].text(kLongestName));
+    if (!stated || stated->elements.size() != 1) field[k].refuse("x, y, z or axis:x|y|z:N");
+    elements.push_back(stated->elements.front());
+  }
+  return elements;
+}
+
 EditTargets read_targets(const Field& root) {
   EditTargets targets;
   if (root.has("handles")) {
@@ -299,7 +319,7 @@ void read_format(const Field& root) {
 Design read_root(const Field& root) {
   read_format(root);
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
-             "supports", "continuation", "options", "variations", "result"});
+             "supports", "continuation", "symmetry", "options", "variations", "result"});
   const int version = root.at("version").whole(1);
   if (version != kDesignVersion) {
     throw Refused{"the design is of version " + std::to_string(version) + "; this reads version " +
@@ -311,6 +331,7 @@ Design read_root(const Field& root) {
   design.planarised = read_planarised(root);
   if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
   design.targets = read_targets(root);
+  if (root.has("symmetry")) design.symmetry = read_symmetry(root.at("symmetry"));
   design.options = root.has("options") ? read_options(root.at("options")) : options_when_absent();
   if (root.has("variations")) {
     const Field variations = root.at("variations");
@@ -322,6 +343,7 @@ Design read_root(const Field& root) {
   }
   if (root.has("result")) design.result = read_mark(root.at("result"));
   if (const auto problem = find_problem(design)) throw Refused{*problem};
+  if (const auto problem = find_symmetry_problem(design)) throw Refused{*problem};
   return design;
 }
 

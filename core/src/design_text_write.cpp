@@ -51,6 +51,11 @@ Json value_json(const std::vector<StatedLimit>& limits) {
   for (const StatedLimit& limit : limits) json.push_back(stated_limit_text(limit));
   return json;
 }
+Json value_json(const std::vector<KeepOut>& keep_outs) {
+  Json json = Json::array();
+  for (const KeepOut& keep_out : keep_outs) json.push_back(keep_out_text(keep_out));
+  return json;
+}
 template <class Value>
 Json value_json(Value value) {
   return word_of(value, words_for(value));
@@ -124,6 +129,9 @@ std::string write_design(const Design& design) {
     json["supports"].push_back(point_support_text(support));
   }
   if (design.targets.continuation > 0) json["continuation"] = design.targets.continuation;
+  for (const SymmetryElement& element : design.symmetry) {
+    json["symmetry"].push_back(symmetry_text(element));
+  }
   json["options"] = options_json(design.options);
   json["variations"] = Json::array();
   for (const DesignVariation& variation : design.variations) {

@@ -100,6 +100,7 @@ std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets
     const std::vector<int> points = points_of(support, mesh);
     held.insert(held.end(), points.begin(), points.end());
   }
+  if (!options.keep_outs.empty()) hold_resting(mesh, options, held);
   std::sort(held.begin(), held.end());
   held.erase(std::unique(held.begin(), held.end()), held.end());
   return held;

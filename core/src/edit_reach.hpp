@@ -14,6 +14,9 @@ namespace planish {
 /// Whether `options` limit where an edit may move anything.
 [[nodiscard]] bool has_reach(const HandleEditOptions& options);
 
+/// Adds the points that rest on a keep-out in the base to `held`. O(n).
+void hold_resting(const Mesh& mesh, const HandleEditOptions& options, std::vector<int>& held);
+
 /// Walks from the handles over the faces; costs what it finds, and O(n) marks on the first walk.
 class EditReach {
  public:

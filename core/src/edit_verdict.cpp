@@ -2,24 +2,20 @@
 #include "edit_verdict.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "planish/mesh_standing.hpp"
 #include "planish/panel_health.hpp"
 
 namespace planish {
-namespace {
 
-/// Where a vertex of the design is, in solver units.
-auto placed(const MeshModel& model, const ExactDesign& design) {
-  return [&](int v) -> Eigen::Vector3d {
+std::function<Eigen::Vector3d(int)> EditVerdict::places(const ExactDesign& design) const {
+  return [&design, &points = model_.points](int v) -> Eigen::Vector3d {
     const auto found = std::lower_bound(design.vertices.begin(), design.vertices.end(), v);
-    if (found == design.vertices.end() || *found != v) return model.points.col(v);
-    return model.points.col(v) + design.displacement.col(found - design.vertices.begin());
+    if (found == design.vertices.end() || *found != v) return points.col(v);
+    return points.col(v) + design.displacement.col(found - design.vertices.begin());
   };
 }
-
-}  // namespace
 
 /// By the verdict that reports give.
 bool EditVerdict::keeps_shape(const ExactDesign& design) const {
@@ -43,7 +39,7 @@ bool EditVerdict::keeps_shape(const ExactDesign& design) const {
 }
 
 bool EditVerdict::keeps_limits(const ExactDesign& design) const {
-  const auto standing = limit_standing(*bounds_.limits, design.faces, placed(model_, design));
+  const auto standing = limit_standing(*bounds_.limits, design.faces, places(design));
   return std::all_of(standing.begin(), standing.end(),
                      [](const LimitStanding& one) { return one.least_share >= 0.0; });
 }
@@ -95,13 +91,9 @@ void EditVerdict::add_to(SolveReport& report, const ExactDesign& design) const {
   report.planarity_before = report.violations.front().before_max;
   report.planarity_after = report.violations.front().after_max;
   if (bounds_.limits == nullptr) return;
-  const auto standing = limit_standing(*bounds_.limits, design.faces, placed(model_, design));
-  LimitKinds::for_each([&](auto tag) {
-    using Kind = typename decltype(tag)::type;
-    const std::size_t index = LimitKinds::index_of<Kind>();
-    if (!bounds_.limits->has(index)) return;
-    report.bounds.push_back({Kind::kName, standing[index].binding});
-  });
+  for (LimitStanding& one : limit_standing(*bounds_.limits, design.faces, places(design))) {
+    report.bounds.push_back({one.name, std::move(one.binding)});
+  }
 }
 
 }  // namespace planish

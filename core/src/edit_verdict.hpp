@@ -2,6 +2,7 @@
 /// What a finished design is judged by: its constraints, its panels' shapes, its stated limits.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base_violations.hpp"
@@ -30,6 +31,9 @@ class EditVerdict {
   /// Exact, no panel lost the shape it had, every stated limit holds, every point is on its
   /// support.
   [[nodiscard]] bool is_acceptable(const ExactDesign& design) const;
+
+  /// Where a vertex of the design is, in solver units. The design outlives it.
+  [[nodiscard]] std::function<Eigen::Vector3d(int)> places(const ExactDesign& design) const;
 
   /// `status`, or kToleranceNotMet: a design of a base that broke a constraint itself is no exact
   /// one, however it ended.

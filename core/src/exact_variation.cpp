@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/folds.hpp"
 #include "planish/metrics.hpp"
@@ -29,33 +30,37 @@ class LimitJudge {
   LimitJudge(const Mesh& base, const HandleEditOptions& options)
       : model_(base, options.fairness),
         limits_(LimitBase{model_.mesh, model_.adjacency, model_.points, model_.unit()},
-                options.bounds) {}
+                options.bounds) {
+    if (options.keep_outs.empty()) return;
+    limits_.keep_out({model_.mesh, model_.adjacency, model_.points, model_.unit()},
+                     options.keep_outs, options.clearance);
+  }
 
   [[nodiscard]] bool accepts(const Positions& shape) const {
-    const LimitStandings standing = standing_of(shape);
+    const std::vector<LimitStanding> standing = standing_of(shape);
     return std::all_of(standing.begin(), standing.end(),
                        [](const LimitStanding& one) { return one.least_share >= 0.0; });
   }
 
   /// The panels of `shape` that each limit holds back.
   [[nodiscard]] std::vector<BoundStanding> holding(const Positions& shape) const {
-    const LimitStandings standing = standing_of(shape);
     std::vector<BoundStanding> bounds;
-    LimitKinds::for_each([&](auto tag) {
-      using Kind = typename decltype(tag)::type;
-      const std::size_t index = LimitKinds::index_of<Kind>();
-      if (limits_.has(index)) bounds.push_back({Kind::kName, standing[index].binding});
-    });
+    for (LimitStanding& one : standing_of(shape)) {
+      bounds.push_back({one.name, std::move(one.binding)});
+    }
     return bounds;
   }
 
  private:
-  [[nodiscard]] LimitStandings standing_of(const Positions& shape) const {
+  [[nodiscard]] std::vector<LimitStanding> standing_of(const Positions& shape) const {
     const Positions& base = model_.mesh.positions;
     const auto place = [&](int v) -> Eigen::Vector3d {
       return model_.points.col(v) + (shape.col(v) - base.col(v)) / model_.unit();
     };
-    return limit_standing(limits_, faces_of(model_.adjacency, moved_vertices(base, shape)), place);
+    const std::vector<int> faces = faces_of(model_.adjacency, moved_vertices(base, shape));
+    // The planes of boxes follow the shape that is judged.
+    if (limits_.keep_outs() != nullptr) limits_.keep_outs()->choose_planes(faces, place);
+    return limit_standing(limits_, faces, place);
   }
 
   MeshModel model_;
@@ -67,7 +72,8 @@ class Judge {
  public:
   Judge(const ShownVariation& variation, const HandleEditOptions& options)
       : variation_(variation), keep_shape_(options.keep_shape) {
-    if (!options.bounds.empty()) limits_.emplace(variation.base, options);
+    if (!options.bounds.empty() || !options.keep_outs.empty())
+      limits_.emplace(variation.base, options);
   }
 
   /// What `shape` exceeds; kNothing where it keeps everything.

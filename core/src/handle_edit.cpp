@@ -53,7 +53,6 @@ void HandleEditSolver::State::rebuild() {
   problem_.model = model_.get();
   terms_ = std::make_unique<EditTerms>(*model_);
   terms_->fill(options_, problem_);
-  problem_.slides = slides_.get();
   state_limits();
   forget_drag();
 }
@@ -62,23 +61,37 @@ void HandleEditSolver::State::rebuild() {
 void HandleEditSolver::State::set_supports(const std::vector<PointSupport>& supports) {
   if (supports == supports_) return;
   supports_ = supports;
-  slides_.reset();
-  if (!supports.empty())
-    slides_ = std::make_unique<VertexSlides>(model_->mesh, supports, model_->unit());
-  problem_.slides = slides_.get();
+  make_slides();
   make_verdict();
   forget_drag();
 }
 
-/// The rows of the stated limits, and a verdict that knows them.
+/// What the supports and the keep-outs leave the points that are on them.
+void HandleEditSolver::State::make_slides() {
+  slides_.reset();
+  if (!supports_.empty())
+    slides_ = std::make_unique<VertexSlides>(model_->mesh, supports_, model_->unit());
+  if (has_keep_outs()) make_rests();
+  problem_.slides = slides_.get();
+}
+
+/// Before a solve from the base: nothing held or turned by what an earlier one met.
+void HandleEditSolver::State::open_tracks() {
+  if (slides_ != nullptr) slides_->open();
+  if (has_keep_outs()) open_planes();
+}
+
+/// The rows of the stated limits and the keep-outs, and a verdict that knows them.
 void HandleEditSolver::State::state_limits() {
   limits_.reset();
-  if (!options_.bounds.empty()) {
+  if (!options_.bounds.empty() || has_keep_outs()) {
     limits_ = std::make_unique<MeshLimits>(
         LimitBase{model_->mesh, model_->adjacency, model_->points, model_->unit()},
         options_.bounds);
   }
   problem_.limits = limits_.get();
+  if (has_keep_outs()) return keep_out();
+  make_slides();
   make_verdict();
 }
 
@@ -183,17 +196,8 @@ bool HandleEditSolver::State::nothing_to_do() const {
                      [&](int v) { return problem_.terms[at(v)].target.isZero(0.0); });
 }
 
-HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
-                                                const Progress& progress) {
-  const Stopwatch watch;
-  set_targets(targets);
-  if (slides_ != nullptr) slides_->open();
-  SolveReport report;
-  if (nothing_to_do()) {
-    report.status = SolveStatus::kConverged;
-    report.solve_seconds = watch.seconds();
-    return result_of(unmoved(), std::move(report));
-  }
+/// An acceptable design for the targets that are set, at the worst the base itself.
+ExactDesign HandleEditSolver::State::find_design(const Progress& progress, SolveReport& report) {
   ExactDesign design = run_engine(progress, report);
   if (!is_acceptable(design)) {
     report.optimality.reset();
@@ -207,6 +211,21 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
   } else if (report.status == SolveStatus::kSingularSystem) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
+  return design;
+}
+
+HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
+                                                const Progress& progress) {
+  const Stopwatch watch;
+  set_targets(targets);
+  open_tracks();
+  SolveReport report;
+  if (nothing_to_do()) {
+    report.status = SolveStatus::kConverged;
+    report.solve_seconds = watch.seconds();
+    return result_of(unmoved(), std::move(report));
+  }
+  ExactDesign design = find_design(progress, report);
   HandleEditResult result = result_of(design, std::move(report));
   result.report.solve_seconds = watch.seconds();
   return result;

@@ -76,7 +76,11 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   const Stopwatch watch;
   set_targets(targets);
   const bool fresh = !last_exact_ || drag_support_.empty();
-  if (slides_ != nullptr) fresh || nothing_to_do() ? slides_->open() : slides_->release_corners();
+  if (fresh || nothing_to_do()) {
+    open_tracks();
+  } else if (slides_ != nullptr) {
+    slides_->release_corners();
+  }
   if (nothing_to_do()) {  // back where the drag began: the path that led here is forgotten
     drag_support_.clear();
     last_exact_ = unmoved();
@@ -89,12 +93,14 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   };
   SolveReport report;
   if (!fresh) newton_->set_support(drag_support_);
+  if (!fresh && has_keep_outs()) (void)turn_planes(*last_exact_);  // it may have been gone back to
   const EngineOutcome outcome = follow(fresh, *field_, in_time);
   drag_support_ = newton_->support();
   report.status =
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;
   report.iterations = outcome.steps;
   report.factorizations = outcome.factorizations;
+  if (has_keep_outs()) (void)lets_go();  // the next frames go on with it
   ExactDesign design = finish_->finish(problem_, drag_support_, *field_, kept_);
   for (int turn = 0; turn < kMostOutlineTurns && turns(design);
        ++turn) {  // the next frames go on with it

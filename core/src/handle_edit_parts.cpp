@@ -21,7 +21,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);
   ExactDesign best = unmoved();
   trial_->clear();
-  if (slides_ != nullptr) slides_->open();
+  open_tracks();
   newton_->set_support(problem_.handles);
   report.status = SolveStatus::kInfeasibleHandles;
   double reached = 0.0;

@@ -23,20 +23,25 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
   choose_sides(options, progress, report);
+  if (has_keep_outs()) return settle_beside_keep_outs(options, progress, report);
   ExactDesign design = settle(options, progress, report);
   if (limits_ != nullptr) approach_limits(options, progress, design, report);
   return design;
 }
 
-/// Whether points on an outline take another side of it than the one they were solved on. [SUP-3]
+/// Whether points on an outline take another side of it than the one they were solved on [SUP-3],
+/// or a keep-out is met that was not.
 bool HandleEditSolver::State::turns(const ExactDesign& design) {
-  return slides_ != nullptr && slides_->follow(design.vertices, design.displacement);
+  const bool met = has_keep_outs() && meets_keep_outs(design);
+  return (slides_ != nullptr && slides_->follow(design.vertices, design.displacement)) || met;
 }
 
-/// Which side of its outline each point goes to, before anything is settled. [SUP-3]
+/// Which side of its outline each point goes to, and which points keep-outs hold, before anything
+/// is settled. [SUP-3] [KEE-2]
 void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const Progress& progress,
                                            SolveReport& report) {
-  if (slides_ == nullptr || !slides_->has_outline()) return;
+  const bool on_outline = slides_ != nullptr && slides_->has_outline();
+  if (!on_outline && !(has_keep_outs() && keep_outs_turn())) return;
   NewtonOptions step = options;
   step.first_smoothing = 1e-3;
   for (int round = 0; round < kMostOutlineTurns && report.status != SolveStatus::kCancelled;
@@ -54,11 +59,10 @@ void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const P
 void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
                                               const Progress& progress, ExactDesign& design,
                                               SolveReport& report) {
-  constexpr double kShrink = 0.1;
   NewtonOptions step = options;
   step.first_smoothing = step.last_smoothing;
   while (problem_.limit_weight > kLastLimitWeight && report.status == SolveStatus::kConverged) {
-    problem_.limit_weight *= kShrink;
+    problem_.limit_weight *= kLimitWeightShrink;
     SolveReport nearer = report;
     const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
     nearer.iterations += way.steps;
@@ -111,7 +115,10 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
   if (report.status != SolveStatus::kCancelled && !spent) {
     EngineOutcome fine;
     ExactDesign design;
-    for (int round = 0; round == 0 || (round < kMostOutlineTurns && turns(design)); ++round) {
+    const int most = has_keep_outs() ? kMostRestTurns : kMostOutlineTurns;
+    for (int round = 0;
+         round == 0 || (round < most && (turns(design) || (has_keep_outs() && lets_go())));
+         ++round) {
       fine = newton_->settle(problem_, options, *trial_, progress);
       report.iterations += fine.steps;
       report.factorizations += fine.factorizations;
@@ -130,7 +137,9 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
     trial_->restore(found);
     newton_->set_support(support);
   }
-  return finish_->finish(problem_, support, *trial_, kept_);
+  ExactDesign design = finish_->finish(problem_, support, *trial_, kept_);
+  if (has_keep_outs()) hold_back(support, design);
+  return design;
 }
 
 /// The design with what hardly moves moving, where that is what the certificate lacks.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// What an edit keeps between its solves. Its functions stand in four files: handle_edit.cpp sets
-/// up and hands out, handle_edit_search.cpp finds a certified design, handle_edit_parts.cpp goes
-/// there in parts, handle_edit_drag.cpp makes the frames of a drag.
+/// What an edit keeps between its solves. Its functions stand in six files: handle_edit.cpp sets up
+/// and hands out, handle_edit_search.cpp finds a certified design, handle_edit_parts.cpp goes there
+/// in parts, handle_edit_drag.cpp makes the frames of a drag, handle_edit_symmetric.cpp solves
+/// under a symmetry, handle_edit_keep_outs.cpp is what all of them do about keep-outs.
 #pragma once
 
 #include <memory>
@@ -18,12 +19,17 @@
 
 namespace planish {
 
+/// Between two weights of the limits' barrier. [LIM-2]
+inline constexpr double kLimitWeightShrink = 0.1;
+
 class HandleEditSolver::State {
  public:
   State(const Mesh& mesh, const HandleEditOptions& options);
 
   void set_options(const HandleEditOptions& options);
   HandleEditResult solve(const EditTargets& targets, const Progress& progress);
+  HandleEditResult solve_symmetric(const EditTargets& targets, const MeshSymmetry& symmetry,
+                                   const Progress& progress);
   HandleEditResult drag(const EditTargets& targets, double budget_seconds);
   void keep_frame();
   void go_back();
@@ -31,15 +37,44 @@ class HandleEditSolver::State {
  private:
   void rebuild();
   void state_limits();
+  void make_slides();
+  void open_tracks();
   void make_verdict();
   void forget_drag();
   [[nodiscard]] bool is_bounded() const;
   void set_targets(const EditTargets& targets);
   void set_supports(const std::vector<PointSupport>& supports);
+  ExactDesign find_design(const Progress& progress, SolveReport& report);
+  ExactDesign placed(const std::vector<int>& vertices, const Positions& shape);
+  ExactDesign evened(const ExactDesign& design, const MeshSymmetry& symmetry, double share);
+  std::optional<ExactDesign> make_symmetric(const ExactDesign& found, const MeshSymmetry& symmetry,
+                                            double share);
+  std::optional<ExactDesign> make_symmetric(const ExactDesign& found, const MeshSymmetry& symmetry);
+  std::optional<ExactDesign> solve_by_copies(const EditTargets& targets,
+                                             const MeshSymmetry& symmetry, const Progress& progress,
+                                             SolveReport& report);
+  ExactDesign solve_together(const MeshSymmetry& symmetry, const Progress& progress,
+                             SolveReport& report);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign settle(const NewtonOptions& options, const Progress& progress, SolveReport& report);
   void take_slow_movers_along(ExactDesign& design, SolveReport& report);
   [[nodiscard]] bool turns(const ExactDesign& design);
+  [[nodiscard]] bool has_keep_outs() const { return !options_.keep_outs.empty(); }
+  // Of an edit that has any:
+  void keep_out();
+  void keep_out(const FreeSpace& free);
+  void make_rests();
+  void open_planes();
+  [[nodiscard]] bool keep_outs_turn() const;
+  [[nodiscard]] bool turn_planes(const ExactDesign& design);
+  [[nodiscard]] bool meets_keep_outs(const ExactDesign& design);
+  [[nodiscard]] bool lets_go();
+  void hold_back(const std::vector<int>& support, ExactDesign& design);
+  [[nodiscard]] bool is_pressed(const ExactDesign& design) const;
+  std::optional<ExactDesign> settle_at_last_weight(const NewtonOptions& options,
+                                                   const Progress& progress, SolveReport& report);
+  ExactDesign settle_beside_keep_outs(const NewtonOptions& options, const Progress& progress,
+                                      SolveReport& report);
   void choose_sides(const NewtonOptions& options, const Progress& progress, SolveReport& report);
   void approach_limits(const NewtonOptions& options, const Progress& progress, ExactDesign& design,
                        SolveReport& report);
@@ -65,7 +100,7 @@ class HandleEditSolver::State {
   std::unique_ptr<MeshLimits> limits_;  ///< null: none are stated
   std::unique_ptr<EditVerdict> verdict_;
   std::vector<PointSupport> supports_;    ///< of `slides_`
-  std::unique_ptr<VertexSlides> slides_;  ///< null: no supports
+  std::unique_ptr<VertexSlides> slides_;  ///< null: no supports, nothing rests on a keep-out
   std::unique_ptr<WorkingSetNewton> newton_;
   std::unique_ptr<DisplacementField> field_;  ///< of the drag
   std::unique_ptr<DisplacementField> trial_;  ///< of cold starts

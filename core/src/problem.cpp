@@ -96,6 +96,7 @@ void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, P
   patch.fairness_values.clear();
   patch.corners.clear();
   patch.limits.clear();
+  patch.keep_outs.clear();
   patch.fairness_weight = problem.fairness_weight;
   patch.shape_weight = problem.shape_weight;
   patch.limit_weight = problem.limit_weight;
@@ -148,6 +149,7 @@ void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
     typename Kind::Row here = row;
     if (enter(here.vertices, patch)) patch.limits.of<Kind>().push_back(std::move(here));
   });
+  if (limits.keep_outs() != nullptr) add_keep_outs(*limits.keep_outs(), f, patch);
 }
 
 /// The stars with rows that a vertex is part of: its own and its neighbours'.

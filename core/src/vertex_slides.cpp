@@ -133,6 +133,7 @@ void VertexSlides::take_side(int corner, int side, Runner& runner) {
 
 void VertexSlides::open() {
   for (Runner& runner : runners_) open(runner);
+  if (has_rests()) let_all_go();
 }
 
 /// Where `d` leaves the side at one of its ends: across the corner there, or to rest at it.
@@ -176,6 +177,7 @@ void VertexSlides::release_corners() {
     runner.turns = 0;
     if (runner.state == Runner::State::kCorner && runner.corner == runner.vertex) open(runner);
   }
+  if (has_rests()) forget_releases();
 }
 
 bool VertexSlides::is_within_side(const Runner& runner, const Eigen::Vector3d& d) const {

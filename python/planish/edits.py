@@ -67,8 +67,11 @@ def edit(
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
     continuation: int | None = None,
+    symmetry: str | None = None,
     hard: bool | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
+    keep_outs: Iterable[str] | None = None,
+    clearance: float | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
     locality: float | None = None,
     smoothness: float | None = None,
@@ -95,8 +98,11 @@ def edit(
         pins: vertices that stay.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
+        symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
         bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "shape": False} or the texts
             of the command line, ["fold=+5"].
+        keep_outs: where nothing may go, ["below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3"].
+        clearance: kept from every one of them; model units.
         constraints: ["circular"] or {"circular": 1e-9}.
         reach: face rings, or a length with its unit such as "1.5m".
         progress: called after every step; False stops with the last valid state and the status
@@ -110,8 +116,11 @@ def edit(
         "pins": pins,
         "supports": supports,
         "continuation": continuation,
+        "symmetry": symmetry,
         "hard": hard,
         "bounds": bounds,
+        "keep_outs": keep_outs,
+        "clearance": clearance,
         "constraints": constraints,
         "locality": locality,
         "smoothness": smoothness,

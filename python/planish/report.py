@@ -30,6 +30,7 @@ class Report:
     violations: list[dict[str, Any]] = field(default_factory=list)
     bounds: list[dict[str, Any]] = field(default_factory=list)
     supports: list[dict[str, Any]] = field(default_factory=list)
+    symmetry: dict[str, Any] | None = None
     planarised_first: dict[str, float] | None = None
     spoilt_faces: dict[str, list[int]] = field(default_factory=dict)
     sharpest_fold: dict[str, float] | None = None

@@ -8,7 +8,7 @@ import { build, createLogger } from "vite";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { launch } from "../../.tools/browser.mjs";
 import { serve } from "../../.tools/serve.mjs";
-import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
 import { loadPlanish } from "../parity/support/planish.ts";
 
 const ROOT = resolve(import.meta.dirname, "../..");

@@ -3,8 +3,8 @@
 import { readFileSync } from "node:fs";
 import { variationWeights } from "virtual:core-defaults";
 import { expect, it } from "vitest";
-import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../web/src/state/design.ts";
-import { KINDS } from "../../web/src/state/kept-kind.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../web/src/design/design.ts";
+import { KINDS } from "../../web/src/design/kept-kind.ts";
 import { loadAnalysis, loadGlb, loadMobility, loadPlanish } from "./support/planish.ts";
 
 const read = (name: string, ending = "d.ts"): string =>
@@ -93,7 +93,7 @@ it("a replay gives the bits of its steps, and is known by its mark", async () =>
   for (const session of [steps, whole]) expect(session.openSample("vault", 15)).toBe("");
   const [x = 0, y = 0, z = 0] = steps.basePositions().subarray(3 * 112);
   const handles = [112, x, y, z + 0.8];
-  const { boundarySupport: _, continuation: __, ...options } = FIRST_SETTINGS;
+  const { supports: _, continuation: __, ...options } = FIRST_SETTINGS;
   expect(steps.setOptions(options)).toBe("");
   const to = Float64Array.from(handles);
   expect(steps.edit(module.EditMode.solve, to, new Int32Array(0), 0, 1)).toBe("");

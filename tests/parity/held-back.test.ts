@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A drag far beyond what the limit on folds lets through, to and fro, by the page's own dispatcher.
 import { expect, it } from "vitest";
+import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
 import { Dispatcher } from "../../web/src/solver/dispatch.ts";
 import type { Reply, Request } from "../../web/src/solver/protocol.ts";
-import { FIRST_SETTINGS } from "../../web/src/state/design.ts";
 import { loadPlanish } from "./support/planish.ts";
 
 const SIZE = 24;

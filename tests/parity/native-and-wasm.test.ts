@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { PlanishModule } from "@wasm/planish.mjs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
 import { readObj } from "../browser/support/obj.ts";
 import { loadPlanish } from "./support/planish.ts";
 

@@ -2,6 +2,7 @@
 // The end of a drag, by the page's own dispatcher: what was shown stays, and the recipe gives it again.
 import type { PlanishModule } from "@wasm/planish.mjs";
 import { beforeAll, expect, it } from "vitest";
+import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
 import { Dispatcher } from "../../web/src/solver/dispatch.ts";
 import type {
   EditMode,
@@ -10,7 +11,6 @@ import type {
   Request,
   Shape,
 } from "../../web/src/solver/protocol.ts";
-import { FIRST_SETTINGS } from "../../web/src/state/design.ts";
 import { loadPlanish } from "./support/planish.ts";
 
 type Shown = Extract<Reply, { kind: "shown" }>;

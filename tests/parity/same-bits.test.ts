@@ -5,10 +5,10 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { chromium } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { launch } from "../../.tools/browser.mjs";
 import { serve } from "../../.tools/serve.mjs";
-import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
 import { readObj } from "../browser/support/obj.ts";
 import { loadPlanish } from "./support/planish.ts";
 import { designText, makeDesign, type Recipe } from "./support/recipes.ts";
@@ -76,10 +76,7 @@ async function inNode(): Promise<string[]> {
 /** In a module worker of a real browser, as the page's solver runs. */
 async function inBrowser(): Promise<string[]> {
   const { server, url } = await serve(BUILT);
-  const browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
-    args: ["--no-sandbox"],
-  });
+  const browser = await launch();
   const page = await browser.newPage();
   await page.goto(url);
   const source = `import create from "${url}planish.mjs";

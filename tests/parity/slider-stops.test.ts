@@ -3,10 +3,10 @@
 // bounds still hold.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { expect, it } from "vitest";
+import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
 import { Dispatcher } from "../../web/src/solver/dispatch.ts";
 import type { Reply, Request, SliderRange } from "../../web/src/solver/protocol.ts";
 import { rangesOf } from "../../web/src/solver/sliders.ts";
-import { FIRST_SETTINGS } from "../../web/src/state/design.ts";
 import { loadAnalysis, loadPlanish } from "./support/planish.ts";
 
 const SIZE = 16;

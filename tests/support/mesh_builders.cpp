@@ -33,6 +33,17 @@ Mesh awkward_mesh() {
                    {{0, 1, 2, 3}, {2, 1, 4}, {4, 1, 0, 5}});
 }
 
+Mesh three_panels() {
+  return make_mesh({{0.0, 0.0, 0.3},
+                    {1.1, 0.1, 0.0},
+                    {1.0, 1.2, 0.1},
+                    {-0.2, 1.0, 0.0},
+                    {-1.2, 0.4, -0.1},
+                    {-1.0, -0.7, 0.0},
+                    {0.3, -1.1, 0.1}},
+                   {{0, 1, 2, 3}, {0, 3, 4, 5, 6}, {0, 6, 1}});
+}
+
 bool same_bits(const Positions& a, const Positions& b) {
   if (a.cols() != b.cols()) return false;
   if (a.size() == 0) return true;  // data() may then be null, which memcmp() does not take

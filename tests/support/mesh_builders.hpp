@@ -19,6 +19,9 @@ namespace planish::testing {
 /// Points that are hard to write as text: tiny, huge, negative zero, no short decimal form.
 [[nodiscard]] Mesh awkward_mesh();
 
+/// A quad, a pentagon and a triangle around one point, none of them regular; nearly flat.
+[[nodiscard]] Mesh three_panels();
+
 /// Whether both meshes are equal to the last bit (−0 differs from 0), groups included.
 [[nodiscard]] bool same_bits(const Mesh& a, const Mesh& b);
 

@@ -79,9 +79,14 @@ Design any_design(unsigned seed) {
                              {"edge", 0.1, 0.1 + 1.0 / 3.0}};
   }
   if (plain && choose(2) == 0) {
+    design.options.keep_outs = {*parse_keep_out("below=-1e-3"), *parse_keep_out("plane=1,0.1,0,3")};
+    design.options.clearance = std::abs(number());
+  }
+  if (plain && choose(2) == 0) {
     design.targets.supports = {*parse_point_support("level=x:3,4"),
                                *parse_point_support("line=0.1,0,1e-3,0,0,1:boundary")};
   }
+  if (plain && choose(2) == 0) design.symmetry = {{choose(3), 0}, {choose(3), 2 + choose(9)}};
   if (choose(2) == 0) design.result = DesignMark{bits(), choose(99), {{7, {number(), 0.1, -0.0}}}};
   return design;
 }
@@ -124,6 +129,23 @@ TEST(DesignTextBounds, AreWrittenAsTheCommandLineSaysThem) {
   const auto read = read_design(text);
   ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
   EXPECT_EQ(write_design(std::get<Design>(read)), text);
+}
+
+TEST(DesignTextKeepOuts, AreWrittenAsTheCommandLineSaysThem) {
+  Design design;
+  design.source = SampleSource{"dome", 12};
+  EXPECT_EQ(write_design(design).find("keep_out"), std::string::npos);
+  EXPECT_EQ(write_design(design).find("clearance"), std::string::npos);
+  design.options.keep_outs = {*parse_keep_out("below=0"), *parse_keep_out("plane=0,0,1,4")};
+  design.options.clearance = 0.25;
+  const std::string text = write_design(design);
+  EXPECT_NE(text.find(R"("keep_out":["below=0","plane=0,0,1,4"])"), std::string::npos) << text;
+  const auto read = read_design(text);
+  ASSERT_TRUE(std::holds_alternative<Design>(read)) << std::get<std::string>(read);
+  EXPECT_EQ(std::get<Design>(read).options.keep_outs, design.options.keep_outs);
+  EXPECT_EQ(write_design(std::get<Design>(read)), text);
+  design.options.engine = Engine::kAugmentedLagrangian;
+  EXPECT_EQ(find_problem(design), "keep_out: the engine alm knows none; it needs newton");
 }
 
 TEST(DesignTextSupports, AreWrittenAsTheCommandLineSaysThem) {

@@ -16,18 +16,6 @@
 namespace planish {
 namespace {
 
-/// A quad, a pentagon and a triangle around one point, none of them regular; nearly flat.
-Mesh three_panels() {
-  return testing::make_mesh({{0.0, 0.0, 0.3},
-                             {1.1, 0.1, 0.0},
-                             {1.0, 1.2, 0.1},
-                             {-0.2, 1.0, 0.0},
-                             {-1.2, 0.4, -0.1},
-                             {-1.0, -0.7, 0.0},
-                             {0.3, -1.1, 0.1}},
-                            {{0, 1, 2, 3}, {0, 3, 4, 5, 6}, {0, 6, 1}});
-}
-
 /// A limit of each kind that these panels keep, but not by much.
 StatedLimit limit_of(std::string_view name) {
   const std::string text = name == "fold"    ? "fold=+20"
@@ -70,7 +58,7 @@ void expect_derivatives(const Row& row, const RowPoints<Row::kArity>& here) {
 }
 
 TEST(LimitKinds, HaveTheDerivativesOfTheirValues) {
-  const Mesh mesh = three_panels();
+  const Mesh mesh = testing::three_panels();
   const Adjacency adjacency = build_adjacency(mesh);
   LimitKinds::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
@@ -92,7 +80,7 @@ TEST(LimitKinds, HaveTheDerivativesOfTheirValues) {
 
 /// At rest no limit pushes, however badly the base breaks it, and it may not get worse.
 TEST(LimitKinds, NeverBlockTheirBase) {
-  const Mesh mesh = three_panels();
+  const Mesh mesh = testing::three_panels();
   const Adjacency adjacency = build_adjacency(mesh);
   for (const char* text : {"fold=1", "fold=+1", "angle=85:95", "edge=1:1.01", "area=0.1",
                            "sheet=0.2x0.1", "fold=170", "edge=0:100", "area=100"}) {
@@ -114,7 +102,7 @@ TEST(LimitKinds, NeverBlockTheirBase) {
 
 /// The unit of the points does not matter: the same shares.
 TEST(LimitKinds, MeanTheSameInAnyUnit) {
-  const Mesh mesh = three_panels();
+  const Mesh mesh = testing::three_panels();
   const Adjacency adjacency = build_adjacency(mesh);
   const Positions metres = mesh.positions / 1000.0;
   LimitKinds::for_each([&](auto tag) {

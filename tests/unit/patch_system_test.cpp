@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "support/scenes.hpp"
 
@@ -77,6 +78,39 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
     return c;
   }
 
+  /// [WSN-2]: [H + νI, Jᵀ; J, −I/μ] (δ, Δλ) = −(∇F + Jᵀλ, c), solved densely with H from finite
+  /// differences of the gradient.
+  void expect_step_solves_the_kkt_system() {
+    // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ
+    // there.
+    if (patch.equations.of<PlanarPolygon>().front().least_area > 0.0) state.multipliers.setZero();
+    ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
+    const Eigen::VectorXd c = residuals_of(state.displacement);
+    const Eigen::VectorXd g = gradient_at(state.displacement);
+    Eigen::Matrix3Xd delta;
+    system.step(Eigen::Map<const Eigen::Matrix3Xd>(g.data(), 3, patch.free_count), c, delta);
+
+    const Eigen::MatrixXd hessian =
+        differences([&](const Eigen::Matrix3Xd& d) { return gradient_at(d); });
+    const Eigen::MatrixXd jacobian =
+        differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
+    const Eigen::Index n = hessian.rows(), m = jacobian.rows();
+    EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-6 * hessian.norm());
+    Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
+    kkt.topLeftCorner(n, n) = hessian + kShift * Eigen::MatrixXd::Identity(n, n);
+    kkt.topRightCorner(n, m) = jacobian.transpose();
+    kkt.bottomLeftCorner(m, n) = jacobian;
+    kkt.bottomRightCorner(m, m) = -Eigen::MatrixXd::Identity(m, m) / kPenalty;
+    Eigen::VectorXd right(n + m);
+    right << -g, -c;
+    const Eigen::VectorXd expected = kkt.fullPivLu().solve(right);
+    const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), n);
+    EXPECT_LT((flat - expected.head(n)).norm(), 1e-6 * expected.head(n).norm());
+    Eigen::VectorXd image;
+    system.apply_jacobian(delta, image);
+    EXPECT_LT((kPenalty * (c + image) - expected.tail(m)).norm(), 1e-5 * expected.tail(m).norm());
+  }
+
   ProblemOnMesh on_mesh;
   Patch patch;
   PatchState state;
@@ -109,37 +143,30 @@ TEST_P(SystemOn, JacobianIsTheDerivativeOfTheResiduals) {
   EXPECT_LT((image - jacobian * flat).norm(), 1e-8 * image.norm());
 }
 
-/// [WSN-2]: [H + νI, Jᵀ; J, −I/μ] (δ, Δλ) = −(∇F + Jᵀλ, c), solved densely with H from finite
-/// differences of the gradient.
-TEST_P(SystemOn, StepSolvesTheKktSystem) {
-  // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ
-  // there.
-  if (patch.equations.of<PlanarPolygon>().front().least_area > 0.0) state.multipliers.setZero();
-  ASSERT_TRUE(system.factorize(state, kSmoothing, kPenalty, kShift));
-  const Eigen::VectorXd c = residuals_of(state.displacement);
-  const Eigen::VectorXd g = gradient_at(state.displacement);
-  Eigen::Matrix3Xd delta;
-  system.step(Eigen::Map<const Eigen::Matrix3Xd>(g.data(), 3, patch.free_count), c, delta);
+TEST_P(SystemOn, StepSolvesTheKktSystem) { expect_step_solves_the_kkt_system(); }
 
-  const Eigen::MatrixXd hessian =
-      differences([&](const Eigen::Matrix3Xd& d) { return gradient_at(d); });
-  const Eigen::MatrixXd jacobian =
-      differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
-  const Eigen::Index n = hessian.rows(), m = jacobian.rows();
-  EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-6 * hessian.norm());
-  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
-  kkt.topLeftCorner(n, n) = hessian + kShift * Eigen::MatrixXd::Identity(n, n);
-  kkt.topRightCorner(n, m) = jacobian.transpose();
-  kkt.bottomLeftCorner(m, n) = jacobian;
-  kkt.bottomRightCorner(m, m) = -Eigen::MatrixXd::Identity(m, m) / kPenalty;
-  Eigen::VectorXd right(n + m);
-  right << -g, -c;
-  const Eigen::VectorXd expected = kkt.fullPivLu().solve(right);
-  const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), n);
-  EXPECT_LT((flat - expected.head(n)).norm(), 1e-6 * expected.head(n).norm());
-  Eigen::VectorXd image;
-  system.apply_jacobian(delta, image);
-  EXPECT_LT((kPenalty * (c + image) - expected.tail(m)).norm(), 1e-5 * expected.tail(m).norm());
+/// [KEE-1] [KEE-2]: rows that a barrier acts on, that none does, and of a point that rests.
+TEST_P(SystemOn, KnowsKeepOuts) {
+  const double bare = lagrangian(state.displacement);
+  patch.limit_weight = 0.7;
+  for (int v = 0; v < std::min(4, patch.free_count); ++v) {
+    const Eigen::Vector3d place = patch.points.col(v) + state.displacement.col(v);
+    KeepOutRow row;
+    row.vertex = v;
+    row.normal = testing::random_points(30 + static_cast<unsigned>(v), 1).normalized();
+    row.rests = v == 1;
+    const double share = v == 1 ? -0.02 : v == 2 ? 0.9 : 0.2;
+    row.scale = {1.5, share - 1.5 * row.normal.dot(place)};
+    patch.keep_outs.push_back(row);
+  }
+  system.attach(patch);
+  EXPECT_GT(lagrangian(state.displacement), bare);
+  const Eigen::VectorXd expected = differences([&](const Eigen::Matrix3Xd& d) {
+                                     return Eigen::VectorXd::Constant(1, lagrangian(d));
+                                   }).row(0);
+  const Eigen::VectorXd actual = gradient_at(state.displacement);
+  EXPECT_LT((actual - expected).lpNorm<Eigen::Infinity>(), 1e-6 * actual.norm());
+  expect_step_solves_the_kkt_system();
 }
 
 /// [SUP-2]: the same system in coordinates along what every vertex may do.

@@ -19,6 +19,7 @@
 #include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 #include "planish/subspace.hpp"
+#include "planish/symmetry.hpp"
 
 namespace planish {
 
@@ -70,6 +71,8 @@ struct Design {
   std::optional<Planarising> planarised;  ///< how the source became the flat base; absent: it was
   std::string unit = "m";                 ///< of the model: mm, cm, m, km, in or ft
   EditTargets targets;
+  /// Under which the targets have images, and the base is made symmetric; empty: none.
+  std::vector<SymmetryElement> symmetry = {};
   HandleEditOptions options;
   std::vector<DesignVariation> variations;  ///< one after the other
   std::optional<DesignMark> result;         ///< absent: nothing to verify against
@@ -77,6 +80,9 @@ struct Design {
 
 /// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
 [[nodiscard]] Refusal find_problem(const Design& design);
+
+/// The same of what its symmetry does not go with.
+[[nodiscard]] Refusal find_symmetry_problem(const Design& design);
 
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
@@ -98,17 +104,18 @@ struct Design {
 
 /// What replaying a design gave.
 struct Replay {
-  Mesh base;                         ///< what was edited: flat, planarised if the design says so
-  Positions shape;                   ///< 3 × n, model units
-  SolveReport report;                ///< of the edit, or of the projection that failed
-  std::vector<int> directions;       ///< that each variation found, up to one that found none
-  Positions centre;                  ///< 3 × n: what the last of them was found around
-  std::optional<Subspace> subspace;  ///< of the last variation
-  std::optional<SolveReport> exact;  ///< of the projection that made it exact
-  DesignMark mark;                   ///< of `shape`
-  bool verified = false;             ///< `shape` is the recorded result, bit for bit
-  bool agrees = false;               ///< so are its probes, up to rounding: see agreement()
-  double deviation = 0.0;            ///< from the recorded probes, model units
+  Mesh base;        ///< what was edited: flat, planarised if the design says so
+  Positions shape;  ///< 3 × n, model units
+  std::optional<MeshSymmetry> symmetry;  ///< of the base, where the design has one
+  SolveReport report;                    ///< of the edit, or of the projection that failed
+  std::vector<int> directions;           ///< that each variation found, up to one that found none
+  Positions centre;                      ///< 3 × n: what the last of them was found around
+  std::optional<Subspace> subspace;      ///< of the last variation
+  std::optional<SolveReport> exact;      ///< of the projection that made it exact
+  DesignMark mark;                       ///< of `shape`
+  bool verified = false;                 ///< `shape` is the recorded result, bit for bit
+  bool agrees = false;                   ///< so are its probes, up to rounding: see agreement()
+  double deviation = 0.0;                ///< from the recorded probes, model units
 };
 
 /// Does it again, for everybody: page, packages and command.
@@ -118,7 +125,8 @@ struct Replay {
                                                        const Mesh* given = nullptr,
                                                        const Progress& progress = {});
 
-/// The same on a base that was opened, and made flat, already.
+/// The same on a base that was opened, and made flat, already; refuses designs with a symmetry,
+/// whose base that is found on before it is made flat.
 [[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
                                                           const Progress& progress = {});
 

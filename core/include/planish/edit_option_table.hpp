@@ -60,6 +60,8 @@ void for_each_edit_option(const Visit& visit) {
   visit(
       EditOption<std::vector<KeptConstraint>>{"constraints", "constraints", &O::constraints, kOff});
   visit(EditOption<std::vector<StatedLimit>>{"bounds", "limits", &O::bounds, kOff});
+  visit(EditOption<std::vector<KeepOut>>{"keep_out", "keepOuts", &O::keep_outs, kOff});
+  visit(EditOption<double>{"clearance", "clearance", &O::clearance, kOff, kFromZero});
   visit(EditOption<double>{"softness", "softness", &O::softness, kOff, kSoftnessScale});
 }
 

@@ -13,12 +13,15 @@
 #include "planish/constraints/stated_limit.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
+#include "planish/keep_out.hpp"
 #include "planish/mesh.hpp"
 #include "planish/point_support.hpp"
 #include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 
 namespace planish {
+
+struct MeshSymmetry;
 
 /// A vertex and where it should go.
 struct Handle {
@@ -58,6 +61,9 @@ struct HandleEditOptions {
   bool keep_shape = true;
   /// Limits on folds, angles, edges, areas and sizes of panels. [LIM-1]
   std::vector<StatedLimit> bounds = {};
+  /// Where nothing may go: what is there in the base goes no deeper. [KEE-1]
+  std::vector<KeepOut> keep_outs = {};
+  double clearance = 0.0;     ///< ≥ 0, model units: from the keep-outs
   bool hard_handles = false;  ///< targets are constraints; infeasible ones are reported
   /// Face rings ≥ 0 around the handles that may move; 0 is no limit. Few: panels fold to follow the
   /// handle, or it stops short. [RCH-1]
@@ -102,7 +108,7 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
                                              const HandleEditOptions& options);
 
 /// What a variation of the edit, and its way to exact flatness, leave where the edit put it: held
-/// vertices, and points with supports. Ascending; O(n).
+/// vertices, points with supports, and points that rest on a keep-out in the base. Ascending; O(n).
 [[nodiscard]] std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets,
                                                   const HandleEditOptions& options);
 
@@ -131,6 +137,14 @@ class HandleEditSolver {
 
   /// From the base mesh. The result depends on mesh, options and targets alone.
   [[nodiscard]] HandleEditResult solve(const EditTargets& targets, const Progress& progress = {});
+
+  /// The same under a symmetry: the result is symmetric to 1e-9 of the mean edge where the base is,
+  /// mirror planes of an axis through 0 to the bit. Forgets the drag. [SYM-2]
+  /// @param targets closed under `symmetry`: see with_images()
+  /// @param symmetry of the mesh, which has it within kSymmetric
+  [[nodiscard]] HandleEditResult solve_symmetric(const EditTargets& targets,
+                                                 const MeshSymmetry& symmetry,
+                                                 const Progress& progress = {});
 
   /// From the last result: for a drag frame. Exact like solve(), but may follow the path.
   /// Stops early, with the last exact state, once `budget_seconds` is spent.

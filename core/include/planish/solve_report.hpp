@@ -68,10 +68,11 @@ struct KindViolation {
   double after_max = 0.0;
 };
 
-/// A stated limit and the panels that it holds back; "shape": those that a variation would spoil.
+/// A stated limit and the panels that it holds back; "shape": those that a variation would spoil;
+/// "keep-out": the points.
 struct BoundStanding {
   std::string_view name;     ///< for example "fold"
-  std::vector<int> binding;  ///< faces, ascending
+  std::vector<int> binding;  ///< faces, or vertices, ascending
 };
 
 /// What every solve reports.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Where vertices that stand on something may go: d = o + P (d − o). [SUP-2]
+/// Where vertices that stand on something, or rest on a keep-out, may go: d = o + P (d − o).
+/// [SUP-2]
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "planish/keep_out.hpp"
 #include "planish/mesh.hpp"
 #include "planish/point_support.hpp"
 
@@ -23,13 +25,29 @@ struct SlideTrack {
   }
 };
 
+/// What pulls at a vertex with a track, solver units.
+struct TrackForce {
+  int vertex = 0;
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();  ///< ∇F + Jᵀλ, the norm left out
+  double most = 0.0;                               ///< ‖pull‖ at which it leaves its place
+
+  /// −(∇F + Jᵀλ) with the norm's part, if it moves.
+  [[nodiscard]] Eigen::Vector3d force(bool moves) const {
+    return moves ? Eigen::Vector3d(-pull - most * displacement.normalized()) : -pull;
+  }
+};
+
 class BoundaryOutline;
 
 /// How often a state is solved again for points that take another side of their outline.
 inline constexpr int kMostOutlineTurns = 8;
+/// The same where points may rest on keep-outs.
+inline constexpr int kMostRestTurns = 24;
 
-/// Of every vertex with supports the track that they all leave it. A vertex on its outline is on
-/// one side of the polygon at a time, or rests at one of its corners: a solve finds which, [SUP-3].
+/// Of every vertex with supports, or held by a keep-out, the track that they all leave it. A vertex
+/// on its outline is on one side of the polygon at a time, or rests at one of its corners: a solve
+/// finds which, [SUP-3].
 class VertexSlides {
  public:
   /// O(points); with an outline O(n).
@@ -37,6 +55,10 @@ class VertexSlides {
   /// @param unit solver units → model units
   VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& supports, double unit);
   ~VertexSlides();
+
+  /// Points that keep-outs may hold. Those on an outline are held for good: along it and nowhere
+  /// else they could go.
+  void rest(std::vector<RestingPoint> points);
 
   /// Null where a vertex may move anywhere.
   [[nodiscard]] const SlideTrack* track(int vertex) const;
@@ -47,7 +69,14 @@ class VertexSlides {
   /// Whether any vertex slides along an outline.
   [[nodiscard]] bool has_outline() const { return !runners_.empty(); }
 
-  /// Every vertex of an outline back where it began: free to go either way.
+  /// Whether any vertex may come to rest on a keep-out.
+  [[nodiscard]] bool has_rests() const { return !rests_.empty(); }
+
+  /// Where a vertex may be that is nearest to `d`.
+  [[nodiscard]] Eigen::Vector3d nearest(int vertex, const Eigen::Vector3d& d) const;
+
+  /// Every vertex of an outline back where it began: free to go either way. Nothing is held by a
+  /// keep-out.
   void open();
 
   /// Takes the vertices of an outline to the sides that a state sends them to.
@@ -57,6 +86,17 @@ class VertexSlides {
 
   /// Lets what rests at a corner go either way again: for the next frame of a drag.
   void release_corners();
+
+  /// Holds the points that a state takes deeper into a keep-out on their planes. @see follow()
+  bool hold_deeper(std::span<const int> vertices, const Eigen::Matrix3Xd& displacement);
+
+  /// Lets go of the planes that points are pulled away from, of each a few times.
+  /// @param rest what moves no farther is at rest @returns whether any track changed
+  bool let_go(std::span<const TrackForce> forces, double rest);
+
+  /// What is left of the force on `vertex` once its supports and the planes that hold it, which
+  /// push and never pull, have taken what they can.
+  [[nodiscard]] Eigen::Vector3d left_of(int vertex, const Eigen::Vector3d& force) const;
 
  private:
   /// A vertex on its way along an outline.
@@ -72,7 +112,20 @@ class VertexSlides {
     SlideTrack others;  ///< what other supports leave it
   };
 
+  /// A point on one plane that may hold it.
+  struct Rest {
+    RestingPoint point;
+    Eigen::Matrix3d supports;  ///< P of its supports alone
+    bool held = false;
+    int releases = 0;  ///< since open()
+  };
+
   SlideTrack& track_of(int vertex);
+  [[nodiscard]] std::span<const Rest> rests_of(int vertex) const;
+  [[nodiscard]] std::span<Rest> rests_of(int vertex);
+  void set_held(Rest& rest, bool held);
+  void let_all_go();
+  void forget_releases();
   void add_runner(int vertex);
   void open(Runner& runner);
   void rest_at(int corner, Runner& runner);
@@ -88,6 +141,8 @@ class VertexSlides {
   std::vector<SlideTrack> tracks_;
   std::vector<Runner> runners_;
   std::vector<int> runner_of_;  ///< of each track; past its end or −1: none
+  std::vector<Rest> rests_;     ///< by vertex
+  std::vector<int> held_;       ///< rests that have been held since open()
 };
 
 }  // namespace planish

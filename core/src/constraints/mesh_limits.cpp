@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -44,11 +45,9 @@ MeshLimits::MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& li
   });
 }
 
-LimitStandings limit_standing(const MeshLimits& limits, std::span<const int> faces,
-                              const std::function<Eigen::Vector3d(int)>& point) {
-  constexpr double kBinding =
-      0.1;  // share: there the barrier's force is 5 to 1 of what it is at 1/4
-  LimitStandings standing;
+std::vector<LimitStanding> limit_standing(const MeshLimits& limits, std::span<const int> faces,
+                                          const std::function<Eigen::Vector3d(int)>& point) {
+  std::array<LimitStanding, LimitKinds::kCount> kinds;
   for (const int face : faces) {
     limits.for_each_row(face, [&](auto tag, const auto& row, int) {
       using Kind = typename decltype(tag)::type;
@@ -57,12 +56,23 @@ LimitStandings limit_standing(const MeshLimits& limits, std::span<const int> fac
         points.col(static_cast<Eigen::Index>(k)) = point(row.vertices[k]);
       }
       const double share = row.scale.share(value(row, points));
-      LimitStanding& kind = standing[LimitKinds::index_of<Kind>()];
+      LimitStanding& kind = kinds[LimitKinds::index_of<Kind>()];
       // Not a number is no share that holds.
       if (!(share >= kind.least_share)) kind.least_share = share;
       const bool listed = !kind.binding.empty() && kind.binding.back() == face;
-      if (!(share >= kBinding) && !listed) kind.binding.push_back(face);
+      if (!(share >= kBindingShare) && !listed) kind.binding.push_back(face);
     });
+  }
+  std::vector<LimitStanding> standing;
+  LimitKinds::for_each([&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    const std::size_t index = LimitKinds::index_of<Kind>();
+    if (!limits.has(index)) return;
+    kinds[index].name = Kind::kName;
+    standing.push_back(std::move(kinds[index]));
+  });
+  if (const MeshKeepOuts* const keep_outs = limits.keep_outs()) {
+    standing.push_back(keep_outs->standing(faces, point));
   }
   return standing;
 }

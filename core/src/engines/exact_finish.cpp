@@ -15,6 +15,15 @@ namespace {
 
 constexpr int kMostPasses = 8;
 
+/// Where a held handle is: a keep-out may have come to hold it since the last step.
+Eigen::Vector3d held_place(const EditProblem& problem, int vertex, const DisplacementField& field) {
+  const VertexTerm& term = problem.terms[at(vertex)];
+  if (term.fixed) return term.target;
+  const Eigen::Vector3d d = field.displacement(vertex);
+  const bool rests = problem.slides != nullptr && problem.slides->has_rests();
+  return rests ? problem.slides->nearest(vertex, d) : d;
+}
+
 }  // namespace
 
 ExactFinish::ExactFinish(const MeshModel& model)
@@ -37,7 +46,7 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
   for (int k = patch_.free_count; k < patch_.local_count(); ++k) {
     const int v = patch_.vertices[at(k)];
     if (std::binary_search(held.begin(), held.end(), v) && !problem.terms[at(v)].fixed) {
-      patch_.displacement.col(k) = field.displacement(v);
+      patch_.displacement.col(k) = held_place(problem, v, field);
     }
   }
   Eigen::Matrix3Xd displacement(3, patch_.free_count);
@@ -56,8 +65,7 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
       moved.emplace_back(patch_.vertices[at(k)], displacement.col(k));
   }
   for (const int v : held) {
-    const VertexTerm& term = problem.terms[at(v)];
-    const Eigen::Vector3d d = term.fixed ? term.target : field.displacement(v);
+    const Eigen::Vector3d d = held_place(problem, v, field);
     if (!d.isZero(0.0)) moved.emplace_back(v, d);
   }
   std::sort(moved.begin(), moved.end(),
@@ -72,6 +80,16 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
     design.positions.col(static_cast<Eigen::Index>(k)) =
         model_.mesh.positions.col(design.vertices[k]) + model_.unit() * moved[k].second;
   }
+  measure(design);
+  return design;
+}
+
+ExactDesign ExactFinish::measured(std::vector<int> vertices, Positions positions) {
+  ExactDesign design;
+  design.vertices = std::move(vertices);
+  design.positions = std::move(positions);
+  const Positions base = model_.mesh.positions(Eigen::all, design.vertices);
+  design.displacement = (design.positions - base) / model_.unit();
   measure(design);
   return design;
 }

@@ -38,6 +38,10 @@ class ExactFinish {
   [[nodiscard]] ExactDesign finish(const EditProblem& problem, std::span<const int> support,
                                    const DisplacementField& field, const KeptKinds& kept);
 
+  /// The design whose vertices are where they are told to be. @param vertices ascending
+  /// @param positions 3 × |vertices|, model units
+  [[nodiscard]] ExactDesign measured(std::vector<int> vertices, Positions positions);
+
  private:
   ExactDesign attempt(const EditProblem& problem, std::span<const int> support,
                       const DisplacementField& field, bool hold_handles);

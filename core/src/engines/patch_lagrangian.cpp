@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engines/keep_out_terms.hpp"
+
 namespace planish {
 
 Eigen::Vector3d PatchLagrangian::displaced(const Eigen::Matrix3Xd& displacement, int v) const {
@@ -76,6 +78,7 @@ void PatchLagrangian::limit_gradient(const Eigen::Matrix3Xd& displacement,
       if (v < patch_->free_count) out.col(v) += slope * g.col(static_cast<Eigen::Index>(k));
     }
   });
+  if (!patch_->keep_outs.empty()) add_keep_out_gradient(*patch_, displacement, out);
 }
 
 void PatchLagrangian::slide(Eigen::Matrix3Xd& x) const {
@@ -107,7 +110,7 @@ double PatchLagrangian::energy(const Eigen::Matrix3Xd& displacement, double smoo
     const double share = row.scale.share(value(row, corners_at(*patch_, displacement, row)));
     sum += patch_->limit_weight * clamped_barrier(share).value;
   });
-  return sum;
+  return patch_->keep_outs.empty() ? sum : with_keep_outs(sum, *patch_, displacement);
 }
 
 void PatchLagrangian::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {

@@ -250,6 +250,7 @@ void PatchSystem::add_limits(const PatchState& state) {
     }
     order += free;
   });
+  if (!patch_->keep_outs.empty()) add_keep_outs(state);
 }
 
 void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {

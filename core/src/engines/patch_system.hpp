@@ -75,6 +75,7 @@ class PatchSystem {
   void add_equations(const PatchState& state, double penalty);
   void add_shapes(const PatchState& state);
   void add_limits(const PatchState& state);
+  void add_keep_outs(const PatchState& state);
   void slide_blocks();
   void add_norms(const PatchState& state, double smoothing, double shift);
 

@@ -96,6 +96,13 @@ class WorkingSetNewton {
   [[nodiscard]] Optimality optimality(const EditProblem& problem, std::span<const int> vertices,
                                       const Eigen::Matrix3Xd& displacement);
 
+  /// What pulls at the vertices with tracks, at the state that the last run or settle() left.
+  [[nodiscard]] std::vector<TrackForce> track_forces();
+
+  /// Where the last settle() looked: at its end everything else was neither moved nor pulled at.
+  /// Ascending.
+  [[nodiscard]] std::vector<int> certified_set() const;
+
   /// Vertices that the last run found to move, ascending; handles included.
   [[nodiscard]] const std::vector<int>& support() const { return support_; }
   void set_support(std::vector<int> support) { support_ = std::move(support); }
@@ -122,6 +129,7 @@ class WorkingSetNewton {
                                EngineOutcome& outcome);
   void shrink_what_rests(double smoothing, double shrink);
   void keep_support(double rest);
+  void judge_rests(const EditProblem& problem, double rest, Optimality& result);
 
   const MeshModel& model_;
   PatchCutter cutter_;

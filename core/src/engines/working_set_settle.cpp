@@ -201,6 +201,12 @@ void WorkingSetNewton::keep_slow_movers(DisplacementField& field) {
   field.store(patch_, state_);
 }
 
+std::vector<int> WorkingSetNewton::certified_set() const {
+  std::vector<int> set(patch_.vertices.begin(), patch_.vertices.begin() + patch_.free_count);
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
 Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<const int> vertices,
                                         const Eigen::Matrix3Xd& displacement) {
   auto missing = std::count_if(vertices.begin(), vertices.end(),
@@ -215,6 +221,9 @@ Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<co
   system_.lagrangian().gradient_at(state_, std::numeric_limits<double>::infinity(), gradient_);
   Optimality result =
       optimality_of(patch_, state_.displacement, gradient_, kCounted * handle_scale(problem));
+  if (problem.slides != nullptr && problem.slides->has_rests()) {
+    judge_rests(problem, kCounted * handle_scale(problem), result);
+  }
   // The finish moved what the multipliers know nothing of, or a bound is broken.
   const bool within = std::isfinite(system_.lagrangian().energy(state_.displacement, 0.0));
   if (missing > 0 || !within) result.stationarity = std::numeric_limits<double>::infinity();

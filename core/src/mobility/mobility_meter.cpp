@@ -144,13 +144,9 @@ class MobilityMeter::State {
         limit_standing(limits_, faces_of(adjacency_, result.moved),
                        [&](int v) -> Eigen::Vector3d { return positions_.col(v); });
     positions_(Eigen::all, result.moved) = mesh_.positions(Eigen::all, result.moved);
-    std::string_view name;
-    LimitKinds::for_each([&](auto tag) {
-      using Kind = typename decltype(tag)::type;
-      const bool breaks = standing[LimitKinds::index_of<Kind>()].least_share < 0.0;
-      if (breaks && name.empty()) name = Kind::kName;
-    });
-    return name;
+    const auto broken = std::find_if(standing.begin(), standing.end(),
+                                     [](const auto& one) { return one.least_share < 0.0; });
+    return broken == standing.end() ? std::string_view() : broken->name;
   }
 
   /// Takes the way to `distance` if `result` is there within the limits, else lets it stop there.

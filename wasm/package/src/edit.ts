@@ -24,8 +24,14 @@ export interface EditOptions {
   readonly supports?: readonly string[];
   /** Steps in which the handles go to their targets, each solved from the last. */
   readonly continuation?: number;
+  /** An edit of one point edits its images: "x", "axis:4", "x,y" or "auto". */
+  readonly symmetry?: string;
   readonly hard?: boolean;
   readonly bounds?: Bounds | readonly string[];
+  /** Where nothing may go: "below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3", ... */
+  readonly keepOuts?: readonly string[];
+  /** Kept from every one of them, model units. */
+  readonly clearance?: number;
   readonly constraints?: Constraints;
   readonly locality?: number;
   readonly smoothness?: number;

@@ -30,6 +30,12 @@ export interface Report {
   readonly violations?: readonly Violation[];
   readonly bounds?: readonly BoundReport[];
   readonly supports?: readonly { readonly name: string; readonly distance_max: number }[];
+  readonly symmetry?: {
+    readonly elements: readonly string[];
+    readonly images: number;
+    readonly asymmetry_mean_edges: number;
+    readonly base_moved_by?: number;
+  };
   readonly planarised_first?: Readonly<Record<string, number>>;
   /** Panels that came out flat but crossing, turned over, collapsed or concave. */
   readonly spoilt_faces?: Readonly<Record<string, readonly number[]>>;

@@ -31,6 +31,7 @@ const OTHER_FLAGS: Readonly<Record<string, string>> = {
   pins: "--pin",
   supports: "--support",
   bounds: "--bound",
+  keepOuts: "--keep-out",
   constraints: "--constraint",
 };
 

@@ -5,21 +5,32 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
-#include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "planish/constraints/limit_kinds.hpp"
+#include "planish/constraints/limit_standing.hpp"
 #include "planish/constraints/stated_limit.hpp"
+#include "planish/keep_out.hpp"
 #include "planish/mesh.hpp"
 
 namespace planish {
+
+class MeshKeepOuts;
 
 class MeshLimits {
  public:
   /// @param limits that break no rule; of several with one name all hold
   MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& limits);
 
+  /// Keep-outs in place of those that were, if any. @param base outlives choose_planes()
+  void keep_out(const LimitBase& base, const FreeSpace& free);
+  void keep_out(const LimitBase& base, const std::vector<KeepOut>& keep_outs, double clearance);
+  /// Null: there are none.
+  [[nodiscard]] MeshKeepOuts* keep_outs() const { return keep_outs_.get(); }
+
+  /// Whether no limit of a kind holds anything back; keep-outs are none.
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   /// Whether a limit of the kind at `index` of LimitKinds holds something back.
   [[nodiscard]] bool has(std::size_t index) const { return rows_of_[index].size() > 0; }
@@ -51,19 +62,18 @@ class MeshLimits {
 
   LimitRows rows_;
   std::array<RaggedRows, LimitKinds::kCount> rows_of_;  ///< by face; empty: nothing is stated
+  /// Null: there are none. Shared, so that only who makes them needs to know how they end.
+  std::shared_ptr<MeshKeepOuts> keep_outs_;
 };
 
-/// How near panels are to one limit.
-struct LimitStanding {
-  double least_share = std::numeric_limits<double>::infinity();  ///< ≥ 0: it holds [LIM-2]
-  std::vector<int> binding;  ///< panels that it holds back, ascending
-};
+/// The share at which a limit counts as holding something back: there the barrier's force is 5 to 1
+/// of what it is at 1/4.
+inline constexpr double kBindingShare = 0.1;
 
-/// Of every kind, in the order of LimitKinds.
-using LimitStandings = std::array<LimitStanding, LimitKinds::kCount>;
-
-/// Of `faces` (ascending). @param point a vertex's place, in the unit that the limits were made in
-[[nodiscard]] LimitStandings limit_standing(const MeshLimits& limits, std::span<const int> faces,
-                                            const std::function<Eigen::Vector3d(int)>& point);
+/// Of every limit that rows hang on, in the order of LimitKinds, keep-outs last; of `faces`
+/// (ascending). @param point a vertex's place, in the unit that the limits were made in
+[[nodiscard]] std::vector<LimitStanding> limit_standing(
+    const MeshLimits& limits, std::span<const int> faces,
+    const std::function<Eigen::Vector3d(int)>& point);
 
 }  // namespace planish

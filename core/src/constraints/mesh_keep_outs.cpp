@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "planish/constraints/mesh_keep_outs.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "planish/constraints/mesh_limits.hpp"
+#include "planish/index.hpp"
+
+namespace planish {
+
+MeshKeepOuts::MeshKeepOuts(const LimitBase& base, const FreeSpace& free)
+    : mesh_(&base.mesh), points_(&base.points), first_(1, 0) {
+  for (const KeptBox& box : free.boxes) boxes_.push_back(in_points(base, box));
+  for (int f = 0; f < base.mesh.face_count(); ++f) {
+    append_rows(base, free, f, rows_);
+    first_.push_back(static_cast<int>(rows_.size()));
+  }
+}
+
+std::vector<RestingPoint> MeshKeepOuts::resting_points() const {
+  std::vector<RestingPoint> points;
+  for (const KeepOutRow& row : rows_) {
+    if (row.rests) points.push_back({row.vertex, row.normal});
+  }
+  return points;
+}
+
+void MeshKeepOuts::open() {
+  for (auto one = base_.rbegin(); one != base_.rend(); ++one) rows_[at(one->first)] = one->second;
+  base_.clear();
+}
+
+/// @param rows of one panel and one box
+bool MeshKeepOuts::choose_plane(std::span<KeepOutRow> rows,
+                                const std::function<Eigen::Vector3d(int)>& point) {
+  constexpr double kNear = 0.5;    // share of a point: where a plane acts
+  constexpr double kWorth = 1e-3;  // of a side: what another plane must give more
+  Positions panel(3, static_cast<Eigen::Index>(rows.size()));
+  double gap = std::numeric_limits<double>::infinity();
+  bool near = false;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const KeepOutRow& row = rows[k];
+    if (row.rests) return false;
+    const Eigen::Vector3d here = point(row.vertex);
+    panel.col(static_cast<Eigen::Index>(k)) = here;
+    const double share = row.share(here);
+    near = near || share < kNear;
+    gap = std::min(gap, share / row.scale.slope);
+  }
+  if (!near) return false;
+  const int face = rows[0].panel, box = rows[0].box;
+  const double side = mean_side(*points_, mesh_->face(face));
+  const BoxPlane plane = widest_plane(boxes_[at(box)], panel);
+  if (!(plane.gap > gap + kWorth * side)) return false;
+  for (KeepOutRow& row : rows) {
+    base_.emplace_back(static_cast<int>(&row - rows_.data()), row);
+    row = plane_row(row.vertex, points_->col(row.vertex), side, plane);
+    row.panel = face;
+    row.box = box;
+  }
+  return true;
+}
+
+bool MeshKeepOuts::choose_planes(std::span<const int> faces,
+                                 const std::function<Eigen::Vector3d(int)>& point) {
+  bool changed = false;
+  if (boxes_.empty()) return false;
+  for (const int face : faces) {
+    const auto corners = mesh_->face(face).size();
+    // Those of the half-spaces come first.
+    KeepOutRow* const rows =
+        rows_.data() + first_[at(face) + 1] - static_cast<std::ptrdiff_t>(corners * boxes_.size());
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      changed = choose_plane({rows + b * corners, corners}, point) || changed;
+    }
+  }
+  return changed;
+}
+
+namespace {
+
+/// Whether a row of that share holds something back. A point that rests has no room to begin with.
+bool binds(const KeepOutRow& row, double share) {
+  constexpr double kTouches = 1e-6;
+  return !(share >= (row.rests ? kTouches : kBindingShare));
+}
+
+}  // namespace
+
+LimitStanding MeshKeepOuts::standing(std::span<const int> faces,
+                                     const std::function<Eigen::Vector3d(int)>& point) const {
+  LimitStanding standing{.name = "keep-out", .binding = {}};
+  for (const int face : faces) {
+    for (const KeepOutRow& row : of(face)) {
+      const double share = row.share(point(row.vertex));
+      // Not a number is no share that holds.
+      if (!(share >= standing.least_share)) standing.least_share = share;
+      if (binds(row, share)) standing.binding.push_back(row.vertex);
+    }
+  }
+  std::vector<int>& points = standing.binding;
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return standing;
+}
+
+bool MeshKeepOuts::acts(std::span<const int> faces,
+                        const std::function<Eigen::Vector3d(int)>& point) const {
+  constexpr double kActs = 0.5 - 1e-9;  // at rest it may be 1/2
+  return std::any_of(faces.begin(), faces.end(), [&](int face) {
+    const std::span<const KeepOutRow> rows = of(face);
+    return std::any_of(rows.begin(), rows.end(), [&](const KeepOutRow& row) {
+      return !row.rests && !(row.share(point(row.vertex)) >= kActs);
+    });
+  });
+}
+
+void MeshLimits::keep_out(const LimitBase& base, const FreeSpace& free) {
+  keep_outs_ = std::make_shared<MeshKeepOuts>(base, free);
+}
+
+void MeshLimits::keep_out(const LimitBase& base, const std::vector<KeepOut>& keep_outs,
+                          double clearance) {
+  keep_out(base, free_space(keep_outs, clearance));
+}
+
+}  // namespace planish

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+/// What keep-outs hold: no point of an edit or of a drag goes beyond a plane, and what is beyond it
+/// in the base goes no deeper, measured without the rows.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "planish/exact_variation.hpp"
+#include "planish/handle_edit.hpp"
+#include "planish/symmetric_edit.hpp"
+#include "support/edit_invariants.hpp"
+#include "support/mesh_builders.hpp"
+#include "support/obstacles.hpp"
+#include "support/scenes.hpp"
+#include "support/symmetric_meshes.hpp"
+
+namespace planish {
+namespace {
+
+using testing::boxes_near;
+using testing::BoxInTheWay;
+using testing::deepest;
+using testing::Obstacle;
+using testing::obstacles;
+using testing::Plane;
+using testing::worst_entry;
+
+constexpr double kHeld = 1e-9;  ///< mean edges: what was promised
+
+class EditKeepOuts : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    mesh = testing::obstructed_mesh(GetParam());
+    if (mesh.face_count() == 0) GTEST_SKIP() << "no shared meshes here";
+  }
+
+  Mesh mesh;
+};
+
+TEST_P(EditKeepOuts, NoPointGoesBeyondAPlane) {
+  constexpr int kEdits = 12;
+  int certified = 0, moved = 0, binding = 0;
+  for (const Obstacle& one : obstacles(mesh, 41, kEdits)) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.plane.text());
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(one.plane.text())};
+    const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(deepest(mesh, result, one.plane), kHeld);
+    ASSERT_EQ(result.report.bounds.size(), 1u);
+    certified += result.report.status == SolveStatus::kConverged ? 1 : 0;
+    moved += result.report.moved_vertices > 0 ? 1 : 0;
+    binding += result.report.bounds.front().binding.empty() ? 0 : 1;
+  }
+  RecordProperty("certified", certified);
+  std::printf("%s: %d certified, %d moved, %d binding of %d\n", GetParam(), certified, moved,
+              binding, kEdits);
+  EXPECT_GE(moved, kEdits / 2);
+  EXPECT_GE(certified, 2 * kEdits / 3);
+  EXPECT_GE(binding, kEdits / 2);
+}
+
+TEST_P(EditKeepOuts, NoFrameOfADragGoesBeyondAPlane) {
+  constexpr int kFrames = 16;
+  constexpr double kBudget = 10.0;  // seconds: time must not decide
+  for (const Obstacle& one : obstacles(mesh, 43, 4)) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.plane.text());
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(one.plane.text())};
+    HandleEditSolver solver(mesh, options);
+    int followed = 0;
+    Positions last = mesh.positions;
+    for (int frame = 1; frame <= kFrames; ++frame) {
+      const auto targets = testing::pull(mesh, one.vertex, (1.5 * frame / kFrames) * one.move);
+      const HandleEditResult result = solver.drag(targets, kBudget);
+      EXPECT_LE(deepest(mesh, result, one.plane), kHeld) << "frame " << frame;
+      EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+      followed += apply(mesh, result) != last ? 1 : 0;
+      last = apply(mesh, result);
+    }
+    std::printf("%s %d: %d frames of %d\n", GetParam(), one.vertex, followed, kFrames);
+    EXPECT_GE(followed, kFrames / 2);
+  }
+}
+
+/// Whatever else an edit has to keep, it keeps keep-outs, too.
+TEST_P(EditKeepOuts, HoldWithEveryOption) {
+  const Obstacle one = obstacles(mesh, 47, 4)[1];
+  const KeepOut keep_out = *parse_keep_out(one.plane.text());
+  EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+  const double edge = mean_edge_length(mesh);
+  const auto expect_held = [&](const HandleEditOptions& options, const EditTargets& asked) {
+    const HandleEditResult result = solve_handle_edit(mesh, asked, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, asked, result));
+    EXPECT_LE(deepest(mesh, result, one.plane, options.clearance), kHeld);
+  };
+  HandleEditOptions options;
+  options.keep_outs = {keep_out};
+  HandleEditOptions soft = options, hard = options, limited = options, clear = options;
+  soft.reach = 4;
+  soft.softness = 5.0;
+  soft.keep_boundary = true;
+  hard.hard_handles = true;
+  limited.bounds = {*parse_stated_limit("fold=+5")};
+  clear.clearance = 0.1 * edge;
+  clear.sparsity = Sparsity::kL2;
+  for (const HandleEditOptions& each : {soft, hard, limited, clear}) expect_held(each, targets);
+  for (const int v : testing::ring_neighbourhood(mesh, one.vertex, 1)) {
+    if (v != one.vertex) targets.pins = {v};
+  }
+  targets.continuation = 4;
+  expect_held(options, targets);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOuts,
+                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex",
+                                           "pq_gitter", "mixed345_airport", "pq_octtorus",
+                                           "hex_sphere_two_openings"),
+                         [](const auto& each) { return std::string(each.param); });
+
+class EditBoxes : public EditKeepOuts {
+ protected:
+  /// 100 where they are cheap; docs/decisions/0040-keep-outs.md has 100 of each. WebAssembly, which
+  /// runs the same code, is asked for a few.
+  [[nodiscard]] static int edits() {
+#ifdef __EMSCRIPTEN__
+    return 10;
+#else
+    return std::string(GetParam()) == "pq_gitter" ? 100 : 20;
+#endif
+  }
+  /// Of how many it is asked whether the box is in the way at all.
+  static constexpr int kAlsoWithout = 10;
+  [[nodiscard]] HandleEditOptions options_for(const BoxInTheWay& one) const {
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(one.box.text())};
+    options.clearance = 0.05 * mean_edge_length(mesh);
+    return options;
+  }
+};
+
+TEST_P(EditBoxes, NoPanelEntersOne) {
+  int certified = 0, entered_without = 0, made = 0, moved = 0;
+  for (const BoxInTheWay& one : boxes_near(mesh, 61, edits())) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
+    const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+    const HandleEditOptions options = options_for(one);
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(worst_entry(mesh, result, one.box, options.clearance), kHeld);
+    certified += result.report.status == SolveStatus::kConverged ? 1 : 0;
+    moved += result.report.moved_vertices > 0 ? 1 : 0;
+    if (++made > kAlsoWithout) continue;
+    const HandleEditResult free = solve_handle_edit(mesh, targets);
+    entered_without += worst_entry(mesh, free, one.box, options.clearance) > 1e-6 ? 1 : 0;
+  }
+  std::printf("%s: %d certified, %d moved of %d; %d of %d enter without\n", GetParam(), certified,
+              moved, edits(), entered_without, kAlsoWithout);
+  EXPECT_GE(entered_without, kAlsoWithout / 2);
+  EXPECT_GE(moved, 9 * edits() / 10);
+  EXPECT_GE(certified, 9 * edits() / 10);
+}
+
+/// Boxes around the handle itself: panels that are inside go no deeper, and the others stay out.
+TEST_P(EditBoxes, NoPanelThatIsInsideGoesDeeper) {
+  int moved = 0;
+  for (BoxInTheWay one : boxes_near(mesh, 71, 10)) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex));
+    const Eigen::Vector3d half = 0.5 * (one.box.high - one.box.low);
+    const Eigen::Vector3d middle = mesh.positions.col(one.vertex) + 0.3 * one.move;
+    one.box = {middle - half, middle + half};
+    const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+    const HandleEditOptions options = options_for(one);
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(worst_entry(mesh, result, one.box, options.clearance), kHeld);
+    moved += result.report.moved_vertices > 0 ? 1 : 0;
+  }
+  EXPECT_GE(moved, 5);
+}
+
+TEST_P(EditBoxes, NoFrameOfADragEntersOne) {
+  constexpr int kFrames = 8;
+  constexpr double kBudget = 10.0;  // seconds: time must not decide
+  for (const BoxInTheWay& one : boxes_near(mesh, 67, 6)) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
+    const HandleEditOptions options = options_for(one);
+    HandleEditSolver solver(mesh, options);
+    for (int frame = 1; frame <= kFrames; ++frame) {  // fast: through the box and out again
+      const auto targets = testing::pull(mesh, one.vertex, (3.0 * frame / kFrames) * one.move);
+      const HandleEditResult result = solver.drag(targets, kBudget);
+      EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+      EXPECT_LE(worst_entry(mesh, result, one.box, options.clearance), kHeld) << frame;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, EditBoxes,
+                         ::testing::Values("vault", "pq_gitter", "mixed345_airport"),
+                         [](const auto& each) { return std::string(each.param); });
+
+/// A floor that a whole mesh stands on: it lifts off as if there were none, and never sinks.
+TEST(EditOnAFloor, LiftsOffFreelyAndNeverSinks) {
+  const Mesh mesh = testing::quad_grid(13, 13);
+  const int middle = 6 * 13 + 6;
+  HandleEditOptions options;
+  options.keep_outs = {*parse_keep_out("below=0")};
+  const auto solve = [&](const HandleEditOptions& by, const Eigen::Vector3d& move) {
+    const EditTargets targets = testing::pull(mesh, middle, move);
+    HandleEditResult result = solve_handle_edit(mesh, targets, by);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    return result;
+  };
+  const HandleEditResult lifted = solve(options, {0.1, 0.0, 0.8});
+  EXPECT_EQ(lifted.report.status, SolveStatus::kConverged);
+  EXPECT_GT(lifted.report.moved_vertices, 4);
+  EXPECT_LT(lifted.report.handle_error, 0.1);
+  EXPECT_GE(apply(mesh, lifted).row(2).minCoeff(), -kHeld);
+  const HandleEditResult sunk = solve(options, {0.3, 0.0, -0.8});
+  EXPECT_EQ(sunk.report.status, SolveStatus::kConverged);
+  EXPECT_GE(apply(mesh, sunk).row(2).minCoeff(), -kHeld);
+  EXPECT_GT(sunk.report.moved_vertices, 0) << "it slides";
+}
+
+/// What rests is let go of again: a drag goes down, where nothing can follow, and comes up.
+TEST(EditOnAFloor, ADragSinksNothingAndLiftsOffAgain) {
+  const Mesh mesh = testing::quad_grid(11, 11);
+  const int middle = 5 * 11 + 5;
+  HandleEditOptions options;
+  options.keep_outs = {*parse_keep_out("below=0")};
+  HandleEditSolver solver(mesh, options);
+  double last = 0.0;
+  for (const double height : {-0.2, -0.6, -1.2, -0.5, 0.2, 0.5, 0.8}) {
+    const HandleEditResult frame =
+        solver.drag(testing::pull(mesh, middle, {0.2, 0.0, height}), 10.0);
+    EXPECT_GE(apply(mesh, frame).row(2).minCoeff(), -kHeld) << height;
+    last = frame.report.handle_error;
+  }
+  EXPECT_LT(last, 0.2);
+}
+
+/// The planes that hold a point push and never pull: with a plane that points are on, and away from
+/// which they are pulled, the certified edit is the one without it.
+TEST(EditOnAFloor, APlaneThatOnlyPushesChangesNothingBehindIt) {
+  const Mesh mesh = testing::sample("dome", 16);
+  const int handle = testing::middle_vertex(mesh);
+  const EditTargets targets = testing::pull(mesh, handle, {0.0, 0.0, 0.5});
+  const HandleEditResult free = solve_handle_edit(mesh, targets);
+  const Positions after = apply(mesh, free);
+  // Below everything that moved down, through a point that moved up.
+  HandleEditOptions options;
+  int through = -1;
+  for (const int v : free.moved) {
+    if (after(2, v) > mesh.positions(2, v) + 0.05) through = v;
+  }
+  ASSERT_GE(through, 0);
+  char words[64];
+  std::snprintf(words, sizeof words, "below=%.17g", mesh.positions(2, through));
+  options.keep_outs = {*parse_keep_out(words)};
+  const HandleEditResult held = solve_handle_edit(mesh, targets, options);
+  ASSERT_EQ(held.report.status, SolveStatus::kConverged);
+  for (const int v : held.moved) {
+    const double lowest = std::min(mesh.positions(2, v), mesh.positions(2, through));
+    EXPECT_GE(apply(mesh, held)(2, v), lowest - kHeld) << v;
+  }
+}
+
+/// Supports and keep-outs on the same points.
+TEST(EditOnAFloor, PointsSlideOnSupportsAlongAKeepOut) {
+  const Mesh mesh = testing::sample("vault", 16);
+  const int handle = testing::middle_vertex(mesh);
+  for (const char* support : {"level=x:all", "outline:boundary"}) {
+    EditTargets targets = testing::pull(mesh, handle, {0.3, 0.2, -0.6});
+    targets.supports = {*parse_point_support(support)};
+    HandleEditOptions options;
+    char words[64];
+    std::snprintf(words, sizeof words, "below=%.17g", mesh.positions(2, handle) - 0.1);
+    options.keep_outs = {*parse_keep_out(words), *parse_keep_out("below=0")};
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    const Plane floor{{0, 0, -1}, 0.1 - mesh.positions(2, handle)}, ground{{0, 0, -1}, 0.0};
+    EXPECT_LE(deepest(mesh, result, floor), kHeld) << support;
+    EXPECT_LE(deepest(mesh, result, ground), kHeld) << support;
+    EXPECT_LE(largest_distance(targets.supports[0], mesh, apply(mesh, result)), 1e-9) << support;
+  }
+}
+
+/// Where the mesh is does not matter.
+TEST(EditKeepOutsFarAway, HoldToWhatCoordinatesCanSay) {
+  Mesh mesh = testing::sample("vault", 16);
+  mesh.positions.colwise() += Eigen::Vector3d(512345.25, 5398765.5, 430.0);
+  for (const Obstacle& one : obstacles(mesh, 53, 4)) {
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(one.plane.text())};
+    const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(deepest(mesh, result, one.plane), 1e-8);
+    EXPECT_GT(result.report.moved_vertices, 0);
+  }
+}
+
+/// A keep-out that is on one side holds on all: the result is symmetric.
+TEST(SymmetricKeepOuts, HoldWithTheirImages) {
+  const Mesh mesh = testing::sample("vault", 16);
+  const MeshSymmetry symmetry = testing::symmetry_of(mesh, "x");
+  const int vertex = 5 * 16 + 5;
+  const Plane wall{Eigen::Vector3d(-1.0, 0.2, 0.3).normalized(), 0.0};
+  Plane through = wall;
+  through.most = wall.normal.dot(mesh.positions.col(vertex)) + 0.15;
+  const auto all = with_images(testing::pull(mesh, vertex, {-0.4, 0.1, 0.3}), mesh, symmetry);
+  const EditTargets targets = std::get<EditTargets>(all);
+  HandleEditOptions options;
+  options.keep_outs = {*parse_keep_out(through.text())};
+  HandleEditSolver solver(mesh, options);
+  const HandleEditResult result = solver.solve_symmetric(targets, symmetry);
+  EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+  EXPECT_GT(result.report.moved_vertices, 0);
+  EXPECT_LE(asymmetry(symmetry, mesh, apply(mesh, result)), kHeld);
+  EXPECT_LE(deepest(mesh, result, through), kHeld);
+  EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+}
+
+/// Variations made exact keep what the edit keeps.
+TEST(KeptOutVariations, MadeExactKeepOut) {
+  const Mesh mesh = testing::sample("vault", 16);
+  const int handle = testing::middle_vertex(mesh);
+  const EditTargets targets = testing::pull(mesh, handle, {0.0, 0.0, 0.6});
+  const Positions edited = apply(mesh, solve_handle_edit(mesh, targets));
+  SubspaceOptions family;
+  family.dimension = 2;
+  const Subspace subspace = compute_subspace(mesh, edited, {}, family);
+  int stopped = 0;
+  for (const double slider : {-2.0, -1.0, 1.0, 2.0}) {
+    const Eigen::Vector2d values(slider, -0.5 * slider);
+    const Positions shown = testing::varied(edited, subspace, values);
+    const double top = edited.row(2).maxCoeff(), wanted = shown.row(2).maxCoeff();
+    const Plane ceiling{{0.0, 0.0, 1.0}, top + 0.3 * std::max(0.1, wanted - top)};
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(ceiling.text())};
+    const auto held = held_in_variations(mesh, targets, options);
+    const ProjectionResult exact = make_exact({mesh, edited, shown}, options, 0.0, held);
+    Positions shape = shown;
+    shape(Eigen::all, exact.moved) = exact.moved_positions;
+    EXPECT_LE(shape.row(2).maxCoeff(), ceiling.most + kHeld) << slider;
+    if (wanted <= ceiling.most) continue;
+    ++stopped;
+    EXPECT_EQ(exact.report.status, SolveStatus::kNearestConfined);
+    ASSERT_FALSE(exact.report.bounds.empty());
+    EXPECT_EQ(exact.report.bounds.front().name, "keep-out");
+    EXPECT_FALSE(exact.report.bounds.front().binding.empty());
+  }
+  EXPECT_GT(stopped, 0) << "some variation would go beyond it";
+}
+
+/// What rests on a keep-out stays in variations where the edit put it.
+TEST(KeptOutVariations, LeaveWhatRests) {
+  const Mesh mesh = testing::quad_grid(9, 9);
+  HandleEditOptions options;
+  options.keep_outs = {*parse_keep_out("below=0"), *parse_keep_out("plane=1,0,0,7.5")};
+  EXPECT_EQ(held_in_variations(mesh, {}, options).size(), 81u);
+  options.keep_outs.erase(options.keep_outs.begin());
+  EXPECT_EQ(held_in_variations(mesh, {}, options).size(), 9u) << "the last column";
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// What the page's first module does without, so that a first visit transfers less: keep-outs.
+/// Linked in place of the core's own files, whose functions these are; planish_whole has them.
+/// Input that asks for them is refused by find_problem(), so that nothing else here is ever
+/// reached.
+#include "edit_reach.hpp"
+#include "engines/keep_out_terms.hpp"
+#include "engines/patch_system.hpp"
+#include "engines/working_set_newton.hpp"
+#include "handle_edit_state.hpp"
+#include "planish/constraints/mesh_keep_outs.hpp"
+#include "planish/constraints/mesh_limits.hpp"
+#include "planish/keep_out.hpp"
+#include "planish/problem.hpp"
+#include "planish/vertex_slides.hpp"
+#include "session.hpp"
+
+namespace planish {
+namespace {
+
+[[noreturn]] void is_not_here() { __builtin_trap(); }
+
+}  // namespace
+
+std::vector<KeepOut> read_keep_outs(std::string_view lines) {
+  return std::vector<KeepOut>(lines.empty() ? 0 : 1);  // enough for find_problem()
+}
+std::optional<KeepOut> parse_keep_out(std::string_view) { return KeepOut{}; }
+std::string keep_out_text(const KeepOut&) { return {}; }
+std::string_view known_keep_outs() { return {}; }
+FreeSpace free_space(const std::vector<KeepOut>&, double) { is_not_here(); }
+Refusal find_problem(const std::vector<KeepOut>& keep_outs) {
+  if (keep_outs.empty()) return std::nullopt;
+  return "keep_out: this module knows none";
+}
+
+LimitStanding MeshKeepOuts::standing(std::span<const int>,
+                                     const std::function<Eigen::Vector3d(int)>&) const {
+  is_not_here();
+}
+bool MeshKeepOuts::choose_planes(std::span<const int>, const std::function<Eigen::Vector3d(int)>&) {
+  is_not_here();
+}
+void MeshLimits::keep_out(const LimitBase&, const std::vector<KeepOut>&, double) { is_not_here(); }
+
+void PatchCutter::add_keep_outs(const MeshKeepOuts&, int, Patch&) { is_not_here(); }
+double with_keep_outs(double, const Patch&, const Eigen::Matrix3Xd&) { is_not_here(); }
+void add_keep_out_gradient(const Patch&, const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&) {
+  is_not_here();
+}
+void PatchSystem::add_keep_outs(const PatchState&) { is_not_here(); }
+void WorkingSetNewton::judge_rests(const EditProblem&, double, Optimality&) { is_not_here(); }
+
+Eigen::Vector3d VertexSlides::nearest(int, const Eigen::Vector3d&) const { is_not_here(); }
+void VertexSlides::let_all_go() { is_not_here(); }
+void VertexSlides::forget_releases() { is_not_here(); }
+
+void HandleEditSolver::State::keep_out() { is_not_here(); }
+void HandleEditSolver::State::keep_out(const FreeSpace&) { is_not_here(); }
+void HandleEditSolver::State::make_rests() { is_not_here(); }
+void HandleEditSolver::State::open_planes() { is_not_here(); }
+bool HandleEditSolver::State::keep_outs_turn() const { is_not_here(); }
+bool HandleEditSolver::State::turn_planes(const ExactDesign&) { is_not_here(); }
+bool HandleEditSolver::State::meets_keep_outs(const ExactDesign&) { is_not_here(); }
+bool HandleEditSolver::State::lets_go() { is_not_here(); }
+ExactDesign HandleEditSolver::State::settle_beside_keep_outs(const NewtonOptions&, const Progress&,
+                                                             SolveReport&) {
+  is_not_here();
+}
+void HandleEditSolver::State::hold_back(const std::vector<int>&, ExactDesign&) { is_not_here(); }
+void hold_resting(const Mesh&, const HandleEditOptions&, std::vector<int>&) { is_not_here(); }
+
+}  // namespace planish
