@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 import type { Browser } from "playwright-core";
 
-export function launch(): Promise<Browser>;
+export function launch(how?: { readonly smooth?: boolean }): Promise<Browser>;

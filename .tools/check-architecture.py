@@ -10,6 +10,8 @@ import re
 import sys
 from pathlib import Path
 
+from circles import find_circles
+
 ROOT = Path(__file__).resolve().parent.parent
 
 # Which groups a group may include. Everything may include itself; transitive arrows are spelled
@@ -22,14 +24,16 @@ ARROWS = {
     "mesh": set(),
     "report": set(),  # solve_report.hpp, engine.hpp: what every problem shares
     "trigonometry": set(),
+    "symmetry": {"mesh", "adjacency", "trigonometry", "read_result"},
     "topology": {"mesh"},  # edge_table, disjoint_sets: what mesh_check needs
     "read_result": {"mesh"},  # io's result type and its sentences: mesh_check speaks the same
     "adjacency": {"mesh"},
-    "constraints": {"mesh", "adjacency", "trigonometry"},
+    "keep_out": {"mesh", "read_result"},  # where nothing may go, as text and as half-spaces and boxes
+    "constraints": {"mesh", "adjacency", "trigonometry", "keep_out"},
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints", "trigonometry"},
     "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
-    "point_support": {"mesh", "adjacency", "read_result"},
+    "point_support": {"mesh", "adjacency", "read_result", "keep_out"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
     "mesh_standing": BASE | {"adjacency", "constraints"},
     "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
@@ -41,7 +45,8 @@ ARROWS = {
     "shapes": {"mesh", "trigonometry"},
     "problem": GEOMETRY | {"point_support"},
     "engines": PROBLEM,
-    "handle_edit": ENGINES | {"mesh_standing"},
+    "handle_edit": ENGINES | {"mesh_standing", "symmetry", "keep_out"},
+    "symmetric_edit": ENGINES | {"handle_edit", "planarising", "symmetry", "projection", "read_result"},
     "subspace": ENGINES,
     "projection": ENGINES | {"mesh_standing"},
     "exact_variation": ENGINES | {"folds", "handle_edit", "projection"},
@@ -49,9 +54,9 @@ ARROWS = {
     "planarising": {"constraints", "mesh", "report", "adjacency", "projection"},
     "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
     "mobility": ENGINES | {"handle_edit", "stated_limit", "folds", "fabrication"},
-    "design": ENGINES | {"checksum", "handle_edit", "subspace", "projection", "exact_variation", "planarising", "shapes", "io", "read_result"},
-    "design_text": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
-    "sweep": ENGINES | {"handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
+    "design": ENGINES | {"symmetry", "symmetric_edit", "checksum", "handle_edit", "subspace", "projection", "exact_variation", "planarising", "shapes", "io", "read_result"},
+    "design_text": ENGINES | {"symmetry", "handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
+    "sweep": ENGINES | {"symmetry", "handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
     "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
     "cli": None,  # everything
     "library": None,
@@ -75,6 +80,10 @@ FILE_GROUPS = {
     "handle_edit_search": "handle_edit",
     "handle_edit_parts": "handle_edit",
     "handle_edit_drag": "handle_edit",
+    "handle_edit_symmetric": "handle_edit",
+    "handle_edit_keep_outs": "handle_edit",
+    "problem_keep_outs": "problem",
+    "symmetry_text": "symmetry",
     "area_vector": "mesh",
     "sound_projection": "projection",
     "nearly_flat": "projection",
@@ -82,6 +91,7 @@ FILE_GROUPS = {
     "panel_health": "metrics",
     "point_support_text": "point_support",
     "vertex_slides": "point_support",
+    "resting_points": "point_support",
     "boundary_outline": "point_support",
     "crc32": "checksum",
     "mesh_hash": "checksum",
@@ -179,20 +189,8 @@ def check_cycles():
     for name, relative in known.items():
         text = (ROOT / relative).read_text(encoding="utf-8")
         graph[name] = [t for t in re.findall(r'#\s*include\s*"([^"]+)"', text) if t in known]
-    state = {}
-
-    def visit(name, trail):
-        state[name] = "open"
-        for target in graph[name]:
-            if state.get(target) == "open":
-                yield f"{known[name]}: include cycle {' -> '.join(trail + [name, target])}"
-            elif target not in state:
-                yield from visit(target, trail + [name])
-        state[name] = "done"
-
-    for name in graph:
-        if name not in state:
-            yield from visit(name, [])
+    for circle in find_circles(graph):
+        yield f"{known[circle[-2]]}: include cycle {' -> '.join(circle)}"
 
 
 def check_core_rules():

@@ -15,7 +15,7 @@ import {
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { launch } from "./browser.mjs";
 import { serve } from "./serve.mjs";
 
 const CLI = "build/native/planish";
@@ -52,8 +52,7 @@ function elapsed(act) {
 /** From the choice of the file to the import report, and the longest stop of the page meanwhile. */
 async function importInPage(path) {
   const { server, url } = await serve("dist", { prefix: "/under/a/path/" });
-  const args = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args });
+  const browser = await launch({ smooth: true });
   const page = await browser.newPage({ viewport: { width: 900, height: 640 } });
   await page.goto(url);
   await page.getByText(/0 of 441 points move/).waitFor();

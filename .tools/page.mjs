@@ -5,7 +5,7 @@ import { serve } from "./serve.mjs";
 
 export async function openBrowser() {
   const { server, url } = await serve(new URL("../dist/", import.meta.url).pathname, { port: 0 });
-  const browser = await launch();
+  const browser = await launch({ smooth: true });
   return {
     browser,
     url,

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev libstb-dev
-  libqrcodegencpp-dev nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium
+  libqrcodegencpp-dev nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium-headless-shell
   python3-numpy python3-scipy python3-ezdxf python3-shapely
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
   python3-distributed parallel
@@ -27,8 +27,8 @@ install_debian_packages() {
   fi
   echo "setup: installing Debian packages: ${missing[*]}"
   export DEBIAN_FRONTEND=noninteractive
-  apt-get update -qq
-  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  apt-get update -qq -o Acquire::Retries=3
+  apt-get install -y -qq -o Acquire::Retries=3 --no-install-recommends "${missing[@]}" >/dev/null
 }
 
 name_missing_tools() {

@@ -37,7 +37,7 @@ check_lint() { npx --no-install biome ci --reporter=summary; }
 check_types() {
   npx --no-install tsc -p web/tsconfig.json && npx --no-install tsc -p wasm/package/tsconfig.json --noEmit
 }
-check_architecture() { python3 .tools/check-architecture.py; }
+check_architecture() { python3 .tools/check-architecture.py && python3 .tools/check-web-layers.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
 check_wasm() {
   ready wasm planish_tests && python3 .tools/wasm-loads.py &&

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Plugin } from "vite";
 import type createPlanish from "../wasm/planish.d.ts";
-import { FIRST_SAMPLE } from "./src/state/samples.ts";
+import { FIRST_SAMPLE } from "./src/design/samples.ts";
 
 const ID = "virtual:first-mesh";
 

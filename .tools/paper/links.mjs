@@ -49,8 +49,8 @@ class Solver {
 }
 
 const PAGE = {
-  link: "/web/src/share/link.ts",
-  text: "/web/src/share/design-value.ts",
+  link: "/web/src/design/link.ts",
+  text: "/web/src/design/design-value.ts",
   dispatch: "/web/src/solver/dispatch.ts",
 };
 

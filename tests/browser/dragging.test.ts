@@ -344,6 +344,7 @@ it("a clicked panel says its figure, and the camera stays", async () => {
   for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
     await page.mouse.click(point.x + k, point.y + k);
     await page.waitForTimeout(300);
+    await idle(page); // what says the figure comes with the first click
   }
   expect(await page.getByText(/ corners, /).textContent()).toMatch(
     /4 corners, flat \(< 0\.000001 mm\/m\)/,

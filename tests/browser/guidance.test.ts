@@ -49,7 +49,7 @@ it("arrow keys announce the point, and the first sentence gives way to it", asyn
   const page = await site.open();
   const sentence = page.getByText("Drag this point");
   await sentence.waitFor();
-  const live = page.locator("[aria-live=polite]");
+  const live = page.locator("p[aria-live=polite]");
   await live.waitFor({ state: "attached" });
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("ArrowRight");

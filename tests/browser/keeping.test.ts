@@ -3,7 +3,7 @@
 // than the record, by one that cannot open it. A tab that is killed leaves the old or the new design.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { encodeRecord } from "../../web/src/share/saved-record.ts";
+import { encodeRecord } from "../../web/src/design/saved-record.ts";
 import { EDITED, RECORD } from "../web/support/golden-designs.ts";
 import { keptRecords, putRecord, slowStorage } from "./support/faults.ts";
 import { idle, obj, status, typeTarget, usable } from "./support/page.ts";
@@ -43,6 +43,27 @@ it("storage that answers late costs neither the page nor what is kept", async ()
   await visit(page);
   expect(await keptRecords(page)).toEqual(records);
   expect(await obj(page)).toBe(before);
+  await page.context().close();
+});
+
+it("undo and redo come back after a reload, to the last bit", async () => {
+  const page = await site.open();
+  const shapes = [await obj(page)];
+  for (const way of ["+10cm", "+20cm", "+30cm"]) {
+    await typeTarget(page, way);
+    shapes.push(await obj(page));
+  }
+  const press = async (name: string): Promise<string> => {
+    await page.getByRole("button", { name, exact: true }).click();
+    await idle(page);
+    return obj(page);
+  };
+  expect(await press("Undo")).toBe(shapes[2]);
+  await kept(page);
+  await visit(page);
+  expect(await obj(page)).toBe(shapes[2]);
+  expect(await press("Redo")).toBe(shapes[3]);
+  for (const shape of shapes.slice(0, 3).reverse()) expect(await press("Undo")).toBe(shape);
   await page.context().close();
 });
 

@@ -3,13 +3,14 @@
 import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
 import { idle, movedCount, status } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** The accessible name of what has the focus. */
 const focused = (page: Page): Promise<string> =>
   page.evaluate(() => {
-    const element = document.activeElement;
+    const element = document.activeElement === document.body ? null : document.activeElement;
     const labels = element instanceof HTMLInputElement ? [...(element.labels ?? [])] : [];
     const name =
       element?.getAttribute("aria-label") ||
@@ -33,7 +34,7 @@ async function tabTo(page: Page, name: string): Promise<void> {
   for (let k = 0; k < 90; ++k) {
     await page.keyboard.press("Tab");
     const at = await focused(page);
-    if (at === "" || at.startsWith("Planish")) continue;
+    if (at === "") continue;
     expect(await marked(page), `focus on ${at}`).toBe(true);
     if (at === name) return;
   }
@@ -111,6 +112,29 @@ it("F6 goes from the bar to the view to the inspector, and Shift F6 back", async
   await page.getByRole("spinbutton").first().focus();
   await page.keyboard.press("F6");
   await expect.poll(region).toBe("header");
+  await page.context().close();
+});
+
+it("the first Tab offers to skip to the view, and to the controls", async () => {
+  const page = await site.open();
+  for (const [name, region] of [
+    ["Skip to the 3D view", "canvas"],
+    ["Skip to the controls", "aside"],
+  ] as const) {
+    await page.evaluate("document.activeElement?.blur()");
+    const link = page.getByRole("link", { name });
+    await tabTo(page, name);
+    await expect.poll(async () => (await link.boundingBox())?.height ?? 0).toBeGreaterThan(24);
+    await expectClean(page, name);
+    await page.keyboard.press("Enter");
+    await expect
+      .poll(() =>
+        page.evaluate(() => document.activeElement?.closest("header, canvas, aside")?.localName),
+      )
+      .toBe(region);
+    await expect.poll(async () => (await link.boundingBox())?.height ?? 0).toBeLessThan(2);
+  }
+  expect(new URL(page.url()).hash).toBe("");
   await page.context().close();
 });
 

@@ -3,7 +3,7 @@
 // hold back, and designs and links carry them.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { decodeLink } from "../../web/src/share/link.ts";
+import { decodeLink } from "../../web/src/design/link.ts";
 import { exportAs, idle, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
@@ -60,6 +60,18 @@ it("an edit keeps them, and the page leads to the panels that they hold back", a
   await page.getByText(/^Verified:/).waitFor();
   expect(await page.getByRole("checkbox", { name: "Folds up to" }).isChecked()).toBe(true);
   expect(await obj(page)).toBe(limited);
+  await page.context().close();
+});
+
+it("where a limit stops a handle, how far it got is said before that the limit holds", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await type(page, "Folds up to", "12");
+  await typeTarget(page, "+3m");
+  const standing = page.getByText(/the limit on folds holds (a panel|\d+ panels) back/i);
+  expect(await standing.textContent()).toMatch(
+    /^\d+ of 3000 mm reached: the limit .* back \(asked 12°, is 1[12]\.\d\d°\)/,
+  );
   await page.context().close();
 });
 

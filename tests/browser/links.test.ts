@@ -3,8 +3,8 @@
 // design is from the one that was shared.
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
-import type { Recipe } from "../../web/src/state/recipe.ts";
+import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
+import type { Recipe } from "../../web/src/design/recipe.ts";
 import { exportAs, idle, openSite, type Site, status, typeTarget } from "./support/page.ts";
 
 let site: Site;

@@ -219,8 +219,11 @@ it("speaks of millimetres, and of flat panels only where they are flat", async (
   };
   expect(await summary()).toContain("400 flat panels");
   await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
-  // Until the door shows what planarising would make of it.
-  await expect.poll(summary).toContain("1 panels, not all of them flat,");
+  // The door shows what planarising would make of it, and the file is still as it was.
+  await expect
+    .poll(summary)
+    .toMatch(/^A preview of planarising: 1 panels would all be flat, with .* is not flat\./);
+  expect(await summary()).not.toContain("flat panels");
   await page.context().close();
 });
 

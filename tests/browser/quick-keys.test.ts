@@ -3,7 +3,7 @@
 // they went, and all of them are one step.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { decodeLink } from "../../web/src/share/link.ts";
+import { decodeLink } from "../../web/src/design/link.ts";
 import { exportAs, idle, openAdvanced, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 

@@ -4,8 +4,8 @@
 import { readdirSync, readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { encodeLink } from "../../web/src/share/link.ts";
-import { recipeOf } from "../../web/src/state/recipe.ts";
+import { encodeLink } from "../../web/src/design/link.ts";
+import { recipeOf } from "../../web/src/design/recipe.ts";
 import { EDITED, FILE, MARK } from "../web/support/golden-designs.ts";
 import { flatRoof } from "./support/faults.ts";
 import { openFile, openSite, type Prepare, typeTarget, usable } from "./support/page.ts";

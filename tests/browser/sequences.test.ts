@@ -206,7 +206,8 @@ class Visitor {
 
   #exploring(buttons: readonly string[]): Action[] {
     const actions: Action[] = [...this.#pressing("Find variations", "step", 2)];
-    if (buttons.includes("Make exact")) actions.push(...this.#pressing("Make exact", "step"));
+    // Whatever came before left an exact design.
+    if (buttons.includes("Make exact")) actions.push(...this.#pressing("Make exact", "nothing"));
     return actions;
   }
 

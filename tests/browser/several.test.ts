@@ -5,7 +5,7 @@ import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
 import { idle, movedCount, obj } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { handleRows, hintedPoint, type Place, viewBox } from "./support/view.ts";
+import { press as dragTo, handleRows, hintedPoint, type Place, viewBox } from "./support/view.ts";
 
 /** Points along and across the first sample. */
 const SIDE = 21;
@@ -132,6 +132,54 @@ it("the boundary is pinned and a line raised by an amount, in twelve actions; bo
   await press(page, "Free");
   await idle(page);
   await expect.poll(() => table.getByRole("row").count()).toBe(1);
+  await page.context().close();
+});
+
+/** How far up each point of the table was asked to go, model units, in the order of the points. */
+async function raised(page: Page, base: readonly (readonly number[])[]): Promise<number[]> {
+  const rows = (await handleRows(page)).toSorted((a, b) => a.vertex - b.vertex);
+  return rows.map(({ vertex, target }) => (target[2] ?? 0) - (base[vertex]?.[2] ?? 0));
+}
+
+it("with a fall-off a line rises as a bump, by a typed amount and by a drag; a link has its targets", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const { points } = readObj(await obj(page));
+  await selectEdge(page);
+  await press(page, "Line");
+  await expectSelected(page, SIDE);
+  const fallOff = strip(page).getByRole("combobox", { name: "Fall-off" });
+  expect(await fallOff.inputValue()).toBe("0");
+  await fallOff.selectOption("from the middle");
+  const raise = strip(page).getByRole("spinbutton", { name: "Move by Z" });
+  await raise.fill("300mm");
+  await raise.press("Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  await page.getByRole("button", { name: "List" }).click();
+  const ways = await raised(page, points);
+  expect(ways.length).toBe(SIDE);
+  const middle = (SIDE - 1) / 2;
+  expect(Math.max(...ways)).toBeCloseTo(0.3, 9);
+  for (let k = 1; k <= middle; ++k) {
+    expect(ways[middle + k]).toBeLessThan(ways[middle + k - 1] ?? 0);
+    expect(ways[middle - k]).toBeCloseTo(ways[middle + k] ?? 0, 6);
+  }
+  expect(ways[0]).toBeGreaterThan(0);
+
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => movedCount(page)).toBe(0);
+  await page.getByRole("button", { name: "Lock to Z" }).click();
+  const at = await hintedPoint(page);
+  await page.getByRole("button", { name: "Select in a box" }).click();
+  await dragTo(page, { x: at.x - 90, y: at.y - 70 }, { x: at.x + 90, y: at.y + 70 });
+  await page.mouse.up();
+  await dragTo(page, at, { x: at.x, y: at.y - 40 });
+  await page.mouse.up();
+  await idle(page);
+  const dragged = (await raised(page, points)).toSorted((a, b) => b - a);
+  expect(dragged.length).toBeGreaterThan(4);
+  expect(dragged[1]).toBeLessThan(dragged[0] ?? 0);
+  expect(dragged.at(-1)).toBeLessThan(0.3 * (dragged[0] ?? 0));
   await page.context().close();
 });
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The camera, fingers, before and after; and nothing is drawn when nothing changes.
-import type { CDPSession, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
 import { idle, movedCount } from "./support/page.ts";
 import { site } from "./support/site.ts";
+import { openPhone, slide } from "./support/touch.ts";
 import { handleRows, hintedPoint, type Place, press, viewBox } from "./support/view.ts";
 
 const gap = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
-
-/** Fingers on the glass, one place each. */
-type Touch = (
-  type: "touchStart" | "touchMove" | "touchEnd",
-  places: readonly Place[],
-) => Promise<void>;
 
 /** The lowest place at the left edge of the view where nothing lies over it. */
 async function placeBesideTheTools(page: Page): Promise<Place> {
@@ -30,33 +26,25 @@ async function placeBesideTheTools(page: Page): Promise<Place> {
   return { x: x + 24, y: free };
 }
 
-async function openPhone(): Promise<{ page: Page; touch: Touch }> {
-  const page = await site.open({
-    viewport: { width: 360, height: 740 },
-    hasTouch: true,
-    isMobile: true,
-    reducedMotion: "reduce",
+/** How many different colours the loupe shows. */
+const coloursIn = (page: Page): Promise<number> =>
+  page.locator(".loupe").evaluate((glass: HTMLCanvasElement) => {
+    const { width, height } = glass;
+    const data = glass.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+    const seen = new Set<string>();
+    for (let k = 0; k < data.length; k += 4) seen.add([...data.slice(k, k + 3)].join());
+    return seen.size;
   });
-  const session: CDPSession = await page.context().newCDPSession(page);
-  const touch: Touch = async (type, places) => {
-    const touchPoints = places.map(({ x, y }, id) => ({ x, y, id }));
-    await session.send("Input.dispatchTouchEvent", { type, touchPoints });
-  };
-  return { page, touch };
-}
 
-/** Slides fingers from their places to others in steps, and lifts them. */
-async function slide(touch: Touch, from: readonly Place[], to: readonly Place[]): Promise<void> {
-  for (let k = 1; k <= from.length; ++k) await touch("touchStart", from.slice(0, k));
-  for (let k = 1; k <= 6; ++k) {
-    const between = from.map(({ x, y }, i) => ({
-      x: x + (((to[i]?.x ?? x) - x) * k) / 6,
-      y: y + (((to[i]?.y ?? y) - y) * k) / 6,
-    }));
-    await touch("touchMove", between);
-  }
-  await touch("touchEnd", []);
-}
+it("a mouse that dragged a point is asked nothing", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 40 });
+  await page.mouse.up();
+  await idle(page);
+  expect(await page.getByRole("button", { name: "Take back" }).count()).toBe(0);
+  await page.context().close();
+});
 
 describe("fingers", () => {
   it("one on a point moves it", async () => {
@@ -66,6 +54,59 @@ describe("fingers", () => {
     await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
     await idle(page);
     expect((await handleRows(page)).length).toBe(1);
+    await page.context().close();
+  });
+
+  it("one that drags a point sees it in a loupe, clear of the finger, until it is lifted", async () => {
+    const { page, touch } = await openPhone();
+    const at = await hintedPoint(page);
+    const loupe = page.locator(".loupe");
+    await touch("touchStart", [at]);
+    for (let k = 1; k <= 4; ++k) await touch("touchMove", [{ x: at.x, y: at.y - 12 * k }]);
+    await loupe.waitFor();
+    const finger = { x: at.x + 4, y: at.y - 60 };
+    await touch("touchMove", [finger]);
+    const farEnough = async (): Promise<number> => {
+      const box = await loupe.boundingBox();
+      if (!box) return 0;
+      const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      return gap(middle, finger) - box.width / 2;
+    };
+    await expect.poll(farEnough).toBeGreaterThan(25);
+    // It holds a picture, with the mark of the point that is dragged.
+    await expect.poll(() => coloursIn(page)).toBeGreaterThan(20);
+    await touch("touchEnd", []);
+    await expect.poll(() => loupe.isVisible()).toBe(false);
+    await idle(page);
+    await page.context().close();
+  });
+
+  it("one that dragged a point keeps that or takes it back, beside the point", async () => {
+    const { page, touch } = await openPhone();
+    const at = await hintedPoint(page);
+    const offer = page.getByRole("group", { name: /^Point \d+ was dragged$/ });
+    const drag = async (): Promise<void> => {
+      await slide(touch, [at], [{ x: at.x, y: at.y - 40 }]);
+      await offer.waitFor();
+    };
+    await drag();
+    for (const button of await offer.getByRole("button").all()) {
+      const box = await button.boundingBox();
+      expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(44);
+    }
+    await page.getByText(/Keep it, or take it back$/).waitFor({ state: "attached" });
+    await expectClean(page, "after a drag by a finger");
+    await offer.getByRole("button", { name: "Take back" }).tap();
+    await expect.poll(() => movedCount(page)).toBe(0);
+    expect(await offer.count()).toBe(0);
+    await idle(page);
+    await drag();
+    await idle(page);
+    const view = await viewBox(page);
+    await offer.getByRole("button", { name: "Keep" }).tap();
+    expect(await offer.count()).toBe(0);
+    expect(await viewBox(page)).toEqual(view);
+    expect(await movedCount(page)).toBeGreaterThan(0);
     await page.context().close();
   });
 

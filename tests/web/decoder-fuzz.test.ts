@@ -3,14 +3,14 @@
 // do not throw, do not hang, do not take memory out of proportion, and give no half-valid value.
 // PLANISH_FUZZ_INPUTS sets how many inputs each decoder gets, PLANISH_SEED the seed.
 import { describe, expect, it } from "vitest";
-import { crc32 } from "../../web/src/share/crc32.ts";
-import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
-import { decodePayload, encodePayload } from "../../web/src/share/payload.ts";
-import { fileKey } from "../../web/src/share/saved-design.ts";
-import { decodeRecord, encodeRecord, type SavedRecord } from "../../web/src/share/saved-record.ts";
-import type { Design } from "../../web/src/state/design.ts";
-import { type Recipe, recipeOf } from "../../web/src/state/recipe.ts";
-import { isUnit } from "../../web/src/state/units.ts";
+import { crc32 } from "../../web/src/bytes/crc32.ts";
+import type { Design } from "../../web/src/design/design.ts";
+import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
+import { decodePayload, encodePayload } from "../../web/src/design/payload.ts";
+import { type Recipe, recipeOf } from "../../web/src/design/recipe.ts";
+import { fileKey } from "../../web/src/design/saved-design.ts";
+import { decodeRecord, encodeRecord, type SavedRecord } from "../../web/src/design/saved-record.ts";
+import { isUnit } from "../../web/src/quantity/units.ts";
 import { EDITED, FILE, MARK, OPENED, RECORD } from "./support/golden-designs.ts";
 import { Damage, join } from "./support/mutations.ts";
 
@@ -83,8 +83,10 @@ function whatIsWrongWithDesign({ shape, handles, report, variation }: Design): s
   return variation && !finite(variation.coefficients) ? "variation" : null;
 }
 
-function whatIsWrongWithRecord({ present, snapshots, unit }: SavedRecord): string | null {
+function whatIsWrongWithRecord(record: SavedRecord): string | null {
+  const { present, snapshots, views, unit } = record;
   if (!isUnit(unit)) return "unit";
+  if (!views.every(({ camera }) => finite([...camera.position, ...camera.target]))) return "view";
   for (const design of [present, ...snapshots.map((snapshot) => snapshot.design)]) {
     const wrong = whatIsWrongWithDesign(design);
     if (wrong) return wrong;

@@ -3,7 +3,7 @@
 // or one sentence that names the field.
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { fromDesign } from "../../web/src/share/design-value.ts";
+import { fromDesign } from "../../web/src/design/design-value.ts";
 import { loadGlb } from "../parity/support/planish.ts";
 import { Damage } from "./support/mutations.ts";
 
@@ -40,15 +40,21 @@ it("takes what may be left out as it is documented", () => {
   expect([settings.attraction, settings.sparsity, settings.tolerance]).toEqual([1000, "l21", 1e-6]);
 });
 
-it("reads what the boundary slides along, and writes it again", () => {
+it("reads what points stand on, as the core says it", () => {
   const slides = (supports?: string[]) => {
     const read = readDesign(text({ supports }));
-    return read.ok ? read.value.settings.boundarySupport : read.reason;
+    return read.ok ? read.value.settings.supports : read.reason;
   };
-  expect(slides()).toBe("none");
-  expect(slides([])).toBe("none");
-  expect(slides(["level=z:boundary"])).toBe("level");
-  expect(slides(["outline:boundary"])).toBe("outline");
+  expect(slides()).toEqual([]);
+  for (const known of [
+    [],
+    ["level=z:boundary"],
+    ["outline:boundary"],
+    ["level=x:3,4,5", "level=y:3", "outline:boundary"],
+    ["plane=1,0,0,-0.5:3", "line=0,0,1e-07,0,0,1:4", "level=z:all"],
+  ])
+    expect(slides(known)).toEqual(known);
+  expect(slides(["level:boundary"])).toEqual(["level=z:boundary"]);
 });
 
 it("reads the steps of an edit, and refuses what are none", () => {
@@ -154,8 +160,12 @@ describe("names the field that is wrong", () => {
       text({ options: { constraints: [{ kind: "round", tolerance: 1e-9 }] } }),
       /^options: constraints: a kind must be one of circular, conical/,
     ],
-    [text({ supports: ["level=x:boundary"] }), /^supports: this page knows level=z:boundary or /],
+    [text({ supports: ["level=w:boundary"] }), /^supports\[0\] must be one of level:POINTS/],
     [text({ supports: "level=z:boundary" }), /^supports must be a list/],
+    [text({ symmetry: ["x", "axis:z:4"] }), /^symmetry: this page knows none/],
+    [text({ options: { keep_out: ["self"] } }), /^options\.keep_out\[0\] must be one of below=Z/],
+    [text({ symmetry: ["x,y"] }), /^symmetry\[0\] must be x, y, z or axis/],
+    [text({ symmetry: "x" }), /^symmetry must be a list/],
     [text({ handles: [[1, 2, 3]] }), /handles\[0\]/],
     [text({ handles: {} }), /handles/],
     [text({ pins: [-1] }), /pins/],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { parseLength } from "../../web/src/state/expression.ts";
-import { formatCoordinate, formatGap, formatLength } from "../../web/src/state/units.ts";
+import { parseLength } from "../../web/src/quantity/expression.ts";
+import { formatCoordinate, formatGap, formatLength } from "../../web/src/quantity/units.ts";
 
 const read = (text: string, current = 0): number | string => {
   const parsed = parseLength(text, current, "m");

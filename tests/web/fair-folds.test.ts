@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which limit on folds an edit gets of itself: the least that costs its handles nothing.
 import { expect, it } from "vitest";
+import { NO_REPORT } from "../../web/src/design/design.ts";
 import { fairLimit, foldGrowth } from "../../web/src/solver/fair-folds.ts";
 import type { ShapeReport } from "../../web/src/solver/protocol.ts";
-import { NO_REPORT } from "../../web/src/state/design.ts";
 
 const WAY = 2;
 const report = (growth: number, short: number, more: Partial<ShapeReport> = {}): ShapeReport => ({

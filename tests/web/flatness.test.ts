@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { FLAT, flatnessWords } from "../../web/src/state/flatness.ts";
+import { FLAT, flatnessWords } from "../../web/src/design/flatness.ts";
 
 const said = (gap: number, mmPerM: number): string =>
   flatnessWords(gap, mmPerM, mmPerM, "m").sentence;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { begin, record, redo, undo } from "../../web/src/state/history.ts";
+import { begin, record, redo, undo } from "../../web/src/design/history.ts";
 
 describe("history", () => {
   const three = [1, 2, 3].reduce((history, n) => record(history, n), begin(0));

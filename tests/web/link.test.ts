@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { crc32 } from "../../web/src/share/crc32.ts";
-import { decodeLink, encodeLink } from "../../web/src/share/link.ts";
-import { DEFAULT_SETTINGS } from "../../web/src/state/design.ts";
-import type { Parsed } from "../../web/src/state/expression.ts";
-import type { Recipe } from "../../web/src/state/recipe.ts";
+import { crc32 } from "../../web/src/bytes/crc32.ts";
+import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
+import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
+import type { Recipe } from "../../web/src/design/recipe.ts";
+import type { Result } from "../../web/src/result/result.ts";
 
 /** tests/parity/bindings.test.ts holds the core to it. */
 const MARK = {
@@ -86,7 +86,7 @@ const weighted: Recipe = {
 const GOLDEN =
   "#v1=XY4xDsIwEATzlq0X6-zgOPFP0MkFgkgUkCCSECRExU94DRVvQqZByky5xezz9d58iqK4Y0BUXLfTcQSdTcQZUYgDoqpzQivGsjENxZQLKInqKT9tSsSMqFZEaCnGE0O767s9iK6dx75DIm6ImreVGOcTMSHiBOKCqC74qm7WQWo6asmcFuNymmFxgGKqPyH3H18";
 
-async function content(decoded: Parsed<Recipe>): Promise<Uint8Array | null> {
+async function content(decoded: Result<Recipe>): Promise<Uint8Array | null> {
   if (!decoded.ok || decoded.value.source.kind === "sample") return null;
   return new Uint8Array(await decoded.value.source.bytes.arrayBuffer());
 }
@@ -124,14 +124,26 @@ describe("links", () => {
       "a boundary on its outline",
       {
         ...recipe,
-        settings: { ...recipe.settings, keepBoundary: true, boundarySupport: "outline" },
+        settings: { ...recipe.settings, keepBoundary: true, supports: ["outline:boundary"] },
       } satisfies Recipe,
     ],
     [
       "a boundary on its level",
       {
         ...recipe,
-        settings: { ...recipe.settings, boundarySupport: "level" },
+        settings: { ...recipe.settings, supports: ["level=z:boundary"] },
+      } satisfies Recipe,
+    ],
+    [
+      "points on supports of their own",
+      {
+        ...recipe,
+        settings: {
+          ...recipe.settings,
+          supports: ["level=z:boundary", "level=x:3,4", "line=0,0,1e-7,0,0,-1:7"],
+          constraints: ["conical:0.001"],
+          limits: ["angle=60:120"],
+        },
       } satisfies Recipe,
     ],
     [

@@ -3,7 +3,9 @@
 import { PerspectiveCamera } from "three";
 import { describe, expect, it } from "vitest";
 import { buildTopology } from "../../web/src/mesh/topology.ts";
-import { pickVertex, project, type View, verticesIn } from "../../web/src/scene/picking.ts";
+import { verticesIn } from "../../web/src/scene/area-picking.ts";
+import { boxAround } from "../../web/src/scene/outline.ts";
+import { pickVertex, project, type View } from "../../web/src/scene/picking.ts";
 
 /** Two quads side by side, 0-1-2 above 3-4-5, seen straight on; 1 unit is about 100 pixels. */
 const points = Float32Array.of(-1, 1, 0, 0, 1, 0, 1, 1, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0);
@@ -29,8 +31,14 @@ function at(vertex: number): { x: number; y: number } {
   return place;
 }
 
+const shown = (current: Float32Array, isShown = (_: number): boolean => true) => ({
+  current,
+  topology,
+  isShown,
+});
+
 const pick = (x: number, y: number, coarse = false): number | null =>
-  pickVertex(points, topology, x, y, coarse, view);
+  pickVertex(shown(points), { x, y }, coarse, view);
 
 describe("the point under a pixel", () => {
   it("is the nearest on screen", () => {
@@ -50,7 +58,16 @@ describe("the point under a pixel", () => {
   it("is the near one where two lie behind each other", () => {
     const stacked = points.slice();
     stacked.set([0, 0, 2], 3);
-    expect(pickVertex(stacked, topology, at(4).x, at(4).y, false, view)).toBe(1);
+    expect(pickVertex(shown(stacked), at(4), false, view)).toBe(1);
+  });
+
+  it("is never one that is hidden", () => {
+    const { x, y } = at(4);
+    const others = shown(points, (vertex) => vertex !== 4);
+    expect(pickVertex(others, { x, y }, false, view)).toBeNull();
+    expect(pickVertex(others, at(5), false, view)).toBe(5);
+    const all = boxAround({ x: 0, y: 0 }, { x: 900, y: 600 });
+    expect(verticesIn(all, others, view)).toEqual([0, 1, 2, 3, 5]);
   });
 
   it("leaves the middle of a small panel to the panel", () => {
@@ -59,12 +76,23 @@ describe("the point under a pixel", () => {
     if (!a || !b) throw new Error("behind the camera");
     const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
     expect(Math.hypot(a.x - middle.x, a.y - middle.y)).toBeLessThan(18);
-    expect(pickVertex(points, topology, middle.x, middle.y, false, far)).toBe(null);
+    expect(pickVertex(shown(points), middle, false, far)).toBe(null);
   });
 });
 
-it("a box holds what lies in it on screen", () => {
+it("a box holds what lies in it on screen, a loop what it goes round", () => {
   const [from, to] = [at(1), at(5)];
-  const box = { left: from.x - 1, top: from.y - 1, right: to.x + 1, bottom: to.y + 1 };
-  expect(verticesIn(box, points, view)).toEqual([1, 2, 4, 5]);
+  const box = boxAround({ x: from.x - 1, y: from.y - 1 }, { x: to.x + 1, y: to.y + 1 });
+  expect(verticesIn(box, shown(points), view)).toEqual([1, 2, 4, 5]);
+  const past = (v: number, x: number, y: number) => ({ x: at(v).x + x, y: at(v).y + y });
+  const loop = [
+    past(0, -9, -9),
+    past(2, 9, -9),
+    past(2, 9, 9),
+    past(1, 0, 9),
+    past(3, 9, 9),
+    past(3, -9, 9),
+  ];
+  expect(verticesIn(loop, shown(points), view)).toEqual([0, 1, 2, 3]);
+  expect(verticesIn([], shown(points), view)).toEqual([]);
 });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { type HandleList, isWithin, PullHold } from "../../web/src/solver/pull-limit.ts";
-import { NO_REPORT } from "../../web/src/state/design.ts";
+import { NO_REPORT } from "../../web/src/design/design.ts";
+import type { HandleList } from "../../web/src/solver/protocol.ts";
+import { isWithin, PullHold } from "../../web/src/solver/pull-limit.ts";
 
 const FROM = [7, 0, 0, 1];
 const LIMIT = 15;

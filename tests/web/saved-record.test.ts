@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
-import { fromBase64Url } from "../../web/src/share/base64url.ts";
-import { type Files, fileKey } from "../../web/src/share/saved-design.ts";
-import { decodeRecord, encodeRecord } from "../../web/src/share/saved-record.ts";
+import { fromBase64Url } from "../../web/src/bytes/base64url.ts";
+import { type Files, fileKey } from "../../web/src/design/saved-design.ts";
+import { decodeRecord, encodeRecord } from "../../web/src/design/saved-record.ts";
 import { FILE, RECORD } from "./support/golden-designs.ts";
 
 const files: Files = new Map([[fileKey(FILE), FILE.bytes]]);
@@ -17,7 +17,9 @@ describe("a saved record", () => {
       constraints: ["conical:1e-9"],
     };
     const present = { ...RECORD.present, report, settings };
-    const record = { ...RECORD, figure: "figure-1", present };
+    const [position, target] = [[0.1, -2, 3] as const, [0, 0, 0.25] as const];
+    const views = [{ name: "From the street", camera: { position, target } }];
+    const record = { ...RECORD, figure: "figure-1", present, views };
     const read = decodeRecord(encodeRecord(record), files);
     expect(read).toEqual({ kind: "record", record });
     if (read.kind !== "record") return;
@@ -57,6 +59,17 @@ describe("a saved record", () => {
     expect(read.record.camera).toBeNull();
     expect(read.record.snapshots).toEqual(snapshots);
     expect(read.record.present.handles).toHaveLength(150_000);
+  });
+
+  it("leaves out views that are none, and all but the last of one name", () => {
+    const view = (name: string, x: number) => ({
+      name,
+      camera: { position: [x, 0, 1], target: [0, 0, 0] } as const,
+    });
+    const views = [view("a", 1), view("b", Number.NaN), view("a", 2), view("c", 3)];
+    const read = decodeRecord(encodeRecord({ ...RECORD, views }), files);
+    if (read.kind !== "record") throw new Error(read.kind);
+    expect(read.record).toEqual({ ...RECORD, views: [view("a", 2), view("c", 3)] });
   });
 
   it("is whole or damaged, wherever it is cut or changed", () => {

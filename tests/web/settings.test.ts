@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { readSettings, writeSettings } from "../../web/src/share/reading.ts";
-import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/state/design.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/design/design.ts";
+import { readSettings, writeSettings } from "../../web/src/design/reading.ts";
 
 it("another mesh starts with what the page has controls for, and with nothing unseen", () => {
   const shown = {
@@ -18,15 +18,18 @@ it("another mesh starts with what the page has controls for, and with nothing un
     reach: 3,
     reachLength: 1.5,
     keepBoundary: true,
-    boundarySupport: "outline",
+    supports: ["outline:boundary"],
     continuation: 16,
     limits: ["fold=25"],
     constraints: ["conical:1e-9"],
+    keepOuts: ["below=0"],
+    clearance: 0.1,
     softness: 4,
   } as const;
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;
-  const { attraction } = FIRST_SETTINGS;
-  const unseen = { attraction, sparsity, maxIterations, reachLength, continuation };
+  const { attraction, keepOuts, clearance } = FIRST_SETTINGS;
+  const steps = { sparsity, maxIterations, reachLength, continuation };
+  const unseen = { attraction, keepOuts, clearance, ...steps };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
   const raw = { ...shown, softness: 0 };
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);

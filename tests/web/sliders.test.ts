@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
+import { NO_SHAPE } from "../../web/src/design/design.ts";
 import { leadsOf, rangesOf } from "../../web/src/solver/sliders.ts";
-import { NO_SHAPE } from "../../web/src/state/design.ts";
 import { stopsWithin, wayWords, within } from "../../web/src/state/slider-range.ts";
 
 describe("a slider", () => {

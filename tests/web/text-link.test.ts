@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { deflateSync } from "node:zlib";
 import { expect, it } from "vitest";
-import { isLink } from "../../web/src/share/fragment.ts";
-import { isTextLink, unpackText } from "../../web/src/share/text-link.ts";
+import { isLink } from "../../web/src/design/fragment.ts";
+import { isTextLink, unpackText } from "../../web/src/design/text-link.ts";
 
 const TEXT = JSON.stringify({ format: "planish-design", version: 1, name: "Dachfläche" });
 const LINK = `#d1=${deflateSync(TEXT).toString("base64url")}`;

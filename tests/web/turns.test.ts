@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { dropTurns, holdTurns, inTurn, turnsLeft } from "../../web/src/state/turns.ts";
+import { dropTurns, holdTurns, inTurn } from "../../web/src/state/turns.ts";
+import { pageAlone } from "./support/page-here.ts";
 
 /** What was done, in order, of `asked`: a name, with its burst after a slash. */
 async function doneOf(asked: readonly string[]): Promise<string[]> {
+  const page = pageAlone();
   const done: string[] = [];
   const turns = asked.map((name) => {
     const burst = name.includes("/") ? name.replace(/.*\//, "") : null;
-    return inTurn(async () => {
-      await Promise.resolve();
-      done.push(name);
-    }, burst);
+    return inTurn(
+      page,
+      async () => {
+        await Promise.resolve();
+        done.push(name);
+      },
+      burst,
+    );
   });
   await Promise.all(turns);
   return done;
@@ -26,48 +32,56 @@ it("of a burst that waits does the last, and never passes another action", async
 });
 
 it("what has begun is not overtaken", async () => {
+  const page = pageAlone();
   const done: number[] = [];
-  const first = inTurn(async () => {
-    done.push(1);
-    await inTurnLater;
-  }, "x");
+  const first = inTurn(
+    page,
+    async () => {
+      done.push(1);
+      await inTurnLater;
+    },
+    "x",
+  );
   const inTurnLater = Promise.resolve().then(() => Promise.resolve());
   await inTurnLater;
-  await Promise.all([first, inTurn(async () => void done.push(2), "x")]);
+  await Promise.all([first, inTurn(page, async () => void done.push(2), "x")]);
   expect(done).toEqual([1, 2]);
 });
 
 it("forgets what has not begun", async () => {
+  const page = pageAlone();
   const done: number[] = [];
-  const turn = inTurn(async () => void done.push(1));
-  dropTurns();
+  const turn = inTurn(page, async () => void done.push(1));
+  dropTurns(page);
   await turn;
   expect(done).toEqual([]);
 });
 
 it("counts what runs or waits, but not what was dropped", async () => {
+  const page = pageAlone();
   let finish = (): void => {};
-  const first = inTurn(() => new Promise((resolve) => (finish = resolve)));
-  const second = inTurn(async () => {});
-  expect(turnsLeft.value).toBe(2);
+  const first = inTurn(page, () => new Promise((resolve) => (finish = () => resolve(undefined))));
+  const second = inTurn(page, async () => {});
+  expect(page.turnsLeft.value).toBe(2);
   await Promise.resolve();
-  dropTurns();
-  expect(turnsLeft.value).toBe(0);
-  const third = inTurn(async () => {});
-  expect(turnsLeft.value).toBe(1);
+  dropTurns(page);
+  expect(page.turnsLeft.value).toBe(0);
+  const third = inTurn(page, async () => {});
+  expect(page.turnsLeft.value).toBe(1);
   finish();
   await Promise.all([first, second, third]);
   await Promise.resolve();
   await Promise.resolve();
-  expect(turnsLeft.value).toBe(0);
+  expect(page.turnsLeft.value).toBe(0);
 });
 
 it("actions wait for what holds them back, which counts for none and may fail", async () => {
+  const page = pageAlone();
   const done: string[] = [];
   let fail = (_reason: Error): void => {};
-  holdTurns(new Promise((_, reject) => (fail = reject)));
-  expect(turnsLeft.value).toBe(0);
-  const turn = inTurn(async () => void done.push("turn"));
+  holdTurns(page, new Promise((_, reject) => (fail = reject)));
+  expect(page.turnsLeft.value).toBe(0);
+  const turn = inTurn(page, async () => void done.push("turn"));
   await new Promise((resolve) => setTimeout(resolve));
   expect(done).toEqual([]);
   fail(new Error("the solver died"));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Where a handle stops, in words, and what is offered to get further.
 import { describe, expect, it } from "vitest";
-import type { EditSettings, ShapeReport } from "../../web/src/solver/protocol.ts";
-import type { Design, Point } from "../../web/src/state/design.ts";
+import type { Design, Point } from "../../web/src/design/design.ts";
 import {
   DEFAULT_SETTINGS,
   FIRST_SETTINGS,
   NO_REPORT,
   NO_SHAPE,
-} from "../../web/src/state/design.ts";
+} from "../../web/src/design/design.ts";
+import type { EditSettings, ShapeReport } from "../../web/src/solver/protocol.ts";
 import { gotWords, reasonOf, reasonWords, stopOf, waysOn } from "../../web/src/state/way-on.ts";
 
 const base = (): Point => [1, 0, 0];

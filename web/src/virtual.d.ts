@@ -24,4 +24,6 @@ declare module "virtual:core-defaults" {
   export const nearestFlat: Defaults["nearestFlat"];
   export const kinds: Defaults["kinds"];
   export const variationWeights: Defaults["variationWeights"];
+  export const sliverAngle: Defaults["sliverAngle"];
+  export const newSliver: Defaults["newSliver"];
 }

@@ -94,6 +94,7 @@ export class Hands {
   async settle(): Promise<void> {
     await this.#page.evaluate(async () => {
       const still = (): boolean =>
+        document.querySelector('[data-fetching="0"]') !== null &&
         [...document.querySelectorAll("button")].some(
           (button) => button.textContent === "Cancel" && button.disabled,
         );

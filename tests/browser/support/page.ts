@@ -5,9 +5,9 @@ import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playw
 import { expect } from "vitest";
 import { launch } from "../../../.tools/browser.mjs";
 import { serve } from "../../../.tools/serve.mjs";
-import { encodeLink } from "../../../web/src/share/link.ts";
-import { DEFAULT_SETTINGS } from "../../../web/src/state/design.ts";
-import type { Recipe } from "../../../web/src/state/recipe.ts";
+import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
+import { encodeLink } from "../../../web/src/design/link.ts";
+import type { Recipe } from "../../../web/src/design/recipe.ts";
 
 export type Prepare = (context: BrowserContext) => Promise<void>;
 
@@ -89,9 +89,14 @@ export const status = async (page: Page): Promise<string> =>
 export const movedCount = async (page: Page): Promise<number> =>
   Number(/(\d+) of \d+ points move/.exec(await status(page))?.[1] ?? Number.NaN);
 
-/** Waits until nothing runs. */
+/** Waits until nothing runs, and no part of the page that will run is being fetched. */
 export const idle = (page: Page): Promise<void> =>
-  expect.poll(() => page.getByRole("button", { name: "Cancel" }).isDisabled()).toBe(true);
+  expect
+    .poll(async () => {
+      const fetching = await page.locator("main").getAttribute("data-fetching");
+      return fetching === "0" && page.getByRole("button", { name: "Cancel" }).isDisabled();
+    })
+    .toBe(true);
 
 /** Unfolds what few need: there the raw weights are. */
 export async function openAdvanced(page: Page): Promise<void> {

@@ -61,13 +61,18 @@ export async function visit(): Promise<Visitor> {
     press: (name) => page.locator(`::-p-aria([name="${name}"][role="button"])`).click(),
     async download(press) {
       const before = await readdir(saved);
-      const fresh = async (): Promise<string | undefined> =>
-        (await readdir(saved)).find((name) => !(before.includes(name) || name.endsWith(".part")));
+      // The browser makes an empty file, writes beside it, and puts that in its place.
+      let text = "";
+      const complete = async (): Promise<string> => {
+        const name = (await readdir(saved)).find(
+          (name) => !(before.includes(name) || name.endsWith(".part")),
+        );
+        if (name) text = await readFile(join(saved, name), "utf8").catch(() => "");
+        return text;
+      };
       await press();
-      await expect.poll(fresh).toBeDefined();
-      const name = (await fresh()) ?? "";
-      await expect.poll(async () => (await readFile(join(saved, name))).length).toBeGreaterThan(0);
-      return readFile(join(saved, name), "utf8");
+      await expect.poll(complete).not.toBe("");
+      return text;
     },
     async leave() {
       await browser.close();

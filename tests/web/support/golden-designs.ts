@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Designs that links and records are made of in tests.
-import { crc32 } from "../../../web/src/share/crc32.ts";
-import type { SavedRecord } from "../../../web/src/share/saved-record.ts";
+import { crc32 } from "../../../web/src/bytes/crc32.ts";
+import { DEFAULT_SETTINGS, type Design } from "../../../web/src/design/design.ts";
+import type { SavedRecord } from "../../../web/src/design/saved-record.ts";
 import type { Source } from "../../../web/src/solver/protocol.ts";
-import { DEFAULT_SETTINGS, type Design } from "../../../web/src/state/design.ts";
 
 const content = new TextEncoder().encode("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
 
@@ -84,4 +84,6 @@ export const RECORD: SavedRecord = {
     { id: "a", name: "Low roof", time: 1, picture: "data:image/webp;base64,AAAA", design: OPENED },
     { id: "b", name: "", time: 2, picture: "", design: EDITED },
   ],
+  views: [],
+  steps: { past: [], future: [] },
 };

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
+
 import { useEffect } from "preact/hooks";
-import { ready } from "../state/store.ts";
 import { FileDrop } from "../ui/file-drop.tsx";
 import { Inspector } from "../ui/inspector.tsx";
+import { usePage } from "../ui/page-context.ts";
+import { PaletteDialog } from "../ui/palette-dialog.tsx";
 import { StatusLine } from "../ui/status-line.tsx";
 import { TopBar } from "../ui/top-bar.tsx";
 import { ViewportPane } from "../ui/viewport-pane.tsx";
 import { listenToShortcuts } from "./shortcuts.ts";
 
 export function App() {
-  useEffect(() => listenToShortcuts(), []);
+  const page = usePage();
+  useEffect(() => listenToShortcuts(page), []);
   return (
     <FileDrop>
       <TopBar />
-      <main class="work" aria-busy={!ready.value}>
+      <main class="work" aria-busy={!page.ready.value} data-fetching={page.fetching}>
         <ViewportPane />
         <Inspector />
       </main>
       <StatusLine />
+      <PaletteDialog />
     </FileDrop>
   );
 }

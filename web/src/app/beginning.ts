@@ -1,67 +1,73 @@
 // SPDX-License-Identifier: MIT
+
 import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
-import { begin as beginHistory } from "../state/history.ts";
 import { openFirst } from "../state/opening.ts";
-import { show } from "../state/showing.ts";
-import { history, notice, problem, ready, snapshots, unit } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import { recoverFromDeath, show } from "../state/showing.ts";
+import { say } from "../state/telling.ts";
 import { inTurn } from "../state/turns.ts";
-import { followAddress, openAddressOverKept } from "./address.ts";
+import { followAddress, openAddress, openAddressOverKept } from "./address.ts";
 import { keepOffline } from "./offline.ts";
 
 /** Brings back what this tab had; false if there is nothing. */
-async function openSaved(saved: ReturnType<typeof restoreSaved>): Promise<boolean> {
+async function openSaved(page: Page, saved: ReturnType<typeof restoreSaved>): Promise<boolean> {
   const restored = await saved;
   if (restored.kind === "damaged") {
-    problem.value = "The design kept from your last visit is damaged and could not be opened.";
+    say(page, "The design kept from your last visit is damaged and could not be opened.");
     return false;
   }
   if (restored.kind === "none") return false;
   const { record } = restored;
   let shown = false;
-  await inTurn(async () => {
-    shown = await show(record.present);
+  await inTurn(page, async () => {
+    const end = await show(page, record.present);
+    shown = end.ok;
+    return end.ok ? undefined : end;
   });
   if (!shown) {
-    problem.value = `Your last design could not be opened; it stays kept. ${problem.value ?? ""}`;
-    await keepElsewhere();
+    const why = page.problem.value ?? "";
+    say(page, `Your last design could not be opened; it stays kept. ${why}`);
+    await keepElsewhere(page);
     return false;
   }
-  snapshots.value = record.snapshots;
-  history.value = beginHistory(record.present);
-  unit.value = record.unit;
-  placeCamera(record.camera);
-  if (record.figure !== null) rememberOrigin("name", record.figure);
+  page.snapshots.value = record.snapshots;
+  page.views.value = record.views;
+  page.history.value = restored.history;
+  page.unit.value = record.unit;
+  placeCamera(page, record.camera);
+  if (record.figure !== null) rememberOrigin(page, "name", record.figure);
   const time = new Date(record.time).toLocaleString(undefined, {
     dateStyle: "medium",
     timeStyle: "short",
   });
-  notice.value = `Your design of ${time} is back.`;
+  page.notice.value = `Your design of ${time} is back.`;
   return true;
 }
 
-async function openDesigns(saved: ReturnType<typeof restoreSaved>): Promise<void> {
-  const restored = await openSaved(saved);
-  if ((await openAddressOverKept()) || restored) return;
-  const said = problem.value;
-  await openFirst();
-  problem.value = said;
+async function openDesigns(page: Page, saved: ReturnType<typeof restoreSaved>): Promise<void> {
+  const restored = await openSaved(page, saved);
+  if ((await openAddressOverKept(page)) || restored) return;
+  const said = page.problem.value;
+  await openFirst(page);
+  say(page, said);
 }
 
 /** What happens when the page opens: a shared design, the last one, or the first sample; within
  * another page, what that one asks for. */
-export async function begin(): Promise<void> {
+export async function begin(page: Page): Promise<void> {
+  recoverFromDeath(page);
   const asked = new URLSearchParams(location.search);
   if (asked.has("embed") && window.parent !== window)
-    return (await import("../embed/embedded.ts")).beginEmbedded(asked);
-  const saved = restoreSaved();
-  if (!(await solverIsThere())) return;
-  await openDesigns(saved);
-  ready.value = true;
-  startAutosave();
-  followAddress();
-  void loadFigures();
-  void keepOffline();
+    return (await import("../embed/embedded.ts")).beginEmbedded(page, asked, openAddress);
+  const saved = restoreSaved(page);
+  if (!(await solverIsThere(page))) return;
+  await openDesigns(page, saved);
+  page.ready.value = true;
+  startAutosave(page);
+  followAddress(page);
+  void loadFigures(page);
+  void keepOffline(page);
 }

@@ -15,18 +15,27 @@ import "../ui/analysis.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
 import { prepareDisplay } from "../mesh/display-mesh.ts";
+import { solverSpawner } from "../solver/spawn.ts";
 import { keepFreedom, keepPanelFigures } from "../state/analysis.ts";
-import { displayMesh } from "../state/store.ts";
+import { Page } from "../state/page.ts";
+import { PageProvider } from "../ui/page-context.ts";
 import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
 
-displayMesh.value = prepareDisplay({
+const page = new Page(solverSpawner());
+page.displayMesh.value = prepareDisplay({
   display: Float32Array.from(firstMesh.positions),
   offsets: Int32Array.from(firstMesh.offsets),
   vertices: Int32Array.from(firstMesh.vertices),
 });
 const root = document.getElementById("app");
-if (root) render(<App />, root);
-keepPanelFigures();
-keepFreedom();
-void begin();
+if (root)
+  render(
+    <PageProvider value={page}>
+      <App />
+    </PageProvider>,
+    root,
+  );
+keepPanelFigures(page);
+keepFreedom(page);
+void begin(page);

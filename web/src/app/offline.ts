@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
+
 import { saveNow } from "../state/autosave.ts";
-import { update } from "../state/store.ts";
-import { inTurn } from "../state/turns.ts";
+import type { Page } from "../state/page.ts";
+import { inTurn, type Outcome } from "../state/turns.ts";
 
 /** Changes versions between two actions, once the design is kept. */
-function changeTo(waiting: ServiceWorker): Promise<void> {
-  return inTurn(async () => {
-    await saveNow();
+function changeTo(page: Page, waiting: ServiceWorker): Outcome {
+  return inTurn(page, async () => {
+    await saveNow(page);
     navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
     waiting.postMessage("take over");
+    return undefined;
   });
 }
 
 /** Offers a version that was installed beside the running one. */
-function offer(registration: ServiceWorkerRegistration): void {
+function offer(page: Page, registration: ServiceWorkerRegistration): void {
   const { waiting } = registration;
   if (!waiting || !navigator.serviceWorker.controller) return;
-  update.value = () => void changeTo(waiting);
+  page.update.value = () => void changeTo(page, waiting);
 }
 
 /** Keeps the page for use without a network, where the browser allows it. */
-export async function keepOffline(): Promise<void> {
+export async function keepOffline(page: Page): Promise<void> {
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
   try {
     const registration = await navigator.serviceWorker.register("./service-worker.js");
-    offer(registration);
+    offer(page, registration);
     registration.addEventListener("updatefound", () => {
-      registration.installing?.addEventListener("statechange", () => offer(registration));
+      registration.installing?.addEventListener("statechange", () => offer(page, registration));
     });
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "visible") registration.update().catch(() => {});

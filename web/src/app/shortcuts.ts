@@ -1,50 +1,34 @@
 // SPDX-License-Identifier: MIT
-import { redo, undo } from "../state/editing.ts";
-import { readOnly, ready, showBefore } from "../state/store.ts";
-import { pickAndOpen } from "../ui/pick-file.ts";
-import { takesLetters } from "../ui/view-keys.ts";
 
-const typing = (target: EventTarget | null): boolean =>
-  target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
+import type { Page } from "../state/page.ts";
+import { type Command, refusalOf } from "../ui/commands/command.ts";
+import { COMMANDS, commandOf } from "../ui/commands/commands.ts";
+import { isHeard, spelled } from "../ui/commands/keys.ts";
 
-function down(event: KeyboardEvent): void {
-  if (event.key === "F6") {
-    event.preventDefault();
-    void import("./regions.ts").then((regions) => regions.goToRegion(event.shiftKey ? -1 : 1));
-    return;
-  }
-  if (typing(event.target) || readOnly.value) return;
-  const command = event.ctrlKey || event.metaKey;
-  const key = event.key.toLowerCase();
-  if (command && (key === "y" || (key === "z" && event.shiftKey))) {
-    event.preventDefault();
-    void redo();
-  } else if (command && key === "z") {
-    event.preventDefault();
-    void undo();
-  } else if (command && key === "o") {
-    event.preventDefault();
-    if (ready.value) void pickAndOpen();
-  } else if (!command && !event.altKey && key === "b" && !takesLetters(event.target)) {
-    showBefore.value = true;
-  }
+function down(page: Page, event: KeyboardEvent): void {
+  const key = spelled(event);
+  const command = commandOf(key);
+  if (!command || event.defaultPrevented || !isHeard(command.heard, event.target)) return;
+  event.preventDefault();
+  // A key that is held says so again and again.
+  if (event.repeat && command.release) return;
+  if (!refusalOf(page, command)) void command.run(page, key);
 }
 
-function up(event: KeyboardEvent): void {
-  if (event.key.toLowerCase() === "b") showBefore.value = false;
+function up(page: Page, event: KeyboardEvent): void {
+  commandOf(event.key.toUpperCase())?.release?.(page);
 }
 
-/** Undo, redo, F6 from region to region, and B held for before/after. Returns how to stop listening. */
-export function listenToShortcuts(): () => void {
+function letGo(page: Page): void {
+  const all: readonly Command[] = Object.values(COMMANDS);
+  for (const { release } of all) release?.(page);
+}
+
+/** Keys from now on run commands. Returns how to stop listening. */
+export function listenToShortcuts(page: Page): () => void {
   const off = new AbortController();
-  window.addEventListener("keydown", down, { signal: off.signal });
-  window.addEventListener("keyup", up, { signal: off.signal });
-  window.addEventListener(
-    "blur",
-    () => {
-      showBefore.value = false;
-    },
-    { signal: off.signal },
-  );
+  window.addEventListener("keydown", (event) => down(page, event), { signal: off.signal });
+  window.addEventListener("keyup", (event) => up(page, event), { signal: off.signal });
+  window.addEventListener("blur", () => letGo(page), { signal: off.signal });
   return () => off.abort();
 }

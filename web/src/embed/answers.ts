@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page does when the page around it asks.
+
 import type {
   DesignJson,
   EditorLook,
@@ -8,58 +9,58 @@ import type {
   SetOutcome,
 } from "../../../wasm/package/src/planish-editor.ts";
 import { bytesOf } from "../export/exporting.ts";
+import { isUnit } from "../quantity/units.ts";
+import { done, GIVEN_UP, type Result } from "../result/result.ts";
 import { openFile } from "../state/files.ts";
-import {
-  hintVertex,
-  history,
-  notice,
-  problem,
-  readOnly,
-  takePicture,
-  unit,
-} from "../state/store.ts";
-import { isUnit } from "../state/units.ts";
+import type { Page } from "../state/page.ts";
 
 const KINDS: readonly ExportKind[] = ["obj", "off", "ply", "glb", "json", "png"];
 
 /** Shows and takes what the host wants of the page; a unit that is none leaves it as it is. */
-export function setLook({ readonly, unit: wanted }: EditorLook): null {
-  readOnly.value = readonly;
+export function setLook(page: Page, { readonly, unit: wanted }: EditorLook): null {
+  page.readOnly.value = readonly;
   document.documentElement.classList.toggle("read-only", readonly);
-  if (readonly) hintVertex.value = null;
-  if (wanted !== null && isUnit(wanted)) unit.value = wanted;
+  if (readonly) page.hintVertex.value = null;
+  if (wanted !== null && isUnit(wanted)) page.unit.value = wanted;
   return null;
 }
 
-/** What the page says went wrong. */
-const refusal = (otherwise: string): Error => new Error(problem.value ?? otherwise);
+/** In the words that the page says, too. */
+const failed = (end: Result<unknown> | undefined, otherwise: string): Error =>
+  new Error((end && !end.ok && end.reason) || otherwise);
 
-async function fileOf(kind: ExportKind): Promise<Blob> {
-  if (!KINDS.includes(kind)) throw new Error(`export: use one of ${KINDS.join(", ")}.`);
-  const blob = kind === "png" ? await takePicture.value?.() : await bytesOf(kind);
-  if (!blob) throw refusal("The design could not be written.");
-  return blob;
+async function picture(page: Page): Promise<Result<Blob>> {
+  const blob = await page.takePicture.value?.();
+  return blob ? done(blob) : GIVEN_UP;
 }
 
-async function openDesign(design: DesignJson): Promise<SetOutcome> {
-  const before = history.value?.present;
-  await openFile(new File([JSON.stringify(design)], "design.json"));
-  if (history.value?.present === before) throw refusal("The design could not be opened.");
-  const verified = problem.value === null && (design.result ?? null) !== null;
-  return { verified, sentence: problem.value ?? notice.value ?? "" };
+async function fileOf(page: Page, kind: ExportKind): Promise<Blob> {
+  if (!KINDS.includes(kind)) throw new Error(`export: use one of ${KINDS.join(", ")}.`);
+  const file = kind === "png" ? await picture(page) : await bytesOf(page, kind);
+  if (!file?.ok) throw failed(file, "The design could not be written.");
+  return file.value;
+}
+
+async function openDesign(page: Page, design: DesignJson): Promise<SetOutcome> {
+  const before = page.history.value?.present;
+  const end = await openFile(page, new File([JSON.stringify(design)], "design.json"));
+  if (page.history.value?.present === before) throw failed(end, "The design could not be opened.");
+  const refused = end && !end.ok ? end.reason : "";
+  const verified = !refused && (design.result ?? null) !== null;
+  return { verified, sentence: refused || (page.notice.value ?? "") };
 }
 
 /** Rejects with a sentence. */
-export async function answer(request: EditorRequest): Promise<unknown> {
+export async function answer(page: Page, request: EditorRequest): Promise<unknown> {
   switch (request.kind) {
     case "design":
-      return JSON.parse(await (await fileOf("json")).text()) as DesignJson;
+      return JSON.parse(await (await fileOf(page, "json")).text()) as DesignJson;
     case "set":
-      return openDesign(request.given);
+      return openDesign(page, request.given);
     case "export":
-      return fileOf(request.given);
+      return fileOf(page, request.given);
     case "look":
-      return setLook(request.given);
+      return setLook(page, request.given);
     default:
       throw new Error("This page does not know what it is asked for.");
   }

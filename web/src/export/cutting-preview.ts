@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What a cutting package would hold, while its options are chosen: asked for quietly, newest first.
+
 import { Abandoned, Died } from "../solver/client.ts";
 import type { CuttingHeader, CuttingPreview } from "../solver/protocol.ts";
 import { client } from "../state/connection.ts";
-import { selectedPanel } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
 import { cuttingOptions, type PackageChoice } from "./shop.ts";
 
 /** null if another one has been asked for since.
  * @param map whether the map is wanted, which the options do not change */
 export async function previewPackage(
+  page: Page,
   choice: PackageChoice,
   map: boolean,
 ): Promise<CuttingPreview | null> {
-  const [options, face] = [cuttingOptions(choice), selectedPanel.value ?? -1];
+  const [options, face] = [cuttingOptions(page, choice), page.selectedPanel.value ?? -1];
   try {
-    const answer = await client.stream({ kind: "preview", options, face, map });
+    const answer = await client(page).stream({ kind: "preview", options, face, map });
     return answer.kind === "previewed" ? answer.preview : null;
   } catch (error) {
     if (error instanceof Abandoned || error instanceof Died) return null;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-import { encodeLink } from "../share/link.ts";
-import type { Camera } from "../state/camera.ts";
-import { markOf } from "../state/marking.ts";
-import { recipeOf } from "../state/recipe.ts";
-import { history, unit } from "../state/store.ts";
 
-/** The link that opens the design and verifies it; null without a design. */
-export async function designLink(camera: Camera | null): Promise<string | null> {
-  const design = history.value?.present;
-  const mark = design && (await markOf(design.shape));
-  if (!mark) return null;
+import type { Camera } from "../design/camera.ts";
+import { encodeLink } from "../design/link.ts";
+import { recipeOf } from "../design/recipe.ts";
+import { done, GIVEN_UP, type Result } from "../result/result.ts";
+import { readMark } from "../state/marking.ts";
+import type { Page } from "../state/page.ts";
+
+/** The link that opens the design and verifies it. */
+export async function designLink(page: Page, camera: Camera | null): Promise<Result<string>> {
+  const design = page.history.value?.present;
+  const mark = design ? await readMark(page, design.shape) : GIVEN_UP;
+  if (!design || !mark.ok) return mark.ok ? GIVEN_UP : mark;
   const url = new URL(location.href);
   url.hash = "";
-  return url.href + (await encodeLink(recipeOf(design, unit.value, camera, mark)));
+  return done(url.href + (await encodeLink(recipeOf(design, page.unit.value, camera, mark.value))));
 }

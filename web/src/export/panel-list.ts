@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of panels as a file for spreadsheets.
-import type { Kind } from "../state/kept-kind.ts";
+import type { Kind } from "../design/kept-kind.ts";
+import { convert, type Unit } from "../quantity/units.ts";
 import { type MeasuredPanels, panelCount, rowOf } from "../state/panel-rows.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import { convert, type Unit } from "../state/units.ts";
 
 const COLUMNS = [
   "panel",

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files for the workshop: written by the core, the same bytes as from the command line.
+
+import { GIVEN_UP } from "../result/result.ts";
 import type {
   CuttingHeader,
   CuttingOptions,
@@ -8,7 +10,7 @@ import type {
   ShopOrder,
 } from "../solver/protocol.ts";
 import { run } from "../state/connection.ts";
-import { designName, mesh, selectedPanel, selection, unit } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
 import { inTurn } from "../state/turns.ts";
 import { designLink } from "./design-link.ts";
 import { save } from "./exporting.ts";
@@ -21,20 +23,22 @@ export type Scope = "all" | "remake" | "selected";
 export type PanelChoice = Omit<CuttingOptions, "name" | "modelUnit" | "remakeOnly" | "panels"> & {
   readonly scope: Scope;
 };
+
 export type PackageChoice = PanelChoice & { readonly withLink: boolean };
+
 export type DrawingChoice = Omit<DrawingOptions, "name" | "modelUnit">;
 
-const named = () => ({
-  name: designName.value.replace(/\.[a-z]+$/i, ""),
-  modelUnit: unit.value,
+const named = (page: Page) => ({
+  name: page.designName.value.replace(/\.[a-z]+$/i, ""),
+  modelUnit: page.unit.value,
 });
 
 /** The panel that is selected; else those at the selected points. */
-export function selectedPanels(): number[] {
-  if (selectedPanel.value !== null) return [selectedPanel.value];
-  const opened = mesh.value;
-  if (!opened || selection.value.length === 0) return [];
-  const chosen = new Set(selection.value);
+export function selectedPanels(page: Page): number[] {
+  if (page.selectedPanel.value !== null) return [page.selectedPanel.value];
+  const opened = page.mesh.value;
+  if (!opened || page.selection.value.length === 0) return [];
+  const chosen = new Set(page.selection.value);
   const panels: number[] = [];
   for (let panel = 0; panel + 1 < opened.offsets.length; ++panel) {
     const corners = opened.vertices.subarray(opened.offsets[panel], opened.offsets[panel + 1]);
@@ -43,9 +47,9 @@ export function selectedPanels(): number[] {
   return panels;
 }
 
-export function cuttingOptions({ scope, ...choice }: PanelChoice): CuttingOptions {
-  const panels = scope === "selected" ? selectedPanels() : [];
-  return { ...choice, ...named(), remakeOnly: scope === "remake", panels };
+export function cuttingOptions(page: Page, { scope, ...choice }: PanelChoice): CuttingOptions {
+  const panels = scope === "selected" ? selectedPanels(page) : [];
+  return { ...choice, ...named(page), remakeOnly: scope === "remake", panels };
 }
 
 type Header = CuttingHeader | DrawnHeader;
@@ -54,45 +58,50 @@ const isDrawn = (header: Header): header is DrawnHeader => "missed" in header;
 
 /** Once all that was asked for is done; the header, null if it was refused. */
 async function make(
+  page: Page,
   doing: string,
   order: () => Promise<ShopOrder>,
   type: string,
   ending: string,
 ): Promise<Header | null> {
-  let header: Header | null = null;
-  await inTurn(async () => {
-    const answer = await run(doing, { kind: "shop", order: await order() }, "made");
-    if (!answer) return;
-    save(new Blob([answer.file], { type }), ending);
-    header = answer.header;
+  const made = await inTurn(page, async () => {
+    const answer = await run(page, doing, { kind: "shop", order: await order() }, "made");
+    if (answer.ok) save(page, new Blob([answer.value.file], { type }), ending);
+    return answer;
   });
-  return header;
+  return made?.ok ? made.value.header : null;
 }
 
-export async function exportPackage({
-  withLink,
-  ...choice
-}: PackageChoice): Promise<CuttingHeader | null> {
+export async function exportPackage(
+  page: Page,
+  { withLink, ...choice }: PackageChoice,
+): Promise<CuttingHeader | null> {
+  const order = async (): Promise<ShopOrder> => {
+    const link = withLink ? await designLink(page, null) : GIVEN_UP;
+    const code = linkCode(link.ok ? link.value : "");
+    return { what: "package", options: cuttingOptions(page, choice), code };
+  };
+  const header = await make(page, "writing the package", order, "application/zip", "-package.zip");
+  return header && !isDrawn(header) ? header : null;
+}
+
+export async function exportIfc(page: Page, choice: PanelChoice): Promise<CuttingHeader | null> {
   const order = async (): Promise<ShopOrder> => ({
-    what: "package",
-    options: cuttingOptions(choice),
-    code: linkCode((withLink && (await designLink(null))) || ""),
+    what: "ifc",
+    options: cuttingOptions(page, choice),
   });
-  const header = await make("writing the package", order, "application/zip", "-package.zip");
+  const header = await make(page, "writing IFC", order, "application/x-step", ".ifc");
   return header && !isDrawn(header) ? header : null;
 }
 
-export async function exportIfc(choice: PanelChoice): Promise<CuttingHeader | null> {
-  const order = async (): Promise<ShopOrder> => ({ what: "ifc", options: cuttingOptions(choice) });
-  const header = await make("writing IFC", order, "application/x-step", ".ifc");
-  return header && !isDrawn(header) ? header : null;
-}
-
-export async function exportDrawings(choice: DrawingChoice): Promise<DrawnHeader | null> {
+export async function exportDrawings(
+  page: Page,
+  choice: DrawingChoice,
+): Promise<DrawnHeader | null> {
   const order = async (): Promise<ShopOrder> => ({
     what: "drawings",
-    options: { ...choice, ...named() },
+    options: { ...choice, ...named(page) },
   });
-  const header = await make("drawing", order, "application/zip", "-drawings.zip");
+  const header = await make(page, "drawing", order, "application/zip", "-drawings.zip");
   return header && isDrawn(header) ? header : null;
 }

@@ -22,7 +22,7 @@ export const row = (rows: Rows, index: number): Int32Array =>
   rows.values.subarray(rows.offsets[index] ?? 0, rows.offsets[index + 1] ?? 0);
 
 /** Groups the indices 0 … of `keys` by their key. */
-function groupByKey(keys: Int32Array, count: number): Rows {
+export function groupByKey(keys: Int32Array, count: number): Rows {
   const offsets = new Int32Array(count + 1);
   for (const key of keys) offsets[key + 1] = (offsets[key + 1] ?? 0) + 1;
   for (let k = 0; k < count; ++k) offsets[k + 1] = (offsets[k + 1] ?? 0) + (offsets[k] ?? 0);

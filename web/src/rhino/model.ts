@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a .3dm file of ours holds beside its geometry, and by which names. See docs/formats.md.
 import type { RhinoModule, UnitSystem } from "rhino3dm";
-import { crc32 } from "../share/crc32.ts";
-import type { Unit } from "../state/units.ts";
+import { crc32 } from "../bytes/crc32.ts";
+import type { Unit } from "../quantity/units.ts";
 
 export type { RhinoModule } from "rhino3dm";
 

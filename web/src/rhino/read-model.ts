@@ -2,7 +2,7 @@
 // A .3dm file as a mesh, or as the design that it came from, and what lies beside it. Every file gives
 // one of both or a sentence; what is left out is named.
 import type { Curve, File3dm, File3dmObject, Mesh } from "rhino3dm";
-import type { Unit } from "../state/units.ts";
+import type { Unit } from "../quantity/units.ts";
 import type { Context } from "./context.ts";
 import { joinFans } from "./join-fans.ts";
 import {

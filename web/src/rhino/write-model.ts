@@ -2,7 +2,7 @@
 // A design as a .3dm file: its panels as trimmed planes, outlines and a mesh, each with its row of
 // panels.csv, and the design itself, so that the file opens again as that.
 import type { CommonObject, Layer, ObjectAttributes, PolylineCurve } from "rhino3dm";
-import { convert, type Unit } from "../state/units.ts";
+import { convert, type Unit } from "../quantity/units.ts";
 import {
   DESIGN_KEY,
   LAYERS,

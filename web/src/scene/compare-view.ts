@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One of several designs seen at once, by cameras that go together.
+
+import type { Camera } from "../design/camera.ts";
 import { prepareDisplay } from "../mesh/display-mesh.ts";
-import { displayOfShape } from "../mesh/shape-display.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
-import type { Camera } from "../state/camera.ts";
+import { displayOfShape } from "../solver/shape-display.ts";
 import { DARK, LIGHT } from "./palette.ts";
 import { Shell } from "./shell.ts";
 import { Stage } from "./stage.ts";

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Draws what lies beside the panels while there is any; what draws it comes when it is needed.
+
 import { effect } from "@preact/signals";
 import { fetchPart } from "../state/later.ts";
-import { context, contextHidden, mesh } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
 import type { ContextView } from "./context-view.ts";
 import type { Stage } from "./stage.ts";
 
 /** Returns how to stop. */
-export function followContext(stage: Stage, dark: MediaQueryList): () => void {
+export function followContext(page: Page, stage: Stage, dark: MediaQueryList): () => void {
   let shown: ContextView | null = null;
   const clear = (): void => {
     if (!shown) return;
@@ -19,11 +20,14 @@ export function followContext(stage: Stage, dark: MediaQueryList): () => void {
   const recolour = (): void => shown?.setDark(dark.matches);
   dark.addEventListener("change", recolour);
   const stop = effect(() => {
-    const [objects, opened] = [contextHidden.value ? null : context.value, mesh.value];
+    const [objects, opened] = [
+      page.contextHidden.value ? null : page.context.value,
+      page.mesh.value,
+    ];
     clear();
     if (!objects || !opened) return;
     let gone = false;
-    void fetchPart(() => import("./context-view.ts")).then((part) => {
+    void fetchPart(page, () => import("./context-view.ts")).then((part) => {
       if (!part || gone) return;
       shown = new part.ContextView(objects, opened.report, dark.matches);
       stage.scene.add(shown.object);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One drag in the view: rays in, offsets in model units out, held to a lock and snapped.
 import { type Ray, Vector3 } from "three";
+import type { Point } from "../design/design.ts";
 import type { Frame } from "../mesh/point-frame.ts";
-import type { Point } from "../state/design.ts";
 import type { Drag } from "../state/dragging.ts";
-import type { Lock } from "../state/store.ts";
+import type { Lock } from "../state/page-state.ts";
+import type { Outcome } from "../state/turns.ts";
 import { type Held, meet, snapOffset, usualLine } from "./constraint.ts";
 
 const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
@@ -73,8 +74,8 @@ export class DragSession {
     else this.#drag.by(this.#toModel(offset), through);
   }
 
-  end(): void {
-    void this.#drag.end();
+  end(): Outcome {
+    return this.#drag.end();
   }
 
   abandon(): void {

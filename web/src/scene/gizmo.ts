@@ -5,7 +5,7 @@
 import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
 import type { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Frame } from "../mesh/point-frame.ts";
-import type { Lock } from "../state/store.ts";
+import type { Lock } from "../state/page-state.ts";
 import type { Held } from "./constraint.ts";
 import type { Stage } from "./stage.ts";
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A short, eased way from one standpoint to another; a jump where motion is not wanted.
-import { Box3, type Camera, type PerspectiveCamera, Quaternion, Vector3 } from "three";
+import { type Camera, Quaternion } from "three";
 import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { facing } from "./facing.ts";
 import type { Standpoint } from "./framing.ts";
-import { stretchOf } from "./lens.ts";
 
 const MILLISECONDS = 160;
 
@@ -63,20 +61,4 @@ export class Glide {
   stop(): void {
     cancelAnimationFrame(this.#frame);
   }
-}
-
-/** A standpoint near the panel with these corners, looking as now if that shows it: see facing(). */
-export function closer(
-  camera: PerspectiveCamera,
-  orbit: OrbitControls,
-  corners: Float32Array,
-  outward: number,
-): Standpoint {
-  const box = new Box3().setFromArray(corners);
-  const target = box.getCenter(new Vector3());
-  const arm = camera.position.clone().sub(orbit.target);
-  const near = 9 * stretchOf(camera) * box.getSize(new Vector3()).length();
-  const towards = facing(corners, arm.clone().normalize(), outward);
-  const position = target.clone().addScaledVector(towards, Math.min(arm.length(), near));
-  return { position, target };
 }

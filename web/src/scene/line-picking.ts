@@ -7,8 +7,8 @@ import type { Shell } from "./shell.ts";
 
 /** The points; null beside every edge. */
 export function pickLine(shell: Shell, place: Place, ring: boolean, view: View): number[] | null {
-  const { base, current, offsets, vertices, topology } = shell;
-  const edge = pickEdge(current, topology, place, view);
+  const { base, current, offsets, vertices, topology, drawn } = shell;
+  const edge = pickEdge(current, drawn, place, view);
   const mesh = { points: base, offsets, vertices, topology };
   return edge && (ring ? ringThrough : lineThrough)(mesh, edge);
 }

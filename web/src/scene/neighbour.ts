@@ -3,7 +3,7 @@ import { row } from "../mesh/topology.ts";
 import { project, type View } from "./picking.ts";
 import type { Shell } from "./shell.ts";
 
-/** The vertex across the edge that points most nearly in a direction on screen. */
+/** The vertex across the edge in the picture that points most nearly in a direction on screen. */
 export function neighbourTowards(
   shell: Shell,
   vertex: number,
@@ -13,7 +13,7 @@ export function neighbourTowards(
 ): number {
   const from = project(shell.current, vertex, view);
   if (!from) return vertex;
-  const { edges, edgeEnds } = shell.topology;
+  const { edges, edgeEnds } = shell.drawn;
   let best = vertex;
   let closest = 0.3;
   for (const end of row(edgeEnds, vertex)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second layer of a design on screen: translucent, and nothing that is picked.
+
 import {
   BufferAttribute,
   BufferGeometry,
@@ -11,7 +12,7 @@ import {
   MeshStandardMaterial,
 } from "three";
 import type { MeshOffset } from "../solver/protocol.ts";
-import { mesh } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
 import { displaySphere } from "./framing.ts";
 import type { Palette } from "./palette.ts";
 import { placed } from "./placing.ts";
@@ -19,6 +20,7 @@ import type { Shell } from "./shell.ts";
 
 /** The design is seen through it, and it through nothing. */
 const OPACITY = 0.4;
+
 const INK = 0.35;
 
 /** `points`: of every corner of the panels. */
@@ -39,8 +41,16 @@ function geometryOf(points: Float32Array, index: Uint32Array): BufferGeometry {
 }
 
 /** Adds the layer to what the shell shows; dispose() takes it away. */
-export function layOffset(shell: Shell, layer: MeshOffset, palette: Palette): { dispose(): void } {
-  const points = placed(layer.positions, mesh.peek()?.report ?? { centre: [0, 0, 0], scale: 1 });
+export function layOffset(
+  page: Page,
+  shell: Shell,
+  layer: MeshOffset,
+  palette: Palette,
+): { dispose(): void } {
+  const points = placed(
+    layer.positions,
+    page.mesh.peek()?.report ?? { centre: [0, 0, 0], scale: 1 },
+  );
   const panels = new Mesh(
     geometryOf(cornersOf(points, shell), shell.triangles.slice()),
     new MeshStandardMaterial({

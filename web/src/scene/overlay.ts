@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What is drawn over the canvas at constant size: points, the first visit's sentence, the selected
-// panel's figure, and the selection box.
-import { handles, hintVertex, selected, selection, visited } from "../state/store.ts";
+// panel's figure, and the line around what is being selected.
+import { isHidden } from "../state/hidden-panels.ts";
+import type { Page } from "../state/page.ts";
 import { sideOf } from "./label-side.ts";
 import { type Marker, Markers } from "./markers.ts";
-import { type Box, type Place, project, type View } from "./picking.ts";
+import type { Outline } from "./outline.ts";
+import { type Place, project, type View } from "./picking.ts";
 import { type Pull, PullLines } from "./pull-lines.ts";
 
 export interface OverlayParts {
@@ -17,48 +19,55 @@ export interface OverlayParts {
   readonly figure: HTMLElement;
   /** The figure of the point looked at; placed below it. */
   readonly point: HTMLElement;
-  readonly box: HTMLElement;
+  /** Around what is being selected; holds a polygon. */
+  readonly area: HTMLElement;
 }
 
 /** Pixels: the drag tools at the top of the view and three lines of figures under them. */
 const ROOM = 124;
 
-function markersFor(): Marker[] {
-  const hovered = visited.value;
-  const chosen = new Set(selection.value);
-  const markers: Marker[] = handles.value.map(({ vertex, pinned }) => ({
+function markersFor(page: Page): Marker[] {
+  const hovered = page.visited.value;
+  const chosen = new Set(page.selection.value);
+  const markers: Marker[] = page.handles.value.map(({ vertex, pinned }) => ({
     vertex,
     kind: pinned ? "pin" : "handle",
     selected: chosen.has(vertex),
   }));
   const known = new Set(markers.map((marker) => marker.vertex));
+  for (const vertex of page.supported.value) {
+    if (!known.has(vertex)) markers.push({ vertex, kind: "support", selected: chosen.has(vertex) });
+    known.add(vertex);
+  }
   for (const vertex of chosen) {
     if (!known.has(vertex)) markers.push({ vertex, kind: "point", selected: true });
   }
   if (hovered !== null && !known.has(hovered) && !chosen.has(hovered)) {
     markers.push({ vertex: hovered, kind: "hover", selected: false });
   }
-  if (hintVertex.value !== null && selected.value === null) {
-    markers.push({ vertex: hintVertex.value, kind: "first", selected: false });
+  if (page.hintVertex.value !== null && page.selected.value === null) {
+    markers.push({ vertex: page.hintVertex.value, kind: "first", selected: false });
   }
-  return markers;
+  return markers.filter(({ vertex }) => !isHidden(page, vertex));
 }
 
 export class Overlay {
+  readonly #page: Page;
   readonly #parts: OverlayParts;
   readonly #markers: Markers;
   readonly #pulls: PullLines;
   /** Corners of the selected panel. */
   #panel: Float32Array | null = null;
 
-  constructor(parts: OverlayParts) {
+  constructor(page: Page, parts: OverlayParts) {
+    this.#page = page;
     this.#parts = parts;
     this.#markers = new Markers(parts.markers);
     this.#pulls = new PullLines(parts.pulls);
   }
 
   update(): void {
-    this.#markers.set(markersFor());
+    this.#markers.set(markersFor(this.#page));
   }
 
   setPulls(pulls: readonly Pull[]): void {
@@ -79,9 +88,9 @@ export class Overlay {
     this.#pulls.place(base, view);
     const { hint, point } = this.#parts;
     const at =
-      hintVertex.value === null || selected.value !== null
+      this.#page.hintVertex.value === null || this.#page.selected.value !== null
         ? null
-        : project(points, hintVertex.value, view);
+        : project(points, this.#page.hintVertex.value, view);
     putAt(hint, at);
     this.#placePoint(point, points, view);
     this.#placeFigure(view);
@@ -97,9 +106,11 @@ export class Overlay {
   }
 
   #placePoint(element: HTMLElement, points: Float32Array, view: View): void {
-    const hovered = visited.value !== null;
+    const hovered = this.#page.visited.value !== null;
     // Of several that are chosen it would only be in the way of the others.
-    const seen = visited.value ?? (selection.value.length === 1 ? selected.value : null);
+    const seen =
+      this.#page.visited.value ??
+      (this.#page.selection.value.length === 1 ? this.#page.selected.value : null);
     const place = seen === null ? null : project(points, seen, view);
     if (seen === null || !place) {
       putAt(element, null);
@@ -112,13 +123,12 @@ export class Overlay {
     element.dataset.side = side;
   }
 
-  drawBox(box: Box | null): void {
-    const { style } = this.#parts.box;
-    this.#parts.box.hidden = box === null;
-    if (!box) return;
-    style.transform = `translate(${box.left}px, ${box.top}px)`;
-    style.width = `${box.right - box.left}px`;
-    style.height = `${box.bottom - box.top}px`;
+  drawOutline(outline: Outline | null): void {
+    const { area } = this.#parts;
+    area.hidden = outline === null;
+    if (!outline) return;
+    const points = outline.map(({ x, y }) => `${x},${y}`).join(" ");
+    area.querySelector("polygon")?.setAttribute("points", points);
   }
 }
 

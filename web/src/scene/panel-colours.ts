@@ -5,21 +5,12 @@ import { BufferAttribute, DynamicDrawUsage } from "three";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
+import type { ColourBy } from "../state/page-state.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import type { ColourBy } from "../state/store.ts";
+import { defectEnd, foldEnd, largest, planarityEnd, planarityShare } from "../state/ramp-ends.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
-import {
-  defectEnd,
-  foldEnd,
-  largest,
-  makeRamp,
-  planarityEnd,
-  planarityShare,
-  type Ramp,
-  remakePlace,
-  writeRamp,
-} from "./ramp.ts";
+import { makeRamp, type Ramp, remakePlace, writeRamp } from "./ramp.ts";
 
 /** Where a panel's PanelChange is among its figures of health. */
 const CHANGE = 3;

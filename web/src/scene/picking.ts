@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points lie under a pixel or in a box, in screen space.
+// Where points are on screen, and which lies under a pixel.
 import { type Camera, Matrix4, Vector3 } from "three";
 import { row, type Topology } from "../mesh/topology.ts";
 
@@ -32,6 +32,14 @@ export interface Box {
   readonly bottom: number;
 }
 
+/** What can be picked. */
+export interface Points {
+  /** Display coordinates. */
+  readonly current: Float32Array;
+  readonly topology: Topology;
+  readonly isShown: (vertex: number) => boolean;
+}
+
 const scratch = new Vector3();
 
 /** Where a point is on screen; null behind the camera. */
@@ -46,7 +54,7 @@ export function project(
 }
 
 /** Calls `seen` with pixels and depth of every point before the camera. */
-function eachOnScreen(
+export function eachOnScreen(
   points: Float32Array,
   { camera, width, height }: View,
   seen: (vertex: number, x: number, y: number, depth: number) => void,
@@ -79,10 +87,8 @@ function spacing(points: Float32Array, vertex: number, topology: Topology, view:
 
 /** The vertex nearest to a pixel, in screen space; null if none is within reach. */
 export function pickVertex(
-  points: Float32Array,
-  topology: Topology,
-  x: number,
-  y: number,
+  { current: points, topology, isShown }: Points,
+  { x, y }: Place,
   coarse: boolean,
   view: View,
 ): number | null {
@@ -93,20 +99,11 @@ export function pickVertex(
   eachOnScreen(points, view, (v, px, py, depth) => {
     const distance = Math.hypot(px - x, py - y);
     const cost = distance + depth * DEPTH_COST;
-    if (distance > REACH[size] || cost >= lowest) return;
+    if (distance > REACH[size] || cost >= lowest || !isShown(v)) return;
     lowest = cost;
     best = v;
     away = distance;
   });
   if (best === null || away <= SURE[size]) return best;
   return away <= SHARE * spacing(points, best, topology, view) ? best : null;
-}
-
-/** The points that a box on screen holds. */
-export function verticesIn(box: Box, points: Float32Array, view: View): number[] {
-  const inside: number[] = [];
-  eachOnScreen(points, view, (v, x, y) => {
-    if (x >= box.left && x <= box.right && y >= box.top && y <= box.bottom) inside.push(v);
-  });
-  return inside;
 }

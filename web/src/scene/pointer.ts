@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Presses become clicks, drags of points, boxes or turns of the camera; with mouse, pen and touch.
+// Presses become clicks, drags of points, areas or turns of the camera; with mouse, pen and touch.
+
 import type { Ray } from "three";
-import { readOnly } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import type { AreaTool } from "../state/page-state.ts";
+import type { Outcome } from "../state/turns.ts";
 import type { Held } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";
-import type { Box, Place } from "./picking.ts";
+import { boxAround, extended, type Outline } from "./outline.ts";
+import type { Place } from "./picking.ts";
 import type { Stage } from "./stage.ts";
 
 /** Pixels a press may wander and still be a click; fingers are less steady. */
@@ -36,8 +40,8 @@ export interface DragKeys {
 
 export interface PointerEvents {
   readonly find: (x: number, y: number, coarse: boolean) => Hold | null;
-  /** Whether every drag is to draw a box. */
-  readonly boxing: () => boolean;
+  /** What every drag is to draw around points; null: drags do what they usually do. */
+  readonly area: () => AreaTool | null;
   readonly hover: (hold: Hold | null) => void;
   readonly click: (x: number, y: number, hold: Hold | null, how: Click) => void;
   /** A double click; `ring` with Alt. */
@@ -48,15 +52,22 @@ export interface PointerEvents {
   /** The wheel is about to bring the camera nearer to what is here. */
   readonly zoom: (x: number, y: number) => void;
   readonly drag: (session: DragSession, how: DragKeys, ray?: Ray) => void;
-  readonly box: (box: Box | null) => void;
+  /** A finger drags points and is here; null: no finger does. */
+  readonly finger: (at: Place | null) => void;
+  /** A finger let go of points that it dragged, whose drag ends so. */
+  readonly lifted: (hold: Hold, ended: Outcome) => void;
+  /** Of the area that is being drawn; null once it is done. */
+  readonly outline: (outline: Outline | null) => void;
   /** `also` adds what it holds to the selection. */
-  readonly choose: (box: Box, also: boolean) => void;
+  readonly choose: (outline: Outline, also: boolean) => void;
 }
 
 interface Press extends Place {
   readonly event: PointerEvent;
-  readonly kind: "turn" | "drag" | "box";
+  readonly kind: "turn" | "drag" | AreaTool;
   readonly hold: Hold | null;
+  /** Of the area drawn so far. */
+  outline: Outline;
   session: DragSession | null;
   moved: boolean;
 }
@@ -64,6 +75,7 @@ interface Press extends Place {
 const coarse = (event: PointerEvent): boolean => event.pointerType === "touch";
 
 export class PointerTool {
+  readonly #page: Page;
   readonly #canvas: HTMLCanvasElement;
   readonly #stage: Stage;
   readonly #events: PointerEvents;
@@ -74,7 +86,8 @@ export class PointerTool {
   /** A press that is being given to the camera controls. */
   #handedOver: Event | null = null;
 
-  constructor(canvas: HTMLCanvasElement, stage: Stage, events: PointerEvents) {
+  constructor(page: Page, canvas: HTMLCanvasElement, stage: Stage, events: PointerEvents) {
+    this.#page = page;
     this.#canvas = canvas;
     this.#stage = stage;
     this.#events = events;
@@ -118,8 +131,9 @@ export class PointerTool {
   }
 
   #finish(): void {
-    if (this.#press?.kind === "box") this.#events.box(null);
+    if (this.#press && isArea(this.#press.kind)) this.#events.outline(null);
     this.#press = null;
+    this.#events.finger(null);
     this.#stage.orbit.enabled = true;
   }
 
@@ -132,15 +146,21 @@ export class PointerTool {
     if (event.button !== 0) return;
     const { x, y } = this.#place(event);
     const hold = this.#events.find(x, y, coarse(event));
-    const kind =
-      event.shiftKey || this.#events.boxing() ? "box" : hold && !readOnly.value ? "drag" : "turn";
-    this.#press = { event, x, y, kind, hold, session: null, moved: false };
+    const kind = this.#kindOf(event, hold);
+    this.#press = { event, x, y, kind, hold, outline: [{ x, y }], session: null, moved: false };
     if (kind === "turn") {
       this.#events.turn(x, y);
       return;
     }
     this.#stage.orbit.enabled = false;
     this.#canvas.setPointerCapture(event.pointerId);
+  }
+
+  #kindOf(event: PointerEvent, hold: Hold | null): Press["kind"] {
+    const tool = this.#events.area();
+    if (tool) return tool;
+    if (event.shiftKey) return event.altKey ? "lasso" : "box";
+    return hold && !this.#page.readOnly.value ? "drag" : "turn";
   }
 
   /** Two fingers are for the camera, unless the first is moving a point already. */
@@ -165,7 +185,11 @@ export class PointerTool {
     const slack = coarse(event) ? SLACK.coarse : SLACK.fine;
     press.moved ||= Math.hypot(x - press.x, y - press.y) > slack;
     if (!press.moved) return;
-    if (press.kind === "box") this.#events.box(boxOf(press, x, y));
+    if (isArea(press.kind)) {
+      press.outline =
+        press.kind === "box" ? boxAround(press, { x, y }) : extended(press.outline, { x, y });
+      this.#events.outline(press.outline);
+    }
     if (press.kind === "drag" && press.hold) this.#drag(press, press.hold, event);
   }
 
@@ -176,6 +200,7 @@ export class PointerTool {
       return;
     }
     const { x, y } = this.#place(event);
+    if (coarse(event)) this.#events.finger({ x, y });
     const { altKey: free, shiftKey: through } = event;
     this.#how = { snap: event.ctrlKey || event.metaKey, free, through };
     this.#events.drag(press.session, this.#how, this.#rayAt(x, y));
@@ -185,12 +210,15 @@ export class PointerTool {
     const press = this.#press;
     if (!press || event.button !== 0 || !event.isPrimary) return;
     this.#finish();
-    const { x, y } = this.#place(event);
-    const also = addsTo(event) || press.kind === "box";
+    const area = isArea(press.kind);
+    const also = addsTo(event) || area;
     if (!press.moved)
       this.#events.click(press.x, press.y, press.hold, { also, coarse: coarse(event) });
-    else if (press.kind === "box") this.#events.choose(boxOf(press, x, y), press.event.shiftKey);
-    else press.session?.end();
+    else if (area) this.#events.choose(press.outline, press.event.shiftKey);
+    else if (press.session && press.hold) {
+      const ended = press.session.end();
+      if (coarse(event)) this.#events.lifted(press.hold, ended);
+    }
   }
 
   #place(event: MouseEvent): Place {
@@ -207,9 +235,4 @@ export class PointerTool {
 const addsTo = ({ ctrlKey, metaKey, shiftKey }: MouseEvent): boolean =>
   ctrlKey || metaKey || shiftKey;
 
-const boxOf = (press: Press, x: number, y: number): Box => ({
-  left: Math.min(press.x, x),
-  top: Math.min(press.y, y),
-  right: Math.max(press.x, x),
-  bottom: Math.max(press.y, y),
-});
+const isArea = (kind: Press["kind"]): kind is AreaTool => kind === "box" || kind === "lasso";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A line from where each handle was to where it is pulled, over the canvas as the handles are.
-import type { Point } from "../state/design.ts";
+import type { Point } from "../design/design.ts";
 import { ElementPool } from "./element-pool.ts";
 import { project, type View } from "./picking.ts";
 

@@ -4,26 +4,23 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  DoubleSide,
   DynamicDrawUsage,
   Group,
   type Material,
   Mesh,
-  MeshStandardMaterial,
 } from "three";
 import type { DisplayMesh, Polygons } from "../mesh/display-mesh.ts";
 import { isSameStructure } from "../mesh/likeness.ts";
 import { row, type Topology } from "../mesh/topology.ts";
-import { firstTriangle, panelAt, triangulatePanel } from "../mesh/triangulation.ts";
-import type { ColourBy } from "../state/store.ts";
+import { panelAt } from "../mesh/triangulation.ts";
+import type { ColourBy } from "../state/page-state.ts";
 import { DirtyRange } from "./dirty-range.ts";
-import { type EdgeLines, edgeInk, makeEdgeLines, meanEdge } from "./edge-lines.ts";
-import { outwards } from "./facing.ts";
 import { displaySphere } from "./framing.ts";
-import { Ghost } from "./ghost.ts";
 import type { Palette } from "./palette.ts";
 import { PanelColours } from "./panel-colours.ts";
-import { PanelOutline } from "./panel-outline.ts";
+import { PanelCuts } from "./panel-cuts.ts";
+import { ShellLines } from "./shell-lines.ts";
+import { mattMaterial, type Skin } from "./skin.ts";
 
 /** Triangles above which a mesh is shown before its shadow, which takes as long again. */
 const LATE_SHADOW = 400_000;
@@ -31,26 +28,6 @@ const LATE_SHADOW = 400_000;
 const MARKED = 400;
 /** Below this share of the largest displacement the ghost would only double the edges. */
 const GHOST_SHARE = 0.08;
-
-const mattMaterial = (): MeshStandardMaterial =>
-  new MeshStandardMaterial({
-    vertexColors: true,
-    flatShading: true,
-    side: DoubleSide,
-    roughness: 0.85,
-    metalness: 0,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
-  });
-
-/** Another look of the panels than their colours. */
-export interface Skin {
-  readonly material: Material;
-  /** After points moved. */
-  update(geometry: BufferGeometry, offsets: Int32Array, topology: Topology): void;
-  dispose(): void;
-}
 
 /** Edges under a skin: it says more than they do. */
 const FAINT = 0.35;
@@ -62,7 +39,6 @@ export class Shell {
   /** Display coordinates of the design shown. */
   readonly current: Float32Array;
   readonly corners: Float32Array;
-  readonly triangles: Uint32Array;
   readonly offsets: Int32Array;
   readonly vertices: Int32Array;
   readonly #moved = new Set<number>();
@@ -70,16 +46,9 @@ export class Shell {
   readonly #matt = mattMaterial();
   #skin: Skin | null = null;
   readonly #colours: PanelColours;
-  readonly #edges: EdgeLines;
-  /** Display units. */
-  readonly #meanEdge: number;
-  readonly #outline = new PanelOutline();
-  readonly #limits = new PanelOutline();
-  readonly #ghost: Ghost;
+  readonly #cuts: PanelCuts;
+  readonly #lines: ShellLines;
   readonly #dirtyCorners = new DirtyRange();
-  readonly #dirtyTriangles = new DirtyRange();
-  /** See outward. */
-  #outward: number | null = null;
   /** Largest displacement shown, display coordinates. */
   #largest = 0;
   #outlined: number | null = null;
@@ -94,15 +63,21 @@ export class Shell {
     this.offsets = mesh.offsets;
     this.vertices = mesh.vertices;
     this.corners = mesh.corners.slice();
-    this.triangles = mesh.triangles.slice();
+    this.#cuts = new PanelCuts(mesh);
     this.#colours = new PanelColours(mesh);
     this.#panels = this.#makePanels();
-    this.#edges = makeEdgeLines(mesh.topology, mesh.display, 1.1);
-    this.#meanEdge = meanEdge(mesh.topology, mesh.display);
-    this.#ghost = new Ghost(this.base);
-    const lines = [this.#edges, this.#ghost, this.#limits, this.#outline];
-    this.group.add(this.#panels, ...lines.map(({ object }) => object));
+    this.#lines = new ShellLines(mesh.topology, this.base);
+    this.group.add(this.#panels, this.#lines.group);
     this.setPalette(palette);
+  }
+
+  get triangles(): Uint32Array {
+    return this.#cuts.triangles;
+  }
+
+  /** With those edges alone that are in the picture. */
+  get drawn(): Topology {
+    return this.#lines.topology;
   }
 
   showsMuchTheSame(mesh: Polygons): boolean {
@@ -131,10 +106,7 @@ export class Shell {
 
   setPalette(palette: Palette): void {
     this.#colours.setPalette(palette);
-    this.#edges.setColour(palette.edge);
-    this.#ghost.setColour(palette.ghost);
-    this.#outline.setColour(palette.selected);
-    this.#limits.setColour(palette.limit);
+    this.#lines.setPalette(palette);
     this.#colourAll();
   }
 
@@ -148,7 +120,10 @@ export class Shell {
       this.#place(v, this.current);
       this.#colours.paintVertex(v, 0);
     }
-    this.#cutAnew(changes);
+    this.#cuts.cutAt(
+      changes.filter((_, k) => k % 4 === 0),
+      this.corners,
+    );
     this.#colourMoved();
     this.#uploadPositions();
     this.#drawGhost();
@@ -185,7 +160,7 @@ export class Shell {
   outlinePanel(panel: number | null): Float32Array | null {
     this.#outlined = panel;
     const corners = panel === null ? null : this.#cornersOf(panel);
-    this.#outline.draw(corners ? [corners] : []);
+    this.#lines.outline.draw(corners ? [corners] : []);
     return corners;
   }
 
@@ -193,8 +168,26 @@ export class Shell {
   markLimits(panels: readonly number[]): void {
     if (panels.length === 0 && this.#atLimit.length === 0) return;
     this.#atLimit = panels;
-    this.#limits.draw(panels.slice(0, MARKED).flatMap((panel) => this.#cornersOf(panel) ?? []));
+    const shown = panels.filter((panel) => !this.#cuts.hidden.has(panel)).slice(0, MARKED);
+    this.#lines.limits.draw(shown.flatMap((panel) => this.#cornersOf(panel) ?? []));
   }
+
+  /** Leaves panels out of the picture, and the edges that are theirs alone: `shown` has the others. */
+  hide(panels: ReadonlySet<number>, shown: Topology): void {
+    if (panels.size === 0 && this.#cuts.hidden.size === 0) return;
+    this.#cuts.hide(panels, this.corners);
+    this.#lines.draw(shown, this.current);
+    this.#uploadPositions();
+    this.#drawGhost();
+    this.markLimits(this.#atLimit);
+  }
+
+  /** Whether some panel at a point is in the picture. */
+  readonly isShown = (vertex: number): boolean => {
+    const { hidden } = this.#cuts;
+    if (hidden.size === 0) return true;
+    return row(this.topology.corners, vertex).some((c) => !hidden.has(panelAt(this.offsets, c)));
+  };
 
   #cornersOf(panel: number): Float32Array | null {
     const [begin, end] = [this.offsets[panel] ?? 0, this.offsets[panel + 1] ?? 0];
@@ -203,19 +196,17 @@ export class Shell {
 
   showBase(on: boolean): void {
     for (const v of this.#moved) this.#place(v, on ? this.base : this.current);
-    this.#ghost.object.visible = !on;
+    this.#lines.ghost.object.visible = !on;
     this.#uploadPositions();
   }
 
   setSize(width: number, height: number): void {
-    this.#edges.setSize(width, height);
-    this.#outline.setSize(width, height);
-    this.#limits.setSize(width, height);
+    this.#lines.setSize(width, height);
   }
 
   /** `pixel`: what one spans, display units. */
   inkEdges(pixel: number): void {
-    this.#edges.setInk((this.#skin ? FAINT : 1) * edgeInk(this.#meanEdge / pixel));
+    this.#lines.ink(pixel, this.#skin ? FAINT : 1);
   }
 
   /** True if it casts none yet. */
@@ -231,16 +222,7 @@ export class Shell {
     this.#panels.geometry.dispose();
     this.#matt.dispose();
     this.#skin?.dispose();
-    this.#edges.dispose();
-    this.#outline.dispose();
-    this.#limits.dispose();
-    this.#ghost.dispose();
-  }
-
-  /** See outwards(); an edit does not turn a model inside out. */
-  get outward(): number {
-    this.#outward ??= outwards(this.corners, this.triangles, this.topology.boundary);
-    return this.#outward;
+    this.#lines.dispose();
   }
 
   #place(v: number, from: Float32Array): void {
@@ -251,34 +233,16 @@ export class Shell {
       this.corners[3 * corner + 2] = z;
       this.#dirtyCorners.add(corner);
     }
-    this.#edges.move(v, x, y, z);
-  }
-
-  /** A panel that was convex may have become concave, and the other way round. */
-  #cutAnew(changes: Float32Array): void {
-    const touched = new Set<number>();
-    for (let k = 0; k + 3 < changes.length; k += 4) {
-      for (const corner of row(this.topology.corners, changes[k] ?? 0)) {
-        touched.add(panelAt(this.offsets, corner));
-      }
-    }
-    for (const f of touched) {
-      const [begin, end] = [this.offsets[f] ?? 0, this.offsets[f + 1] ?? 0];
-      if (end - begin < 4) continue;
-      const first = firstTriangle(this.offsets, f);
-      triangulatePanel(this.corners, begin, end, this.triangles, first);
-      this.#dirtyTriangles.add(first);
-      this.#dirtyTriangles.add(first + end - begin - 3);
-    }
+    this.#lines.move(v, x, y, z);
   }
 
   #uploadPositions(): void {
     const { attributes, index } = this.#panels.geometry;
     const { position } = attributes;
     if (position instanceof BufferAttribute) this.#dirtyCorners.flush(position, 3);
-    if (index) this.#dirtyTriangles.flush(index, 3);
+    if (index) this.#cuts.flush(index);
     this.#skin?.update(this.#panels.geometry, this.offsets, this.topology);
-    this.#edges.upload();
+    this.#lines.upload();
   }
 
   #displacement(v: number): number {
@@ -302,12 +266,7 @@ export class Shell {
 
   /** Edges of the base at vertices that moved visibly. */
   #drawGhost(): void {
-    const { edges, edgeEnds } = this.topology;
-    const seen = new Set<number>();
-    for (const v of this.#moved) {
-      if (this.#displacement(v) < GHOST_SHARE * this.#largest) continue;
-      for (const end of row(edgeEnds, v)) seen.add(end >> 1);
-    }
-    this.#ghost.draw(seen, edges);
+    const least = GHOST_SHARE * this.#largest;
+    this.#lines.drawGhost([...this.#moved].filter((v) => this.#displacement(v) >= least));
   }
 }

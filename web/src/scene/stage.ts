@@ -19,10 +19,10 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import type { Camera } from "../state/camera.ts";
+import type { Camera } from "../design/camera.ts";
 import { clearStandpoint, type Subject } from "./clearance.ts";
 import { DIRECTIONS, pixelSlope, type Standpoint, sightOf, type ViewName } from "./framing.ts";
-import { closer, Glide } from "./glide.ts";
+import { Glide } from "./glide.ts";
 import {
   CLIP,
   changeLens,
@@ -184,9 +184,8 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Brings a panel to the middle, near enough to judge it; turns the view only if it must. */
-  lookAt(corners: Float32Array, outward: number): void {
-    this.#glide.to(closer(this.camera, this.orbit, corners, outward));
+  glideTo(place: Standpoint): void {
+    this.#glide.to(place);
     this.invalidate();
   }
 

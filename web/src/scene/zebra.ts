@@ -3,7 +3,7 @@
 // kink in a stripe is a kink in the shape; panels by themselves, each flat, would only show their edges.
 import { BufferAttribute, type BufferGeometry, Color, DoubleSide, ShaderMaterial } from "three";
 import { row, type Topology } from "../mesh/topology.ts";
-import type { Skin } from "./shell.ts";
+import type { Skin } from "./skin.ts";
 
 /** Stripes from the horizon to the zenith. */
 const STRIPES = 10;

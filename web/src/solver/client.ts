@@ -24,8 +24,12 @@ interface Waiting {
   readonly stream: boolean;
 }
 
-/** A new worker; `died` is to be called when it is gone, whether it says so or not. */
-export type SpawnWorker = (died: () => void) => Promise<Worker>;
+export interface SpawnWorker {
+  /** A new worker; `died` is to be called when it is gone, whether it says so or not. */
+  (died: () => void): Promise<Worker>;
+  /** Those started from now on know keep-outs, too; rejects where what they need did not come. */
+  takeWhole(): Promise<void>;
+}
 
 export interface ClientEvents {
   readonly progress: (progress: Progress) => void;

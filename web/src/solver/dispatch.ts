@@ -3,13 +3,10 @@
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
-import { SUPPORT_WORDS } from "./boundary-support.ts";
-import { fairLimit } from "./fair-folds.ts";
-import { openGlb, readDesign, writeDesign, writeGlb } from "./glb.ts";
+import { DesignFiles } from "./design-files.ts";
+import { type Edited, Edits } from "./edits.ts";
 import type {
   AlsoMeasured,
-  EditMode,
-  EditSettings,
   FileFormat,
   OpenedMesh,
   Reply,
@@ -18,10 +15,9 @@ import type {
   SliderLead,
   Source,
   StoredDesign,
-  Targets,
 } from "./protocol.ts";
-import { type HandleList, isWithin, PullHold } from "./pull-limit.ts";
-import { aboutFile, keepCopy, readFile, readGiven, readKept } from "./reading.ts";
+import { keepCopy, readFile, readGiven, readKept } from "./reading.ts";
+import { insist, insistReadable, isFatal, Refused, sentence } from "./refused.ts";
 import { offsetOf, previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
@@ -41,33 +37,6 @@ type Waited =
   | "model"
   | "offset";
 
-/** Raised by an operation that the session refused; its message is for the user. */
-class Refused extends Error {}
-
-const NO_MEMORY = "There is not enough memory for this mesh in the browser.";
-
-function insist(refusal: string): void {
-  if (refusal) throw new Refused(refusal);
-}
-
-function insistReadable(name: string, refusal: string): void {
-  insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
-}
-
-/** After these the module's memory is full or in no known state. */
-const isFatal = (error: unknown): boolean =>
-  error instanceof WebAssembly.RuntimeError ||
-  error instanceof RangeError ||
-  (error instanceof Refused && error.message === NO_MEMORY);
-
-function sentence(error: unknown): string {
-  // "OOM" is how the module's allocator ends.
-  if (error instanceof WebAssembly.RuntimeError && !error.message.includes("OOM"))
-    return "The solver stopped unexpectedly. Your last finished design is back.";
-  if (isFatal(error)) return `${NO_MEMORY} Your last finished design is back.`;
-  return error instanceof Error ? error.message : String(error);
-}
-
 function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
   const report = session.meshReport();
   return {
@@ -81,10 +50,7 @@ function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
   };
 }
 
-/** That a drag may wait for its limit. */
-const SEARCH_MS = 2000;
-
-const WRITERS = { glb: writeGlb, json: writeDesign } as const;
+const AS_ASKED: Edited = { taken: null, stated: null };
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
@@ -99,16 +65,17 @@ export class Dispatcher {
   readonly #session: Session;
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
-  #hold = new PullHold();
+  readonly #edits: Edits;
+  readonly #files = new DesignFiles();
   /** Found last. */
   #family: ShapeFamily | null = null;
-  #settings: EditSettings | null = null;
   #job = 0;
   #step = 0;
 
   constructor(module: PlanishModule, post: Post) {
     this.#module = module;
     this.#session = new module.Session();
+    this.#edits = new Edits(module, this.#session);
     this.#analysis = new DesignAnalysis(this.#session, () =>
       post({ kind: "measurable", job: 0 }, []),
     );
@@ -149,7 +116,7 @@ export class Dispatcher {
       const bytes = await readKept(source, this.#onPiece);
       const { name } = source;
       const { mesh, format } =
-        source.format === "glb" ? await openGlb(name, bytes) : asIs(bytes, source);
+        source.format === "glb" ? await this.#files.openGlb(name, bytes) : asIs(bytes, source);
       insistReadable(name, session.openFile(mesh, format));
     }
     if (planarise) insist(session.planarise(planarise));
@@ -163,7 +130,7 @@ export class Dispatcher {
       this.#postOpened(job, read.source, null);
       return;
     }
-    const { mesh, stored } = await openGlb(name, read.bytes);
+    const { mesh, stored } = await this.#files.openGlb(name, read.bytes);
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
   }
@@ -173,13 +140,13 @@ export class Dispatcher {
     const bytes =
       request.design === null
         ? this.#session.write(request.format)
-        : await WRITERS[request.format](this.#session, request.design, request.offset);
+        : await this.#files.write(this.#session, request);
     if (bytes.length === 0) throw new Refused(`${format.toUpperCase()} cannot be written.`);
     this.#post({ kind: "exported", job, bytes }, [bytes.buffer]);
   }
 
   async #readDesign({ job, text }: Extract<Request, { kind: "readDesign" }>): Promise<void> {
-    this.#post({ kind: "design", job, reading: await readDesign(text) }, []);
+    this.#post({ kind: "design", job, reading: await this.#files.read(text) }, []);
   }
 
   async #shop({ job, order }: Extract<Request, { kind: "shop" }>): Promise<void> {
@@ -208,7 +175,8 @@ export class Dispatcher {
 
   async #model({ job, unit, design }: Extract<Request, { kind: "model" }>): Promise<void> {
     const { writeRhino } = await rhinoPart();
-    const model = await writeRhino(this.#session, unit, design);
+    const text = await this.#files.text(this.#session, design);
+    const model = await writeRhino(this.#session, unit, text);
     this.#post({ kind: "modelled", job, model }, [model.bytes.buffer]);
   }
 
@@ -223,10 +191,10 @@ export class Dispatcher {
         this.#postOpened(job, null, null);
         return;
       case "edit":
-        this.#edit(request);
+        this.#postShown(job, request.mode !== "drag", this.#edits.edit(request));
         return;
       case "restore":
-        insist(this.#restore(request));
+        this.#edits.restore(request);
         this.#postShown(job, true);
         return;
       case "replay":
@@ -274,67 +242,9 @@ export class Dispatcher {
     this.#post({ kind: "panels", job, measures }, buffers);
   }
 
-  #edit(request: Extract<Request, { kind: "edit" }>): void {
-    const { job, mode, targets, settings, budget, limit } = request;
-    this.#setOptions(settings);
-    const session = this.#session;
-    const pins = Int32Array.from(targets.pins);
-    const steps = mode === "solve" ? settings.continuation : 0;
-    const attempt = (handles: HandleList, how: EditMode): void => {
-      const to = Float64Array.from(handles);
-      insist(session.edit(this.#module.EditMode[how], to, pins, steps, budget));
-    };
-    if (!limit) {
-      this.#hold = new PullHold();
-      attempt(targets.handles, mode);
-      const stated = this.#unfold(request, () => attempt(targets.handles, mode));
-      this.#postShown(job, mode !== "drag", null, stated);
-      return;
-    }
-    if (mode !== "drag") this.#hold = new PullHold();
-    const once = (handles: HandleList, settled: boolean): boolean => {
-      if (settled && mode === "drag") session.goBack();
-      attempt(handles, settled && mode !== "drag" ? "solve" : mode);
-      return isWithin(limit, session.shapeReport());
-    };
-    const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
-    const taken = this.#hold.take(limit.from, targets.handles, once, patience);
-    if (mode === "drag") session.keepFrame();
-    this.#postShown(job, mode !== "drag", taken === targets.handles ? null : taken);
-  }
-
-  /** Makes the edit again with the limit on folds that costs its handles nothing, if there is one. */
-  #unfold(request: Extract<Request, { kind: "edit" }>, again: () => void): string | null {
-    const { settings, fairWay } = request;
-    if (fairWay === null) return null;
-    let tried = false;
-    const stated = fairLimit(this.#session.shapeReport(), fairWay, (limit) => {
-      tried = true;
-      this.#setOptions({ ...settings, limits: [...settings.limits, limit] });
-      again();
-      return this.#session.shapeReport();
-    });
-    if (tried && stated === null) {
-      this.#setOptions(settings);
-      again();
-    }
-    return stated;
-  }
-
-  /** Options that stay the same keep the solver's warm start; each message is a copy. */
-  #setOptions(given: EditSettings): void {
-    const settings = { ...given, continuation: 0 }; // each edit has its own
-    if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
-    this.#settings = null; // where one of them is refused, the others hold already
-    insist(this.#session.setOptions(settings));
-    insist(this.#session.setSupports(SUPPORT_WORDS[settings.boundarySupport]));
-    this.#settings = settings;
-  }
-
   #replay({ job, design }: Extract<Request, { kind: "replay" }>): void {
     const session = this.#session;
-    this.#hold = new PullHold();
-    this.#settings = null; // the design brings its own
+    this.#edits.forget(); // the design brings its own options
     const { source } = design;
     insist(session.replay(design, "hash" in source ? source.hash : null));
     const { directions, deviation, moved, positions } = session.replayed();
@@ -352,18 +262,6 @@ export class Dispatcher {
       deviation,
     };
     this.#post(reply, [changes.buffer]);
-  }
-
-  #restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): string {
-    this.#hold = new PullHold();
-    this.#setOptions(settings);
-    return this.#show(targets, shape, keep);
-  }
-
-  #show(targets: Targets, { moved, positions }: Shape, keep: boolean): string {
-    const handles = Float64Array.from(targets.handles);
-    const pins = Int32Array.from(targets.pins);
-    return this.#session.restore(handles, pins, moved, positions, keep);
   }
 
   #postProjected(job: number): void {
@@ -402,12 +300,7 @@ export class Dispatcher {
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(
-    job: number,
-    withShape: boolean,
-    taken: HandleList | null = null,
-    stated: string | null = null,
-  ): void {
+  #postShown(job: number, withShape: boolean, { taken, stated } = AS_ASKED): void {
     const session = this.#session;
     const changes = session.takeChanges();
     const report = session.shapeReport();

@@ -15,10 +15,9 @@ import type {
   ShopOrder,
 } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { Unit } from "../quantity/units.ts";
+import type { Context } from "../rhino/context.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
-import type { Unit } from "../state/units.ts";
-import type { HandleList, PullLimit } from "./pull-limit.ts";
-import type { OpenedModel } from "./rhino.ts";
 
 export type {
   DesignReading,
@@ -56,12 +55,10 @@ export interface Targets {
   readonly pins: readonly number[];
 }
 
-/** What the points of a boundary slide along where they move. */
-export type BoundarySupport = "none" | "level" | "outline";
-
 /** The core's options, and what it counts among the targets. */
 export interface EditSettings extends Reports.EditOptions {
-  readonly boundarySupport: BoundarySupport;
+  /** What points stand on, as the command line's --support says it: "level=z:3,4". */
+  readonly supports: readonly string[];
   /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
   readonly continuation: number;
 }
@@ -292,3 +289,26 @@ export type Reply =
   | { kind: "modelled"; job: number; model: WrittenModel }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };
+
+/** Handles are vertex, x, y, z for each, model units. */
+export type HandleList = readonly number[];
+
+export interface PullLimit {
+  /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
+  readonly degrees: number;
+  /** By how much of the largest move handles may stop short; ∞: by any. */
+  readonly short: number;
+  /** The handles at the start of the drag, in the order of its targets. */
+  readonly from: HandleList;
+}
+
+/** What a Rhino model held. */
+export interface OpenedModel {
+  /** OBJ; of no use where there is a design. */
+  readonly mesh: Uint8Array;
+  /** "" for none. */
+  readonly design: string;
+  readonly unit: Unit | null;
+  readonly context: Context | null;
+  readonly remarks: readonly string[];
+}

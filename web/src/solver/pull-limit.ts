@@ -2,19 +2,7 @@
 // A drag is held back where panels would fold much sharper than those of the base do, and where limits
 // that are stated do not let its handles follow.
 import { foldGrowth } from "./fair-folds.ts";
-import type { ShapeReport } from "./protocol.ts";
-
-/** Handles are vertex, x, y, z for each, model units. */
-export type HandleList = readonly number[];
-
-export interface PullLimit {
-  /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
-  readonly degrees: number;
-  /** By how much of the largest move handles may stop short; ∞: by any. */
-  readonly short: number;
-  /** The handles at the start of the drag, in the order of its targets. */
-  readonly from: HandleList;
-}
+import type { HandleList, PullLimit, ShapeReport } from "./protocol.ts";
 
 /** Whether an edit is within the limit; one that found no way to move is not. */
 export function isWithin({ degrees, short }: PullLimit, report: ShapeReport): boolean {

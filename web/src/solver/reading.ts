@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files come in pieces, so that progress can be shown; a copy that the page keeps is checked.
-import { crc32 } from "../share/crc32.ts";
+import { crc32 } from "../bytes/crc32.ts";
 import type { FileFormat, Source } from "./protocol.ts";
 
 type FileSource = Extract<Source, { kind: "file" }>;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Rhino's models are read and written by McNeel's own library, fetched when it is needed for the
 // first time: a megabyte after gzip.
-import type { DesignValue, Session } from "@wasm/planish.mjs";
+import type { Session } from "@wasm/planish.mjs";
 import rhinoUrl from "rhino3dm/rhino3dm.wasm?url";
-import type { Context } from "../rhino/context.ts";
+import type { Unit } from "../quantity/units.ts";
 import { csvRows } from "../rhino/csv-rows.ts";
 import type { RhinoModule } from "../rhino/model.ts";
 import { readModel, UnreadableModel, writeObj } from "../rhino/read-model.ts";
 import { type WrittenModel, writeModel } from "../rhino/write-model.ts";
-import type { Unit } from "../state/units.ts";
-import { writeDesign } from "./glb.ts";
+import type { OpenedModel } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
 import { panelRows } from "./shop.ts";
 
@@ -21,16 +20,6 @@ async function loadRhino(): Promise<RhinoModule> {
   } catch {
     throw new Error("The part that reads and writes 3DM could not be loaded. Try again online.");
   }
-}
-
-export interface OpenedModel {
-  /** OBJ; of no use where there is a design. */
-  readonly mesh: Uint8Array;
-  /** "" for none. */
-  readonly design: string;
-  readonly unit: Unit | null;
-  readonly context: Context | null;
-  readonly remarks: readonly string[];
 }
 
 /** A mesh or a design; throws a sentence if the file has neither. */
@@ -45,14 +34,13 @@ export async function openRhino(name: string, bytes: Uint8Array): Promise<Opened
   }
 }
 
-/** The design shown, with its rows of panels.csv in model units, and its recipe. */
+/** The design shown, with its rows of panels.csv in model units, and as text. */
 export async function writeRhino(
   session: Session,
   unit: Unit,
-  design: DesignValue,
+  design: string,
 ): Promise<WrittenModel> {
   const rows = csvRows(await panelRows(session, unit));
-  const text = new TextDecoder().decode(await writeDesign(session, design));
   const rhino = await loadRhino();
   const [offsets, vertices] = [session.faceOffsets(), session.faceVertices()];
   const faces = rows.map((_, f) => vertices.subarray(offsets[f], offsets[f + 1]));
@@ -62,7 +50,7 @@ export async function writeRhino(
     positions.set(moved.subarray(3 * k, 3 * k + 3), 3 * v);
   });
   try {
-    return writeModel(rhino, { positions, faces, rows, unit, design: text });
+    return writeModel(rhino, { positions, faces, rows, unit, design });
   } catch {
     throw new Error("There is not enough memory for this model in the browser.");
   }

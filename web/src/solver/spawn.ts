@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 import wasmUrl from "@wasm/planish.wasm?url";
+import wholeUrl from "@wasm/planish_whole.wasm?url";
+import type { SpawnWorker } from "./client.ts";
 import type { Request } from "./protocol.ts";
 import { reachable } from "./reachable.ts";
 import workerUrl from "./worker.ts?worker&url";
 
-let compiled: Promise<WebAssembly.Module> | null = null;
-
 /** Compiles as it downloads; falls back where the server sends no wasm media type. */
-async function compile(): Promise<WebAssembly.Module> {
-  const response = await fetch(wasmUrl);
+async function compile(url: string): Promise<WebAssembly.Module> {
+  const response = await fetch(url);
   if (!response.ok) throw new Error(`The solver could not be loaded (${response.status}).`);
   if (response.headers.get("content-type")?.startsWith("application/wasm")) {
     return WebAssembly.compileStreaming(response);
@@ -28,9 +28,20 @@ function watch(worker: Worker, alive: string, died: () => void): void {
   });
 }
 
-/** A new solver worker; the module is compiled once for the life of the page. */
-export async function spawnSolver(died: () => void): Promise<Worker> {
-  compiled ??= compile();
+/** What starts solver workers; the module is compiled once for all of them. */
+export function solverSpawner(): SpawnWorker {
+  let compiled: Promise<WebAssembly.Module> | null = null;
+  const start = (died: () => void) => {
+    compiled ??= compile(wasmUrl);
+    return spawn(compiled, died);
+  };
+  const takeWhole = async () => {
+    compiled = Promise.resolve(await compile(wholeUrl));
+  };
+  return Object.assign(start, { takeWhole });
+}
+
+async function spawn(compiled: Promise<WebAssembly.Module>, died: () => void): Promise<Worker> {
   // The worker loads its script while the module compiles.
   const worker = new Worker(reachable(workerUrl), { type: "module" });
   const module = await compiled.catch((error: unknown) => {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The design and its snapshots are written after every change and come back after a reload or a
 // crash. One write is one transaction: what is read is the old record or the new one.
+
 import { effect } from "@preact/signals";
-import { type Files, fileKey } from "../share/saved-design.ts";
-import { decodeRecord, encodeRecord, type SavedRecord } from "../share/saved-record.ts";
+import type { Design } from "../design/design.ts";
+import type { History } from "../design/history.ts";
+import type { Files } from "../design/saved-design.ts";
+import type { SavedRecord } from "../design/saved-record.ts";
+import type { StepFiles } from "../design/saved-steps.ts";
 import { readCamera } from "./camera.ts";
-import type { Design } from "./design.ts";
 import { shownFigure } from "./figures.ts";
+import { kept, type Page } from "./page.ts";
 import {
   claimNewSlot,
   claimSlot,
@@ -16,78 +20,103 @@ import {
   rememberSlot,
   writeRecord,
 } from "./slot.ts";
-import { history, keeping, snapshots, unit } from "./store.ts";
 
 /** Milliseconds between a change and its write: changes close together are one write. */
 const DELAY = 250;
 /** Milliseconds after which the page goes on without its storage. */
 const PATIENCE = 8000;
 
-let slot: string | null = null;
-/** Keys of the files that lie beside the record. */
-let stored = new Set<string>();
-let timer: ReturnType<typeof setTimeout> | undefined;
-let writing: Promise<void> = Promise.resolve();
-let dirty = false;
+/** What reads and writes records: nobody waits for it to move a point. */
+const codec = async () => {
+  const [record, steps] = await Promise.all([
+    import("../design/saved-record.ts"),
+    import("../design/saved-steps.ts"),
+  ]);
+  return { ...record, ...steps };
+};
+
+interface Own {
+  slot: string | null;
+  /** Keys of the files that lie beside the record. */
+  stored: Set<string>;
+  steps: StepFiles | null;
+  timer: ReturnType<typeof setTimeout> | undefined;
+  writing: Promise<void>;
+  dirty: boolean;
+}
+
+const own = kept(
+  (): Own => ({
+    slot: null,
+    stored: new Set<string>(),
+    steps: null,
+    timer: undefined,
+    writing: Promise.resolve(),
+    dirty: false,
+  }),
+);
 
 const NO_STORAGE =
   "This browser does not let the page keep your design: export or share it before you leave.";
 
-/** Undo and redo are not kept; the present and the snapshots are. */
-function recordNow(): SavedRecord | null {
-  const present = history.value?.present;
-  if (!present) return null;
-  return {
+/** What is kept of the page now, and the files beside it. */
+async function whatIsKept(page: Page, history: History<Design>) {
+  const keeper = own(page);
+  const { encodeRecord, filesOf, StepFiles } = await codec();
+  keeper.steps ??= new StepFiles();
+  const { designs, keys, files } = keeper.steps.keep(history);
+  const { present } = history;
+  const snapshots = page.snapshots.value;
+  const record: SavedRecord = {
     time: Date.now(),
-    unit: unit.value,
-    camera: readCamera(),
-    figure: shownFigure.peek()?.name ?? null,
+    unit: page.unit.value,
+    camera: readCamera(page),
+    figure: shownFigure(page).peek()?.name ?? null,
     present,
-    snapshots: snapshots.value,
+    snapshots,
+    views: page.views.value,
+    steps: keys,
   };
+  const sources = filesOf([present, ...snapshots.map(({ design }) => design), ...designs]);
+  return { bytes: encodeRecord(record), files: new Map([...sources, ...files]) };
 }
 
-function filesOf(record: SavedRecord): Map<string, Blob> {
-  const files = new Map<string, Blob>();
-  const designs: Design[] = [record.present, ...record.snapshots.map(({ design }) => design)];
-  for (const { source } of designs) {
-    if (source.kind === "file") files.set(fileKey(source), source.bytes);
-  }
-  return files;
-}
-
-async function write(): Promise<void> {
-  const record = recordNow();
-  if (slot === null || !record) return;
-  const files = filesOf(record);
-  const missing = new Map([...files].filter(([key]) => !stored.has(key)));
-  const unused = [...stored].filter((key) => !files.has(key));
+async function write(page: Page): Promise<void> {
+  const keeper = own(page);
+  const { slot } = keeper;
+  const history = page.history.value;
+  if (slot === null || !history) return;
   try {
-    await writeRecord(slot, encodeRecord(record), missing);
+    const { bytes, files } = await whatIsKept(page, history);
+    const missing = new Map([...files].filter(([key]) => !keeper.stored.has(key)));
+    const unused = [...keeper.stored].filter((key) => !files.has(key));
+    await writeRecord(slot, bytes, missing);
     rememberSlot(slot);
-    stored = new Set([...stored, ...files.keys()]);
-    keeping.value = null;
+    keeper.stored = new Set([...keeper.stored, ...files.keys()]);
+    page.keeping.value = null;
     if (unused.length > 0) await dropFiles(slot, unused);
-    stored = new Set(files.keys());
+    keeper.stored = new Set(files.keys());
   } catch {
-    keeping.value = NO_STORAGE;
+    page.keeping.value = NO_STORAGE;
   }
 }
 
 /** Writes what has not been written yet; resolves when it is there. */
-export function saveNow(): Promise<void> {
-  clearTimeout(timer);
-  if (dirty) {
-    dirty = false;
-    writing = writing.then(write);
+export function saveNow(page: Page): Promise<void> {
+  const keeper = own(page);
+  clearTimeout(keeper.timer);
+  if (keeper.dirty) {
+    keeper.dirty = false;
+    keeper.writing = keeper.writing.then(() => write(page));
   }
-  return writing;
+  return keeper.writing;
 }
 
-function saveSoon(): void {
-  dirty = true;
-  clearTimeout(timer);
-  timer = setTimeout(() => void saveNow(), DELAY);
+function saveSoon(page: Page): void {
+  const keeper = own(page);
+  keeper.dirty = true;
+  clearTimeout(keeper.timer);
+  keeper.timer = setTimeout(() => void saveNow(page), DELAY);
 }
 
 const within = <T>(promise: Promise<T>, milliseconds: number): Promise<T> =>
@@ -97,14 +126,31 @@ const within = <T>(promise: Promise<T>, milliseconds: number): Promise<T> =>
   ]);
 
 export type Restored =
-  | { readonly kind: "record"; readonly record: SavedRecord }
+  | {
+      readonly kind: "record";
+      readonly record: SavedRecord;
+      readonly history: History<Design>;
+    }
   | { readonly kind: "none" }
   | { readonly kind: "damaged" };
 
 interface Loaded {
   readonly slot: string;
   readonly files: Files;
+  readonly steps: StepFiles | null;
   readonly restored: Restored;
+}
+
+/** What was kept, with the steps before and after it. */
+async function read(bytes: Uint8Array, files: Files): Promise<Omit<Loaded, "slot"> | "newer"> {
+  const { decodeRecord, StepFiles } = await codec();
+  const decoded = decodeRecord(bytes, files);
+  if (decoded.kind === "newer") return "newer";
+  if (decoded.kind === "damaged") return { files, steps: null, restored: decoded };
+  const steps = new StepFiles();
+  const { present, steps: keys } = decoded.record;
+  const history = await steps.restore(present, keys, files);
+  return { files, steps, restored: { ...decoded, history } };
 }
 
 /** A newer version's record is left alone: its slot is passed, nothing is written over it. */
@@ -112,9 +158,9 @@ async function load(): Promise<Loaded> {
   for (const passed: string[] = []; ; ) {
     const claimed = await claimSlot(passed);
     const bytes = await readRecord(claimed);
-    const files: Files = bytes ? await readFiles(claimed) : new Map();
-    const read = bytes ? decodeRecord(bytes, files) : ({ kind: "none" } as const);
-    if (read.kind !== "newer") return { slot: claimed, files, restored: read };
+    if (!bytes) return { slot: claimed, files: new Map(), steps: null, restored: { kind: "none" } };
+    const found = await read(bytes, await readFiles(claimed));
+    if (found !== "newer") return { slot: claimed, ...found };
     passed.push(claimed);
   }
 }
@@ -123,45 +169,50 @@ async function load(): Promise<Loaded> {
  * Finds this tab's slot and reads it. Never throws, never waits long; what comes too late is left
  * as it is, and nothing is written over it.
  */
-export async function restoreSaved(): Promise<Restored> {
+export async function restoreSaved(page: Page): Promise<Restored> {
   try {
     const loaded = await within(load(), PATIENCE);
-    slot = loaded.slot;
-    stored = new Set(loaded.files.keys());
-    if (loaded.restored.kind === "record") rememberSlot(slot);
+    own(page).slot = loaded.slot;
+    own(page).stored = new Set(loaded.files.keys());
+    own(page).steps = loaded.steps;
+    if (loaded.restored.kind === "record") rememberSlot(loaded.slot);
     return loaded.restored;
   } catch {
-    keeping.value = NO_STORAGE;
+    page.keeping.value = NO_STORAGE;
     return { kind: "none" };
   }
 }
 
 /** Keeps from now on in another slot: what is in this one could not be opened and stays there. */
-export async function keepElsewhere(): Promise<void> {
-  slot = null;
-  stored = new Set();
-  slot = await claimNewSlot().catch(() => null);
+export async function keepElsewhere(page: Page): Promise<void> {
+  const keeper = own(page);
+  keeper.slot = null;
+  keeper.stored = new Set();
+  keeper.slot = await claimNewSlot().catch(() => null);
 }
 
 /** Writes from now on whenever something changes; an untouched first sample is not kept. */
-export function startAutosave(): () => void {
-  const begun = history.peek()?.present;
-  let worth = snapshots.peek().length > 0;
+export function startAutosave(page: Page): () => void {
+  // Here in time for a page that is closed with the first change.
+  codec().catch(() => {});
+  const begun = page.history.peek()?.present;
+  let worth = false;
   const stop = effect(() => {
-    const present = history.value?.present;
-    const kept = snapshots.value;
-    unit.value;
-    worth ||= present !== begun || kept.length > 0;
-    if (worth) saveSoon();
+    const present = page.history.value?.present;
+    page.unit.value;
+    const named = [...page.snapshots.value, ...page.views.value];
+    worth ||= present !== begun || named.length > 0;
+    if (worth) saveSoon(page);
   });
+  const save = (): void => void saveNow(page);
   const hide = (): void => {
-    if (document.visibilityState === "hidden") void saveNow();
+    if (document.visibilityState === "hidden") save();
   };
   document.addEventListener("visibilitychange", hide);
-  window.addEventListener("pagehide", saveNow);
+  window.addEventListener("pagehide", save);
   return () => {
     stop();
     document.removeEventListener("visibilitychange", hide);
-    window.removeEventListener("pagehide", saveNow);
+    window.removeEventListener("pagehide", save);
   };
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Two to four designs of one mesh, held against each other.
+
 import { batch, computed, signal } from "@preact/signals";
-import { displayOfShape } from "../mesh/shape-display.ts";
+import type { Design } from "../design/design.ts";
+import { convert, type Unit } from "../quantity/units.ts";
 import type { OpenedMesh, PanelMeasures, Shape } from "../solver/protocol.ts";
+import { displayOfShape } from "../solver/shape-display.ts";
 import { client } from "./connection.ts";
-import type { Design } from "./design.ts";
+import { kept, type Page } from "./page.ts";
 import { countHealth } from "./panel-rows.ts";
 import { sameBase } from "./showing.ts";
-import { history, mesh, snapshots, unit } from "./store.ts";
-import { convert, type Unit } from "./units.ts";
 
 export const MOST_COMPARED = 4;
 
@@ -32,39 +33,41 @@ export interface Figures {
 }
 
 /** The design shown and the snapshots of its mesh. */
-export const candidates = computed((): readonly Candidate[] => {
-  const present = history.value?.present;
-  if (!present) return [];
-  const same = snapshots.value.filter(({ design }) => sameBase(design, present));
-  return [{ id: "", name: "Now", design: present }, ...same];
-});
+export const candidates = kept((page) =>
+  computed((): readonly Candidate[] => {
+    const present = page.history.value?.present;
+    if (!present) return [];
+    const same = page.snapshots.value.filter(({ design }) => sameBase(design, present));
+    return [{ id: "", name: "Now", design: present }, ...same];
+  }),
+);
 
 /** Ids, in the order of the candidates; the first is what the others are held against. */
-export const chosen = signal<readonly string[]>([]);
+export const chosen = kept(() => signal<readonly string[]>([]));
 
-export const compared = computed(() =>
-  candidates.value.filter(({ id }) => chosen.value.includes(id)),
+export const compared = kept((page) =>
+  computed(() => candidates(page).value.filter(({ id }) => chosen(page).value.includes(id))),
 );
 
 /** Of each of the compared, by id, as they arrive. */
-export const comparedFigures = signal<ReadonlyMap<string, Figures>>(new Map());
+export const comparedFigures = kept(() => signal<ReadonlyMap<string, Figures>>(new Map()));
 
 /** The first two to four: snapshots before the design shown, unless that is none of them. */
-export function chooseFirst(): void {
-  const [now, ...kept] = candidates.value;
+export function chooseFirst(page: Page): void {
+  const [now, ...kept] = candidates(page).value;
   const isKept = kept.some(({ design }) => design === now?.design);
   const ids = kept.map(({ id }) => id);
   const all = isKept && ids.length > 1 ? ids : ["", ...ids];
   batch(() => {
-    comparedFigures.value = new Map();
-    chosen.value = all.slice(0, MOST_COMPARED);
+    comparedFigures(page).value = new Map();
+    chosen(page).value = all.slice(0, MOST_COMPARED);
   });
 }
 
-export function toggleChosen(id: string): void {
-  const was = chosen.value;
+export function toggleChosen(page: Page, id: string): void {
+  const was = chosen(page).value;
   const next = was.includes(id) ? was.filter((one) => one !== id) : [...was, id];
-  if (next.length >= 2 && next.length <= MOST_COMPARED) chosen.value = next;
+  if (next.length >= 2 && next.length <= MOST_COMPARED) chosen(page).value = next;
 }
 
 /** The area vector's length by Newell's sum about the first corner, display units squared. */
@@ -95,7 +98,7 @@ export function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit):
 
 const HEALTH = { angle: 2, stride: 4 } as const;
 
-function figuresOf(shape: Shape, measures: PanelMeasures, opened: OpenedMesh): Figures {
+function figuresOf(page: Page, shape: Shape, measures: PanelMeasures, opened: OpenedMesh): Figures {
   const { health, damage, folds } = measures;
   let angle = 180;
   for (let k = HEALTH.angle; k < health.length; k += HEALTH.stride)
@@ -106,18 +109,20 @@ function figuresOf(shape: Shape, measures: PanelMeasures, opened: OpenedMesh): F
     spoilt: damage.reduce((count, kind) => count + (kind > 0 ? 1 : 0), 0),
     fold: folds?.reduce((sharpest, fold) => Math.max(sharpest, fold), 0) ?? 0,
     angle,
-    area: largestPanel(opened, shape, unit.value),
+    area: largestPanel(opened, shape, page.unit.value),
   };
 }
 
 /** Measures the compared designs that have no figures yet. */
-export async function measureCompared(): Promise<void> {
-  const opened = mesh.value;
-  for (const { id, design } of compared.value) {
-    if (!opened || comparedFigures.value.has(id)) continue;
-    const answer = await client.ask({ kind: "measure", shape: design.shape }).catch(() => null);
-    if (answer?.kind !== "panels" || !answer.measures || opened !== mesh.value) return;
-    const figures = figuresOf(design.shape, answer.measures, opened);
-    comparedFigures.value = new Map([...comparedFigures.value, [id, figures]]);
+export async function measureCompared(page: Page): Promise<void> {
+  const opened = page.mesh.value;
+  for (const { id, design } of compared(page).value) {
+    if (!opened || comparedFigures(page).value.has(id)) continue;
+    const answer = await client(page)
+      .ask({ kind: "measure", shape: design.shape })
+      .catch(() => null);
+    if (answer?.kind !== "panels" || !answer.measures || opened !== page.mesh.value) return;
+    const figures = figuresOf(page, design.shape, answer.measures, opened);
+    comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
   }
 }

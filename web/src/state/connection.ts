@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: MIT
 // The one solver of the page, and what its answers do to the state.
+
+import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
 import type { Planarising, Shape, Source } from "../solver/protocol.ts";
-import { spawnSolver } from "../solver/spawn.ts";
-import { activity, figures, measurable, problem, stranded } from "./store.ts";
+import { kept, type Page } from "./page.ts";
+import { say } from "./telling.ts";
 
 /** Whether the solver came; where it did not, the problem has been said. */
-export async function solverIsThere(): Promise<boolean> {
+export async function solverIsThere(page: Page): Promise<boolean> {
   try {
-    await client.ready;
+    await client(page).ready;
     return true;
   } catch (error) {
-    problem.value = sentence(error);
-    stranded.value = true;
+    say(page, sentence(error));
+    page.stranded.value = true;
     return false;
   }
 }
 
 export type ChangesListener = (changes: Float32Array) => void;
 
-const listeners = new Set<ChangesListener>();
+const listeners = kept(() => new Set<ChangesListener>());
 
 /** Calls `listener` with vertex, x, y, z (display coordinates) of whatever moves. */
-export function onChanges(listener: ChangesListener): () => void {
-  listeners.add(listener);
-  return () => listeners.delete(listener);
+export function onChanges(page: Page, listener: ChangesListener): () => void {
+  listeners(page).add(listener);
+  return () => listeners(page).delete(listener);
 }
 
-export function announceChanges(changes: Float32Array): void {
-  for (const listener of listeners) listener(changes);
+export function announceChanges(page: Page, changes: Float32Array): void {
+  for (const listener of listeners(page)) listener(changes);
 }
 
 /** A mesh as the solver has it open. */
@@ -44,150 +46,169 @@ interface Held {
   centre: Shape | null;
 }
 
-export const held: Held = { base: null, centre: null };
+export const held = kept((): Held => ({ base: null, centre: null }));
 
-let recover: () => void = () => {};
+interface Own {
+  recover: () => void;
+  running: number;
+  /** Whether the solver is the one that knows keep-outs. */
+  whole: boolean;
+}
+
+const own = kept((): Own => ({ recover: () => {}, running: 0, whole: false }));
 
 /** Calls `action` after the solver died and its replacement was started. */
-export function onDeath(action: () => void): void {
-  recover = action;
+export function onDeath(page: Page, action: () => void): void {
+  own(page).recover = action;
 }
 
-function forget(): void {
-  held.base = null;
-  held.centre = null;
+function forget(page: Page): void {
+  held(page).base = null;
+  held(page).centre = null;
 }
 
-export const client = new SolverClient(spawnSolver, {
-  progress: (progress) => {
-    const { value } = activity;
-    if (!value) return;
-    const { label, step } = value;
-    activity.value =
-      progress.kind === "reading"
-        ? { label, step, read: { done: progress.done, total: progress.total } }
-        : { label, step: progress.step };
-  },
-  measurable: () => {
-    measurable.value += 1;
-  },
-  died: (sentence) => {
-    forget();
-    problem.value = sentence;
-    recover();
-  },
-});
+export const client = kept(
+  (page) =>
+    new SolverClient(page.spawn, {
+      progress: (progress) => {
+        const { value } = page.activity;
+        if (!value) return;
+        const { label, step } = value;
+        page.activity.value =
+          progress.kind === "reading"
+            ? { label, step, read: { done: progress.done, total: progress.total } }
+            : { label, step: progress.step };
+      },
+      measurable: () => {
+        page.measurable.value += 1;
+      },
+      died: (sentence) => {
+        forget(page);
+        say(page, sentence);
+        own(page).recover();
+      },
+    }),
+);
 
 /** Replaces the solver at once; what it did is abandoned. */
-export function restartSolver(): void {
-  client.cancel();
-  forget();
+export function restartSolver(page: Page): void {
+  client(page).cancel();
+  forget(page);
 }
 
 /** Keeps account of what the solver holds. A refused `open` may have left another mesh behind. */
-function account(question: Question, done: boolean): void {
+function account(page: Page, question: Question, done: boolean): void {
+  const solver = held(page);
   switch (question.kind) {
     case "open":
-      held.base = done ? { source: question.source, planarised: question.planarise } : null;
-      held.centre = null;
+      solver.base = done ? { source: question.source, planarised: question.planarise } : null;
+      solver.centre = null;
       return;
     case "planarise":
-      if (done && held.base) held.base = { ...held.base, planarised: question.how };
-      if (done) held.centre = null;
+      if (done && solver.base) solver.base = { ...solver.base, planarised: question.how };
+      if (done) solver.centre = null;
       return;
     case "restore":
-      if (done && !question.keep) held.centre = null;
+      if (done && !question.keep) solver.centre = null;
       return;
     case "edit":
     case "replay":
     case "read":
-      if (done) held.centre = null;
+      if (done) solver.centre = null;
   }
 }
 
-async function ask(question: Question): Promise<Answer> {
+/** Whether the solver that a visit begins with would refuse it. */
+function needsWhole(question: Question): boolean {
+  if ("settings" in question) return question.settings.keepOuts.length > 0;
+  return question.kind === "replay" && question.design.options.keepOuts.length > 0;
+}
+
+/** Goes over to the solver that knows everything, with the mesh that is open. */
+async function takeWhole(page: Page): Promise<void> {
+  await page.spawn.takeWhole();
+  own(page).whole = true;
+  const { base } = held(page);
+  restartSolver(page);
+  if (base) await ask(page, { kind: "open", source: base.source, planarise: base.planarised });
+}
+
+async function ask(page: Page, question: Question): Promise<Answer> {
+  if (!own(page).whole && needsWhole(question)) await takeWhole(page);
   try {
-    const answer = await client.ask(question);
-    account(question, true);
+    const answer = await client(page).ask(question);
+    account(page, question, true);
     if (answer.kind === "opened" && answer.source)
-      held.base = { source: answer.source, planarised: null };
+      held(page).base = { source: answer.source, planarised: null };
     return answer;
   } catch (error) {
-    account(question, false);
+    account(page, question, false);
     throw error;
   }
 }
 
-function show(answer: Answer): void {
+function show(page: Page, answer: Answer): void {
   if (answer.kind !== "shown" && answer.kind !== "replayed") return;
-  announceChanges(answer.changes);
-  figures.value = answer.report;
+  announceChanges(page, answer.changes);
+  page.figures.value = answer.report;
 }
-
-let running = 0;
 
 type AnswerTo<K extends Answer["kind"]> = Extract<Answer, { kind: K }>;
 
 async function attempt<K extends Answer["kind"]>(
+  page: Page,
   label: string,
   question: Question,
   kind: K,
   visibly: boolean,
-): Promise<AnswerTo<K> | null> {
-  running += 1;
-  activity.value = { label, step: 0 };
+): Promise<Result<AnswerTo<K>>> {
+  own(page).running += 1;
+  page.activity.value = { label, step: 0 };
   try {
-    const answer = await ask(question);
-    if (visibly) show(answer);
-    problem.value = null;
-    return answer.kind === kind ? (answer as AnswerTo<K>) : null;
+    const answer = await ask(page, question);
+    if (visibly) show(page, answer);
+    return answer.kind === kind ? done(answer as AnswerTo<K>) : GIVEN_UP;
   } catch (error) {
-    if (!(error instanceof Abandoned || error instanceof Died)) problem.value = sentence(error);
-    return null;
+    return refusalOf(error);
   } finally {
-    running -= 1;
-    if (running === 0) activity.value = null;
+    own(page).running -= 1;
+    if (own(page).running === 0) page.activity.value = null;
   }
 }
 
-/** Asks, shows what comes back, and says in words what went wrong; null if nothing changed. */
+/** Asks and shows what comes back; refused, nothing has changed. */
 export const run = <K extends Answer["kind"]>(
+  page: Page,
   label: string,
   question: Question,
   kind: K,
-): Promise<AnswerTo<K> | null> => attempt(label, question, kind, true);
+): Promise<Result<AnswerTo<K>>> => attempt(page, label, question, kind, true);
 
 /** The same without showing: for steps on the way to what will be shown. */
 export const runUnseen = <K extends Answer["kind"]>(
+  page: Page,
   label: string,
   question: Question,
   kind: K,
-): Promise<AnswerTo<K> | null> => attempt(label, question, kind, false);
+): Promise<Result<AnswerTo<K>>> => attempt(page, label, question, kind, false);
 
 /**
  * Tells a new solver what is on screen already, before anything else is asked of it; nobody has to
- * wait for that to be shown. False if it could not be done; then the problem has been said.
+ * wait for that to be shown.
  */
-export async function tell(...questions: readonly Question[]): Promise<boolean> {
-  try {
-    await Promise.all(questions.map(ask));
-    return true;
-  } catch (error) {
-    if (!(error instanceof Abandoned || error instanceof Died)) problem.value = sentence(error);
-    return false;
-  }
-}
+export const tell = (page: Page, ...questions: readonly Question[]): Promise<Result<unknown>> =>
+  Promise.all(questions.map((question) => ask(page, question))).then(done, refusalOf);
 
 /**
  * A frame of a drag or a slider. Overtaken frames are dropped; a refused one keeps the frame
  * before it on screen, and what ends the drag says why if it is refused too.
  */
-export async function frame(question: Question): Promise<Answer | null> {
+export async function frame(page: Page, question: Question): Promise<Answer | null> {
   try {
-    const answer = await client.stream(question);
-    account(question, true);
-    show(answer);
-    problem.value = null;
+    const answer = await client(page).stream(question);
+    account(page, question, true);
+    show(page, answer);
+    say(page, null);
     return answer;
   } catch {
     return null; // The last good frame stays.
@@ -196,3 +217,7 @@ export async function frame(question: Question): Promise<Answer | null> {
 
 const sentence = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
+
+/** Of a solver that stopped, its death is said. */
+const refusalOf = (error: unknown): Refusal =>
+  error instanceof Abandoned || error instanceof Died ? GIVEN_UP : refuse(sentence(error));

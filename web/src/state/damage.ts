@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Panels that an edit, a variation or planarising has spoilt, although each of them is flat.
+
+import { newSliver } from "virtual:core-defaults";
 import { computed } from "@preact/signals";
 import { PER_PANEL } from "../solver/protocol.ts";
 import { formatDegrees } from "./fold.ts";
-import { draft, history, panelDamage } from "./store.ts";
+import { kept } from "./page.ts";
 
 /** One panel, several panels: by the core's PanelDamage, the most serious first; then new slivers. */
 export const DAMAGES: readonly (readonly [string, string])[] = [
@@ -14,15 +16,12 @@ export const DAMAGES: readonly (readonly [string, string])[] = [
   ["became concave", "became concave"],
   ["became a sliver", "became slivers"],
 ];
-/** Place in DAMAGES. */
-const SLIVER = 5;
-
 /** " (12°)", " (from 9°)": their sharpest corners; "" without measured panels. */
 function sharpestWords(damage: Uint8Array, health: Float32Array | null): string {
   if (!health) return "";
   const angles = Array.from(damage).flatMap((kind, panel) => {
     const angle = health[PER_PANEL.health * panel + 2];
-    return kind === SLIVER && angle !== undefined ? [angle] : [];
+    return kind === newSliver && angle !== undefined ? [angle] : [];
   });
   return ` (${angles.length > 1 ? "from " : ""}${formatDegrees(Math.min(...angles))})`;
 }
@@ -43,7 +42,7 @@ export function damageWords(damage: Uint8Array, health: Float32Array | null = nu
   const parts = DAMAGES.flatMap(([one, several], kind) => {
     const count = kind > 0 ? (counts[kind] ?? 0) : 0;
     const words = count === 1 ? one : several;
-    const angle = count > 0 && kind === SLIVER ? sharpestWords(damage, health) : "";
+    const angle = count > 0 && kind === newSliver ? sharpestWords(damage, health) : "";
     return count > 0 ? [{ count, words: words + angle }] : [];
   });
   return parts
@@ -55,6 +54,8 @@ export function damageWords(damage: Uint8Array, health: Float32Array | null = nu
 }
 
 /** Of the design shown; null while it changes or is not measured yet. */
-export const damage = computed(() =>
-  draft.value === history.value?.present ? panelDamage.value : null,
+export const damage = kept((page) =>
+  computed(() =>
+    page.draft.value === page.history.value?.present ? page.panelDamage.value : null,
+  ),
 );

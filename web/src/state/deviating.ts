@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // In words, how far a design that was computed again is from what was recorded of it.
+
+import { convert, formatLength, type Unit } from "../quantity/units.ts";
 import type { Shape } from "../solver/protocol.ts";
-import { convert, formatLength, type Unit } from "./units.ts";
 
 /** Share of the model's size within which the builds for browsers and for the command line agree
  * (docs/reliability.md): the order of rounding differs. */

@@ -1,41 +1,40 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
+
 import { signal } from "@preact/signals";
+import { type Design, type Family, familyOf, toTargets, type Variation } from "../design/design.ts";
+import { isFlat } from "../design/flatness.ts";
+import * as steps from "../design/history.ts";
+import { done, GIVEN_UP, type Result } from "../result/result.ts";
 import type { Shape, SliderLead, VariationFamily } from "../solver/protocol.ts";
 import { client, frame, held, run, runUnseen } from "./connection.ts";
-import { type Design, type Family, familyOf, toTargets, type Variation } from "./design.ts";
 import { commit } from "./editing.ts";
-import * as steps from "./history.ts";
 import { planariseNow } from "./opening.ts";
-import { show } from "./showing.ts";
-import {
-  baseFlat,
-  dimension,
-  draft,
-  eigenbasis,
-  figures,
-  history,
-  notice,
-  variationWeights,
-} from "./store.ts";
-import { inTurn } from "./turns.ts";
+import { kept, type Page } from "./page.ts";
+import { show, takeBack } from "./showing.ts";
+import { inTurn, type Outcome } from "./turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
 
 /** What each slider of the family around a shape does. */
-export const sliderLeads = signal<{
-  readonly centre: Shape;
-  readonly leads: readonly SliderLead[];
-} | null>(null);
+export const sliderLeads = kept(() =>
+  signal<{
+    readonly centre: Shape;
+    readonly leads: readonly SliderLead[];
+  } | null>(null),
+);
 
-/** Finds the directions around the shape that the solver shows; how many there are, or null. */
-async function findDirections(design: Design, family: VariationFamily): Promise<number | null> {
-  const answer = await run("finding variations", { kind: "explore", family }, "explored");
-  if (answer) {
-    held.centre = design.shape;
-    sliderLeads.value = { centre: design.shape, leads: answer.leads };
-  }
-  return answer?.report.dimension ?? null;
+/** Finds the directions around the shape that the solver shows; how many there are. */
+async function findDirections(
+  page: Page,
+  design: Design,
+  family: VariationFamily,
+): Promise<Result<number>> {
+  const answer = await run(page, "finding variations", { kind: "explore", family }, "explored");
+  if (!answer.ok) return answer;
+  held(page).centre = design.shape;
+  sliderLeads(page).value = { centre: design.shape, leads: answer.value.leads };
+  return done(answer.value.report.dimension);
 }
 
 /** The families that led to the shape of `design`; one that was not used led nowhere. */
@@ -46,115 +45,142 @@ function earlierOf({ variation }: Design): readonly Family[] {
   return [...earlier, familyOf(variation)];
 }
 
-export const explore = (): Promise<void> =>
-  inTurn(async () => {
-    if (draft.value?.variation && !draft.value.variation.exact) await makeExactNow();
-    const design = draft.value;
-    if (!design || !history.value) return;
-    const weights = variationWeights.value;
+export const explore = (page: Page): Outcome =>
+  inTurn(page, async () => {
+    const inexact = page.draft.value?.variation && !page.draft.value.variation.exact;
+    const made = inexact && (await makeExactNow(page));
+    if (made && !made.ok) return made;
+    const design = page.draft.value;
+    if (!design || !page.history.value) return;
+    const weights = page.variationWeights.value;
     const family: VariationFamily = {
-      asked: dimension.value,
-      eigenbasis: eigenbasis.value,
+      asked: page.dimension.value,
+      eigenbasis: page.eigenbasis.value,
       ...(weights && { weights }),
     };
-    const found = await findDirections(design, family);
-    if (found === null || !history.value) return;
+    const found = await findDirections(page, design, family);
+    if (!found.ok || !page.history.value) return found;
     const variation: Variation = {
       ...family,
-      coefficients: Array.from({ length: found }, () => 0),
+      coefficients: Array.from({ length: found.value }, () => 0),
       centre: design.shape,
       earlier: earlierOf(design),
       exact: true,
     };
     const next: Design = { ...design, variation };
-    draft.value = next;
-    notice.value = null;
-    history.value = steps.record(history.value, next);
+    page.draft.value = next;
+    page.notice.value = null;
+    page.history.value = steps.record(page.history.value, next);
+    return found;
   });
 
-/** True once the solver can evaluate the sliders of `design`: after an undo it may have to look
+/** Lets the solver be able to evaluate the sliders of `design`: after an undo it may have to look
  * for the directions again, which gives the same ones. */
-export async function ensureDirections(design: Design): Promise<boolean> {
+export async function ensureDirections(page: Page, design: Design): Promise<Result<unknown>> {
   const { variation } = design;
-  if (!variation) return false;
-  if (held.base && held.centre === variation.centre) return true;
+  if (!variation) return GIVEN_UP;
+  if (held(page).base && held(page).centre === variation.centre) return done(variation);
   const before: Design = { ...design, shape: variation.centre };
   const targets = toTargets(design.handles);
   const { settings } = design;
   const shape = variation.centre;
   const restore = { kind: "restore", targets, settings, shape, keep: false } as const;
-  if (!(await runUnseen("finding variations", restore, "shown"))) return false;
-  const found = await findDirections(before, familyOf(variation));
-  return (await show(design)) && found === variation.coefficients.length;
+  const restored = await runUnseen(page, "finding variations", restore, "shown");
+  if (!restored.ok) return restored;
+  const found = await findDirections(page, before, familyOf(variation));
+  const shown = await show(page, design);
+  if (!found.ok || !shown.ok) return found.ok ? shown : found;
+  return found.value === variation.coefficients.length ? found : GIVEN_UP;
 }
 
-function varied(index: number, value: number): Varied | null {
-  const design = draft.value;
+function varied(page: Page, index: number, value: number): Varied | null {
+  const design = page.draft.value;
   if (!design?.variation) return null;
   const coefficients = design.variation.coefficients.map((x, k) => (k === index ? value : x));
   return { ...design, variation: { ...design.variation, coefficients, exact: false } };
 }
 
-let preparing = false;
+interface Own {
+  preparing: boolean;
+}
+
+const own = kept((): Own => ({ preparing: false }));
 
 /** Each frame of a slider: no solve, only B x. */
-export function previewVariation(index: number, value: number): void {
-  const next = varied(index, value);
-  if (!next || preparing) return;
-  if (held.centre === next.variation.centre) {
-    draft.value = next;
-    void frame({ kind: "vary", coefficients: next.variation.coefficients });
+export function previewVariation(page: Page, index: number, value: number): void {
+  const next = varied(page, index, value);
+  if (!next || own(page).preparing) return;
+  if (held(page).centre === next.variation.centre) {
+    page.draft.value = next;
+    void frame(page, { kind: "vary", coefficients: next.variation.coefficients });
     return;
   }
-  const design = draft.value;
-  preparing = true;
-  void inTurn(async () => {
-    if (design) await ensureDirections(design);
+  const design = page.draft.value;
+  own(page).preparing = true;
+  void inTurn(page, async () => {
+    return design ? ensureDirections(page, design) : undefined;
   }).finally(() => {
-    preparing = false;
+    own(page).preparing = false;
   });
 }
 
 /** On release the design becomes exact again. */
-export async function commitVariation(
+export function commitVariation(
+  page: Page,
   index: number,
   value: number,
   burst: string | null = null,
-): Promise<void> {
-  client.dropStreams();
-  await inTurn(async () => {
-    const next = varied(index, value);
-    const steady = history.value?.present;
-    if (next && steady) await commitVaried(next, steady, burst);
-  }, burst);
+): Outcome {
+  client(page).dropStreams();
+  return inTurn(
+    page,
+    async () => {
+      const next = varied(page, index, value);
+      const steady = page.history.value?.present;
+      return next && steady ? commitVaried(page, next, steady, burst) : undefined;
+    },
+    burst,
+  );
 }
 
 /** Evaluates the sliders of `next`, makes the result exact and records it. */
-async function commitVaried(next: Varied, steady: Design, burst: string | null): Promise<void> {
-  const ready = held.centre === next.variation.centre || (await ensureDirections(steady));
-  const { coefficients } = next.variation;
-  const shown = ready && (await run("varying", { kind: "vary", coefficients }, "shown"));
-  if (!shown) {
-    await show(steady);
-    return;
-  }
+async function commitVaried(
+  page: Page,
+  next: Varied,
+  steady: Design,
+  burst: string | null,
+): Outcome {
+  const { centre, coefficients } = next.variation;
+  const ready = held(page).centre === centre ? done(centre) : await ensureDirections(page, steady);
+  if (!ready.ok) return takeBack(page, ready);
+  const shown = await run(page, "varying", { kind: "vary", coefficients }, "shown");
+  if (!shown.ok) return takeBack(page, shown);
   const exact: Design = { ...next, variation: { ...next.variation, exact: true } };
-  await commit(exact, { kind: "exact" }, "making exact", burst);
+  return commit(page, exact, { kind: "exact" }, "making exact", burst);
 }
 
 /** Within a turn: the nearest flat design to what is shown. */
-async function makeExactNow(): Promise<void> {
-  const design = draft.value;
+async function makeExactNow(page: Page): Outcome {
+  const design = page.draft.value;
   if (!design) return;
-  if (!baseFlat.value) {
-    await planariseNow();
+  if (!page.baseFlat.value) return planariseNow(page);
+  const said = alreadyExact(page, design);
+  if (said) {
+    // What is read aloud is read again only if it changes.
+    page.notice.value = page.notice.value === said ? `${said}\u00a0` : said;
     return;
   }
   const variation = design.variation ? { ...design.variation, exact: true } : null;
-  if (figures.value.movedVertices > 0) {
-    await commit({ ...design, variation }, { kind: "exact" }, "making exact");
-  }
+  return commit(page, { ...design, variation }, { kind: "exact" }, "making exact");
+}
+
+/** What is said of a design that is as exact as it can become; "" of any other. */
+function alreadyExact(page: Page, { settings, variation }: Design): string {
+  const figures = page.figures.value;
+  if (isFlat(figures) && (variation?.exact ?? true)) return "Already exact: every panel is flat.";
+  if (figures.movedVertices > 0) return "";
+  return `Already exact: every panel is flat up to the tolerance of ${settings.tolerance} mm/m.`;
 }
 
 /** The nearest flat design to what is shown; an opened mesh that is not flat is planarised. */
-export const makeExact = (): Promise<void> => inTurn(makeExactNow);
+export const makeExact = (page: Page): Outcome => inTurn(page, () => makeExactNow(page));

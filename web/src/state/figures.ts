@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The paper's figures as designs to open; made by .tools/paper.mjs, see docs/paper.md.
+
 import { computed, signal } from "@preact/signals";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import { fetchPart } from "./later.ts";
-import { mesh } from "./store.ts";
+import { kept, type Page } from "./page.ts";
 
 export interface Figure {
   readonly name: string;
@@ -12,35 +13,40 @@ export interface Figure {
 }
 
 /** None until the page can be used. */
-export const offeredFigures = signal<readonly Figure[]>([]);
+export const offeredFigures = kept(() => signal<readonly Figure[]>([]));
 
 /** What the mesh on screen came from, as long as no other mesh is opened. */
-const followed = signal<{
-  readonly key: "link" | "name";
-  readonly value: string;
-  readonly opened: OpenedMesh | null;
-} | null>(null);
+const followed = kept(() =>
+  signal<{
+    readonly key: "link" | "name";
+    readonly value: string;
+    readonly opened: OpenedMesh | null;
+  } | null>(null),
+);
 
 /** The link or the figure's name that the design on screen was opened by. */
-export function rememberOrigin(key: "link" | "name", value: string): void {
-  followed.value = { key, value, opened: mesh.peek() };
+export function rememberOrigin(page: Page, key: "link" | "name", value: string): void {
+  followed(page).value = { key, value, opened: page.mesh.peek() };
 }
 
 /** The figure that the design on screen began as. */
-export const shownFigure = computed(() => {
-  if (!followed.value || followed.value.opened !== mesh.value) return null;
-  const { key, value } = followed.value;
-  return offeredFigures.value.find((figure) => figure[key] === value) ?? null;
-});
+export const shownFigure = kept((page) =>
+  computed(() => {
+    const origin = followed(page).value;
+    if (!origin || origin.opened !== page.mesh.value) return null;
+    const { key, value } = origin;
+    return offeredFigures(page).value.find((figure) => figure[key] === value) ?? null;
+  }),
+);
 
-export async function loadFigures(): Promise<void> {
-  const part = await fetchPart(() => import("../../../docs/scenes/offered.json"));
-  offeredFigures.value = part?.default ?? [];
+export async function loadFigures(page: Page): Promise<void> {
+  const part = await fetchPart(page, () => import("../../../docs/scenes/offered.json"));
+  offeredFigures(page).value = part?.default ?? [];
 }
 
 /** By the page's address, as any link. False if there is no such figure. */
-export function openFigure(name: string): boolean {
-  const figure = offeredFigures.value.find((f) => f.name === name);
+export function openFigure(page: Page, name: string): boolean {
+  const figure = offeredFigures(page).value.find((f) => f.name === name);
   if (figure) location.hash = figure.link;
   return figure !== undefined;
 }

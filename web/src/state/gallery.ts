@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // A few variations side by side, each made exact before it is shown, so that it can be adopted as
 // it is.
+
 import { signal } from "@preact/signals";
+import type { Design } from "../design/design.ts";
+import * as steps from "../design/history.ts";
 import type { Shape, ShapeReport } from "../solver/protocol.ts";
-import { client, held, runUnseen } from "./connection.ts";
+import { client, runUnseen } from "./connection.ts";
 import { damageWords } from "./damage.ts";
-import type { Design } from "./design.ts";
 import { ensureDirections } from "./exploring.ts";
-import * as steps from "./history.ts";
+import { kept, type Page } from "./page.ts";
 import { countHealth } from "./panel-rows.ts";
-import { show, showOnly, showPresent } from "./showing.ts";
+import { showOnly, showStep } from "./showing.ts";
 import { isInside, within } from "./slider-range.ts";
 import { stopsAt } from "./slider-stops.ts";
-import { busy, draft, history, notice, problem } from "./store.ts";
-import { inTurn } from "./turns.ts";
+import { inTurn, type Outcome } from "./turns.ts";
 
 export interface GalleryItem {
   readonly coefficients: readonly number[];
@@ -38,7 +39,7 @@ export interface Gallery {
   readonly planned: number;
 }
 
-export const gallery = signal<Gallery | null>(null);
+export const gallery = kept(() => signal<Gallery | null>(null));
 
 const SIZE = 9;
 /** How far from the edit, as a share of what the sliders allow. */
@@ -66,13 +67,17 @@ export function candidates(dimension: number): number[][] {
 }
 
 /** Sliders that are set together may stop one another: then all of them come nearer to the edit. */
-async function insideStops(centre: Shape, asked: readonly number[]): Promise<readonly number[]> {
+async function insideStops(
+  page: Page,
+  centre: Shape,
+  asked: readonly number[],
+): Promise<readonly number[]> {
   const zero = asked.map(() => 0);
-  const alone = await stopsAt({ centre, coefficients: zero });
+  const alone = await stopsAt(page, { centre, coefficients: zero });
   if (!alone) return asked;
   let x = within(asked, alone);
   for (let k = 0; k < TIMES; ++k) {
-    const there = await stopsAt({ centre, coefficients: x });
+    const there = await stopsAt(page, { centre, coefficients: x });
     if (!there || isInside(x, there)) break;
     x = x.map((value) => NEARER * value);
   }
@@ -83,50 +88,56 @@ async function insideStops(centre: Shape, asked: readonly number[]): Promise<rea
 const LEAST = 0.05;
 
 /** Whether the gallery's directions are those of the design shown. */
-const current = (centre: Shape): boolean => draft.value?.variation?.centre === centre;
+const current = (page: Page, centre: Shape): boolean =>
+  page.draft.value?.variation?.centre === centre;
 
 /** Fills the gallery one by one, giving way to whatever else is asked for. */
-export async function fillGallery(): Promise<void> {
-  const variation = draft.value?.variation;
-  if (!variation || gallery.value?.centre === variation.centre) return;
+export async function fillGallery(page: Page): Promise<void> {
+  const variation = page.draft.value?.variation;
+  if (!variation || gallery(page).value?.centre === variation.centre) return;
   const { centre, coefficients } = variation;
   const planned = candidates(coefficients.length);
-  gallery.value = { centre, items: [], planned: planned.length };
+  gallery(page).value = { centre, items: [], planned: planned.length };
   for (const [k, x] of planned.entries()) {
     let going = false;
-    await inTurn(async () => {
-      const design = history.value?.present;
-      if (!design || !current(centre) || gallery.value?.centre !== centre) return;
-      const there = held.centre === centre || (await ensureDirections(design));
-      going = there && (await addItem(x, k + 1, planned.length));
+    await inTurn(page, async () => {
+      const design = page.history.value?.present;
+      if (!design || !current(page, centre) || gallery(page).value?.centre !== centre) return;
+      const there = await ensureDirections(page, design);
+      if (!there.ok) return there;
+      going = await addItem(page, x, k + 1, planned.length);
     });
     if (!going) break;
   }
-  const { value } = gallery;
-  if (value?.centre === centre) gallery.value = { ...value, planned: value.items.length };
+  const { value } = gallery(page);
+  if (value?.centre === centre) gallery(page).value = { ...value, planned: value.items.length };
 }
 
 /** A variation that cannot be made flat is left out; false only if the search was stopped. */
-async function addItem(x: readonly number[], number: number, total: number): Promise<boolean> {
-  const said = problem.value;
+async function addItem(
+  page: Page,
+  x: readonly number[],
+  number: number,
+  total: number,
+): Promise<boolean> {
   const label = `variation ${number} of ${total}`;
-  const centre = gallery.value?.centre;
-  const coefficients = centre ? await insideStops(centre, x) : x;
+  const centre = gallery(page).value?.centre;
+  const coefficients = centre ? await insideStops(page, centre, x) : x;
   if (Math.hypot(...coefficients) < LEAST) return true;
-  const answer = await runUnseen(label, { kind: "project", coefficients }, "projected");
-  const refused = problem.value !== null && problem.value !== said;
-  problem.value = said;
-  if (!answer || !gallery.value) return refused;
-  const { shape, report } = answer;
-  const panels = await panelsOf(shape);
+  const answer = await runUnseen(page, label, { kind: "project", coefficients }, "projected");
+  if (!answer.ok) return answer.reason !== "";
+  const filling = gallery(page).value;
+  if (!filling) return false;
+  const { shape, report } = answer.value;
+  const panels = await panelsOf(page, shape);
   const item = { coefficients, shape, report, panels };
-  gallery.value = { ...gallery.value, items: [...gallery.value.items, item] };
+  gallery(page).value = { ...filling, items: [...filling.items, item] };
   return true;
 }
 
-async function panelsOf(shape: Shape): Promise<GalleryPanels | null> {
+async function panelsOf(page: Page, shape: Shape): Promise<GalleryPanels | null> {
   try {
-    const answer = await client.ask({ kind: "measure", shape });
+    const answer = await client(page).ask({ kind: "measure", shape });
     if (answer.kind !== "panels" || !answer.measures) return null;
     const { health, damage } = answer.measures;
     return { changed: countHealth(health).changed, damage: damageWords(damage, health) };
@@ -136,21 +147,20 @@ async function panelsOf(shape: Shape): Promise<GalleryPanels | null> {
 }
 
 /** While the pointer rests on one of the gallery: it is shown in its place, and nothing else happens. */
-export function preview(item: GalleryItem | null): void {
-  const steady = history.value?.present;
-  if (!steady || draft.value !== steady || busy.value) return;
-  showOnly(item ? { ...steady, shape: item.shape } : steady);
+export function preview(page: Page, item: GalleryItem | null): void {
+  const steady = page.history.value?.present;
+  if (!steady || page.draft.value !== steady || page.busy.value) return;
+  showOnly(page, item ? { ...steady, shape: item.shape } : steady);
 }
 
 /** Makes one of the gallery the design, as one step of the history. */
-export const adopt = (item: GalleryItem): Promise<void> =>
-  inTurn(async () => {
-    const design = history.value?.present;
-    if (!history.value || !design?.variation || design.shape === item.shape) return;
+export const adopt = (page: Page, item: GalleryItem): Outcome =>
+  inTurn(page, async () => {
+    const design = page.history.value?.present;
+    if (!page.history.value || !design?.variation || design.shape === item.shape) return;
     const { coefficients, shape, report } = item;
     const variation = { ...design.variation, coefficients, exact: true };
     const next: Design = { ...design, shape, report, variation };
-    notice.value = null;
-    if (await show(next)) history.value = steps.record(history.value, next);
-    else await showPresent();
+    page.notice.value = null;
+    return showStep(page, next, steps.record(page.history.value, next));
   });

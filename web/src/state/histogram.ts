@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How the figures that colour the model are distributed.
 
-import { defectEnd, foldEnd, planarityEnd, planarityShare } from "../scene/ramp.ts";
+import { LEAST_DEFECT } from "../design/kept-kind.ts";
 import { type OpenedMesh, PER_PANEL, type Shape } from "../solver/protocol.ts";
-import { LEAST_DEFECT } from "./kept-kind.ts";
+import { defectEnd, foldEnd, planarityEnd, planarityShare } from "./ramp-ends.ts";
 
 export interface Histogram {
   /** How many lie in each equal part of the ramp; those at rest are not among them. */

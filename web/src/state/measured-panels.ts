@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What was measured of every panel, in one place for tables and lists.
+
 import { computed } from "@preact/signals";
 import type { Polygons } from "../mesh/display-mesh.ts";
+import { kept } from "./page.ts";
 import type { MeasuredPanels } from "./panel-rows.ts";
 import { urgencyOf } from "./panel-trouble.ts";
-import {
-  kindDefects,
-  mesh,
-  panelFigures,
-  panelFolds,
-  panelHealth,
-  panelTroubles,
-} from "./store.ts";
 
 /** Of every panel the worst of its points; -1 where none is bound. */
 export function worstOfPoints(
@@ -26,12 +20,19 @@ export function worstOfPoints(
   );
 }
 
-export const measuredPanels = computed((): MeasuredPanels | null => {
-  const [figures, health, faces] = [panelFigures.value, panelHealth.value, mesh.value];
-  const [troubles, folds] = [panelTroubles.value, panelFolds.value];
-  if (!figures || !health || !troubles || !faces) return null;
-  const missed = kindDefects.value;
-  const defects = missed?.kind === "conical" ? worstOfPoints(missed.values, faces) : missed?.values;
-  const urgency = urgencyOf(troubles, figures, folds);
-  return { figures, health, troubles, urgency, folds, defects: defects ?? null };
-});
+export const measuredPanels = kept((page) =>
+  computed((): MeasuredPanels | null => {
+    const [figures, health, faces] = [
+      page.panelFigures.value,
+      page.panelHealth.value,
+      page.mesh.value,
+    ];
+    const [troubles, folds] = [page.panelTroubles.value, page.panelFolds.value];
+    if (!figures || !health || !troubles || !faces) return null;
+    const missed = page.kindDefects.value;
+    const defects =
+      missed?.kind === "conical" ? worstOfPoints(missed.values, faces) : missed?.values;
+    const urgency = urgencyOf(troubles, figures, folds);
+    return { figures, health, troubles, urgency, folds, defects: defects ?? null };
+  }),
+);

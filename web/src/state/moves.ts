@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How far every point is from its base while it moves, from the changes that are shown.
+
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { onChanges } from "./connection.ts";
+import { kept, type Page } from "./page.ts";
 
 export class Moves {
   readonly mesh: OpenedMesh;
@@ -32,11 +34,20 @@ export class Moves {
   }
 }
 
-let current: Moves | null = null;
-onChanges((changes) => current?.apply(changes));
+interface Own {
+  current: Moves | null;
+}
+
+const own = kept((page): Own => {
+  const mine: Own = { current: null };
+  onChanges(page, (changes) => mine.current?.apply(changes));
+  return mine;
+});
 
 /** The moves of what is shown on `mesh`; `shape` is the design that they are counted from at first. */
-export function movesOn(mesh: OpenedMesh, shape: Shape): Moves {
-  if (current?.mesh !== mesh) current = new Moves(mesh, shape);
-  return current;
+export function movesOn(page: Page, mesh: OpenedMesh, shape: Shape): Moves {
+  const mine = own(page);
+  const moves = mine.current?.mesh === mesh ? mine.current : new Moves(mesh, shape);
+  mine.current = moves;
+  return moves;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A second layer at a distance from the design shown: asked of the core, in words.
+
+import { FLAT } from "../design/flatness.ts";
+import { formatLength } from "../quantity/units.ts";
+import { refuse } from "../result/result.ts";
 import type { MeshOffset, OffsetKind } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
-import { FLAT } from "./flatness.ts";
-import { mesh, type OffsetChoice, offsetChoice, offsetLayer, problem, unit } from "./store.ts";
-import { inTurn } from "./turns.ts";
-import { formatLength } from "./units.ts";
+import type { Page } from "./page.ts";
+import type { OffsetChoice } from "./page-state.ts";
+import { inTurn, type Outcome } from "./turns.ts";
 
 /** What the page has for what the core's sentences name by its commands. */
 const WAYS: readonly (readonly [RegExp, string])[] = [
@@ -28,9 +31,9 @@ const AT: Readonly<Record<OffsetKind, string>> = {
   parallel: "Edges are parallel; points",
 };
 
-function distanceWords({ kind, nodes }: MeshOffset, distance: number): string {
-  if (kind !== "parallel") return `at ${formatLength(distance, unit.value)} everywhere`;
-  const [low, high] = [nodes.min, nodes.max].map((length) => formatLength(length, unit.value));
+function distanceWords(page: Page, { kind, nodes }: MeshOffset, distance: number): string {
+  if (kind !== "parallel") return `at ${formatLength(distance, page.unit.value)} everywhere`;
+  const [low, high] = [nodes.min, nodes.max].map((length) => formatLength(length, page.unit.value));
   return `at ${low} to ${high}`;
 }
 
@@ -38,8 +41,8 @@ const counted = (count: number, one: string, many: string): string =>
   `${count} ${count === 1 ? one : many}`;
 
 /** "Panels lie at 250 mm everywhere.", and what is wrong with the layer. */
-export function offsetWords(layer: MeshOffset, distance: number): string {
-  const words = [`${AT[layer.kind]} lie ${distanceWords(layer, distance)}.`];
+export function offsetWords(page: Page, layer: MeshOffset, distance: number): string {
+  const words = [`${AT[layer.kind]} lie ${distanceWords(page, layer, distance)}.`];
   if (layer.turnedEdges > 0)
     words.push(
       `${counted(layer.turnedEdges, "edge runs", "edges run")} the other way: it is too far.`,
@@ -51,18 +54,18 @@ export function offsetWords(layer: MeshOffset, distance: number): string {
 }
 
 /** Asks for the layer of the design shown, once all that was asked for before is done. */
-export const layOut = (choice: OffsetChoice): Promise<void> =>
-  inTurn(async () => {
+export const layOut = (page: Page, choice: OffsetChoice): Outcome =>
+  inTurn(page, async () => {
     const { distance, form } = choice;
-    const answer = await run("offsetting", { kind: "offset", distance, form }, "offset");
-    if (!answer) return;
-    const { offset } = answer;
-    offsetChoice.value = offset.problem ? null : { distance, form, of: mesh.peek() };
-    offsetLayer.value = offset.problem ? null : offset;
-    if (offset.problem) problem.value = refusalWords(offset.problem);
+    const answer = await run(page, "offsetting", { kind: "offset", distance, form }, "offset");
+    if (!answer.ok) return answer;
+    const { offset } = answer.value;
+    page.offsetChoice.value = offset.problem ? null : { distance, form, of: page.mesh.peek() };
+    page.offsetLayer.value = offset.problem ? null : offset;
+    return offset.problem ? refuse(refusalWords(offset.problem)) : answer;
   });
 
-export function removeOffset(): void {
-  offsetChoice.value = null;
-  offsetLayer.value = null;
+export function removeOffset(page: Page): void {
+  page.offsetChoice.value = null;
+  page.offsetLayer.value = null;
 }

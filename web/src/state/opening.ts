@@ -1,38 +1,35 @@
 // SPDX-License-Identifier: MIT
 // Opening samples, planarising what is not flat. Each is one step of the history.
+
+import {
+  type Design,
+  FIRST_SETTINGS,
+  NO_REPORT,
+  NO_SHAPE,
+  settingsForNew,
+} from "../design/design.ts";
+import * as steps from "../design/history.ts";
+import { isKeptBy, type Kind, kindOf, withKind } from "../design/kept-kind.ts";
+import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
+import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
+import type { Refusal, Result } from "../result/result.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
-import { type Design, FIRST_SETTINGS, NO_REPORT, NO_SHAPE, settingsForNew } from "./design.ts";
 import { commitEdit } from "./editing.ts";
-import * as steps from "./history.ts";
-import { isKeptBy, type Kind, kindOf, withKind } from "./kept-kind.ts";
-import { FAIR_FLAT, sameWay, type Trial } from "./planarising.ts";
-import { FIRST_SAMPLE, SAMPLES } from "./samples.ts";
+import type { Page } from "./page.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { showPresent, takeMesh } from "./showing.ts";
-import {
-  baseFlat,
-  draft,
-  hintVertex,
-  history,
-  mesh,
-  notice,
-  planariseTrial,
-  planarising,
-  problem,
-  refusedTolerance,
-  settings,
-} from "./store.ts";
-import { inTurn } from "./turns.ts";
+import { takeBack, takeMesh } from "./showing.ts";
+import { inTurn, type Outcome } from "./turns.ts";
 
 /** The unedited mesh as a design. */
 export function freshDesign(
+  page: Page,
   source: Source,
   planarised: Planarising | null,
   opened: OpenedMesh,
 ): Design {
   const { worstGap, worstMmPerM, worstExcess } = opened.report;
-  const shown = settingsForNew(settings.value ?? FIRST_SETTINGS);
+  const shown = settingsForNew(page.settings.value ?? FIRST_SETTINGS);
   // A kind that the mesh does not keep would refuse every edit.
   const constraints = shown.constraints.filter((kept) => {
     const kind = kindOf(kept);
@@ -50,90 +47,118 @@ export function freshDesign(
 }
 
 /** Shows what the solver has opened, as one more step of the history. */
-export function adopt(source: Source, planarised: Planarising | null, opened: OpenedMesh): void {
-  const design = freshDesign(source, planarised, opened);
-  takeMesh(design, opened);
-  notice.value = null;
-  history.value = history.value ? steps.record(history.value, design) : steps.begin(design);
+export function adopt(
+  page: Page,
+  source: Source,
+  planarised: Planarising | null,
+  opened: OpenedMesh,
+): void {
+  const design = freshDesign(page, source, planarised, opened);
+  takeMesh(page, design, opened);
+  page.notice.value = null;
+  page.history.value = page.history.value
+    ? steps.record(page.history.value, design)
+    : steps.begin(design);
 }
 
-export const openSample = (name: string): Promise<void> =>
-  inTurn(async () => {
+export const openSample = (page: Page, name: string): Outcome =>
+  inTurn(page, async () => {
     const sample = SAMPLES.find((s) => s.name === name);
     if (!sample) return;
     const source: Source = { kind: "sample", name, size: sample.size };
     const question = { kind: "open", source, planarise: null } as const;
-    const answer = await run(`opening ${sample.label}`, question, "opened");
-    if (answer) adopt(source, null, answer.mesh);
-    else await showPresent();
+    const answer = await run(page, `opening ${sample.label}`, question, "opened");
+    if (!answer.ok) return takeBack(page, answer);
+    adopt(page, source, null, answer.value.mesh);
+    return answer;
   });
 
 const NOT_FLAT =
   "Some panels cannot become flat and keep their shape. Fairer reaches further; the nearest flat mesh comes without “Panels keep their shape” under Advanced.";
 
 /** What the mesh became is not what was asked for; "" where it is. */
-function missed(asked: readonly string[], report: MeshReport): string {
-  if (!baseFlat.value) return NOT_FLAT;
+function missed(page: Page, asked: readonly string[], report: MeshReport): string {
+  if (!page.baseFlat.value) return NOT_FLAT;
   const kinds = asked.map(kindOf).filter((kind) => kind && !isKeptBy(report, kind));
   return kinds.length > 0
     ? `The mesh cannot become ${kinds.join(" and ")} and keep its shape.`
     : "";
 }
 
+interface Planarised {
+  readonly how: Planarising;
+  readonly answer: Result<{ readonly mesh: OpenedMesh }>;
+  /** Why another try, which would have been better, was refused. */
+  readonly refused?: Refusal;
+}
+
+/** Where a mesh cannot become of a kind with its boundary kept, the boundary moves too. */
+async function flatMesh(
+  page: Page,
+  how: Planarising,
+  found: Float64Array | null,
+  kind: Kind | undefined,
+): Promise<Planarised> {
+  const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
+  const ask = (way: Planarising, from: Float64Array | null) =>
+    run(page, doing, { kind: "planarise", how: way, found: from }, "opened");
+  const answer = await ask(how, found);
+  const missed = answer.ok ? kind && !isKeptBy(answer.value.mesh.report, kind) : answer.reason;
+  if (!kind || !how.keepBoundary || !missed) return { how, answer };
+  const free = { ...how, keepBoundary: false };
+  const freed = await ask(free, null);
+  if (freed.ok) return { how: free, answer: freed };
+  return freed.reason ? { how, answer, refused: freed } : { how, answer };
+}
+
 /**
- * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step. Where a mesh
- * cannot become of a kind with its boundary kept, the boundary moves too.
+ * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step.
  * @param kind what it becomes beside flat and what is kept already
  * @param trial what was tried out; taken as it is where it is what is wanted
  */
-export async function planariseNow(kind?: Kind, trial?: Trial): Promise<void> {
-  const design = draft.value;
+export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outcome {
+  const design = page.draft.value;
   if (!design) return;
   const { handles, settings } = design;
-  const tolerance = refusedTolerance.value ?? settings.tolerance;
+  const tolerance = page.refusedTolerance.value ?? settings.tolerance;
   const constraints = kind ? withKind(settings.constraints, kind) : settings.constraints;
   // What was chosen at a door is not seen where a mesh is flat.
-  const chosen = kind && baseFlat.value ? FAIR_FLAT : planarising.value;
-  let how = { ...chosen, keepShape: settings.keepShape, constraints };
-  const found = trial && sameWay(trial.how, how) ? trial.mesh.positions : null;
-  const doing = kind ? `making the mesh ${kind}` : "making every panel flat";
-  problem.value = null;
-  let answer = await run(doing, { kind: "planarise", how, found }, "opened");
-  // A refusal has been said; what was given up has not.
-  const missesKind = answer ? kind && !isKeptBy(answer.mesh.report, kind) : problem.value !== null;
-  if (kind && how.keepBoundary && missesKind) {
-    const free = { ...how, keepBoundary: false };
-    const freed = await run(doing, { kind: "planarise", how: free, found: null }, "opened");
-    if (freed) [how, answer] = [free, freed];
-  }
-  if (!answer) return;
+  const chosen = kind && page.baseFlat.value ? FAIR_FLAT : page.planarising.value;
+  const asked = { ...chosen, keepShape: settings.keepShape, constraints };
+  const found = trial && sameWay(trial.how, asked) ? trial.mesh.positions : null;
+  const { how, answer, refused } = await flatMesh(page, asked, found, kind);
+  if (!answer.ok) return refused ?? answer;
+  const { mesh } = answer.value;
   // An edit cannot be flatter than its mesh.
   const met = Math.max(tolerance, how.flat);
-  draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
-  adopt(design.source, how, answer.mesh);
-  const words = missed(constraints, answer.mesh.report);
-  if (words) notice.value = words;
-  if (handles.length > 0 && baseFlat.value) await commitEdit({ ...draft.value, handles }, "solve");
+  page.draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
+  adopt(page, design.source, how, mesh);
+  const words = missed(page, constraints, mesh.report);
+  if (words) page.notice.value = words;
+  const again = handles.length > 0 && page.baseFlat.value;
+  const edited = again && (await commitEdit(page, { ...page.draft.value, handles }, "solve"));
+  return edited || (refused ?? answer);
 }
 
 /** What is tried out is what is taken, as soon as it is there. */
-export function planarise(): Promise<void> {
-  const tried = planariseTrial.peek();
-  return inTurn(async () => {
-    if (tried.kind === "shown") return planariseNow(undefined, tried.trial);
-    if (tried.kind !== "running") return planariseNow();
+export function planarise(page: Page): Outcome {
+  const tried = page.planariseTrial.peek();
+  return inTurn(page, async () => {
+    if (tried.kind === "shown") return planariseNow(page, undefined, tried.trial);
+    if (tried.kind !== "running") return planariseNow(page);
     const trial = await tried.done;
-    if (trial) await planariseNow(undefined, trial);
+    return trial ? planariseNow(page, undefined, trial) : undefined;
   });
 }
 
 /** Makes the mesh itself circular or conical, which its edits then keep. */
-export const makeKept = (kind: Kind): Promise<void> => inTurn(() => planariseNow(kind));
+export const makeKept = (page: Page, kind: Kind): Outcome =>
+  inTurn(page, () => planariseNow(page, kind));
 
 /** The first visit: the painted sample becomes live, and one point asks to be dragged. */
-export async function openFirst(): Promise<void> {
-  await openSample(FIRST_SAMPLE.name);
-  const opened = mesh.value;
+export async function openFirst(page: Page): Promise<void> {
+  await openSample(page, FIRST_SAMPLE.name);
+  const opened = page.mesh.value;
   if (!opened) return;
-  hintVertex.value = sensibleVertex(opened.display, opened.topology.boundary, []);
+  page.hintVertex.value = sensibleVertex(opened.display, opened.topology.boundary, []);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is wrong with a panel, as one class, and which panels to look at first.
+
+import { sliverAngle } from "virtual:core-defaults";
+import { FLAT } from "../design/flatness.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
-import { FLAT } from "./flatness.ts";
 
 /** The least trouble first; a panel has the place of the worst that is true of it. */
 export const TROUBLES = [
@@ -13,8 +15,6 @@ export const TROUBLES = [
   "crosses itself",
 ] as const;
 
-/** Degrees: a panel with a sharper corner breaks there. */
-const SLIVER = 15;
 /** Places in the core's PanelDamage. */
 const [TURNED_OVER, COLLAPSED] = [2, 3];
 /** Beyond every class. */
@@ -28,7 +28,7 @@ function troubleOf(outline: number, angle: number, damage: number): number {
   if (damage === TURNED_OVER) return 4;
   if (damage === COLLAPSED) return 3;
   if (outline === 1) return 2;
-  return angle < SLIVER ? 1 : 0;
+  return angle < sliverAngle ? 1 : 0;
 }
 
 /** Of every panel its place in TROUBLES. `damage`: since the mesh was opened. */

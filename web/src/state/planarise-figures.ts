@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is said of a planarising that is tried out.
+
+import type { Trial } from "../design/planarising.ts";
 import type { Shape } from "../solver/protocol.ts";
 import { damageWords } from "./damage.ts";
-import type { Trial } from "./planarising.ts";
 
 /** Where two meshes of one topology differ. */
 export function shapeOf(now: Float64Array, base: Float64Array): Shape {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The planarising that is tried out at the door: what the view shows of it, and its figures.
+
 import { batch } from "@preact/signals";
+import { type Design, NO_REPORT } from "../design/design.ts";
+import type { Trial } from "../design/planarising.ts";
 import type { OpenedMesh, Planarising } from "../solver/protocol.ts";
-import { type Design, NO_REPORT } from "./design.ts";
+import type { Page } from "./page.ts";
 import { shapeOf } from "./planarise-figures.ts";
 import { GivenUp, PlanariseTrials } from "./planarise-trial.ts";
-import type { Trial } from "./planarising.ts";
 import { showOnly } from "./showing.ts";
-import { draft, figures, mesh, planariseTrial } from "./store.ts";
 
 /** Points: larger meshes wait until they are asked for. */
 export const EAGER_POINTS = 5000;
@@ -18,11 +19,14 @@ export const isMet = ({ how, mesh: { report } }: Trial, { settings }: Design): b
 
 /** Tries ways to planarise one mesh while its door is open. */
 export class PlanarisePreview {
-  readonly #trials = new PlanariseTrials();
+  readonly #page: Page;
+  readonly #trials: PlanariseTrials;
   readonly #opened: OpenedMesh;
   readonly #design: Design;
 
-  constructor(opened: OpenedMesh, design: Design) {
+  constructor(page: Page, opened: OpenedMesh, design: Design) {
+    this.#page = page;
+    this.#trials = new PlanariseTrials(page.spawn);
     this.#opened = opened;
     this.#design = design;
   }
@@ -31,7 +35,7 @@ export class PlanarisePreview {
    * given up, or something newer is tried. */
   show(...ways: readonly Planarising[]): Promise<Trial | null> {
     const done = this.#find(ways);
-    planariseTrial.value = { kind: "running", done, giveUp: () => this.end() };
+    this.#page.planariseTrial.value = { kind: "running", done, giveUp: () => this.end() };
     return done;
   }
 
@@ -40,13 +44,13 @@ export class PlanarisePreview {
       const trial = await this.#try(ways);
       if (!trial) return null;
       this.#draw(trial.mesh);
-      planariseTrial.value = { kind: "shown", trial };
+      this.#page.planariseTrial.value = { kind: "shown", trial };
       return trial;
     } catch (error) {
       if (error instanceof GivenUp) return null;
       this.#drawFile();
       const sentence = error instanceof Error ? error.message : String(error);
-      planariseTrial.value = { kind: "refused", sentence };
+      this.#page.planariseTrial.value = { kind: "refused", sentence };
       return null;
     }
   }
@@ -66,11 +70,11 @@ export class PlanarisePreview {
   end(): void {
     this.#trials.end();
     this.#drawFile();
-    planariseTrial.value = { kind: "none" };
+    this.#page.planariseTrial.value = { kind: "none" };
   }
 
   #isHere(): boolean {
-    return mesh.peek() === this.#opened && draft.peek() === this.#design;
+    return this.#page.mesh.peek() === this.#opened && this.#page.draft.peek() === this.#design;
   }
 
   #draw({ positions, report }: OpenedMesh): void {
@@ -78,7 +82,7 @@ export class PlanarisePreview {
     const shape = shapeOf(positions, this.#opened.positions);
     const { worstGap, worstMmPerM, worstExcess, planarising } = report;
     batch(() => {
-      figures.value = {
+      this.#page.figures.value = {
         ...NO_REPORT,
         worstGap,
         worstMmPerM,
@@ -87,13 +91,13 @@ export class PlanarisePreview {
         maxDisplacement: planarising.largest,
       };
       // What the trial before it moved goes back where this one does not move it.
-      showOnly({ ...this.#design, shape });
+      showOnly(this.#page, { ...this.#design, shape });
     });
   }
 
   #drawFile(): void {
-    if (!this.#isHere() || figures.peek() === this.#design.report) return;
-    figures.value = this.#design.report;
-    showOnly(this.#design);
+    if (!this.#isHere() || this.#page.figures.peek() === this.#design.report) return;
+    this.#page.figures.value = this.#design.report;
+    showOnly(this.#page, this.#design);
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What planarising would make of the opened mesh, computed beside the solver that holds it: nothing
 // that it does changes the design, and it can be given up at any time.
+
+import type { Trial } from "../design/planarising.ts";
+import type { SpawnWorker } from "../solver/client.ts";
 import type { PanelMeasures, Planarising, Reply, Request, Source } from "../solver/protocol.ts";
-import { spawnSolver } from "../solver/spawn.ts";
-import type { Trial } from "./planarising.ts";
 
 /** Rejects a trial that another one took the place of, or that nobody waits for any more. */
 export class GivenUp extends Error {}
@@ -12,9 +13,14 @@ const JOB = 1;
 
 /** A worker of its own, which lives as long as trials follow each other. */
 export class PlanariseTrials {
+  readonly #spawn: SpawnWorker;
   #worker: Promise<Worker> | null = null;
   /** Rejects what runs. */
   #giveUp: (() => void) | null = null;
+
+  constructor(spawn: SpawnWorker) {
+    this.#spawn = spawn;
+  }
 
   /** The newest wins. @throws GivenUp, or an Error with the sentence of the refusal */
   async run(source: Source, how: Planarising): Promise<Trial> {
@@ -42,7 +48,7 @@ export class PlanariseTrials {
   }
 
   async #compute(source: Source, how: Planarising): Promise<Trial> {
-    this.#worker ??= startWorker();
+    this.#worker ??= startWorker(this.#spawn);
     const worker = await this.#worker;
     const open = { kind: "open", job: JOB, source, planarise: how } as const;
     const { mesh } = await ask(worker, open, "opened");
@@ -61,8 +67,8 @@ async function measured(worker: Worker): Promise<PanelMeasures | null> {
   return (await ask(worker, question, "panels")).measures;
 }
 
-async function startWorker(): Promise<Worker> {
-  const worker = await spawnSolver(() => {});
+async function startWorker(spawn: SpawnWorker): Promise<Worker> {
+  const worker = await spawn(() => {});
   await heard(worker, "ready");
   return worker;
 }

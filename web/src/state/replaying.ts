@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: MIT
 // A recipe is opened by letting the core do it again, and the result is held against its mark. All
 // of it is one step of the history; if a part fails, nothing has happened.
-import { toDesign } from "../share/design-value.ts";
+
+import type { Design, Family, Variation } from "../design/design.ts";
+import { toDesign } from "../design/design-value.ts";
+import * as steps from "../design/history.ts";
+import type { Steps } from "../design/recipe.ts";
+import { done, type Result, refuse } from "../result/result.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
 import { held, run } from "./connection.ts";
-import type { Design, Family, Variation } from "./design.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
 import { sliderLeads } from "./exploring.ts";
-import * as steps from "./history.ts";
 import { freshDesign } from "./opening.ts";
-import type { Steps } from "./recipe.ts";
+import type { Page } from "./page.ts";
 import { showPresent, takeMesh } from "./showing.ts";
-import { draft, history, notice, problem, unit } from "./store.ts";
 import { inTurn } from "./turns.ts";
 
 /** Of the mesh, model units: display coordinates span ten. */
 export const sizeOf = ({ scale }: OpenedMesh["report"]): number => 10 / scale;
 
-/** `deviation`: from the recorded result, model units. */
-type Outcome =
-  | { readonly design: Design; readonly deviation: number }
-  | { readonly reason: string | null };
+interface Replayed {
+  readonly design: Design;
+  /** From the recorded result, model units. */
+  readonly deviation: number;
+}
 
 /** The families with a slider for every direction that was found, or why that is not what they say. */
 function withSliders(
@@ -42,61 +45,83 @@ function withSliders(
 }
 
 /** The design of `recipe` on its mesh, which the solver has open; within a turn. */
-export async function compute(recipe: Steps, opened: OpenedMesh): Promise<Outcome> {
+export async function compute(
+  page: Page,
+  recipe: Steps,
+  opened: OpenedMesh,
+): Promise<Result<Replayed>> {
   const { source, planarised, handles, settings } = recipe;
-  const fresh = { ...freshDesign(source, planarised, opened), handles, settings };
-  takeMesh(fresh, opened);
+  const fresh = { ...freshDesign(page, source, planarised, opened), handles, settings };
+  takeMesh(page, fresh, opened);
   const question = { kind: "replay", design: toDesign(recipe) } as const;
-  const answer = await run("opening the design", question, "replayed");
-  if (!answer) return { reason: problem.value };
-  const { shape, report, centre, leads, deviation } = answer;
-  const families = withSliders(recipe, answer.directions);
-  if (typeof families === "string") return { reason: families };
+  const answer = await run(page, "opening the design", question, "replayed");
+  if (!answer.ok) return answer;
+  const { shape, report, centre, leads, deviation, directions } = answer.value;
+  const families = withSliders(recipe, directions);
+  if (typeof families === "string") return refuse(families);
   const last = families.at(-1);
   const earlier = families.slice(0, -1);
   const variation: Variation | null = last ? { ...last, centre, earlier, exact: true } : null;
-  held.centre = variation && centre;
-  if (variation) sliderLeads.value = { centre, leads };
-  return { design: { ...fresh, shape, report, variation }, deviation };
+  held(page).centre = variation && centre;
+  if (variation) sliderLeads(page).value = { centre, leads };
+  return done({ design: { ...fresh, shape, report, variation }, deviation });
 }
 
-/** Within a turn; true if the design is there, otherwise the problem has been said. */
-export async function replayNow(recipe: Steps): Promise<boolean> {
+async function openAndCompute(
+  page: Page,
+  recipe: Steps,
+): Promise<Result<Replayed & { readonly mesh: OpenedMesh }>> {
   const { source, planarised } = recipe;
   const question = { kind: "open", source, planarise: planarised } as const;
-  const answer = await run("opening the design", question, "opened");
-  const end = answer ? await compute(recipe, answer.mesh) : { reason: problem.value };
-  if (!answer || !("design" in end)) {
-    await showPresent();
-    problem.value = "reason" in end ? end.reason : null;
-    return false;
-  }
-  unit.value = recipe.unit;
-  placeCamera(recipe.camera);
-  draft.value = end.design;
-  history.value = history.value ? steps.record(history.value, end.design) : steps.begin(end.design);
-  sayHowItCompares(recipe, end.deviation, answer.mesh);
-  return true;
+  const answer = await run(page, "opening the design", question, "opened");
+  if (!answer.ok) return answer;
+  const { mesh } = answer.value;
+  const end = await compute(page, recipe, mesh);
+  return end.ok ? done({ ...end.value, mesh }) : end;
 }
 
+/** Within a turn; gives in how far the design that is there now differs from what was recorded, in words,
+ * "" where it does not. */
+export async function replayNow(page: Page, recipe: Steps): Promise<Result<string>> {
+  const end = await openAndCompute(page, recipe);
+  if (!end.ok) {
+    await showPresent(page);
+    return end;
+  }
+  const { design, deviation, mesh } = end.value;
+  page.unit.value = recipe.unit;
+  placeCamera(page, recipe.camera);
+  page.draft.value = design;
+  page.history.value = page.history.value
+    ? steps.record(page.history.value, design)
+    : steps.begin(design);
+  return done(compared(page, recipe, deviation, mesh));
+}
+
+/** A design that is there but differs is told as a refusal is. */
+export const differingIn = (replayed: Result<string>): Result<string> =>
+  replayed.ok && replayed.value ? refuse(replayed.value) : replayed;
+
 /** True if the design is there; otherwise the problem has been said. */
-export async function replay(recipe: Steps): Promise<boolean> {
+export async function replay(page: Page, recipe: Steps): Promise<boolean> {
   let opened = false;
-  await inTurn(async () => {
-    opened = await replayNow(recipe);
+  await inTurn(page, async () => {
+    const replayed = await replayNow(page, recipe);
+    opened = replayed.ok;
+    return differingIn(replayed);
   });
   return opened;
 }
 
-/** More than rounding is no mere notice. */
-function sayHowItCompares({ mark }: Steps, off: number, opened: OpenedMesh): void {
+/** More than rounding is no mere notice: then these are the words. */
+function compared(page: Page, { mark }: Steps, off: number, opened: OpenedMesh): string {
   if (!mark) {
-    notice.value = "Opened: the design holds no result to compare with.";
-    return;
+    page.notice.value = "Opened: the design holds no result to compare with.";
+    return "";
   }
   const size = sizeOf(opened.report);
-  const words = deviationWords(off, size, unit.value);
-  const same = isRounding(off, size, unit.value);
-  notice.value = same ? words : null;
-  if (!same) problem.value = words;
+  const words = deviationWords(off, size, page.unit.value);
+  const same = isRounding(off, size, page.unit.value);
+  page.notice.value = same ? words : null;
+  return same ? "" : words;
 }

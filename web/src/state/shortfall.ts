@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // How far the points of the design shown are from where they were asked to go.
+
 import { computed } from "@preact/signals";
-import { type Design, type HandleRow, leftBehind, type Point } from "./design.ts";
+import { type Design, type HandleRow, leftBehind, type Point } from "../design/design.ts";
+import { convert } from "../quantity/units.ts";
 import { basePoint, shownPoint } from "./editing.ts";
+import { kept, type Page } from "./page.ts";
 import { isNoticeable } from "./stopping-short.ts";
-import { draft, history, mesh, unit } from "./store.ts";
-import { convert } from "./units.ts";
 
 /** Millimetres: less is not worth a word. */
 const SMALLEST = 0.1;
@@ -20,27 +21,38 @@ export interface Shortfall {
 
 const between = (a: Point, b: Point): number => Math.hypot(...a.map((x, k) => x - (b[k] ?? 0)));
 
-function shortfallOf({ vertex, target }: HandleRow, design: Design, meanEdge: number): Shortfall {
-  const length = between(target, shownPoint(vertex, design.shape));
-  const noticeable = isNoticeable(length, between(target, basePoint(vertex)), meanEdge);
+function shortfallOf(
+  page: Page,
+  { vertex, target }: HandleRow,
+  design: Design,
+  meanEdge: number,
+): Shortfall {
+  const length = between(target, shownPoint(page, vertex, design.shape));
+  const noticeable = isNoticeable(length, between(target, basePoint(page, vertex)), meanEdge);
   return { vertex, length, noticeable };
 }
 
 /** Of the last finished design; pinned points have no target. */
-export const shortfalls = computed((): readonly Shortfall[] => {
-  const design = history.value?.present;
-  if (!design) return [];
-  const asked = design.handles.filter(({ pinned }) => !pinned);
-  const meanEdge = mesh.value?.report.meanEdge ?? 0;
-  const all = asked.map((row) => shortfallOf(row, design, meanEdge));
-  return all.filter(({ length }) => convert(length, unit.value, "mm") > SMALLEST);
-});
+export const shortfalls = kept((page) =>
+  computed((): readonly Shortfall[] => {
+    const design = page.history.value?.present;
+    if (!design) return [];
+    const asked = design.handles.filter(({ pinned }) => !pinned);
+    const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
+    const all = asked.map((row) => shortfallOf(page, row, design, meanEdge));
+    return all.filter(({ length }) => convert(length, page.unit.value, "mm") > SMALLEST);
+  }),
+);
 
 /** A variation takes points away from their targets; an edit stops short of them. */
-export const varied = computed(() => {
-  const design = history.value?.present;
-  return design ? leftBehind(design) : false;
-});
+export const varied = kept((page) =>
+  computed(() => {
+    const design = page.history.value?.present;
+    return design ? leftBehind(design) : false;
+  }),
+);
 
 /** False while something moves: then the lengths are those of before. */
-export const settled = computed(() => draft.value === history.value?.present);
+export const settled = kept((page) =>
+  computed(() => page.draft.value === page.history.value?.present),
+);

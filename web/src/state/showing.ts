@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Puts a known design on the screen and into the solver without solving anything.
+
 import { batch } from "@preact/signals";
+import { type Design, sourceName, toTargets } from "../design/design.ts";
+import type { History } from "../design/history.ts";
+import { sameWay } from "../design/planarising.ts";
+import { done, type Refusal, type Result } from "../result/result.ts";
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
+import { displayOfShape } from "../solver/shape-display.ts";
 import {
   announceChanges,
   type Base,
@@ -11,32 +17,8 @@ import {
   run,
   tell,
 } from "./connection.ts";
-import { type Design, sourceName, toTargets } from "./design.ts";
-import { sameWay } from "./planarising.ts";
-import {
-  bending,
-  displayMesh,
-  draft,
-  figures,
-  freedom,
-  hintVertex,
-  history,
-  importReport,
-  lock,
-  mesh,
-  nodeCounts,
-  panelDamage,
-  panelFigures,
-  panelFolds,
-  panelHealth,
-  panelTroubles,
-  planariseTrial,
-  problem,
-  refusedTolerance,
-  selectedPanel,
-  selection,
-  visited,
-} from "./store.ts";
+import { kept, type Page } from "./page.ts";
+import { report, say } from "./telling.ts";
 import { dropTurns, holdTurns, inTurn } from "./turns.ts";
 
 const sameSource = (a: Source, b: Source): boolean => {
@@ -49,33 +31,40 @@ const sameSource = (a: Source, b: Source): boolean => {
 export const sameBase = (a: Base, b: Base): boolean =>
   sameWay(a.planarised, b.planarised) && sameSource(a.source, b.source);
 
-/** The base of the mesh on screen; null before the first. */
-let shown: Base | null = null;
+interface Own {
+  /** The base of the mesh on screen; null before the first. */
+  shown: Base | null;
+  /** The design that a new solver is being told after Cancel; it is on screen already. */
+  retold: { readonly design: Design; readonly done: Promise<Result<unknown>> } | null;
+  tries: number;
+}
+
+const own = kept((): Own => ({ shown: null, retold: null, tries: 0 }));
 
 /** Takes over a mesh that the solver has opened; the points of the one before are let go. */
-export function takeMesh(design: Design, opened: OpenedMesh): void {
+export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
   const { source, planarised } = design;
-  shown = { source, planarised };
+  own(page).shown = { source, planarised };
   batch(() => {
-    mesh.value = opened;
-    displayMesh.value = opened;
-    draft.value = design;
-    figures.value = design.report;
-    selection.value = [];
-    selectedPanel.value = null;
-    visited.value = null;
-    lock.value = null;
-    panelFigures.value = null;
-    panelHealth.value = null;
-    nodeCounts.value = null;
-    panelTroubles.value = null;
-    panelDamage.value = null;
-    bending.value = null;
-    panelFolds.value = null;
-    freedom.value = null;
-    hintVertex.value = null;
-    importReport.value = false;
-    refusedTolerance.value = null;
+    page.mesh.value = opened;
+    page.displayMesh.value = opened;
+    page.draft.value = design;
+    page.figures.value = design.report;
+    page.selection.value = [];
+    page.selectedPanel.value = null;
+    page.visited.value = null;
+    page.lock.value = null;
+    page.panelFigures.value = null;
+    page.panelHealth.value = null;
+    page.nodeCounts.value = null;
+    page.panelTroubles.value = null;
+    page.panelDamage.value = null;
+    page.bending.value = null;
+    page.panelFolds.value = null;
+    page.freedom.value = null;
+    page.hintVertex.value = null;
+    page.importReport.value = false;
+    page.refusedTolerance.value = null;
   });
 }
 
@@ -85,102 +74,131 @@ const openQuestion = ({ source, planarised }: Design) =>
 const restoreQuestion = ({ handles, settings, shape }: Design, keep: boolean) =>
   ({ kind: "restore", targets: toTargets(handles), settings, shape, keep }) as const;
 
-async function openBase(design: Design): Promise<boolean> {
-  if (held.base && sameBase(held.base, design)) return true;
-  const answer = await run(`opening ${sourceName(design.source)}`, openQuestion(design), "opened");
-  if (!answer) return false;
-  if (shown && sameBase(shown, design)) announceChanges(displayOf(design));
-  else takeMesh(design, answer.mesh);
-  return true;
+async function openBase(page: Page, design: Design): Promise<Result<unknown>> {
+  const { base } = held(page);
+  if (base && sameBase(base, design)) return done(design);
+  const answer = await run(
+    page,
+    `opening ${sourceName(design.source)}`,
+    openQuestion(design),
+    "opened",
+  );
+  if (!answer.ok) return answer;
+  const { shown } = own(page);
+  if (shown && sameBase(shown, design)) announceChanges(page, displayOf(page, design));
+  else takeMesh(page, design, answer.value.mesh);
+  return answer;
 }
 
-/** The design that a new solver is being told after Cancel; it is on screen already. */
-let retold: { readonly design: Design; readonly done: Promise<boolean> } | null = null;
-
-/** False if it could not be done; then the problem has been said. */
-export async function show(design: Design): Promise<boolean> {
+export async function show(page: Page, design: Design): Promise<Result<unknown>> {
   // What was cancelled ends here, having asked for the design it began with.
+  const { retold } = own(page);
   if (retold?.design === design) return retold.done;
-  const kept = problem.value;
-  if (!(await openBase(design))) return false;
-  draft.value = design;
-  refusedTolerance.value = null;
+  const opened = await openBase(page, design);
+  if (!opened.ok) return opened;
+  page.draft.value = design;
+  page.refusedTolerance.value = null;
   const { variation } = design;
-  const keep = variation !== null && variation.centre === held.centre;
-  if (!(await run("restoring", restoreQuestion(design, keep), "shown"))) return false;
-  figures.value = design.report;
-  problem.value = kept;
-  return true;
+  const keep = variation !== null && variation.centre === held(page).centre;
+  const restored = await run(page, "restoring", restoreQuestion(design, keep), "shown");
+  if (restored.ok) page.figures.value = design.report;
+  return restored;
 }
 
-/** Back to the last finished design, after whatever was tried. */
-export async function showPresent(): Promise<void> {
-  if (history.value) await show(history.value.present);
+/** Back to the last finished design, after whatever was tried; undefined where it is there. */
+export async function showPresent(page: Page): Promise<Refusal | undefined> {
+  const present = page.history.value?.present;
+  const shown = present && (await show(page, present));
+  return shown && !shown.ok ? shown : undefined;
+}
+
+/** The same after something was refused: what is to be said of both. */
+export async function takeBack(page: Page, refusal: Refusal): Promise<Refusal> {
+  const back = await showPresent(page);
+  return back?.reason ? back : refusal;
+}
+
+/**
+ * Shows a known design as the next step of the history; undefined where that is done, which takes back
+ * nothing that was said.
+ */
+export async function showStep(
+  page: Page,
+  design: Design,
+  history: History<Design>,
+): Promise<Refusal | undefined> {
+  const shown = await show(page, design);
+  if (!shown.ok) return takeBack(page, shown);
+  page.history.value = history;
+  return undefined;
 }
 
 /** A solver that dies of the design itself must not be started for ever. */
 const TRIES = 3;
-let tries = 0;
 
-onDeath(() => {
-  tries += 1;
-  if (tries > TRIES) {
-    problem.value = "The solver keeps stopping. Reload the page: the design is kept.";
-    return;
-  }
-  dropTurns();
-  void inTurn(async () => {
-    if (history.value && (await show(history.value.present))) tries = 0;
+/** From now on a solver that dies is replaced, and the new one told what is on screen. */
+export function recoverFromDeath(page: Page): void {
+  const mine = own(page);
+  onDeath(page, () => {
+    mine.tries += 1;
+    if (mine.tries > TRIES) {
+      say(page, "The solver keeps stopping. Reload the page: the design is kept.");
+      return;
+    }
+    dropTurns(page);
+    void inTurn(page, async () => {
+      const refusal = await showPresent(page);
+      if (!refusal && page.history.value) mine.tries = 0;
+      return refusal;
+    });
   });
-});
+}
 
 /**
  * Stops whatever runs and puts the last finished design back at once. The page knows it to the last
  * bit, so nobody waits for the new solver: it is told behind the scenes, and later actions wait.
  */
-export function cancel(): void {
-  const trial = planariseTrial.peek();
+export function cancel(page: Page): void {
+  const trial = page.planariseTrial.peek();
   if (trial.kind === "running") trial.giveUp();
-  dropTurns();
-  restartSolver();
-  const design = history.value?.present;
+  dropTurns(page);
+  restartSolver(page);
+  const design = page.history.value?.present;
   if (!design) return;
-  draft.value = design;
-  figures.value = design.report;
-  if (!shown || !sameBase(shown, design)) {
-    void inTurn(showPresent);
+  page.draft.value = design;
+  page.figures.value = design.report;
+  const mine = own(page);
+  if (!mine.shown || !sameBase(mine.shown, design)) {
+    void inTurn(page, () => showPresent(page));
     return;
   }
-  announceChanges(displayOf(design));
+  announceChanges(page, displayOf(page, design));
   // Both at once: no frame of a drag gets in between.
-  const done = tell(openQuestion(design), restoreQuestion(design, false));
-  const mine = { design, done };
-  retold = mine;
+  const told = tell(page, openQuestion(design), restoreQuestion(design, false));
+  const retold = { design, done: told };
+  mine.retold = retold;
   holdTurns(
-    done.then(() => {
-      if (retold === mine) retold = null;
+    page,
+    told.then((result) => {
+      if (!result.ok) report(page, result);
+      if (mine.retold === retold) mine.retold = null;
     }),
   );
 }
 
 /** Draws a design of the mesh that is open; the page and the solver keep their own. */
-export const showOnly = (design: Design): void => announceChanges(displayOf(design));
+export const showOnly = (page: Page, design: Design): void =>
+  announceChanges(page, displayOf(page, design));
 
 /** The whole design in display coordinates, from what the page itself keeps. */
-function displayOf(design: Design): Float32Array {
-  const opened = mesh.value;
+function displayOf(page: Page, design: Design): Float32Array {
+  const opened = page.mesh.value;
   if (!opened) return new Float32Array(0);
-  const { centre, scale } = opened.report;
-  const { display } = opened;
-  const all = new Float32Array((display.length / 3) * 4);
-  for (let v = 0; v < display.length / 3; ++v) {
+  const points = displayOfShape(opened, design.shape);
+  const all = new Float32Array((points.length / 3) * 4);
+  for (let v = 0; v < points.length / 3; ++v) {
     all[4 * v] = v;
-    for (let axis = 0; axis < 3; ++axis) all[4 * v + 1 + axis] = display[3 * v + axis] ?? 0;
+    all.set(points.subarray(3 * v, 3 * v + 3), 4 * v + 1);
   }
-  const { moved, positions } = design.shape;
-  moved.forEach((v, k) => {
-    const at = (axis: 0 | 1 | 2) => ((positions[3 * k + axis] ?? 0) - centre[axis]) * scale;
-    all.set([v, at(0), at(1), at(2)], 4 * v);
-  });
   return all;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The stops of sliders, and what a slider does, as it is shown.
+
+import type { Point } from "../design/design.ts";
 import type { SliderLead, SliderRange } from "../solver/protocol.ts";
-import type { Point } from "./design.ts";
 
 /** How far towards its stop a slider may go. */
 const CLEAR = 0.9;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each tab keeps its design in a slot of its own. A slot is held by a lock for as long as its tab
 // lives, so that two tabs never write the same one. The database is the only thing shared.
-import { createStore, delMany, get, keys, setMany, type UseStore } from "idb-keyval";
+import { createStore, delMany, get, keys, setMany } from "idb-keyval";
 
 const TAB_KEY = "planish.slot";
 const PREFIX = "slot:";
@@ -12,11 +12,8 @@ const PREFIX = "slot:";
  */
 const HAND_OVER = 2500;
 
-let database: UseStore | null = null;
-const store = (): UseStore => {
-  database ??= createStore("planish", "designs");
-  return database;
-};
+/** Opened by its first use. */
+const STORE = createStore("planish", "designs");
 
 const fileEntry = (slot: string, key: string): string => `file:${slot}:${key}`;
 
@@ -57,7 +54,7 @@ function hold(slot: string, patience: number): Promise<boolean> {
 }
 
 async function slotsInStore(): Promise<string[]> {
-  const all = await keys<IDBValidKey>(store());
+  const all = await keys<IDBValidKey>(STORE);
   return all.flatMap((key) =>
     typeof key === "string" && key.startsWith(PREFIX) ? [key.slice(PREFIX.length)] : [],
   );
@@ -95,7 +92,7 @@ export async function claimSlot(passed: readonly string[]): Promise<string> {
 }
 
 export async function readRecord(slot: string): Promise<Uint8Array | null> {
-  const value = await get<unknown>(PREFIX + slot, store());
+  const value = await get<unknown>(PREFIX + slot, STORE);
   return value instanceof Uint8Array ? value : value === undefined ? null : new Uint8Array(0);
 }
 
@@ -103,9 +100,9 @@ export async function readRecord(slot: string): Promise<Uint8Array | null> {
 export async function readFiles(slot: string): Promise<Map<string, Blob>> {
   const prefix = fileEntry(slot, "");
   const files = new Map<string, Blob>();
-  for (const key of await keys<IDBValidKey>(store())) {
+  for (const key of await keys<IDBValidKey>(STORE)) {
     if (typeof key !== "string" || !key.startsWith(prefix)) continue;
-    const value = await get<unknown>(key, store());
+    const value = await get<unknown>(key, STORE);
     if (value instanceof Blob) files.set(key.slice(prefix.length), value);
   }
   return files;
@@ -118,11 +115,11 @@ export async function writeRecord(
   files: ReadonlyMap<string, Blob>,
 ): Promise<void> {
   const entries = [...files].map(([key, blob]): [string, Blob] => [fileEntry(slot, key), blob]);
-  await setMany([[PREFIX + slot, record], ...entries], store());
+  await setMany([[PREFIX + slot, record], ...entries], STORE);
 }
 
 export const dropFiles = (slot: string, files: readonly string[]): Promise<void> =>
   delMany(
     files.map((key) => fileEntry(slot, key)),
-    store(),
+    STORE,
   );

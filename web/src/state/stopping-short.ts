@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether a point stops noticeably short of where it was asked to go, by an edit, not a variation of it.
-import { type Design, leftBehind } from "./design.ts";
+import { type Design, leftBehind } from "../design/design.ts";
 
 /** Share of the way. Soft handles stop short by a hundredth of it, raw weights by a tenth. */
 export const NOTICEABLE = 0.15;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Actions that change the design take turns: each starts from what the one before it left.
-import { signal } from "@preact/signals";
+import type { Result } from "../result/result.ts";
+import { kept, type Page } from "./page.ts";
+import { report } from "./telling.ts";
+
+/** What comes of an action in its turn; undefined: nothing that changes what was said before. */
+export type Outcome<T = unknown> = Promise<Result<T> | undefined>;
 
 interface Turn {
   readonly burst: string | null;
@@ -8,44 +13,57 @@ interface Turn {
   overtaken: boolean;
 }
 
-let last: Promise<void> = Promise.resolve();
-let newest: Turn | null = null;
-let era = 0;
+interface Own {
+  last: Promise<void>;
+  newest: Turn | null;
+  /** Counts how often what waited was dropped. */
+  era: number;
+}
 
-/** Actions that run or wait and have not been dropped. */
-export const turnsLeft = signal(0);
+const own = kept((): Own => ({ last: Promise.resolve(), newest: null, era: 0 }));
 
 /**
  * Runs `action` after those that wait already, unless they are dropped first. Of actions of one
  * burst that wait one after the other only the last is done: keys come faster than results.
+ * What comes of it is reported to whoever asked, here and nowhere else.
+ * @returns undefined if it was dropped
  */
-export function inTurn(action: () => Promise<void>, burst: string | null = null): Promise<void> {
-  const mine = era;
+export function inTurn<T>(
+  page: Page,
+  action: () => Outcome<T>,
+  burst: string | null = null,
+): Outcome<T> {
+  const turns = own(page);
+  const mine = turns.era;
+  const { newest } = turns;
   const turn: Turn = { burst, begun: false, overtaken: false };
   if (newest && burst !== null && newest.burst === burst && !newest.begun) newest.overtaken = true;
-  newest = turn;
-  turnsLeft.value += 1;
-  const done = last.then(() => {
+  turns.newest = turn;
+  page.turnsLeft.value += 1;
+  const done = turns.last.then(async () => {
     turn.begun = true;
-    return mine === era && !turn.overtaken ? action() : undefined;
+    const result = mine === turns.era && !turn.overtaken ? await action() : undefined;
+    if (result) report(page, result);
+    return result;
   });
-  last = done
+  turns.last = done
     .catch(() => undefined)
     .then(() => {
-      if (mine === era) turnsLeft.value -= 1;
+      if (mine === turns.era) page.turnsLeft.value -= 1;
     });
   return done;
 }
 
 /** Forgets the actions that have not started. */
-export function dropTurns(): void {
-  era += 1;
-  turnsLeft.value = 0;
+export function dropTurns(page: Page): void {
+  own(page).era += 1;
+  page.turnsLeft.value = 0;
 }
 
 /** Holds back the actions that are still to come until `done`; itself it is none. */
-export function holdTurns(done: Promise<unknown>): void {
-  last = last
+export function holdTurns(page: Page, done: Promise<unknown>): void {
+  const turns = own(page);
+  turns.last = turns.last
     .then(() => done)
     .then(
       () => undefined,

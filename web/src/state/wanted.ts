@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where handles were pulled to beyond what a limit let through: the design keeps where they stopped.
+
 import { computed, signal } from "@preact/signals";
-import type { Design, HandleRow } from "./design.ts";
-import { draft, figures, history, limited } from "./store.ts";
+import type { Design, HandleRow } from "../design/design.ts";
+import { kept } from "./page.ts";
 
 export interface Wanted {
   /** With the targets that were asked for. */
@@ -14,21 +15,27 @@ export interface Wanted {
 }
 
 /** The last pull that was held back; whether it still belongs to what is shown, see `beyond`. */
-export const wanted = signal<Wanted | null>(null);
+export const wanted = kept(() => signal<Wanted | null>(null));
 
 /** Of the pull that goes on, or of the design that the last one ended as. */
-export const beyond = computed((): Wanted | null => {
-  const pull = wanted.value;
-  if (!pull) return null;
-  const present = history.value?.present;
-  const belongs = pull.design === null ? draft.value !== present : pull.design === present;
-  return belongs ? pull : null;
-});
+export const beyond = kept((page) =>
+  computed((): Wanted | null => {
+    const pull = wanted(page).value;
+    if (!pull) return null;
+    const present = page.history.value?.present;
+    const belongs = pull.design === null ? page.draft.value !== present : pull.design === present;
+    return belongs ? pull : null;
+  }),
+);
 
 /** Panels that let an edit go no further, as far as its report names them. */
-export const panelsAtLimit = computed((): readonly number[] => {
-  const { bounds, sharpestFold, movedVertices } = figures.value;
-  if (movedVertices === 0) return [];
-  if (limited.value) return [...new Set(Object.values(bounds ?? {}).flat())];
-  return beyond.value && sharpestFold?.panels ? sharpestFold.panels.filter((f) => f >= 0) : [];
-});
+export const panelsAtLimit = kept((page) =>
+  computed((): readonly number[] => {
+    const { bounds, sharpestFold, movedVertices } = page.figures.value;
+    if (movedVertices === 0) return [];
+    if (page.limited.value) return [...new Set(Object.values(bounds ?? {}).flat())];
+    return beyond(page).value && sharpestFold?.panels
+      ? sharpestFold.panels.filter((f) => f >= 0)
+      : [];
+  }),
+);

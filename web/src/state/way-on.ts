@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where a handle stops on its way to its target, why, and what gets it further.
+
+import type { Design, HandleRow, Point } from "../design/design.ts";
+import { limitHead, limitNumbers } from "../design/stated-limit.ts";
+import { formatLength, type Unit } from "../quantity/units.ts";
 import type { EditSettings } from "../solver/protocol.ts";
-import type { Design, HandleRow, Point } from "./design.ts";
 import { formatDegrees } from "./fold.ts";
-import { limitHead, limitNumbers } from "./stated-limit.ts";
 import { isNoticeable } from "./stopping-short.ts";
-import { formatLength, type Unit } from "./units.ts";
 
 /** The handle that is furthest from where it was asked to go; model units. */
 export interface Stop {

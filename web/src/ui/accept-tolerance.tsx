@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./accept-tolerance.css";
-import { ready } from "../state/store.ts";
 import { acceptTolerance, meetableTolerance } from "../state/tolerance.ts";
 
 /** For a mesh that is nearly flat: the tolerance instead, so that no point has to move. */
 export function AcceptTolerance() {
-  const tolerance = meetableTolerance();
+  const page = usePage();
+  const tolerance = meetableTolerance(page);
   if (tolerance === null) return null;
   return (
     <div class="accept-tolerance">
@@ -15,8 +16,8 @@ export function AcceptTolerance() {
       <button
         type="button"
         class="button small"
-        disabled={!ready.value}
-        onClick={() => void acceptTolerance(tolerance)}
+        disabled={!page.ready.value}
+        onClick={() => void acceptTolerance(page, tolerance)}
       >
         Edit as it is
       </button>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+
+import { FIRST_SETTINGS, SOFT_LIMITS } from "../design/design.ts";
+import { decimal } from "../design/flatness.ts";
 import type { EditSettings } from "../solver/protocol.ts";
-import { FIRST_SETTINGS, SOFT_LIMITS } from "../state/design.ts";
 import { commitSettings } from "../state/editing.ts";
-import { decimal } from "../state/flatness.ts";
 import { planarise } from "../state/opening.ts";
-import { mesh, ready, refusedTolerance, settings } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
 import { TOLERANCES } from "../state/tolerance.ts";
 import { Choice } from "./choice.tsx";
 import { KeptKinds } from "./kept-kinds.tsx";
+import { usePage } from "./page-context.ts";
 import { RawWeights } from "./raw-weights.tsx";
 import { VariationWeights } from "./variation-weights.tsx";
 
@@ -31,7 +33,8 @@ function wordOf<T extends string>(words: readonly (readonly [T, string])[], valu
   return words.find(([word]) => word === value)?.[1] ?? value;
 }
 
-const choose = (change: Partial<EditSettings>): void => void commitSettings(change);
+const choose = (page: Page, change: Partial<EditSettings>): void =>
+  void commitSettings(page, change);
 
 /** What differs from the defaults, so that it is seen while folded: it stays for the next mesh. */
 function differences(shown: EditSettings): string[] {
@@ -47,6 +50,7 @@ function differences(shown: EditSettings): string[] {
 }
 
 function Differences({ of }: { of: EditSettings }) {
+  const page = usePage();
   const words = differences(of).join(", ");
   if (words === "") return null;
   const { fairness, engine, hardHandles, keepShape, tolerance } = FIRST_SETTINGS;
@@ -57,8 +61,8 @@ function Differences({ of }: { of: EditSettings }) {
       <button
         type="button"
         class="button small"
-        disabled={!ready.value}
-        onClick={() => choose(of.softness === 0 ? { ...back, ...SOFT_LIMITS } : back)}
+        disabled={!page.ready.value}
+        onClick={() => choose(page, of.softness === 0 ? { ...back, ...SOFT_LIMITS } : back)}
       >
         Defaults
       </button>
@@ -68,15 +72,16 @@ function Differences({ of }: { of: EditSettings }) {
 
 /** Why a tolerance was not taken, and the way to get it. */
 function RefusedTolerance() {
-  const refused = refusedTolerance.value;
-  const report = mesh.value?.report;
+  const page = usePage();
+  const refused = page.refusedTolerance.value;
+  const report = page.mesh.value?.report;
   if (refused === null || !report) return null;
   return (
     <div class="note warn" role="alert">
       <p>
         {`The mesh itself is not flat to ${refused} mm/m, but up to ${decimal(report.worstMmPerM)} mm/m. Planarise makes it so and does the edit again.`}
       </p>
-      <button type="button" class="button primary" onClick={() => void planarise()}>
+      <button type="button" class="button primary" onClick={() => void planarise(page)}>
         Planarise
       </button>
     </div>
@@ -85,10 +90,11 @@ function RefusedTolerance() {
 
 /** The settings that few need. */
 export function Advanced() {
-  const shown = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const shown = page.settings.value ?? FIRST_SETTINGS;
   const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
   // The chooser goes back to what holds.
-  refusedTolerance.value;
+  page.refusedTolerance.value;
   const known = OFFERED.find(([value]) => Number(value) === tolerance);
   // A link or a file may have set another.
   const given = [String(tolerance), `${tolerance} mm/m`] as const;
@@ -101,19 +107,19 @@ export function Advanced() {
           label="Fairness"
           value={fairness}
           words={FAIRNESS}
-          onChoose={(value) => choose({ fairness: value })}
+          onChoose={(value) => choose(page, { fairness: value })}
         />
         <Choice
           label="Engine"
           value={engine}
           words={ENGINES}
-          onChoose={(value) => choose({ engine: value })}
+          onChoose={(value) => choose(page, { engine: value })}
         />
         <Choice
           label="Tolerance"
           value={known?.[0] ?? given[0]}
           words={known ? OFFERED : [...OFFERED, given]}
-          onChoose={(value) => choose({ tolerance: Number(value) })}
+          onChoose={(value) => choose(page, { tolerance: Number(value) })}
         />
         <p class="quiet small">Panels count as flat up to the tolerance.</p>
         <RefusedTolerance />
@@ -121,8 +127,8 @@ export function Advanced() {
           <input
             type="checkbox"
             checked={hardHandles}
-            disabled={!ready.value}
-            onChange={({ currentTarget }) => choose({ hardHandles: currentTarget.checked })}
+            disabled={!page.ready.value}
+            onChange={({ currentTarget }) => choose(page, { hardHandles: currentTarget.checked })}
           />
           <span>Meet the targets exactly</span>
         </label>
@@ -130,8 +136,8 @@ export function Advanced() {
           <input
             type="checkbox"
             checked={keepShape}
-            disabled={!ready.value}
-            onChange={({ currentTarget }) => choose({ keepShape: currentTarget.checked })}
+            disabled={!page.ready.value}
+            onChange={({ currentTarget }) => choose(page, { keepShape: currentTarget.checked })}
           />
           <span>Panels keep their shape</span>
         </label>

@@ -2,9 +2,11 @@
 // What a field shows while the design still follows: keys come faster than results, and an answer
 // to an earlier key must not undo a later one.
 import { useSignal } from "@preact/signals";
+import { kept } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 
 /** Resolves once `value` is what the design has. `burst`: the keys that set it; null if none did. */
-export type Apply = (value: number, burst: string | null) => void | Promise<void>;
+export type Apply = (value: number, burst: string | null) => unknown;
 
 interface Ahead {
   /** What to show. */
@@ -16,9 +18,11 @@ interface Ahead {
   readonly endBurst: () => void;
 }
 
-let bursts = 0;
+/** How many bursts of keys there were: each is named by its number. */
+const bursts = kept(() => ({ count: 0 }));
 
 export function useAhead(name: string, applied: number): Ahead {
+  const page = usePage();
   const ahead = useSignal<number | null>(null);
   const burst = useSignal<string | null>(null);
   return {
@@ -31,7 +35,7 @@ export function useAhead(name: string, applied: number): Ahead {
       if (ahead.value === wanted) ahead.value = null;
     },
     beginBurst: () => {
-      burst.value ??= `${name} ${++bursts}`;
+      burst.value ??= `${name} ${++bursts(page).count}`;
     },
     endBurst: () => {
       burst.value = null;

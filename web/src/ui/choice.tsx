@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One of a few words, with its label.
-
-import { ready } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
@@ -11,13 +10,14 @@ interface ChoiceProps<T extends string> {
 }
 
 export function Choice<T extends string>({ label, value, words, onChoose }: ChoiceProps<T>) {
+  const page = usePage();
   return (
     <label class="field">
       <span>{label}</span>
       <select
         class="select"
         value={value}
-        disabled={!ready.value}
+        disabled={!page.ready.value}
         onChange={({ currentTarget }) => {
           const chosen = words.find(([word]) => word === currentTarget.value);
           if (chosen) onChoose(chosen[0]);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./legend-scales.css";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { showNextPanel } from "../state/selection.ts";
@@ -16,6 +17,7 @@ const swatch = ({ planarity }: Palette, place: number): string =>
 
 /** Classes of panels with their word and count, never by colour alone; each leads to its panels in turn. */
 export function ClassScale({ classes }: { classes: readonly PanelClass[] }) {
+  const page = usePage();
   return (
     <ul class="legend-classes">
       {classes.map(({ word, place, panels }) => (
@@ -24,7 +26,7 @@ export function ClassScale({ classes }: { classes: readonly PanelClass[] }) {
             type="button"
             disabled={!panels?.length}
             title="Go to the next of these panels"
-            onClick={() => panels && showNextPanel(panels)}
+            onClick={() => panels && showNextPanel(page, panels)}
           >
             <span class="swatch light-only" style={{ background: swatch(LIGHT, place) }} />
             <span class="swatch dark-only" style={{ background: swatch(DARK, place) }} />

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Two to four designs side by side or swiped, by one camera, with what tells them apart.
+import { usePage } from "./page-context.ts";
 import "./compare.css";
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { formatLength } from "../quantity/units.ts";
 import { CompareView, linkViews } from "../scene/compare-view.ts";
 import { DARK, LIGHT } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
@@ -18,10 +20,9 @@ import {
   toggleChosen,
 } from "../state/comparing.ts";
 import { formatDegrees } from "../state/fold.ts";
-import { measurable, mesh, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
 
 type Layout = "side" | "swipe";
+
 type Against = "first" | "mesh";
 
 interface ViewsProps {
@@ -35,13 +36,14 @@ interface ViewsProps {
 }
 
 function Views({ shown, against, layout, split, onScale }: ViewsProps) {
+  const page = usePage();
   const frame = useRef<HTMLDivElement>(null);
   const views = useRef<readonly CompareView[]>([]);
-  const opened = mesh.value;
+  const opened = page.mesh.value;
   useEffect(() => {
     const canvases = [...(frame.current?.querySelectorAll("canvas") ?? [])];
     const made = canvases.map((canvas) => new CompareView(canvas));
-    const camera = views.current[0]?.read() ?? readCamera();
+    const camera = views.current[0]?.read() ?? readCamera(page);
     views.current = made;
     linkViews(made);
     for (const view of made) if (camera) view.place(camera);
@@ -83,6 +85,7 @@ const COLUMNS: readonly (readonly [string, (figures: Figures) => string])[] = [
 ];
 
 function Table({ shown }: { shown: readonly Candidate[] }) {
+  const page = usePage();
   return (
     <table class="compare-table" aria-label="Comparison">
       <thead>
@@ -97,7 +100,7 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
       </thead>
       <tbody>
         {shown.map(({ id, name }) => {
-          const figures = comparedFigures.value.get(id);
+          const figures = comparedFigures(page).value.get(id);
           return (
             <tr key={id}>
               <th scope="row">{name}</th>
@@ -113,17 +116,18 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
 }
 
 function Choice() {
+  const page = usePage();
   return (
     <fieldset class="compare-choice">
       <legend class="visually-hidden">Designs to compare, two to four</legend>
-      {candidates.value.map(({ id, name }) => (
+      {candidates(page).value.map(({ id, name }) => (
         <label key={id} class="check">
           <input
             type="checkbox"
-            checked={chosen.value.includes(id)}
+            checked={chosen(page).value.includes(id)}
             onChange={({ currentTarget }) => {
-              toggleChosen(id);
-              currentTarget.checked = chosen.value.includes(id);
+              toggleChosen(page, id);
+              currentTarget.checked = chosen(page).value.includes(id);
             }}
           />
           <span>{name}</span>
@@ -135,6 +139,7 @@ function Choice() {
 
 /** Everything in the dialog Compare. */
 export function CompareDesigns() {
+  const page = usePage();
   const layout = useSignal<Layout>("side");
   const against = useSignal<Against>("first");
   const split = useSignal(0.5);
@@ -143,11 +148,11 @@ export function CompareDesigns() {
     scale.value = largest;
   });
   useSignalEffect(() => {
-    measurable.value;
-    compared.value;
-    void measureCompared();
+    page.measurable.value;
+    compared(page).value;
+    void measureCompared(page);
   });
-  const shown = layout.value === "swipe" ? compared.value.slice(0, 2) : compared.value;
+  const shown = layout.value === "swipe" ? compared(page).value.slice(0, 2) : compared(page).value;
   const shownKey = useRef<readonly Candidate[]>([]);
   const same =
     shown.length === shownKey.current.length &&
@@ -216,7 +221,7 @@ export function CompareDesigns() {
           class="legend-bar dark-only"
           style={{ backgroundImage: cssGradient(DARK.displacement) }}
         />
-        <span>{formatLength(scale.value, unit.value)}</span>
+        <span>{formatLength(scale.value, page.unit.value)}</span>
       </div>
       <Table shown={shownKey.current} />
     </>

@@ -1,45 +1,24 @@
 // SPDX-License-Identifier: MIT
-import { useSignal } from "@preact/signals";
-import type { ComponentChild } from "preact";
-import { useRef } from "preact/hooks";
-import { candidates, chooseFirst } from "../state/comparing.ts";
-import { fetchPart } from "../state/later.ts";
-import { Dialog } from "./dialog.tsx";
+import { chooseFirst } from "../state/comparing.ts";
+import { CommandButton } from "./command-button.tsx";
+import { useDoors } from "./commands/doors.ts";
+import { MORE_COMMANDS } from "./commands/more-commands.ts";
+import { useLaterDialog } from "./later-dialog.tsx";
+import { usePage } from "./page-context.ts";
 
 /** The button that opens it, once there are two designs of the mesh. */
 export function CompareDialog() {
-  const dialog = useRef<HTMLDialogElement>(null);
-  const content = useSignal<ComponentChild>(null);
-  const open = async (): Promise<void> => {
-    const part = await fetchPart(() => import("./compare-designs.tsx"));
-    if (!part) return;
-    chooseFirst();
-    dialog.current?.showModal();
-    content.value = <part.CompareDesigns />;
-  };
-  const enough = candidates.value.length > 1;
+  const page = usePage();
+  const { open, element } = useLaterDialog("compare", async () => {
+    const { CompareDesigns } = await import("./compare-designs.tsx");
+    chooseFirst(page);
+    return { compare: { title: "Compare", wide: true, Content: CompareDesigns } };
+  });
+  useDoors({ compare: () => open("compare") });
   return (
     <>
-      <button
-        type="button"
-        class="button wide"
-        disabled={!enough}
-        title={enough ? "" : "Needs a snapshot of this mesh"}
-        onClick={() => void open()}
-      >
-        Compare
-      </button>
-      <Dialog
-        dialog={dialog}
-        id="compare"
-        title="Compare"
-        wide
-        onClose={() => {
-          content.value = null;
-        }}
-      >
-        {content.value}
-      </Dialog>
+      <CommandButton look="button wide" command={MORE_COMMANDS.compare} />
+      {element}
     </>
   );
 }

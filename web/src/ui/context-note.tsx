@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-import { context, contextHidden } from "../state/store.ts";
-
+import { usePage } from "./page-context.ts";
 /** How many objects of a file lie beside its panels, and the way to hide them. */
 export function ContextNote() {
-  const count = context.value?.count ?? 0;
-  const hidden = contextHidden.value;
+  const page = usePage();
+  const count = page.context.value?.count ?? 0;
+  const hidden = page.contextHidden.value;
   const objects = `${count} other ${count === 1 ? "object" : "objects"}`;
   return (
     <div class="notice">
@@ -13,7 +13,7 @@ export function ContextNote() {
         type="button"
         class="text-button"
         onClick={() => {
-          contextHidden.value = !hidden;
+          page.contextHidden.value = !hidden;
         }}
       >
         {hidden ? "Show" : "Hide"}

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-import { continueFromShape } from "../state/continuing.ts";
-import { leftBehind } from "../state/design.ts";
-import { draft, figures, ready } from "../state/store.ts";
+
+import { leftBehind } from "../design/design.ts";
+import { MORE_COMMANDS } from "./commands/more-commands.ts";
+import { usePage } from "./page-context.ts";
 
 /** What a variation needs before it can be edited: an edit of its points starts from the base. */
 export function ContinueButton() {
-  const design = draft.value;
-  if (!design || figures.value.movedVertices === 0) return null;
+  const page = usePage();
+  const design = page.draft.value;
+  if (!design || page.figures.value.movedVertices === 0) return null;
   const varied = leftBehind(design);
   return (
     <>
@@ -15,10 +17,10 @@ export function ContinueButton() {
         class={`button wide${varied ? " primary" : ""}`}
         title="This shape becomes the mesh that edits start from; handles and variations are cleared"
         aria-describedby={varied ? "continue-about" : undefined}
-        disabled={!ready.value}
-        onClick={() => void continueFromShape()}
+        disabled={!page.ready.value}
+        onClick={() => void MORE_COMMANDS.continueFromShape.run(page)}
       >
-        Continue from this shape
+        {MORE_COMMANDS.continueFromShape.label}
       </button>
       {varied && (
         <p id="continue-about" class="quiet small">

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+
 import { useComputed, useSignal } from "@preact/signals";
 import { exportPackage, type PackageChoice, type Scope } from "../export/shop.ts";
-import { unit } from "../state/store.ts";
-import { type Unit, unitWord } from "../state/units.ts";
+import { type Unit, unitWord } from "../quantity/units.ts";
 import { CuttingPreview, type Saved } from "./cutting-preview.tsx";
+import { usePage } from "./page-context.ts";
 import { NumberRow, ScopeRow, ShopForm, UnitRow } from "./shop-fields.tsx";
 
 /** Asks what the workshop needs, and saves it. */
 export function CuttingPackage() {
+  const page = usePage();
   const [gap, thickness, text] = [useSignal(""), useSignal(""), useSignal("")];
   const [width, height] = [useSignal(""), useSignal("")];
   const packageUnit = useSignal<Unit>("mm");
@@ -28,7 +30,7 @@ export function CuttingPackage() {
   );
   const save = async (): Promise<void> => {
     const of = choice.value;
-    const header = await exportPackage(of);
+    const header = await exportPackage(page, of);
     saved.value = header && { header, of };
   };
   return (
@@ -50,7 +52,7 @@ export function CuttingPackage() {
         }}
       />
       <p class="quiet">
-        {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(unit.value)}; panels are seen from outside.`}
+        {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(page.unit.value)}; panels are seen from outside.`}
       </p>
       <CuttingPreview choice={choice} saved={saved} />
     </ShopForm>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+
 import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import type { Design } from "../design/design.ts";
 import { headerOf, previewPackage } from "../export/cutting-preview.ts";
 import type { PackageChoice } from "../export/shop.ts";
 import type { CuttingHeader, CuttingPreview as Preview } from "../solver/protocol.ts";
-import type { Design } from "../state/design.ts";
-import { history, unit } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 import { summary } from "./shop-summary.ts";
 
 /** What a saved package held, and for which choice. */
@@ -42,14 +43,15 @@ const PAUSE_MS = 150;
 
 /** Follows the options and the design. */
 function usePreview(choice: ReadonlySignal<PackageChoice>) {
+  const page = usePage();
   const shown = useSignal<Shown | null>(null);
   const map = useSignal<{ readonly svg: string; readonly of: Design | null } | null>(null);
   useSignalEffect(() => {
-    const [of, design] = [choice.value, history.value?.present ?? null];
-    unit.value; // asked for with the options
+    const [of, design] = [choice.value, page.history.value?.present ?? null];
+    page.unit.value; // asked for with the options
     const ask = async (): Promise<void> => {
       const wanted = map.peek()?.of !== design;
-      const preview = await previewPackage(of, wanted);
+      const preview = await previewPackage(page, of, wanted);
       if (!preview) return;
       if (preview.map) map.value = { svg: withoutTexts(preview.map), of: design };
       shown.value = { preview, of };

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
+
+import { isFlat } from "../design/flatness.ts";
 import { damage, damageWords, spoiltPanels } from "../state/damage.ts";
-import { isFlat } from "../state/flatness.ts";
 import { showNextPanel } from "../state/selection.ts";
-import { figures, panelHealth } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 
 /** That flat panels are spoilt all the same, and the way to each of them. */
 export function DamageNote() {
-  const found = damage.value;
-  const words = found && damageWords(found, panelHealth.value);
+  const page = usePage();
+  const found = damage(page).value;
+  const words = found && damageWords(found, page.panelHealth.value);
   if (!words) return null;
-  const flat = isFlat(figures.value);
+  const flat = isFlat(page.figures.value);
   return (
     <>
       {"· "}
@@ -17,7 +19,7 @@ export function DamageNote() {
         type="button"
         class="text-button"
         title="Go to the next of these panels"
-        onClick={() => showNextPanel(spoiltPanels(found))}
+        onClick={() => showNextPanel(page, spoiltPanels(found))}
       >
         {`${flat ? "flat, but " : ""}${words}: show`}
       </button>

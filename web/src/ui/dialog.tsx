@@ -8,13 +8,13 @@ interface DialogProps {
   readonly id: string;
   readonly title: string;
   /** Takes the width of the window. */
-  readonly wide?: boolean;
+  readonly wide?: boolean | undefined;
   readonly onClose?: () => void;
   readonly children: ComponentChildren;
 }
 
 /** A modal dialog with its title and a button to close it. */
-export function Dialog({ dialog, id, title, wide = false, onClose, children }: DialogProps) {
+export function Dialog({ dialog, id, title, wide, onClose, children }: DialogProps) {
   return (
     <dialog
       ref={dialog}

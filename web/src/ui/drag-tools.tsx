@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
 // How a drag in the view goes: held to an axis or a plane, in steps, or around points as a box.
+
 import type { ComponentChildren } from "preact";
 import { allPinned, FLAT_FIRST, toggleLock, togglePins } from "../state/dragging.ts";
-import {
-  baseFlat,
-  boxTool,
-  type Lock,
-  localArrows,
-  lock,
-  mesh,
-  ready,
-  selection,
-  snapDistance,
-  snapping,
-  snapStep,
-  unit,
-} from "../state/store.ts";
-import { Icon } from "./icon.tsx";
+import type { AreaTool, Lock } from "../state/page-state.ts";
+import { type Command, keyOf, refusalOf } from "./commands/command.ts";
+import { COMMANDS } from "./commands/commands.ts";
+import { Icon, type IconName } from "./icon.tsx";
+import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
+import { usePage } from "./page-context.ts";
 
 interface ToggleProps {
   readonly name: string;
@@ -45,27 +37,28 @@ function Toggle({ name, about, on, disabled, kind, onClick, children }: TogglePr
   );
 }
 
-const LOCKS: readonly (readonly [Lock["axis"], string, string])[] = [
-  ["x", "X", "Lock to X"],
-  ["y", "Y", "Lock to Y"],
-  ["z", "Z", "Lock to Z"],
-  ["normal", "N", "Lock to normal"],
+const LOCKS: readonly (readonly [Lock["axis"], Command])[] = [
+  ["x", COMMANDS.lockX],
+  ["y", COMMANDS.lockY],
+  ["z", COMMANDS.lockZ],
+  ["normal", COMMANDS.lockNormal],
 ];
 
 function LockTools() {
-  const held = lock.value;
+  const page = usePage();
+  const held = page.lock.value;
   return (
     <>
-      {LOCKS.map(([axis, letter, name]) => (
+      {LOCKS.map(([axis, command]) => (
         <Toggle
           key={axis}
           kind={`axis ${axis}`}
-          name={name}
-          about={`drags stay on this line (${letter}); with Shift, in the plane across it`}
+          name={command.label}
+          about={`drags stay on this line (${keyOf(command)}); with Shift, in the plane across it`}
           on={held?.axis === axis}
-          onClick={() => toggleLock(axis, held?.plane ?? false)}
+          onClick={() => toggleLock(page, axis, held?.plane ?? false)}
         >
-          {letter}
+          {keyOf(command)}
         </Toggle>
       ))}
       <Toggle
@@ -74,7 +67,7 @@ function LockTools() {
         on={held?.plane ?? false}
         disabled={!held}
         onClick={() => {
-          if (held) lock.value = { ...held, plane: !held.plane };
+          if (held) page.lock.value = { ...held, plane: !held.plane };
         }}
       >
         <Icon name="plane" />
@@ -84,83 +77,106 @@ function LockTools() {
 }
 
 function SnapTools() {
+  const page = usePage();
   return (
     <>
       <Toggle
         name="Snap"
         about="drags go in steps, and back to the base position (Ctrl while dragging)"
-        on={snapping.value}
+        on={page.snapping.value}
         onClick={() => {
-          snapping.value = !snapping.value;
+          page.snapping.value = !page.snapping.value;
         }}
       >
         <Icon name="snap" />
       </Toggle>
-      <span class={snapping.value ? "snap-step" : "snap-step off"}>
+      <span class={page.snapping.value ? "snap-step" : "snap-step off"}>
         <NumberField
           label="Snap step"
-          value={snapDistance.value}
-          unit={unit.value}
-          step={snapDistance.value / 10}
-          disabled={!mesh.value}
+          value={page.snapDistance.value}
+          unit={page.unit.value}
+          step={page.snapDistance.value / 10}
+          disabled={!page.mesh.value}
           context="step of a drag"
           onApply={(value) => {
-            if (value > 0) snapStep.value = value;
+            if (value > 0) page.snapStep.value = value;
           }}
         />
-        <span class="unit">{unit.value}</span>
+        <span class="unit">{page.unit.value}</span>
       </span>
     </>
   );
 }
 
+const AREAS: readonly (readonly [AreaTool, string, string, IconName])[] = [
+  ["box", "Select in a box", "the next drag selects the points in a box", "selectBox"],
+  ["lasso", "Select in a loop", "the next drag selects the points that it goes round", "lasso"],
+];
+
+function AreaTools() {
+  const page = usePage();
+  return AREAS.map(([tool, name, about, icon]) => (
+    <Toggle
+      key={tool}
+      name={name}
+      about={`${about}; with Shift, adds them`}
+      on={page.areaTool.value === tool}
+      disabled={!page.ready.value}
+      onClick={() => {
+        page.areaTool.value = page.areaTool.value === tool ? null : tool;
+      }}
+    >
+      <Icon name={icon} />
+    </Toggle>
+  ));
+}
+
 function PinTool() {
+  const page = usePage();
   return (
     <Toggle
-      name="Pin selected points"
-      about={!baseFlat.value ? FLAT_FIRST : "pinned points do not move (P)"}
-      on={allPinned()}
-      disabled={selection.value.length === 0 || !ready.value || !baseFlat.value}
-      onClick={togglePins}
+      name={COMMANDS.pin.label}
+      about={
+        page.baseFlat.value ? `pinned points do not move (${keyOf(COMMANDS.pin)})` : FLAT_FIRST
+      }
+      on={allPinned(page)}
+      disabled={refusalOf(page, COMMANDS.pin) !== ""}
+      onClick={() => togglePins(page)}
     >
       <Icon name="pin" />
     </Toggle>
   );
 }
 
+const SightTools = later(() => import("./view-notes.tsx").then((part) => part.SightTools));
+
 export function DragTools() {
+  const page = usePage();
+  const resting =
+    page.selection.value.length === 0 && !page.areaTool.value && page.selectedPanel.value === null;
   return (
     <div
-      class={selection.value.length > 0 || boxTool.value ? "drag-tools" : "drag-tools resting"}
+      class={resting ? "drag-tools resting" : "drag-tools"}
       role="toolbar"
       aria-label="Drag tools"
     >
-      <Toggle
-        name="Select in a box"
-        about="the next drag selects the points in a box; with Shift, adds them"
-        on={boxTool.value}
-        disabled={!ready.value}
-        onClick={() => {
-          boxTool.value = !boxTool.value;
-        }}
-      >
-        <Icon name="selectBox" />
-      </Toggle>
+      <AreaTools />
       <PinTool />
       <span class="tool-gap" />
       <LockTools />
       <Toggle
         name="Local arrows"
         about="arrows follow the surface at the point instead of X, Y and Z"
-        on={localArrows.value}
+        on={page.localArrows.value}
         onClick={() => {
-          localArrows.value = !localArrows.value;
+          page.localArrows.value = !page.localArrows.value;
         }}
       >
         <Icon name="local" />
       </Toggle>
       <span class="tool-gap" />
       <SnapTools />
+      <SightTools />
     </div>
   );
 }

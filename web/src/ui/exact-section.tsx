@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
-import { makeExact } from "../state/exploring.ts";
-import { isFlat } from "../state/flatness.ts";
-import { figures, mesh, ready, showBefore } from "../state/store.ts";
+
+import { isFlat } from "../design/flatness.ts";
+import type { Page } from "../state/page.ts";
+import { CommandButton } from "./command-button.tsx";
+import { keyOf } from "./commands/command.ts";
+import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 
 const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
+
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
 
-function hold(on: boolean): void {
-  showBefore.value = on;
+function hold(page: Page, on: boolean): void {
+  page.showBefore.value = on;
 }
 
 /** Step 3: project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
-  const exact = isFlat(figures.value);
+  const page = usePage();
+  const exact = isFlat(page.figures.value);
   return (
     <section class="step" aria-labelledby="step-exact">
       <h2 id="step-exact">
@@ -21,25 +27,21 @@ export function ExactSection() {
       </h2>
       <Verdict />
       <div class="row">
-        <button
-          type="button"
-          class={`button grow${exact ? "" : " primary"}`}
-          disabled={!ready.value}
-          onClick={() => void makeExact()}
-        >
-          Make exact
-        </button>
+        <CommandButton
+          look={exact ? "button grow" : "button grow primary"}
+          command={COMMANDS.makeExact}
+        />
         <button
           type="button"
           class="button"
-          aria-pressed={showBefore.value}
-          title="Hold to see the design before the edit (B)"
-          disabled={!mesh.value}
-          onPointerDown={() => hold(true)}
-          onPointerUp={() => hold(false)}
-          onPointerLeave={() => hold(false)}
-          onKeyDown={(event) => event.key === " " && hold(true)}
-          onKeyUp={() => hold(false)}
+          aria-pressed={page.showBefore.value}
+          title={`Hold to see the design before the edit (${keyOf(COMMANDS.before)})`}
+          disabled={!page.mesh.value}
+          onPointerDown={() => hold(page, true)}
+          onPointerUp={() => hold(page, false)}
+          onPointerLeave={() => hold(page, false)}
+          onKeyDown={(event) => event.key === " " && hold(page, true)}
+          onKeyUp={() => hold(page, false)}
         >
           Before
         </button>

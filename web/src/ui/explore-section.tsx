@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-import { explore } from "../state/exploring.ts";
-import { fetchPart } from "../state/later.ts";
-import { dimension, draft, eigenbasis, figures, ready } from "../state/store.ts";
+
+import { CommandButton } from "./command-button.tsx";
+import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
 const VariationSliders = later(() =>
   import("./variation-sliders.tsx").then((part) => part.VariationSliders),
 );
+
 const VariationGallery = later(() =>
   import("./variation-gallery.tsx").then((part) => part.VariationGallery),
 );
@@ -19,18 +21,10 @@ const ContinueButton = later(() =>
 const directions = (count: number): string =>
   `${count} ${count === 1 ? "direction" : "directions"}`;
 
-async function exploreAndShow(): Promise<void> {
-  await explore();
-  // The sliders and the gallery are what was asked for.
-  if (draft.value?.variation)
-    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
-  const part = await fetchPart(() => import("../state/gallery.ts"));
-  await part?.fillGallery();
-}
-
 /** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
-  const possible = ready.value && figures.value.movedVertices > 0;
+  const page = usePage();
+  const possible = page.ready.value && page.figures.value.movedVertices > 0;
   return (
     <section class="step explore-step" aria-labelledby="step-explore">
       <h2 id="step-explore">
@@ -42,28 +36,28 @@ export function ExploreSection() {
       </p>
       <Slider
         label="Dimension"
-        value={dimension.value}
+        value={page.dimension.value}
         min={1}
         max={12}
         step={1}
-        spoken={directions(dimension.value)}
+        spoken={directions(page.dimension.value)}
         ends={["one slider", "twelve sliders"]}
-        disabled={!ready.value}
+        disabled={!page.ready.value}
         onInput={(value) => {
-          dimension.value = value;
+          page.dimension.value = value;
         }}
         onCommit={(value) => {
-          dimension.value = value;
+          page.dimension.value = value;
         }}
       />
       <label class="check">
         <input
           type="checkbox"
-          checked={eigenbasis.value}
+          checked={page.eigenbasis.value}
           aria-describedby="first-directions"
-          disabled={!ready.value}
+          disabled={!page.ready.value}
           onChange={({ currentTarget }) => {
-            eigenbasis.value = currentTarget.checked;
+            page.eigenbasis.value = currentTarget.checked;
           }}
         />
         <span>Smoothest first</span>
@@ -72,14 +66,10 @@ export function ExploreSection() {
         Each slider is one way to change the edit. The first one moves the fewest points, or with
         Smoothest first bends the surface least.
       </p>
-      <button
-        type="button"
-        class={`button wide${possible && !draft.value?.variation ? " primary" : ""}`}
-        disabled={!possible}
-        onClick={() => void exploreAndShow()}
-      >
-        Find variations
-      </button>
+      <CommandButton
+        look={possible && !page.draft.value?.variation ? "button wide primary" : "button wide"}
+        command={COMMANDS.findVariations}
+      />
       <VariationSliders />
       <ContinueButton />
       <VariationGallery />

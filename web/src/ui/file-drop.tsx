@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { readOnly, ready } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 import { openGiven } from "./pick-file.ts";
 
 /** The whole page takes a dropped mesh. */
 export function FileDrop({ children }: { children: ComponentChildren }) {
+  const page = usePage();
   const over = useSignal(false);
   const drop = (event: DragEvent): void => {
     event.preventDefault();
     over.value = false;
     const file = event.dataTransfer?.files[0];
-    if (file && ready.value && !readOnly.value) void openGiven(file);
+    if (file && page.ready.value && !page.readOnly.value) void openGiven(page, file);
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button Open file does the same

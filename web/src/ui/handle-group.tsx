@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Many handles, or many pins, as one row of the table.
+
 import type { Signal } from "@preact/signals";
-import type { HandleRow } from "../state/design.ts";
+import type { HandleRow } from "../design/design.ts";
 import { removeHandles } from "../state/editing.ts";
 import { selectThese } from "../state/selection.ts";
 import { Icon } from "./icon.tsx";
+import { usePage } from "./page-context.ts";
 
 interface HandleGroupProps {
   readonly rows: readonly HandleRow[];
@@ -15,6 +17,7 @@ interface HandleGroupProps {
 }
 
 export function HandleGroup({ rows, kind, listed }: HandleGroupProps) {
+  const page = usePage();
   const vertices = rows.map(({ vertex }) => vertex);
   const words = `${rows.length} ${kind}`;
   return (
@@ -25,7 +28,7 @@ export function HandleGroup({ rows, kind, listed }: HandleGroupProps) {
           type="button"
           class="button small"
           aria-description={words}
-          onClick={() => selectThese(vertices)}
+          onClick={() => selectThese(page, vertices)}
         >
           Select
         </button>
@@ -48,7 +51,7 @@ export function HandleGroup({ rows, kind, listed }: HandleGroupProps) {
           aria-label="Remove"
           aria-description={words}
           title={`Remove ${words}`}
-          onClick={() => void removeHandles(vertices)}
+          onClick={() => void removeHandles(page, vertices)}
         >
           <Icon name="close" />
         </button>

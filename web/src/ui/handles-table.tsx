@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { HandleRow, Point } from "../state/design.ts";
+import type { HandleRow, Point } from "../design/design.ts";
+import { formatLength, niceStep } from "../quantity/units.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import {
   addHandle,
@@ -11,13 +13,14 @@ import {
   setPinned,
   setTarget,
 } from "../state/editing.ts";
+import type { Page } from "../state/page.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
-import { baseFlat, handles, mesh, ready, selected, selection, unit } from "../state/store.ts";
-import { formatLength, niceStep } from "../state/units.ts";
+import type { Outcome } from "../state/turns.ts";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
+import { usePage } from "./page-context.ts";
 
 const SurfaceMove = later(() => import("./surface-move.tsx").then((part) => part.SurfaceMove));
 
@@ -35,46 +38,53 @@ const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 const LowerSolution = later(() =>
   import("./lower-solution.tsx").then((part) => part.LowerSolution),
 );
+
 const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part.MeetTargets));
 
 /** How far the point is from its target; kept in place while something moves. */
 function Short({ short }: { short: Shortfall }) {
+  const page = usePage();
   return (
-    <span class={`short${settled.value ? "" : " stale"}${short.noticeable ? " far" : ""}`}>
-      {formatLength(short.length, unit.value)}
-      {varied.value ? " from the target, by the variation" : " short"}
+    <span class={`short${settled(page).value ? "" : " stale"}${short.noticeable ? " far" : ""}`}>
+      {formatLength(short.length, page.unit.value)}
+      {varied(page).value ? " from the target, by the variation" : " short"}
     </span>
   );
 }
 
 function Row({ row, step }: { row: HandleRow; step: number }) {
-  const shown: Point = row.pinned ? basePoint(row.vertex) : row.target;
+  const page = usePage();
+  const shown: Point = row.pinned ? basePoint(page, row.vertex) : row.target;
   const name = `point ${row.vertex}`;
-  const short = shortfalls.value.find((one) => one.vertex === row.vertex);
-  const apply = (axis: number, value: number, burst: string | null): Promise<void> => {
+  const short = shortfalls(page).value.find((one) => one.vertex === row.vertex);
+  const apply = (axis: number, value: number, burst: string | null): Outcome => {
     const [x, y, z] = row.target.map((old, k) => (k === axis ? value : old));
-    return setTarget(row.vertex, [x ?? 0, y ?? 0, z ?? 0], burst);
+    return setTarget(page, row.vertex, [x ?? 0, y ?? 0, z ?? 0], burst);
   };
   return (
-    <tr class={`${selection.value.includes(row.vertex) ? "selected" : ""}${short ? " off" : ""}`}>
+    <tr
+      class={`${page.selection.value.includes(row.vertex) ? "selected" : ""}${short ? " off" : ""}`}
+    >
       <th scope="row">
         <button
           type="button"
           class="point-button"
           aria-label={`Select ${name}`}
           onClick={({ ctrlKey, metaKey, shiftKey }) =>
-            ctrlKey || metaKey || shiftKey ? toggleSelected(row.vertex) : selectOnly(row.vertex)
+            ctrlKey || metaKey || shiftKey
+              ? toggleSelected(page, row.vertex)
+              : selectOnly(page, row.vertex)
           }
         >
           {row.vertex}
         </button>
       </th>
       {AXES.map((label, axis) => (
-        <td key={label} data-axis={`${label} ${unit.value}`}>
+        <td key={label} data-axis={`${label} ${page.unit.value}`}>
           <NumberField
             label={label}
             value={shown[axis] ?? 0}
-            unit={unit.value}
+            unit={page.unit.value}
             step={step}
             disabled={row.pinned}
             context={name}
@@ -90,7 +100,9 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
           aria-description={name}
           title="Pinned: this point does not move"
           checked={row.pinned}
-          onChange={({ currentTarget }) => void setPinned([row.vertex], currentTarget.checked)}
+          onChange={({ currentTarget }) =>
+            void setPinned(page, [row.vertex], currentTarget.checked)
+          }
         />
       </td>
       <td class="narrow">
@@ -100,7 +112,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
           aria-label="Remove"
           aria-description={name}
           title={`Remove ${name}`}
-          onClick={() => void removeHandle(row.vertex)}
+          onClick={() => void removeHandle(page, row.vertex)}
         >
           <Icon name="close" />
         </button>
@@ -110,18 +122,23 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
 }
 
 /** Goes on to where the point is typed; not if the focus has left the button by then. */
-async function addByKey(button: HTMLButtonElement, table: HTMLTableElement | null): Promise<void> {
-  await addHandle();
+async function addByKey(
+  page: Page,
+  button: HTMLButtonElement,
+  table: HTMLTableElement | null,
+): Promise<void> {
+  await addHandle(page);
   if (document.activeElement !== button) return;
   table?.querySelector<HTMLInputElement>(".selected [role=spinbutton]")?.focus();
 }
 
 /** Handles or pins: each of a few, of many the one that is selected and how many there are. */
 function Rows({ rows, kind, step }: { rows: readonly HandleRow[]; kind: string; step: number }) {
+  const page = usePage();
   const listed = useSignal(false);
   const many = rows.length > LISTED;
   const shown =
-    many && !listed.value ? rows.filter(({ vertex }) => vertex === selected.value) : rows;
+    many && !listed.value ? rows.filter(({ vertex }) => vertex === page.selected.value) : rows;
   return (
     <>
       {many && <HandleGroup rows={rows} kind={kind} listed={listed} />}
@@ -141,11 +158,12 @@ function Rows({ rows, kind, step }: { rows: readonly HandleRow[]; kind: string; 
 
 /** Coordinates from here on, with their decimals, need a line each. */
 const LONG = 100;
+
 const LONG_NUMBERS = 10_000;
 
 /** Of the mesh and of where its points are to go, so that the table keeps its form. */
-function needsLines(rows: readonly HandleRow[]): boolean {
-  const report = mesh.value?.report;
+function needsLines(page: Page, rows: readonly HandleRow[]): boolean {
+  const report = page.mesh.value?.report;
   if (!report) return false;
   const reach = Math.max(...report.centre.map(Math.abs)) + 5 / report.scale;
   const asked = rows.flatMap(({ target }) => target.map(Math.abs));
@@ -153,16 +171,17 @@ function needsLines(rows: readonly HandleRow[]): boolean {
 }
 
 export function HandlesTable() {
+  const page = usePage();
   const table = useRef<HTMLTableElement>(null);
-  const step = stepFor(mesh.value?.report.meanEdge ?? 1);
-  const rows = handles.value;
-  const bent = !baseFlat.value;
+  const step = stepFor(page.mesh.value?.report.meanEdge ?? 1);
+  const rows = page.handles.value;
+  const bent = !page.baseFlat.value;
   const [pins, loose] = [rows.filter((row) => row.pinned), rows.filter((row) => !row.pinned)];
   return (
     <>
       <table
         ref={table}
-        class={`handles${rows.length === 0 ? " vacant" : ""}${needsLines(rows) ? " lines" : ""}`}
+        class={`handles${rows.length === 0 ? " vacant" : ""}${needsLines(page, rows) ? " lines" : ""}`}
         aria-label="Handles"
       >
         <thead>
@@ -170,7 +189,7 @@ export function HandlesTable() {
             <th scope="col">Point</th>
             {AXES.map((axis) => (
               <th key={axis} scope="col" class="axis">
-                {axis} <span class="unit">{unit.value}</span>
+                {axis} <span class="unit">{page.unit.value}</span>
               </th>
             ))}
             <th scope="col" class="narrow" title="Pinned">
@@ -188,18 +207,18 @@ export function HandlesTable() {
       </table>
       <MeetTargets />
       <LowerSolution />
-      {rows.length === 0 && baseFlat.value && (
+      {rows.length === 0 && page.baseFlat.value && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
       <div class="row">
         <button
           type="button"
           class={`button grow${rows.length === 0 ? " primary" : ""}`}
-          disabled={!ready.value || !baseFlat.value}
+          disabled={!page.ready.value || !page.baseFlat.value}
           aria-description={bent ? FLAT_FIRST : undefined}
           onClick={({ detail, currentTarget }) =>
             // A key's click counts none.
-            void (detail === 0 ? addByKey(currentTarget, table.current) : addHandle())
+            void (detail === 0 ? addByKey(page, currentTarget, table.current) : addHandle(page))
           }
         >
           <Icon name="plus" />
@@ -209,7 +228,12 @@ export function HandlesTable() {
           <button
             type="button"
             class="button"
-            onClick={() => void removeHandles(rows.map(({ vertex }) => vertex))}
+            onClick={() =>
+              void removeHandles(
+                page,
+                rows.map(({ vertex }) => vertex),
+              )
+            }
           >
             Remove all
           </button>

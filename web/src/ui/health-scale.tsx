@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+
 import { panelsWith } from "../state/panel-rows.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import { panelTroubles } from "../state/store.ts";
 import { ClassScale } from "./class-scale.tsx";
+import { usePage } from "./page-context.ts";
 
 const WORDS: readonly string[] = TROUBLES.map((word) =>
   word === "crosses itself" ? `${word} (bow-tie)` : word,
@@ -10,7 +11,8 @@ const WORDS: readonly string[] = TROUBLES.map((word) =>
 
 /** Whether panels can be made. */
 export function HealthScale() {
-  const troubles = panelTroubles.value;
+  const page = usePage();
+  const troubles = page.panelTroubles.value;
   const classes = WORDS.map((word, trouble) => ({
     word,
     place: trouble / (WORDS.length - 1),

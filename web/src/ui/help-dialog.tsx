@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { useRef } from "preact/hooks";
+import { CommandButton } from "./command-button.tsx";
+import { COMMANDS } from "./commands/commands.ts";
+import { useDoors } from "./commands/doors.ts";
 import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
@@ -8,17 +11,10 @@ const HelpText = later(() => import("./help-text.tsx").then((part) => part.HelpT
 
 export function HelpDialog() {
   const dialog = useRef<HTMLDialogElement>(null);
+  useDoors({ help: () => dialog.current?.showModal() });
   return (
     <>
-      <button
-        type="button"
-        class="bar-button"
-        onClick={() => dialog.current?.showModal()}
-        title="Help"
-      >
-        <Icon name="help" />
-        <span class="bar-label">Help</span>
-      </button>
+      <CommandButton look="bar-button" icon={<Icon name="help" />} command={COMMANDS.help} />
       <Dialog dialog={dialog} id="help" title="How it works">
         <HelpText />
       </Dialog>

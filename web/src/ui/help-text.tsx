@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+import { AllCommands, HelpKeys, Keys } from "./help-keys.tsx";
+
 interface Hint {
   /** What is pressed or done; a name of a key is in brackets: "[Ctrl] while dragging". */
   readonly how: string;
@@ -16,8 +18,8 @@ const HINTS: readonly Hint[] = [
     what: "turns the view about the selected point, or the place pressed; right button or two fingers pan, the wheel zooms to the pointer",
   },
   {
-    how: "[X] [Y] [Z] [N]",
-    what: "hold drags to an axis or to the normal until pressed again; pressed during a drag, that drag alone; with Shift, to the plane across",
+    how: "Drag by a finger",
+    what: "shows in a loupe what it covers; then Keep or Take back beside the point",
   },
   {
     how: "[Shift] while dragging",
@@ -25,51 +27,21 @@ const HINTS: readonly Hint[] = [
   },
   { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
   {
-    how: "[Ctrl] click, [Shift] drag",
-    what: "add a point to the selection, or all in a box, those behind the surface too; they move together",
+    how: "[Ctrl] click, [Shift] drag, [Shift] [Alt] drag",
+    what: "add a point to the selection, all in a box, or all that a loop goes round, those behind the surface too; they move together",
   },
   {
     how: "Double click on an edge",
     what: "selects the line of the mesh through it, with Alt the strip of panels across it; with Ctrl adds",
   },
-  { how: "[P]", what: "pins the selected points, or lets them go" },
   { how: "Rest on a point", what: "says how far it moved, or what its colour stands for" },
   { how: "Click a panel", what: "shows its figure; close by is enough where it is narrow" },
-  {
-    how: "[←] [↑] [↓] [→] in the view",
-    what: "step from point to point; with Ctrl, add the next point",
-  },
   {
     how: "To move a point by keys",
     what: "step to it, press Add handle, and type where it should go",
   },
-  { how: "[Shift] [←] [→], [+] [−]", what: "turn the view; zoom" },
-  { how: "[1] [2] [3] [4]", what: "perspective; top, front, side in parallel" },
-  { how: "[F], [Shift] [F]", what: "fit what is selected, or all of the model, into the view" },
-  { how: "[B], held", what: "shows the design before the edit" },
-  {
-    how: "[F6], [Shift] [F6]",
-    what: "go from the bar to the view to the inspector, and back",
-  },
-  { how: "[Esc]", what: "gives up a drag; otherwise clears the selection" },
-  { how: "[Ctrl] [Z], [Ctrl] [Shift] [Z]", what: "undo, redo" },
-  {
-    how: "[Ctrl] [O]",
-    what: "opens a mesh (OBJ, OFF, PLY, GLB, 3DM) or a design (GLB, 3DM, JSON)",
-  },
   { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
 ];
-
-/** Words, with names of keys as keys. */
-function Keys({ text }: { text: string }) {
-  return (
-    <>
-      {text
-        .split(/\[(.+?)\]/)
-        .map((part, k) => (k % 2 === 1 ? <kbd key={part}>{part}</kbd> : part))}
-    </>
-  );
-}
 
 export function HelpText() {
   return (
@@ -89,7 +61,7 @@ export function HelpText() {
         <a href="./guide/index.html" target="_blank" rel="noopener">
           The guide
         </a>{" "}
-        has every control, the formats and a glossary.
+        has every control, the formats and a glossary. <AllCommands />
       </p>
       <dl class="keys">
         {HINTS.map(({ how, what }) => (
@@ -100,6 +72,7 @@ export function HelpText() {
             <dd>{what}</dd>
           </div>
         ))}
+        <HelpKeys />
       </dl>
       <p class="quiet">
         Flatness of a panel is the distance between the two planes, parallel to its best-fit plane,

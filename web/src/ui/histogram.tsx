@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+
 import type { Histogram as Counts } from "../state/histogram.ts";
 import {
   ofBending,
@@ -9,18 +10,11 @@ import {
   ofPlanarity,
 } from "../state/histogram.ts";
 import { movesOn } from "../state/moves.ts";
-import {
-  bending,
-  colourBy,
-  draft,
-  figures,
-  kindDefects,
-  mesh,
-  panelFigures,
-  panelFolds,
-} from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 
 const WIDTH = 160;
+
 const HEIGHT = 28;
 
 interface Shown {
@@ -30,12 +24,12 @@ interface Shown {
   readonly rest: string;
 }
 
-function shown(): Shown | null {
-  const [design, base, kind] = [draft.value, mesh.value, colourBy.value];
+function shown(page: Page): Shown | null {
+  const [design, base, kind] = [page.draft.value, page.mesh.value, page.colourBy.value];
   if (kind === "displacement" && design && base) {
     // Of a finished design the file's own digits are known, while it moves what the view shows.
-    const steady = figures.value === design.report;
-    const { lengths } = movesOn(base, design.shape);
+    const steady = page.figures.value === design.report;
+    const { lengths } = movesOn(page, base, design.shape);
     return {
       counts: steady
         ? ofDisplacement(base, design.shape)
@@ -44,30 +38,30 @@ function shown(): Shown | null {
       rest: "untouched",
     };
   }
-  if (kind === "planarity" && panelFigures.value)
+  if (kind === "planarity" && page.panelFigures.value)
     return {
-      counts: ofPlanarity(panelFigures.value),
+      counts: ofPlanarity(page.panelFigures.value),
       what: ["panel out of flat", "panels out of flat"],
       rest: "flat",
     };
-  if (kind === "fold" && panelFolds.value)
+  if (kind === "fold" && page.panelFolds.value)
     return {
-      counts: ofFolds(panelFolds.value),
+      counts: ofFolds(page.panelFolds.value),
       what: ["panel folds", "panels fold"],
       rest: "flat with their neighbours",
     };
-  if (kindDefects.value?.kind === kind)
+  if (page.kindDefects.value?.kind === kind)
     return {
-      counts: ofDefects(kindDefects.value.values),
+      counts: ofDefects(page.kindDefects.value.values),
       what:
         kind === "circular"
           ? ["panel misses it", "panels miss it"]
           : ["node misses it", "nodes miss it"],
       rest: kind,
     };
-  if (kind === "fairness" && bending.value)
+  if (kind === "fairness" && page.bending.value)
     return {
-      counts: ofBending(bending.value),
+      counts: ofBending(page.bending.value),
       what: ["point bends", "points bend"],
       rest: "smooth",
     };
@@ -76,7 +70,8 @@ function shown(): Shown | null {
 
 /** How many points or panels there are along the legend's colours. */
 export function Histogram() {
-  const given = shown();
+  const page = usePage();
+  const given = shown(page);
   if (!given) return null;
   const { bins, rest } = given.counts;
   const most = Math.max(1, ...bins);

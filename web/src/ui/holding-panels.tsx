@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-import { freedom, selectedPanel } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 
 /** More would not help to decide what to change. */
 const MOST = 4;
 
 /** The panels that hold the targets back, each to be looked at. */
 export function HoldingPanels() {
-  const report = freedom.value;
+  const page = usePage();
+  const report = page.freedom.value;
   if (!report || report.holding.length === 0) return null;
   const { holding, borne } = report;
   return (
@@ -19,7 +20,7 @@ export function HoldingPanels() {
           class="point-button"
           aria-label={`Show panel ${panel}`}
           onClick={() => {
-            selectedPanel.value = panel;
+            page.selectedPanel.value = panel;
           }}
         >
           {panel}

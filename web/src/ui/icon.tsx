@@ -5,6 +5,7 @@ import box from "lucide-static/icons/box.svg?raw";
 import help from "lucide-static/icons/circle-question-mark.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import folder from "lucide-static/icons/folder-open.svg?raw";
+import lasso from "lucide-static/icons/lasso.svg?raw";
 import plane from "lucide-static/icons/layers-2.svg?raw";
 import snap from "lucide-static/icons/magnet.svg?raw";
 import pin from "lucide-static/icons/pin.svg?raw";
@@ -21,6 +22,7 @@ const ICONS = {
   download,
   folder,
   help,
+  lasso,
   local,
   pin,
   plane,
@@ -35,6 +37,8 @@ const ICONS = {
 export type IconName = keyof typeof ICONS;
 
 /** Decoration beside a name; the markup is ours, from the build. */
-export function Icon({ name }: { name: IconName }) {
-  return <span class="icon" aria-hidden="true" dangerouslySetInnerHTML={{ __html: ICONS[name] }} />;
-}
+export const Drawing = ({ markup }: { markup: string }) => (
+  <span class="icon" aria-hidden="true" dangerouslySetInnerHTML={{ __html: markup }} />
+);
+
+export const Icon = ({ name }: { name: IconName }) => <Drawing markup={ICONS[name]} />;

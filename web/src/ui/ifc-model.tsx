@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
 import { exportIfc, type Scope } from "../export/shop.ts";
+import type { Unit } from "../quantity/units.ts";
 import type { CuttingHeader } from "../solver/protocol.ts";
-import type { Unit } from "../state/units.ts";
+import { usePage } from "./page-context.ts";
 import { NumberRow, ScopeRow, ShopForm, UnitRow } from "./shop-fields.tsx";
 import { summary } from "./shop-summary.ts";
 
 /** The design as a curtain wall of plates. */
 export function IfcModel() {
+  const page = usePage();
   const [gap, thickness] = [useSignal(""), useSignal("")];
   const modelUnit = useSignal<Unit>("mm");
   const scope = useSignal<Scope>("all");
   const header = useSignal<CuttingHeader | null>(null);
   const save = async (): Promise<void> => {
     header.value = null;
-    header.value = await exportIfc({
+    header.value = await exportIfc(page, {
       unit: modelUnit.value,
       scope: scope.value,
       gap: Number(gap.value),

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import "./import-report.css";
 import { useEffect, useRef } from "preact/hooks";
+import { flatnessWords } from "../design/flatness.ts";
+import { isKeptBy, isMeant, KINDS, type Kind } from "../design/kept-kind.ts";
+import { planarisingWords } from "../design/planarising.ts";
+import { isUnit, UNITS, unitWord } from "../quantity/units.ts";
 import type { MeshReport } from "../solver/protocol.ts";
 import { damage, damageWords } from "../state/damage.ts";
-import { flatnessWords } from "../state/flatness.ts";
-import { isKeptBy, isMeant, KINDS, type Kind } from "../state/kept-kind.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
-import { planarisingWords } from "../state/planarising.ts";
-import {
-  baseFlat,
-  designName,
-  draft,
-  importReport,
-  mesh,
-  panelHealth,
-  unit,
-} from "../state/store.ts";
-import { isUnit, UNITS, unitWord } from "../state/units.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
 import { later } from "./later.tsx";
 
@@ -40,17 +33,18 @@ const faceWords = (sizes: MeshReport["faceSizes"]): string =>
 type Fact = readonly [string, string];
 
 /** What can be seen of the panels' outlines once they have been measured. */
-function outlineFacts(): readonly Fact[] {
-  if (!panelHealth.value) return [];
-  const { concave, crossing } = countHealth(panelHealth.value);
-  const spoilt = damage.value ? damageWords(damage.value, panelHealth.value) : "";
+function outlineFacts(page: Page): readonly Fact[] {
+  if (!page.panelHealth.value) return [];
+  const { concave, crossing } = countHealth(page.panelHealth.value);
+  const done = damage(page).value;
+  const spoilt = done ? damageWords(done, page.panelHealth.value) : "";
   const facts: Fact[] = [["Outlines", `${concave} concave, ${crossing} self-crossing`]];
   if (spoilt) facts.push(["Made flat, but", spoilt]);
   return facts;
 }
 
-function planarisingFacts(report: MeshReport): readonly Fact[] {
-  const words = planarisingWords(report, unit.value);
+function planarisingFacts(page: Page, report: MeshReport): readonly Fact[] {
+  const words = planarisingWords(report, page.unit.value);
   return words ? [["Planarised first", words]] : [];
 }
 
@@ -70,13 +64,14 @@ function meantFacts(report: MeshReport): readonly Fact[] {
 }
 
 function Facts({ report }: { report: MeshReport }) {
+  const page = usePage();
   const { worstGap, worstMmPerM, worstExcess } = report;
   const facts: readonly Fact[] = [
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
-    ["Worst panel", flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence],
-    ...planarisingFacts(report),
-    ...outlineFacts(),
+    ["Worst panel", flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence],
+    ...planarisingFacts(page, report),
+    ...outlineFacts(page),
     ...meantFacts(report),
     ["Boundary loops", String(report.boundaryLoops)],
     ["Separate parts", String(report.components)],
@@ -95,14 +90,15 @@ function Facts({ report }: { report: MeshReport }) {
 }
 
 function UnitChooser() {
+  const page = usePage();
   return (
     <label class="field">
       <span>Unit of the file</span>
       <select
         class="select"
-        value={unit.value}
+        value={page.unit.value}
         onChange={({ currentTarget }) => {
-          if (isUnit(currentTarget.value)) unit.value = currentTarget.value;
+          if (isUnit(currentTarget.value)) page.unit.value = currentTarget.value;
         }}
       >
         {UNITS.map((name) => (
@@ -117,23 +113,24 @@ function UnitChooser() {
 
 /** What was found in an opened file, and what to do if it is not flat. */
 export function ImportReport() {
-  const report = mesh.value?.report;
+  const page = usePage();
+  const report = page.mesh.value?.report;
   const close = () => {
-    importReport.value = false;
+    page.importReport.value = false;
   };
   const section = useRef<HTMLElement>(null);
   // scrollIntoView would also move the page under a telephone's address bar.
-  useEffect(() => section.current?.parentElement?.scrollTo(0, 0), [importReport.value]);
-  if (!importReport.value) return null;
+  useEffect(() => section.current?.parentElement?.scrollTo(0, 0), [page.importReport.value]);
+  if (!page.importReport.value) return null;
   return (
     <section ref={section} class="step import-report" aria-labelledby="import-title">
-      <h2 id="import-title">{designName.value}</h2>
-      {report && !baseFlat.value && (
+      <h2 id="import-title">{page.designName.value}</h2>
+      {report && !page.baseFlat.value && (
         <p>
           <strong>Planarise first?</strong> Points can be moved once every panel is flat.
         </p>
       )}
-      {report && !baseFlat.value && <PlanariseStep live={true} />}
+      {report && !page.baseFlat.value && <PlanariseStep live={true} />}
       <AcceptTolerance />
       {report && <Facts report={report} />}
       {report?.warnings.map((warning) => (
@@ -143,7 +140,7 @@ export function ImportReport() {
       ))}
       <UnitChooser />
       <div class="dialog-actions">
-        {report && !baseFlat.value ? (
+        {report && !page.baseFlat.value ? (
           <>
             <button type="button" class="button" onClick={close}>
               Leave as it is
@@ -152,8 +149,8 @@ export function ImportReport() {
               type="button"
               class="button primary"
               onClick={() =>
-                void planarise().then(() => {
-                  if (baseFlat.value) importReport.value = true;
+                void planarise(page).then(() => {
+                  if (page.baseFlat.value) page.importReport.value = true;
                 })
               }
             >
@@ -162,7 +159,7 @@ export function ImportReport() {
           </>
         ) : (
           <button type="button" class="button primary" onClick={close}>
-            {draft.value?.handles.length ? "Close" : "Start editing"}
+            {page.draft.value?.handles.length ? "Close" : "Start editing"}
           </button>
         )}
       </div>

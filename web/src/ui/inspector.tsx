@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-import { decimal } from "../state/flatness.ts";
+
+import { decimal } from "../design/flatness.ts";
 import { planarise } from "../state/opening.ts";
-import { baseFlat, boxTool, importReport, mesh, selection, settings } from "../state/store.ts";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
 import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 import { ReachAndSoftness } from "./reach-and-softness.tsx";
 
 function NotFlatNote() {
-  const [report, chosen] = [mesh.value?.report, settings.value];
-  if (!report || !chosen || baseFlat.value || importReport.value) return null;
+  const page = usePage();
+  const [report, chosen] = [page.mesh.value?.report, page.settings.value];
+  if (!report || !chosen || page.baseFlat.value || page.importReport.value) return null;
   const worst = decimal(report.worstMmPerM);
   return (
     <div class="note warn">
@@ -18,7 +20,7 @@ function NotFlatNote() {
         {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are.`}
       </p>
       <PlanariseStep live={false} />
-      <button type="button" class="button primary" onClick={() => void planarise()}>
+      <button type="button" class="button primary" onClick={() => void planarise(page)}>
         Planarise
       </button>
       <AcceptTolerance />
@@ -29,30 +31,38 @@ function NotFlatNote() {
 const AcceptTolerance = later(() =>
   import("./accept-tolerance.tsx").then((part) => part.AcceptTolerance),
 );
+
 const PlanariseStep = later(() =>
   import("./planarise-step.tsx").then((part) => part.PlanariseStep),
 );
+
 const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
+
 const StoppedNote = later(() => import("./stopped-note.tsx").then((part) => part.StoppedNote));
+
 const Limits = later(() => import("./limits.tsx").then((part) => part.Limits));
+
 const KeptKinds = later(() => import("./kept-kinds.tsx").then((part) => part.KeptKinds));
+
 const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
+
 const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
+
 const SelectionStrip = later(() =>
   import("./selection-strip.tsx").then((part) => part.SelectionStrip),
 );
-const SnapshotsSection = later(() =>
-  import("./snapshots-section.tsx").then((part) => part.SnapshotsSection),
-);
+
+const KeptSections = later(() => import("./kept-sections.tsx").then((part) => part.KeptSections));
 
 /** Where several points are selected, or about to be; beside the view, so that it covers none of them. */
 function Several() {
-  return selection.value.length > 1 || boxTool.value ? <SelectionStrip /> : null;
+  const page = usePage();
+  return page.selection.value.length > 1 || page.areaTool.value ? <SelectionStrip /> : null;
 }
 
 export function Inspector() {
   return (
-    <aside class="inspector" aria-label="Inspector">
+    <aside id="inspector" class="inspector" aria-label="Inspector">
       <Several />
       <ImportReport />
       <section class="step edit-step" aria-labelledby="step-edit">
@@ -70,7 +80,7 @@ export function Inspector() {
       </section>
       <ExploreSection />
       <ExactSection />
-      <SnapshotsSection />
+      <KeptSections />
     </aside>
   );
 }

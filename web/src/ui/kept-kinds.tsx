@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Circular panels and conical nodes, kept by edits of meshes that are made of them.
-import { FIRST_SETTINGS } from "../state/design.ts";
+
+import { FIRST_SETTINGS } from "../design/design.ts";
+import { isKeptBy, isMeant, KINDS, type Kind, kindOf, withKind } from "../design/kept-kind.ts";
 import { commitSettings } from "../state/editing.ts";
-import { isKeptBy, isMeant, KINDS, type Kind, kindOf, withKind } from "../state/kept-kind.ts";
 import { makeKept } from "../state/opening.ts";
-import { mesh, ready, settings } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 
 const LABELS: Readonly<Record<Kind, string>> = {
   circular: "Keep panels circular",
   conical: "Keep nodes conical",
 };
 
-const kept = (): readonly string[] => (settings.value ?? FIRST_SETTINGS).constraints;
-const isOn = (kind: Kind): boolean => kept().some((one) => kindOf(one) === kind);
+const kept = (page: Page): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).constraints;
 
-function choose(kind: Kind, on: boolean): void {
-  const others = kept().filter((one) => kindOf(one) !== kind);
-  void commitSettings({ constraints: on ? withKind(others, kind) : others });
+const isOn = (page: Page, kind: Kind): boolean => kept(page).some((one) => kindOf(one) === kind);
+
+function choose(page: Page, kind: Kind, on: boolean): void {
+  const others = kept(page).filter((one) => kindOf(one) !== kind);
+  void commitSettings(page, { constraints: on ? withKind(others, kind) : others });
 }
 
 const MAKE: Readonly<Record<Kind, string>> = {
@@ -25,8 +28,8 @@ const MAKE: Readonly<Record<Kind, string>> = {
 };
 
 /** What the mesh itself is, where an edit cannot keep it. */
-function nearWords(kind: Kind): string {
-  const report = mesh.value?.report;
+function nearWords(page: Page, kind: Kind): string {
+  const report = page.mesh.value?.report;
   const defects = report?.kinds[kind];
   if (!report || !defects || isKeptBy(report, kind)) return "";
   const worst = Number((defects.worst ?? 0).toPrecision(2));
@@ -34,15 +37,16 @@ function nearWords(kind: Kind): string {
 }
 
 function KeptKind({ kind }: { kind: Kind }) {
-  const words = nearWords(kind);
+  const page = usePage();
+  const words = nearWords(page, kind);
   return (
     <>
       <label class="check">
         <input
           type="checkbox"
-          checked={isOn(kind)}
-          disabled={!ready.value || (words !== "" && !isOn(kind))}
-          onChange={({ currentTarget }) => choose(kind, currentTarget.checked)}
+          checked={isOn(page, kind)}
+          disabled={!page.ready.value || (words !== "" && !isOn(page, kind))}
+          onChange={({ currentTarget }) => choose(page, kind, currentTarget.checked)}
         />
         <span>{LABELS[kind]}</span>
       </label>
@@ -52,8 +56,8 @@ function KeptKind({ kind }: { kind: Kind }) {
           <button
             type="button"
             class="button"
-            disabled={!ready.value}
-            onClick={() => void makeKept(kind)}
+            disabled={!page.ready.value}
+            onClick={() => void makeKept(page, kind)}
           >
             {MAKE[kind]}
           </button>
@@ -64,21 +68,24 @@ function KeptKind({ kind }: { kind: Kind }) {
 }
 
 /** Whether there is anything in the mesh that could miss it. */
-const isPossible = (kind: Kind): boolean =>
-  isOn(kind) || mesh.value?.report.kinds[kind]?.worst !== undefined;
+const isPossible = (page: Page, kind: Kind): boolean =>
+  isOn(page, kind) || page.mesh.value?.report.kinds[kind]?.worst !== undefined;
 
 /** Offered where a mesh is meant to be so, or where it is on; the others stand in Advanced. */
-function isOffered(kind: Kind): boolean {
-  const report = mesh.value?.report;
-  return isOn(kind) || (report !== undefined && isMeant(report, kind));
+function isOffered(page: Page, kind: Kind): boolean {
+  const report = page.mesh.value?.report;
+  return isOn(page, kind) || (report !== undefined && isMeant(report, kind));
 }
 
 export function KeptKinds({ offered }: { offered: boolean }) {
+  const page = usePage();
   return (
     <>
-      {KINDS.filter((kind) => isPossible(kind) && isOffered(kind) === offered).map((kind) => (
-        <KeptKind key={kind} kind={kind} />
-      ))}
+      {KINDS.filter((kind) => isPossible(page, kind) && isOffered(page, kind) === offered).map(
+        (kind) => (
+          <KeptKind key={kind} kind={kind} />
+        ),
+      )}
     </>
   );
 }

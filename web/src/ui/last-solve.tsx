@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import "./last-solve.css";
-import { planarisingWords } from "../state/planarising.ts";
-import { figures, freedom, mesh, unit, watchFreedom } from "../state/store.ts";
-import { convert, formatLength } from "../state/units.ts";
+import { planarisingWords } from "../design/planarising.ts";
+import { convert, formatLength } from "../quantity/units.ts";
 
 const WIDTH = 280;
+
 const HEIGHT = 72;
 /** Smaller residuals are rounding. */
 const FLOOR = 1e-16;
@@ -12,13 +14,14 @@ const FLOOR = 1e-16;
 const power = (residual: number): number => Math.log10(Math.max(residual, FLOOR));
 
 /** Mean edges, as the solver counts, in millimetres; below a ten-thousandth there is nothing to see. */
-function inMillimetres(meanEdges: number): string {
-  const mm = convert(meanEdges * (mesh.value?.report.meanEdge ?? 1), unit.value, "mm");
+function inMillimetres(page: Page, meanEdges: number): string {
+  const mm = convert(meanEdges * (page.mesh.value?.report.meanEdge ?? 1), page.unit.value, "mm");
   return mm < 1e-4 ? "less than 0.0001 mm" : `${Number(mm.toPrecision(2))} mm`;
 }
 
 /** How far panels are out of flat after every step, on a logarithmic scale. */
 function Curve({ residuals }: { residuals: readonly number[] }) {
+  const page = usePage();
   const powers = residuals.map(power);
   const [low, high] = [Math.min(...powers), Math.max(...powers)];
   const place = (value: number, k: number): string => {
@@ -27,7 +30,7 @@ function Curve({ residuals }: { residuals: readonly number[] }) {
     return `${x.toFixed(1)},${y.toFixed(1)}`;
   };
   const [first = 0, last = 0] = [residuals[0], residuals.at(-1)];
-  const words = `Residual of ${residuals.length} steps, from ${inMillimetres(first)} to ${inMillimetres(last)}`;
+  const words = `Residual of ${residuals.length} steps, from ${inMillimetres(page, first)} to ${inMillimetres(page, last)}`;
   return (
     <figure class="curve">
       <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={words}>
@@ -41,8 +44,8 @@ function Curve({ residuals }: { residuals: readonly number[] }) {
 }
 
 /** Of the points that move alone: how many ways are left to move them together. */
-function freedomFacts(): readonly (readonly [string, string])[] {
-  const report = freedom.value;
+function freedomFacts(page: Page): readonly (readonly [string, string])[] {
+  const report = page.freedom.value;
   if (!report) return [];
   const { points, equations, rank, freedom: ways } = report;
   return [
@@ -52,15 +55,15 @@ function freedomFacts(): readonly (readonly [string, string])[] {
   ];
 }
 
-function planarisingFact(): readonly (readonly [string, string])[] {
-  const report = mesh.value?.report;
-  const words = report ? planarisingWords(report, unit.value) : "";
+function planarisingFact(page: Page): readonly (readonly [string, string])[] {
+  const report = page.mesh.value?.report;
+  const words = report ? planarisingWords(report, page.unit.value) : "";
   return words ? [["Planarised first", words]] : [];
 }
 
 /** The certificate in one word: "converged" is within 1e-4 of a first-order point. */
-function certificateFact(): readonly (readonly [string, string])[] {
-  const { optimality, status } = figures.value;
+function certificateFact(page: Page): readonly (readonly [string, string])[] {
+  const { optimality, status } = page.figures.value;
   if (status === "nearest_confined") {
     return [
       [
@@ -77,39 +80,40 @@ function certificateFact(): readonly (readonly [string, string])[] {
 }
 
 /** Of what is kept beside planarity, the worst in the design. */
-const violationFacts = (): readonly (readonly [string, string])[] =>
-  Object.entries(figures.value.violations ?? {}).map(([kind, { after }]) => [
+const violationFacts = (page: Page): readonly (readonly [string, string])[] =>
+  Object.entries(page.figures.value.violations ?? {}).map(([kind, { after }]) => [
     `Worst, of ${kind}`,
     `${Number(after.toPrecision(2))}°`,
   ]);
 
-function facts(): readonly (readonly [string, string])[] {
-  const { iterations, objective, handleError } = figures.value;
+function facts(page: Page): readonly (readonly [string, string])[] {
+  const { iterations, objective, handleError } = page.figures.value;
   return [
-    ["Degrees of freedom of the mesh", String(mesh.value?.report.degreesOfFreedom ?? "–")],
-    ...freedomFacts(),
-    ...planarisingFact(),
+    ["Degrees of freedom of the mesh", String(page.mesh.value?.report.degreesOfFreedom ?? "–")],
+    ...freedomFacts(page),
+    ...planarisingFact(page),
     ["Steps", String(iterations)],
     ["Objective", objective.toPrecision(5)],
-    ...certificateFact(),
-    ...violationFacts(),
-    ["Furthest from a target now", formatLength(handleError, unit.value)],
+    ...certificateFact(page),
+    ...violationFacts(page),
+    ["Furthest from a target now", formatLength(handleError, page.unit.value)],
   ];
 }
 
 /** How the last solve went, and what it leaves free. */
 export function LastSolve() {
-  const { residuals } = figures.value;
+  const page = usePage();
+  const { residuals } = page.figures.value;
   return (
     <details
       class="disclosure"
       onToggle={({ currentTarget }) => {
-        watchFreedom.value = currentTarget.open;
+        page.watchFreedom.value = currentTarget.open;
       }}
     >
       <summary>Last solve</summary>
       <dl class="facts">
-        {facts().map(([name, value]) => (
+        {facts(page).map(([name, value]) => (
           <div key={name}>
             <dt>{name}</dt>
             <dd>{value}</dd>

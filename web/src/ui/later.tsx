@@ -2,24 +2,25 @@
 import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { fetchPart } from "../state/later.ts";
-import { ready } from "../state/store.ts";
+import { kept } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 
 /** A part of the page that comes by itself once the page can be used; nothing is there before. */
 export function later<P extends object = object>(
   load: () => Promise<ComponentType<P>>,
 ): ComponentType<P> {
-  const part = signal<ComponentType<P> | null>(null);
-  let asked = false;
-  const ask = async (): Promise<void> => {
-    part.value = await fetchPart(load);
-    asked = part.value !== null;
-  };
+  const own = kept(() => ({ part: signal<ComponentType<P> | null>(null), asked: false }));
   return function Later(props: P) {
-    const Part = part.value;
+    const page = usePage();
+    const mine = own(page);
+    const Part = mine.part.value;
     if (Part) return <Part {...props} />;
-    if (ready.value && !asked) {
-      asked = true;
-      void ask();
+    if (page.ready.value && !mine.asked) {
+      mine.asked = true;
+      void fetchPart(page, load).then((part) => {
+        mine.part.value = part;
+        mine.asked = part !== null;
+      });
     }
     return null;
   };

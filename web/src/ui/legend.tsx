@@ -1,46 +1,31 @@
 // SPDX-License-Identifier: MIT
+
 import type { RefObject } from "preact";
+import { isKind, type Kind } from "../design/kept-kind.ts";
+import { formatLength } from "../quantity/units.ts";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
-import { cssGradient, defectEnd, foldEnd, largest } from "../scene/ramp.ts";
+import { cssGradient } from "../scene/ramp.ts";
 import { formatDegrees } from "../state/fold.ts";
-import { isKind, type Kind } from "../state/kept-kind.ts";
-import {
-  bending,
-  type ColourBy,
-  colourBy,
-  figures,
-  kindDefects,
-  mesh,
-  panelFolds,
-  unit,
-} from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import type { Page } from "../state/page.ts";
+import type { ColourBy } from "../state/page-state.ts";
+import { defectEnd, foldEnd, largest } from "../state/ramp-ends.ts";
+import { COLOURS } from "./colours.ts";
 import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 
 const Histogram = later(() => import("./histogram.tsx").then((part) => part.Histogram));
 
 const HealthScale = later(() => import("./health-scale.tsx").then((part) => part.HealthScale));
+
 const PlanarityScale = later(() =>
   import("./planarity-scale.tsx").then((part) => part.PlanarityScale),
 );
+
 const MobilityScale = later(() =>
   import("./mobility-scale.tsx").then((part) => part.MobilityScale),
 );
-const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
 
-const CHOICES: readonly (readonly [ColourBy, string])[] = [
-  ["displacement", "Displacement"],
-  ["planarity", "Planarity"],
-  ["fold", "Folds"],
-  ["fairness", "Fairness"],
-  ["health", "Panel health"],
-  ["remake", "Make again"],
-  ["circular", "Circular"],
-  ["conical", "Conical"],
-  ["mobility", "Mobility"],
-  ["zebra", "Reflection lines"],
-  ["none", "Nothing"],
-];
+const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
 
 function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   return (
@@ -53,24 +38,26 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
 
 type Linear = "displacement" | "fairness" | "fold" | Kind;
 
-function ends(kind: Linear): readonly [string, string] {
-  const { maxDisplacement } = figures.value;
+function ends(page: Page, kind: Linear): readonly [string, string] {
+  const { maxDisplacement } = page.figures.value;
   if (kind === "displacement")
-    return ["0 mm, untouched", formatLength(maxDisplacement, unit.value)];
+    return ["0 mm, untouched", formatLength(maxDisplacement, page.unit.value)];
   if (kind === "fold") {
-    const end = panelFolds.value ? foldEnd(panelFolds.value) : 0;
+    const end = page.panelFolds.value ? foldEnd(page.panelFolds.value) : 0;
     return ["0°, flat", formatDegrees(end)];
   }
   if (isKind(kind)) {
-    const end = kindDefects.value?.kind === kind ? defectEnd(kindDefects.value.values) : 0;
+    const end =
+      page.kindDefects.value?.kind === kind ? defectEnd(page.kindDefects.value.values) : 0;
     return ["0°, kept", formatDegrees(end)];
   }
-  const sharpest = bending.value ? largest(bending.value) : 0;
-  return ["0 mm, smooth", formatLength(sharpest, unit.value)];
+  const sharpest = page.bending.value ? largest(page.bending.value) : 0;
+  return ["0 mm, smooth", formatLength(sharpest, page.unit.value)];
 }
 
 function Ends({ of }: { of: Linear }) {
-  const [low, high] = ends(of);
+  const page = usePage();
+  const [low, high] = ends(page, of);
   return (
     <div class="legend-ends">
       <span>{low}</span>
@@ -80,7 +67,8 @@ function Ends({ of }: { of: Linear }) {
 }
 
 function Scale() {
-  const kind = colourBy.value;
+  const page = usePage();
+  const kind = page.colourBy.value;
   if (kind === "none") return null;
   if (kind === "zebra")
     return <p class="legend-note">Mirrored by the smooth surface through the points</p>;
@@ -110,15 +98,16 @@ function Scale() {
 }
 
 /** Kinds of constraints only where the mesh has panels or nodes that could miss them. */
-function choices(): readonly (readonly [ColourBy, string])[] {
-  const kinds = mesh.value?.report.kinds;
-  return CHOICES.filter(
-    ([kind]) => !isKind(kind) || kind === colourBy.value || kinds?.[kind]?.worst !== undefined,
+function choices(page: Page): readonly (readonly [ColourBy, string])[] {
+  const kinds = page.mesh.value?.report.kinds;
+  return COLOURS.filter(
+    ([kind]) => !isKind(kind) || kind === page.colourBy.value || kinds?.[kind]?.worst !== undefined,
   );
 }
 
 /** What the colours of the model mean. */
 export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | null> }) {
+  const page = usePage();
   return (
     <fieldset ref={element} class="legend">
       <legend class="visually-hidden">Legend</legend>
@@ -126,12 +115,13 @@ export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | n
         <span class="legend-word">Colour by</span>
         <select
           class="select"
-          value={colourBy.value}
+          value={page.colourBy.value}
           onChange={({ currentTarget }) => {
-            colourBy.value = CHOICES.find(([kind]) => kind === currentTarget.value)?.[0] ?? "none";
+            page.colourBy.value =
+              COLOURS.find(([kind]) => kind === currentTarget.value)?.[0] ?? "none";
           }}
         >
-          {choices().map(([kind, label]) => (
+          {choices(page).map(([kind, label]) => (
             <option key={kind} value={kind}>
               {label}
             </option>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
-import { type Parsed, parseLength } from "../state/expression.ts";
-import { problem, ready } from "../state/store.ts";
-import { formatCoordinate, type Unit } from "../state/units.ts";
+import { parseLength } from "../quantity/expression.ts";
+import { formatCoordinate, type Unit } from "../quantity/units.ts";
+import type { Result } from "../result/result.ts";
+import { say } from "../state/telling.ts";
+import { usePage } from "./page-context.ts";
 
 interface LimitFieldProps {
   readonly label: string;
@@ -16,7 +19,7 @@ interface LimitFieldProps {
   readonly onApply: (value: number) => void;
 }
 
-function parse(text: string, unit: Unit | null, current: number): Parsed<number> {
+function parse(text: string, unit: Unit | null, current: number): Result<number> {
   if (unit) return parseLength(text, current, unit);
   const value = text.trim() === "" ? Number.NaN : Number(text.replace(",", ".").replace("°", ""));
   if (Number.isFinite(value)) return { ok: true, value };
@@ -25,6 +28,7 @@ function parse(text: string, unit: Unit | null, current: number): Parsed<number>
 
 /** One number of a limit, applied by Enter or on leaving; lengths take units and arithmetic. */
 export function LimitField(props: LimitFieldProps) {
+  const page = usePage();
   const { label, about, value, unit, invalid, zero, onApply } = props;
   const shown = zero !== undefined && value === 0 ? zero : formatCoordinate(value);
   const text = useSignal<string | null>(null);
@@ -42,7 +46,7 @@ export function LimitField(props: LimitFieldProps) {
     if (parsed.ok) {
       text.value = null;
       onApply(parsed.value);
-    } else problem.value = `${label}: ${parsed.reason}`;
+    } else say(page, `${label}: ${parsed.reason}`);
   };
 
   return (
@@ -55,7 +59,7 @@ export function LimitField(props: LimitFieldProps) {
       aria-label={label}
       aria-description={about}
       aria-invalid={invalid || unreadable.value}
-      disabled={!ready.value}
+      disabled={!page.ready.value}
       value={text.value ?? shown}
       onFocus={({ currentTarget }) => currentTarget.select()}
       onInput={({ currentTarget }) => {

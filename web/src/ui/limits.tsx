@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What the shop or the eye allows: limits on folds, angles, lengths and sizes of panels, each on or off.
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import "./limits.css";
 import { useSignal } from "@preact/signals";
+import { FIRST_SETTINGS } from "../design/design.ts";
+import { limitHead, limitNumbers } from "../design/stated-limit.ts";
+import { niceStep } from "../quantity/units.ts";
 import type { ShapeReport } from "../solver/protocol.ts";
-import { FIRST_SETTINGS } from "../state/design.ts";
 import { commitSettings } from "../state/editing.ts";
+import { stopped } from "../state/going-on.ts";
 import { showNextPanel } from "../state/selection.ts";
-import { limitHead, limitNumbers } from "../state/stated-limit.ts";
-import { figures, limited, mesh, problem, ready, settings, unit } from "../state/store.ts";
-import { niceStep } from "../state/units.ts";
+import { gotWords } from "../state/way-on.ts";
 import { LimitField } from "./limit-field.tsx";
 
 interface Row {
@@ -71,23 +74,26 @@ const ROWS: readonly Row[] = [
   },
 ];
 
-const unitOf = ({ measure }: Row): string =>
-  measure === "degrees" ? "°" : measure === "area" ? `${unit.value}²` : unit.value;
+const unitOf = (page: Page, { measure }: Row): string =>
+  measure === "degrees" ? "°" : measure === "area" ? `${page.unit.value}²` : page.unit.value;
 
-const stated = (): readonly string[] => (settings.value ?? FIRST_SETTINGS).limits;
-const others = (head: string): readonly string[] => stated().filter((l) => limitHead(l) !== head);
+const stated = (page: Page): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).limits;
+
+const others = (page: Page, head: string): readonly string[] =>
+  stated(page).filter((l) => limitHead(l) !== head);
 
 /** In the order of the rows, so that the same limits are the same design. */
 const inOrder = (limits: readonly string[]): readonly string[] =>
   ROWS.flatMap(({ head }) => limits.filter((limit) => limitHead(limit) === head));
 
 function LimitRow({ row }: { row: Row }) {
+  const page = usePage();
   const { head, label, about, mark } = row;
   /** Typed while it is off, or refused. */
   const kept = useSignal<readonly number[] | null>(null);
   const refused = useSignal("");
-  const on = stated().find((limit) => limitHead(limit) === head);
-  const edge = mesh.value?.report.meanEdge ?? 1;
+  const on = stated(page).find((limit) => limitHead(limit) === head);
+  const edge = page.mesh.value?.report.meanEdge ?? 1;
   const numbers = kept.value ?? (on ? limitNumbers(on) : row.usual(edge));
 
   const state = async (wanted: readonly number[]): Promise<void> => {
@@ -95,14 +101,14 @@ function LimitRow({ row }: { row: Row }) {
     refused.value = "";
     const sorted = head === "sheet=" ? [...wanted].sort((a, b) => a - b) : wanted;
     const limit = head + sorted.join(mark?.[0]);
-    await commitSettings({ limits: inOrder([...others(head), limit]) });
-    if (stated().includes(limit)) kept.value = null;
-    else refused.value = (problem.value ?? "").replace("bounds: ", "");
+    const end = await commitSettings(page, { limits: inOrder([...others(page, head), limit]) });
+    if (stated(page).includes(limit)) kept.value = null;
+    else refused.value = end && !end.ok ? end.reason.replace("bounds: ", "") : "";
   };
   const turnOff = (): void => {
     kept.value = numbers;
     refused.value = "";
-    void commitSettings({ limits: others(head) });
+    void commitSettings(page, { limits: others(page, head) });
   };
 
   return (
@@ -111,7 +117,7 @@ function LimitRow({ row }: { row: Row }) {
         <input
           type="checkbox"
           checked={on !== undefined}
-          disabled={!ready.value}
+          disabled={!page.ready.value}
           onChange={({ currentTarget }) =>
             void (currentTarget.checked ? state(numbers) : turnOff())
           }
@@ -122,15 +128,15 @@ function LimitRow({ row }: { row: Row }) {
         <LimitField
           key={k === 0 ? "first" : "second"}
           label={mark ? `${label}, ${k === 0 ? "first" : "second"}` : label}
-          about={refused.value || `${unitOf(row)}, ${about}`}
+          about={refused.value || `${unitOf(page, row)}, ${about}`}
           value={value}
-          unit={row.measure === "length" ? unit.value : null}
+          unit={row.measure === "length" ? page.unit.value : null}
           invalid={refused.value !== ""}
           onApply={(given) => void state(numbers.map((x, other) => (other === k ? given : x)))}
         />
       ))}
       {mark && <span class="mark quiet small">{mark[1]}</span>}
-      <span class="unit quiet small">{unitOf(row)}</span>
+      <span class="unit quiet small">{unitOf(page, row)}</span>
       {refused.value && <p class="refused small">{refused.value}</p>}
     </div>
   );
@@ -145,29 +151,36 @@ const NAMES: Readonly<Record<string, string>> = {
 };
 
 /** "asked 25°, is 24.99°"; of the other limits nothing is measured here. */
-function foldReached(name: string, { sharpestFold }: ShapeReport): string {
-  const asked = stated().find((limit) => limitHead(limit) === "fold=");
+function foldReached(page: Page, name: string, { sharpestFold }: ShapeReport): string {
+  const asked = stated(page).find((limit) => limitHead(limit) === "fold=");
   if (name !== "fold" || !asked || !sharpestFold) return "";
   return ` (asked ${limitNumbers(asked)[0]}°, is ${sharpestFold.after.toFixed(2)}°)`;
 }
 
+/** What the limits cost comes before that they hold. */
+function costWords(page: Page): string {
+  const found = stopped(page).value;
+  return found ? `${gotWords(found.stop, page.unit.value)} reached: the` : "The";
+}
+
 /** Which limits hold the edit back, and the way to the panels. */
 function Standing() {
-  const { bounds, movedVertices } = figures.value;
-  if (!limited.value || !bounds || movedVertices === 0) return null;
+  const page = usePage();
+  const { bounds, movedVertices } = page.figures.value;
+  if (!page.limited.value || !bounds || movedVertices === 0) return null;
   const held = Object.entries(bounds).filter(([, panels]) => panels.length > 0);
   if (held.length === 0) return <p class="quiet small">No limit holds this edit back.</p>;
   return (
     <>
-      {held.map(([name, panels]) => (
+      {held.map(([name, panels], k) => (
         <p key={name} class="small">
-          {`The limit on ${NAMES[name] ?? name} holds ${panels.length === 1 ? "a panel" : `${panels.length} panels`} back${foldReached(name, figures.value)}: `}
+          {`${k === 0 ? costWords(page) : "The"} limit on ${NAMES[name] ?? name} holds ${panels.length === 1 ? "a panel" : `${panels.length} panels`} back${foldReached(page, name, page.figures.value)}: `}
           <button
             type="button"
             class="text-button"
             title="Go to the next of these panels"
             aria-label={`Show panels at the limit on ${NAMES[name] ?? name}`}
-            onClick={() => showNextPanel(panels)}
+            onClick={() => showNextPanel(page, panels)}
           >
             show
           </button>
@@ -178,7 +191,8 @@ function Standing() {
 }
 
 export function Limits() {
-  const count = stated().length;
+  const page = usePage();
+  const count = stated(page).length;
   return (
     <div class="disclosure">
       <details>

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
+
 import { commitSettings } from "../state/editing.ts";
 import { stopped } from "../state/going-on.ts";
 import { shortfalls, varied } from "../state/shortfall.ts";
-import { history, ready } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 
 /** Below handles that stop a little short of their targets; where it is more, a note has all ways on. */
 export function MeetTargets() {
-  const exactly = history.value?.present.settings.hardHandles;
-  if (shortfalls.value.length === 0 || varied.value || exactly || stopped.value) return null;
+  const page = usePage();
+  const exactly = page.history.value?.present.settings.hardHandles;
+  if (shortfalls(page).value.length === 0 || varied(page).value || exactly || stopped(page).value)
+    return null;
   return (
     <button
       type="button"
       class="button small meet-targets"
       title="Points go all the way to what is typed or dragged, where the panels let them"
-      disabled={!ready.value}
-      onClick={() => void commitSettings({ hardHandles: true })}
+      disabled={!page.ready.value}
+      onClick={() => void commitSettings(page, { hardHandles: true })}
     >
       Meet the targets exactly
     </button>

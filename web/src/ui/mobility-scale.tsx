@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./mobility-scale.css";
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { largest } from "../scene/ramp.ts";
+import { formatLength } from "../quantity/units.ts";
 import { formatDegrees } from "../state/fold.ts";
 import {
   isOutdated,
@@ -11,30 +12,32 @@ import {
   openPlace,
   stopMobility,
 } from "../state/mobility.ts";
-import { baseFlat, mesh, mobility, ready, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { largest } from "../state/ramp-ends.ts";
 
 /** Measures while someone looks, whichever mesh is open. */
 function useMeasuring(): void {
+  const page = usePage();
   useEffect(() => {
     const off = effect(() => {
-      const opened = mesh.value;
-      if (ready.value && baseFlat.value && mobility.peek()?.of !== opened) measureMobility();
+      const opened = page.mesh.value;
+      if (page.ready.value && page.baseFlat.value && page.mobility.peek()?.of !== opened)
+        measureMobility(page);
     });
-    if (mobility.peek()?.of === mesh.peek()) measureMobility();
+    if (page.mobility.peek()?.of === page.mesh.peek()) measureMobility(page);
     return () => {
       off();
-      stopMobility();
+      stopMobility(page);
     };
   }, []);
 }
 
 function Place({ row }: { row: MobilityRow }) {
-  const way = `${row.direction[2] > 0 ? "up" : "down"} ${formatLength(row.distance, unit.value)}`;
+  const page = usePage();
+  const way = `${row.direction[2] > 0 ? "up" : "down"} ${formatLength(row.distance, page.unit.value)}`;
   const cost = `${row.remake} ${row.remake === 1 ? "panel" : "panels"} again, folds up to ${formatDegrees(row.sharpestFold)}`;
   return (
     <li>
-      <button type="button" title="Open as an edit" onClick={() => void openPlace(row)}>
+      <button type="button" title="Open as an edit" onClick={() => void openPlace(page, row)}>
         {`Point ${row.vertex} ${way}`}
         <span>{cost}</span>
       </button>
@@ -44,7 +47,8 @@ function Place({ row }: { row: MobilityRow }) {
 
 /** How far it is, and what stops it or goes on. */
 function Progress() {
-  const map = mobility.value;
+  const page = usePage();
+  const map = page.mobility.value;
   if (!map) return null;
   const points = map.ways.length;
   const done = map.measured === points;
@@ -55,13 +59,13 @@ function Progress() {
         {done ? `${points} points measured` : `${map.measured} of ${points} points measured`}
       </span>
       {map.running && (
-        <button type="button" class="button small" onClick={stopMobility}>
+        <button type="button" class="button small" onClick={() => stopMobility(page)}>
           Stop
         </button>
       )}
-      {!map.running && (!done || isOutdated(map)) && (
-        <button type="button" class="button small" onClick={measureMobility}>
-          {isOutdated(map) ? "Measure again" : "Go on"}
+      {!map.running && (!done || isOutdated(page, map)) && (
+        <button type="button" class="button small" onClick={() => measureMobility(page)}>
+          {isOutdated(page, map) ? "Measure again" : "Go on"}
         </button>
       )}
     </div>
@@ -70,14 +74,15 @@ function Progress() {
 
 /** How far points get up and down, and where the shape can change most. */
 export function MobilityScale() {
+  const page = usePage();
   useMeasuring();
-  const map = mobility.value?.of === mesh.value ? mobility.value : null;
-  if (!baseFlat.value) return <p class="legend-note">Make it flat first: Planarise.</p>;
+  const map = page.mobility.value?.of === page.mesh.value ? page.mobility.value : null;
+  if (!page.baseFlat.value) return <p class="legend-note">Make it flat first: Planarise.</p>;
   return (
     <>
       <div class="legend-ends">
         <span>stays</span>
-        <span>{formatLength(map ? largest(map.ways) : 0, unit.value)}</span>
+        <span>{formatLength(map ? largest(map.ways) : 0, page.unit.value)}</span>
       </div>
       <p class="legend-note">Mean way up and down before a panel stops it, from the base</p>
       <Progress />

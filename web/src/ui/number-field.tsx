@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
-import { parseLength } from "../state/expression.ts";
-import { problem } from "../state/store.ts";
-import { formatCoordinate, type Unit, unitWord } from "../state/units.ts";
+import { parseLength } from "../quantity/expression.ts";
+import { formatCoordinate, type Unit, unitWord } from "../quantity/units.ts";
+import { say } from "../state/telling.ts";
 import { type Apply, useAhead } from "./ahead.ts";
+import { usePage } from "./page-context.ts";
 
 interface NumberFieldProps {
   readonly label: string;
@@ -27,6 +29,7 @@ export function NumberField({
   context,
   onApply,
 }: NumberFieldProps) {
+  const page = usePage();
   /** What is being typed; null while the field only shows the value. */
   const text = useSignal<string | null>(null);
   const invalid = useSignal(false);
@@ -44,7 +47,7 @@ export function NumberField({
     if (parsed.ok) {
       text.value = null;
       void onApply(parsed.value, null);
-    } else problem.value = `${label}: ${parsed.reason}`;
+    } else say(page, `${label}: ${parsed.reason}`);
   };
 
   const stepTo = (wanted: number): void => {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./panels.css";
+import { sliverAngle } from "virtual:core-defaults";
 import { useSignal } from "@preact/signals";
+import { FLAT_MEANS, flatnessWords } from "../design/flatness.ts";
+import { type Kind, LEAST_DEFECT } from "../design/kept-kind.ts";
 import { save } from "../export/exporting.ts";
 import { panelList } from "../export/panel-list.ts";
+import { convert } from "../quantity/units.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
-import { FLAT_MEANS, flatnessWords } from "../state/flatness.ts";
 import { formatDegrees } from "../state/fold.ts";
-import { type Kind, LEAST_DEFECT } from "../state/kept-kind.ts";
 import { measuredPanels } from "../state/measured-panels.ts";
 import {
   countHealth,
@@ -17,10 +20,9 @@ import {
   panelCount,
 } from "../state/panel-rows.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import { kindDefects, nodeCounts, selectedPanel, unit } from "../state/store.ts";
-import { convert } from "../state/units.ts";
 
 const ROWS = 8;
+
 const MORE = 50;
 
 interface Column {
@@ -63,8 +65,7 @@ const COLUMNS: readonly Column[] = [
   {
     key: "urgency",
     name: "Shape",
-    meaning:
-      "What is wrong with the panel: the worst first, then by the sharpest fold; a sliver has a corner below 15°",
+    meaning: `What is wrong with the panel: the worst first, then by the sharpest fold; a sliver has a corner below ${sliverAngle}°`,
     largest: true,
   },
   {
@@ -104,9 +105,10 @@ const defectWords = (degrees: number): string =>
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
 function Summary({ health }: { health: Float32Array }) {
+  const page = usePage();
   const { changed, bevel, concave, crossing } = countHealth(health);
   const only = bevel > 0 ? `, ${bevel} of them with a new bevel only` : "";
-  const { moved, arms } = nodeCounts.value ?? { moved: 0, arms: 0 };
+  const { moved, arms } = page.nodeCounts.value ?? { moved: 0, arms: 0 };
   const nodes =
     moved + arms > 0
       ? `, and ${moved + arms} ${moved + arms === 1 ? "node" : "nodes"}, ${arms} of them with new angles only`
@@ -119,17 +121,18 @@ function Summary({ health }: { health: Float32Array }) {
 }
 
 function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
+  const page = usePage();
   const { panel, angle, edge, trouble, fold } = row;
-  const { gap, cell } = flatnessWords(row.gap, row.mmPerM, row.excess, unit.value);
+  const { gap, cell } = flatnessWords(row.gap, row.mmPerM, row.excess, page.unit.value);
   return (
-    <tr class={panel === selectedPanel.value ? "selected" : ""}>
+    <tr class={panel === page.selectedPanel.value ? "selected" : ""}>
       <th scope="row">
         <button
           type="button"
           class="point-button"
           aria-label={`Show panel ${panel}`}
           onClick={() => {
-            selectedPanel.value = panel;
+            page.selectedPanel.value = panel;
           }}
         >
           {panel}
@@ -138,7 +141,7 @@ function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
       <td>{kind ? defectWords(row.defect) : gap.replace(" mm", "")}</td>
       <td>{cell}</td>
       <td>{`${angle.toFixed(0)}°`}</td>
-      <td>{convert(edge, unit.value, "mm").toFixed(0)}</td>
+      <td>{convert(edge, page.unit.value, "mm").toFixed(0)}</td>
       <td class={trouble === 0 ? "" : "unhealthy"}>{TROUBLES[trouble]}</td>
       <td>{formatDegrees(fold).replace("°", "")}</td>
     </tr>
@@ -188,13 +191,14 @@ function Head({ columns, order: { key, descending }, onSort }: HeadProps) {
 
 /** Every panel's figures, first those in trouble, or by the chosen column; choosing one shows it. */
 export function PanelsTable() {
+  const page = usePage();
   const order = useSignal<PanelOrder>({ key: "urgency", descending: true, changedOnly: false });
   const wanted = useSignal(ROWS);
-  const measured = measuredPanels.value;
+  const measured = measuredPanels(page).value;
   if (!measured) return null;
   const { figures, health } = measured;
   if (health.length !== PER_PANEL.health * panelCount(figures)) return null;
-  const kind = kindDefects.value?.kind ?? null;
+  const kind = page.kindDefects.value?.kind ?? null;
   const { key, descending, changedOnly } = order.value;
   const sort = (column: Column): void => {
     const again = column.key === key;
@@ -237,8 +241,8 @@ export function PanelsTable() {
           class="button small"
           title="Saves the table of all panels, for spreadsheets"
           onClick={() => {
-            const text = panelList(measured, unit.value, kind);
-            save(new Blob([text], { type: "text/csv" }), "-panels.csv");
+            const text = panelList(measured, page.unit.value, kind);
+            save(page, new Blob([text], { type: "text/csv" }), "-panels.csv");
           }}
         >
           Save CSV

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { useEffect, useRef } from "preact/hooks";
+import { drawPatch, type Patch } from "../scene/patch-drawing.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
-import { drawPatch, type Patch } from "./patch-drawing.ts";
 
 /** CSS pixels where there is room; elsewhere it is shown smaller. */
 const SIZE = [136, 102] as const;

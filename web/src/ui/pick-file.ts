@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 import { fetchPart } from "../state/later.ts";
+import type { Page } from "../state/page.ts";
 
 /** Asks for one file; null if the user changes their mind. */
 function pickFile(accept: string): Promise<File | null> {
@@ -14,12 +16,12 @@ function pickFile(accept: string): Promise<File | null> {
 }
 
 /** Opens a mesh or a design that was picked or dropped. */
-export async function openGiven(file: File): Promise<void> {
-  const files = await fetchPart(() => import("../state/files.ts"));
-  await files?.openFile(file);
+export async function openGiven(page: Page, file: File): Promise<void> {
+  const files = await fetchPart(page, () => import("../state/files.ts"));
+  await files?.openFile(page, file);
 }
 
-export async function pickAndOpen(): Promise<void> {
+export async function pickAndOpen(page: Page): Promise<void> {
   const file = await pickFile(".obj,.off,.ply,.glb,.3dm,.json");
-  if (file) await openGiven(file);
+  if (file) await openGiven(page, file);
 }

@@ -1,36 +1,29 @@
 // SPDX-License-Identifier: MIT
 // How an opened mesh becomes flat, shown on the model before it is done: close to what was opened, or
 // fair.
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import "./planarise-step.css";
 import { useEffect, useMemo } from "preact/hooks";
+import { decimal, flatnessWords } from "../design/flatness.ts";
+import type { Preview, Trial } from "../design/planarising.ts";
+import { formatLength, unitWord } from "../quantity/units.ts";
 import type { OpenedMesh, Planarising } from "../solver/protocol.ts";
-import { decimal, flatnessWords } from "../state/flatness.ts";
 import { formatDegrees } from "../state/fold.ts";
 import { spoiltWords, usualFold } from "../state/planarise-figures.ts";
 import { EAGER_POINTS, isMet, PlanarisePreview } from "../state/planarise-preview.ts";
-import type { Preview, Trial } from "../state/planarising.ts";
-import {
-  draft,
-  mesh,
-  panelFolds,
-  planariseTrial,
-  planarising,
-  ready,
-  settings,
-  showBefore,
-  unit,
-} from "../state/store.ts";
-import { formatLength, unitWord } from "../state/units.ts";
 import { Choice } from "./choice.tsx";
 import { LimitField } from "./limit-field.tsx";
 import { Slider } from "./slider.tsx";
 
 /** Weights of fairness, from the nearest flat mesh to the fairest. */
 const STOPS = [0, 1, 10, 100, 1000] as const;
+
 const NAMES = ["nearest", "close", "fair", "fairer", "fairest"] as const;
 
 /** mm/m that panels may stay out of flat; the last is the most that edits can live with. */
 const FLATNESSES = [0, 1, 5, 20] as const;
+
 const MOST_BENT = 20;
 
 const FLATNESS_CHOICES = FLATNESSES.map(
@@ -55,20 +48,21 @@ function canKeepBoundary({ offsets, vertices, topology }: OpenedMesh): boolean {
 const degrees = (fold: number | null): string => (fold === null ? "" : formatDegrees(fold));
 
 function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
+  const page = usePage();
   const worst = ({ report }: OpenedMesh): string => {
     const { worstGap, worstMmPerM, worstExcess } = report;
-    const { cell } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
+    const { cell } = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value);
     return cell === "flat" ? cell : `${cell} mm/m`;
   };
   const { moved, largest } = trial.mesh.report.planarising;
-  const folds = [panelFolds.value, trial.measures?.folds ?? null].map((all) =>
+  const folds = [page.panelFolds.value, trial.measures?.folds ?? null].map((all) =>
     degrees(all && usualFold(all)),
   );
   const rows: readonly (readonly [string, string, string])[] = [
     ["Worst panel", worst(opened), worst(trial.mesh)],
     ["95 % of panels fold up to", folds[0] ?? "", folds[1] ?? ""],
     ["Newly spoilt", "", spoiltWords(trial)],
-    ["Largest move", "", formatLength(largest, unit.value)],
+    ["Largest move", "", formatLength(largest, page.unit.value)],
     ["Points that move", "", `${moved} of ${opened.report.vertices}`],
   ];
   return (
@@ -131,16 +125,17 @@ interface OutcomeProps {
 }
 
 function Outcome({ preview, opened, onTry }: OutcomeProps) {
+  const page = usePage();
   switch (preview.kind) {
     case "none":
       return <p class="quiet small">Move the slider to see on the model what it gives.</p>;
     case "running":
       return <p class="quiet small">Trying it on the model…</p>;
     case "refused":
-      return <p class="note warn">{preview.sentence + ways(planarising.value)}</p>;
+      return <p class="note warn">{preview.sentence + ways(page.planarising.value)}</p>;
     case "shown": {
       const { trial } = preview;
-      const short = draft.value && !isMet(trial, draft.value);
+      const short = page.draft.value && !isMet(trial, page.draft.value);
       return (
         <>
           <Figures trial={trial} opened={opened} />
@@ -151,23 +146,24 @@ function Outcome({ preview, opened, onTry }: OutcomeProps) {
   }
 }
 
-function hold(on: boolean): void {
-  showBefore.value = on;
+function hold(page: Page, on: boolean): void {
+  page.showBefore.value = on;
 }
 
 function HoldFile() {
+  const page = usePage();
   return (
     <button
       type="button"
       class="button small"
-      aria-pressed={showBefore.value}
+      aria-pressed={page.showBefore.value}
       title="Hold to see the file as it is (B)"
-      onPointerDown={() => hold(true)}
-      onPointerUp={() => hold(false)}
-      onPointerLeave={() => hold(false)}
-      onKeyDown={(event) => event.key === " " && hold(true)}
-      onKeyUp={() => hold(false)}
-      onBlur={() => hold(false)}
+      onPointerDown={() => hold(page, true)}
+      onPointerUp={() => hold(page, false)}
+      onPointerLeave={() => hold(page, false)}
+      onKeyDown={(event) => event.key === " " && hold(page, true)}
+      onKeyUp={() => hold(page, false)}
+      onBlur={() => hold(page, false)}
     >
       Before: the file
     </button>
@@ -176,21 +172,22 @@ function HoldFile() {
 
 /** @param live whether it begins by itself */
 export function PlanariseStep({ live }: { live: boolean }) {
-  const [opened, design] = [mesh.value, draft.value];
+  const page = usePage();
+  const [opened, design] = [page.mesh.value, page.draft.value];
   const preview = useMemo(
-    () => (opened && design ? new PlanarisePreview(opened, design) : null),
+    () => (opened && design ? new PlanarisePreview(page, opened, design) : null),
     [opened, design],
   );
   const wanted = (): Planarising => {
-    const { keepShape = true, constraints = [] } = settings.peek() ?? {};
-    return { ...planarising.peek(), keepShape, constraints };
+    const { keepShape = true, constraints = [] } = page.settings.peek() ?? {};
+    return { ...page.planarising.peek(), keepShape, constraints };
   };
   const show = (): void => void preview?.show(wanted());
   const keep = (keepBoundary: boolean): void => {
-    planarising.value = { ...planarising.peek(), keepBoundary };
+    page.planarising.value = { ...page.planarising.peek(), keepBoundary };
   };
   const change = (changed: Partial<Planarising>): void => {
-    planarising.value = { ...planarising.peek(), ...changed };
+    page.planarising.value = { ...page.planarising.peek(), ...changed };
     show();
   };
   /** With the boundary where it is, unless that leaves panels bent. */
@@ -204,18 +201,19 @@ export function PlanariseStep({ live }: { live: boolean }) {
     if (!opened || !preview) return;
     if (live) {
       const keepBoundary = canKeepBoundary(opened);
-      planarising.value = { ...planarising.peek(), keepBoundary, within: 0, flat: 0 };
+      page.planarising.value = { ...page.planarising.peek(), keepBoundary, within: 0, flat: 0 };
     }
     if (live && opened.report.vertices <= EAGER_POINTS) void begin();
     return () => preview.end();
   }, [opened, preview, live]);
   if (!opened || !preview) return null;
-  const { smooth, keepBoundary, within, flat } = planarising.value;
+  const { smooth, keepBoundary, within, flat } = page.planarising.value;
   const stop = stopOf(smooth);
   const name = NAMES[stop] ?? "";
   const choose = (place: number): void => {
     const chosen = STOPS[place] ?? 0;
-    if (chosen === planarising.peek().smooth && planariseTrial.peek().kind !== "none") return;
+    if (chosen === page.planarising.peek().smooth && page.planariseTrial.peek().kind !== "none")
+      return;
     change({ smooth: chosen });
   };
   return (
@@ -228,7 +226,7 @@ export function PlanariseStep({ live }: { live: boolean }) {
         step={1}
         shown={name}
         spoken={name}
-        disabled={!ready.value}
+        disabled={!page.ready.value}
         ends={["close to the file", "fair folds"]}
         onInput={choose}
         onCommit={choose}
@@ -249,24 +247,24 @@ export function PlanariseStep({ live }: { live: boolean }) {
           onChoose={(chosen) => change({ flat: Number(chosen) })}
         />
         <div class="field">
-          <span aria-hidden="true">{`Largest move (${unit.value})`}</span>
+          <span aria-hidden="true">{`Largest move (${page.unit.value})`}</span>
           <LimitField
             label="Largest move"
-            about={`${unitWord(unit.value)}, or any: no point moves farther`}
+            about={`${unitWord(page.unit.value)}, or any: no point moves farther`}
             zero="any"
             value={within}
-            unit={unit.value}
+            unit={page.unit.value}
             invalid={within < 0}
             onApply={(length) => change({ within: Math.max(0, length) })}
           />
         </div>
       </div>
       <Outcome
-        preview={planariseTrial.value}
+        preview={page.planariseTrial.value}
         opened={opened}
         onTry={(most) => change({ flat: most })}
       />
-      {planariseTrial.value.kind === "shown" && <HoldFile />}
+      {page.planariseTrial.value.kind === "shown" && <HoldFile />}
     </>
   );
 }

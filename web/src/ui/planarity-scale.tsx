@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./legend-scales.css";
-import { FABRICATION_LIMIT, planarityEnd, planarityShare } from "../scene/ramp.ts";
-import { flatnessWords, isFlat } from "../state/flatness.ts";
+import { flatnessWords, isFlat } from "../design/flatness.ts";
 import { measuredPanels } from "../state/measured-panels.ts";
 import { firstPanels } from "../state/panel-rows.ts";
+import { FABRICATION_LIMIT, planarityEnd, planarityShare } from "../state/ramp-ends.ts";
 import { showNextPanel } from "../state/selection.ts";
-import { figures, panelFigures, unit } from "../state/store.ts";
 
 /** Power of ten, mm/m, of the first tick; what is flat lies a decade below. */
 const FIRST = -5;
@@ -34,12 +34,17 @@ const WORST = { key: "mmPerM", descending: true, changedOnly: false } as const;
 
 /** The figure itself; it leads to its panel unless every panel is flat. */
 function Worst() {
-  const { worstGap, worstMmPerM, worstExcess } = figures.value;
-  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
-  const measured = measuredPanels.value;
-  if (isFlat(figures.value) || !measured)
+  const page = usePage();
+  const { worstGap, worstMmPerM, worstExcess } = page.figures.value;
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value);
+  const measured = measuredPanels(page).value;
+  if (isFlat(page.figures.value) || !measured)
     return <p class="legend-note">{`Worst panel ${sentence}`}</p>;
-  const goTo = (): void => showNextPanel(firstPanels(measured, WORST, 1).map(({ panel }) => panel));
+  const goTo = (): void =>
+    showNextPanel(
+      page,
+      firstPanels(measured, WORST, 1).map(({ panel }) => panel),
+    );
   return (
     <button type="button" class="legend-note worst-panel" title="Go to this panel" onClick={goTo}>
       {`Worst panel ${sentence}`}
@@ -49,7 +54,8 @@ function Worst() {
 
 /** Ticks at powers of ten below the ramp: its colours are not in proportion to the figures. */
 export function PlanarityScale() {
-  const end = panelFigures.value ? planarityEnd(panelFigures.value) : FABRICATION_LIMIT;
+  const page = usePage();
+  const end = page.panelFigures.value ? planarityEnd(page.panelFigures.value) : FABRICATION_LIMIT;
   return (
     <>
       <div class="decades" aria-hidden="true">

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The two weights of the paper, for those who want them in place of reach and softness.
-import { FIRST_SETTINGS, RAW_WEIGHTS, SOFT_LIMITS } from "../state/design.ts";
+
+import { FIRST_SETTINGS, RAW_WEIGHTS, SOFT_LIMITS } from "../design/design.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
-import { ready, settings } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
 function Weight({ label, weight, ends }: WeightProps) {
-  const { softness, [weight]: value } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { softness, [weight]: value } = page.settings.value ?? FIRST_SETTINGS;
   return (
     <Slider
       label={label}
@@ -16,10 +18,10 @@ function Weight({ label, weight, ends }: WeightProps) {
       step={0.1}
       shown={`${value.toFixed(1)} ×`}
       spoken={`${value.toFixed(1)} times the default weight`}
-      disabled={!ready.value || softness > 0}
+      disabled={!page.ready.value || softness > 0}
       ends={ends}
-      onInput={(chosen) => previewSettings({ [weight]: chosen })}
-      onCommit={(chosen, burst) => commitSettings({ [weight]: chosen }, burst)}
+      onInput={(chosen) => previewSettings(page, { [weight]: chosen })}
+      onCommit={(chosen, burst) => commitSettings(page, { [weight]: chosen }, burst)}
     />
   );
 }
@@ -31,7 +33,8 @@ interface WeightProps {
 }
 
 export function RawWeights() {
-  const { softness } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { softness } = page.settings.value ?? FIRST_SETTINGS;
   return (
     <>
       <label class="field">
@@ -39,9 +42,9 @@ export function RawWeights() {
         <select
           class="select"
           value={softness > 0 ? "softness" : "raw"}
-          disabled={!ready.value}
+          disabled={!page.ready.value}
           onChange={({ currentTarget }) =>
-            void commitSettings(currentTarget.value === "raw" ? RAW_WEIGHTS : SOFT_LIMITS)
+            void commitSettings(page, currentTarget.value === "raw" ? RAW_WEIGHTS : SOFT_LIMITS)
           }
         >
           <option value="softness">Reach and softness</option>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How far an edit may reach and how softly it bends, with what each of them does at once.
 
-import type { BoundarySupport } from "../solver/protocol.ts";
-import { FIRST_SETTINGS } from "../state/design.ts";
+import { FIRST_SETTINGS } from "../design/design.ts";
+import { boundaryForm, withBoundary } from "../design/supports.ts";
+import { formatLength } from "../quantity/units.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
-import { figures, ready, settings, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
 import { Choice } from "./choice.tsx";
+import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
 const MOST_RINGS = 12;
@@ -29,10 +30,11 @@ const movedWords = (moved: number): string => {
 };
 
 function Reach() {
-  const { reach, reachLength } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { reach, reachLength } = page.settings.value ?? FIRST_SETTINGS;
   const limits = [
     ...(reach > 0 ? [ringWords(reach)] : []),
-    ...(reachLength > 0 ? [formatLength(reachLength, unit.value)] : []),
+    ...(reachLength > 0 ? [formatLength(reachLength, page.unit.value)] : []),
   ];
   const shown = limits.join(", ") || "no limit";
   const change = (value: number) => ({
@@ -47,16 +49,17 @@ function Reach() {
       max={NO_LIMIT}
       step={1}
       shown={shown}
-      disabled={!ready.value}
+      disabled={!page.ready.value}
       ends={["next panels only", "no limit"]}
-      onInput={(value) => previewSettings(change(value))}
-      onCommit={(value, burst) => commitSettings(change(value), burst)}
+      onInput={(value) => previewSettings(page, change(value))}
+      onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
   );
 }
 
 function Softness() {
-  const { softness } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { softness } = page.settings.value ?? FIRST_SETTINGS;
   const shown = softness > 0 ? softness.toFixed(0) : "by the raw weights";
   const { attraction } = FIRST_SETTINGS;
   const change = (value: number) =>
@@ -70,25 +73,26 @@ function Softness() {
       step={1}
       shown={shown}
       spoken={softness > 0 ? `${shown} of ${SOFTEST}` : shown}
-      disabled={!ready.value}
+      disabled={!page.ready.value}
       ends={["close and firm", "wide and gentle"]}
-      onInput={(value) => previewSettings(change(value))}
-      onCommit={(value, burst) => commitSettings(change(value), burst)}
+      onInput={(value) => previewSettings(page, change(value))}
+      onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
   );
 }
 
 function KeepBoundary() {
-  const { keepBoundary } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { keepBoundary } = page.settings.value ?? FIRST_SETTINGS;
   return (
     <>
       <label class="check">
         <input
           type="checkbox"
           checked={keepBoundary}
-          disabled={!ready.value}
+          disabled={!page.ready.value}
           onChange={({ currentTarget }) =>
-            void commitSettings({ keepBoundary: currentTarget.checked })
+            void commitSettings(page, { keepBoundary: currentTarget.checked })
           }
         />
         <span>Keep boundary</span>
@@ -98,34 +102,41 @@ function KeepBoundary() {
   );
 }
 
-const SLIDES: readonly (readonly [BoundarySupport, string])[] = [
-  ["none", "moves freely"],
-  ["level", "keeps its level"],
+const PointSupports = later(() =>
+  import("./point-supports.tsx").then((part) => part.PointSupports),
+);
+
+const SLIDES: readonly (readonly [string, string])[] = [
+  ["", "moves freely"],
+  ["level=z", "keeps its level"],
   ["outline", "stays on its outline"],
 ];
 
 /** What boundary points do that move: those that are dragged, and all where the boundary is not kept. */
 function BoundarySlides() {
-  const { boundarySupport } = settings.value ?? FIRST_SETTINGS;
+  const page = usePage();
+  const { supports } = page.settings.value ?? FIRST_SETTINGS;
   return (
     <Choice
       label="Boundary that moves"
-      value={boundarySupport}
+      value={boundaryForm(supports)}
       words={SLIDES}
-      onChoose={(chosen) => void commitSettings({ boundarySupport: chosen })}
+      onChoose={(form) => void commitSettings(page, { supports: withBoundary(supports, form) })}
     />
   );
 }
 
 export function ReachAndSoftness() {
+  const page = usePage();
   return (
     <>
       <Reach />
-      <Effect words={movedWords(figures.value.movedVertices)} />
+      <Effect words={movedWords(page.figures.value.movedVertices)} />
       <Softness />
-      <Effect words={foldWords(figures.value)} />
+      <Effect words={foldWords(page.figures.value)} />
       <KeepBoundary />
       <BoundarySlides />
+      <PointSupports />
     </>
   );
 }

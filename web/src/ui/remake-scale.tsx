@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+
 import { remakePlace } from "../scene/ramp.ts";
 import { panelsChanged } from "../state/panel-rows.ts";
-import { panelHealth } from "../state/store.ts";
 import { ClassScale } from "./class-scale.tsx";
+import { usePage } from "./page-context.ts";
 
 /** By the core's PanelChange, in the order of the ramp. */
 const CLASSES = [
@@ -13,7 +14,8 @@ const CLASSES = [
 
 /** What the shop makes again after the edit. */
 export function RemakeScale() {
-  const health = panelHealth.value;
+  const page = usePage();
+  const health = page.panelHealth.value;
   const classes = CLASSES.map(([word, change]) => ({
     word,
     place: remakePlace(change),

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
+import { niceStep, unitWord } from "../quantity/units.ts";
 import { layOut, offsetWords } from "../state/offset.ts";
-import {
-  mesh,
-  type OffsetChoice,
-  offsetChoice,
-  offsetLayer,
-  problem,
-  unit,
-} from "../state/store.ts";
-import { niceStep, unitWord } from "../state/units.ts";
+import type { OffsetChoice } from "../state/page-state.ts";
+import { usePage } from "./page-context.ts";
 import { ChoiceRow, NumberRow, ShopForm } from "./shop-fields.tsx";
 
 const FORMS = [
@@ -21,20 +16,22 @@ const FORMS = [
 
 /** The design at a distance: a glazing layer, a lower chord, the other side of a thick panel. */
 export function SecondLayer() {
-  const usual = niceStep((mesh.value?.report.meanEdge ?? 1) / 5);
+  const page = usePage();
+  const usual = niceStep((page.mesh.value?.report.meanEdge ?? 1) / 5);
   const distance = useSignal("");
-  const form = useSignal<OffsetChoice["form"]>(offsetChoice.peek()?.form ?? "");
+  const form = useSignal<OffsetChoice["form"]>(page.offsetChoice.peek()?.form ?? "");
   const said = useSignal<string | null>(null);
   const show = async (): Promise<void> => {
     const choice = { distance: Number(distance.value || usual), form: form.value };
-    await layOut(choice);
-    const layer = offsetLayer.value;
-    said.value = layer ? offsetWords(layer, choice.distance) : problem.value;
+    const laid = await layOut(page, choice);
+    const layer = page.offsetLayer.value;
+    const refusal = laid && !laid.ok ? laid.reason : null;
+    said.value = layer ? offsetWords(page, layer, choice.distance) : refusal;
   };
   return (
     <ShopForm save="Show" onSave={show} said={said.value}>
       <NumberRow
-        label={`Distance, ${unitWord(unit.value)}`}
+        label={`Distance, ${unitWord(page.unit.value)}`}
         value={distance}
         otherwise={String(usual)}
         min=""

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Several points are one thing: what can be done with all that are selected, and how to select more.
+import { usePage } from "./page-context.ts";
 import "./selection-strip.css";
-import type { Point } from "../state/design.ts";
-import { FLAT_FIRST, moveTogether } from "../state/dragging.ts";
-import { freePins, removeHandles, setPinned } from "../state/editing.ts";
-import {
-  growSelection,
-  selectBoundary,
-  selectedEdge,
-  selectLine,
-  selectOthers,
-  selectRing,
-  shrinkSelection,
-} from "../state/selecting-more.ts";
-import { baseFlat, handles, mesh, ready, selection, unit } from "../state/store.ts";
-import { niceStep } from "../state/units.ts";
+import type { Point } from "../design/design.ts";
+import { niceStep } from "../quantity/units.ts";
+import { FLAT_FIRST } from "../state/dragging.ts";
+import { moveTogether } from "../state/typed-moves.ts";
+import { CommandButton } from "./command-button.tsx";
+import type { Command } from "./commands/command.ts";
+import { COMMANDS } from "./commands/commands.ts";
+import { cannotEdit, SELECTION_COMMANDS } from "./commands/selection-commands.ts";
+import { Measures } from "./measures.tsx";
 import { NumberField } from "./number-field.tsx";
 
 const AXES: readonly (readonly [string, Point])[] = [
@@ -23,23 +19,49 @@ const AXES: readonly (readonly [string, Point])[] = [
   ["Z", [0, 0, 1]],
 ];
 
-interface ToolProps {
-  readonly name: string;
-  readonly about: string;
-  readonly disabled?: boolean;
-  readonly onClick: () => void;
-}
+/** With what its title says of it beside its label. */
+type Tool = readonly [command: Command, hint: string];
 
-function Tool({ name, about, disabled, onClick }: ToolProps) {
+const DO: readonly Tool[] = [
+  [SELECTION_COMMANDS.pinSelected, "pinned points do not move"],
+  [SELECTION_COMMANDS.freeSelected, "lets the pinned ones go"],
+  [SELECTION_COMMANDS.removeSelected, "their pins, too"],
+];
+
+/** Of the view alone. */
+const SIGHT: readonly Tool[] = [
+  [COMMANDS.hide, "those at these points; the design keeps them"],
+  [COMMANDS.isolate, "those at these points"],
+];
+
+const SELECT: readonly Tool[] = [
+  [SELECTION_COMMANDS.selectBoundary, "adds its points"],
+  [
+    SELECTION_COMMANDS.selectLine,
+    "adds the one through the two neighbours selected last (double click on an edge)",
+  ],
+  [
+    SELECTION_COMMANDS.selectRing,
+    "adds the one across the two neighbours selected last (Alt and double click on an edge)",
+  ],
+  [SELECTION_COMMANDS.selectOthers, "all the other points"],
+  [SELECTION_COMMANDS.growSelection, "adds the neighbours"],
+  [SELECTION_COMMANDS.shrinkSelection, "leaves out the points at its edge"],
+];
+
+function Tools({ tools }: { tools: readonly Tool[] }) {
   return (
-    <button type="button" class="tool" title={about} disabled={disabled ?? false} onClick={onClick}>
-      {name}
-    </button>
+    <span class="strip-part">
+      {tools.map(([command, hint]) => (
+        <CommandButton key={command.label} look="tool" command={command} hint={hint} />
+      ))}
+    </span>
   );
 }
 
 function MoveFields({ disabled }: { disabled: boolean }) {
-  const chosen = selection.value;
+  const page = usePage();
+  const chosen = page.selection.value;
   return (
     <span class="strip-part">
       <span class="strip-move">Move by</span>
@@ -49,90 +71,69 @@ function MoveFields({ disabled }: { disabled: boolean }) {
           <NumberField
             label={`Move by ${axis}`}
             value={0}
-            unit={unit.value}
-            step={niceStep((mesh.value?.report.meanEdge ?? 1) / 100)}
+            unit={page.unit.value}
+            step={niceStep((page.mesh.value?.report.meanEdge ?? 1) / 100)}
             disabled={disabled}
-            context={`all selected points together, along ${axis}`}
-            onApply={(by) => void moveTogether(chosen, [x * by, y * by, z * by])}
+            context={`all selected points together, along ${axis}${page.fallOff.value > 0 ? "; those further out by less" : ""}`}
+            onApply={(by) => void moveTogether(page, chosen, [x * by, y * by, z * by])}
           />
         </span>
       ))}
-      <span class="strip-move">{unit.value}</span>
+      <span class="strip-move">{page.unit.value}</span>
     </span>
   );
 }
 
-function DoTools({ disabled }: { disabled: boolean }) {
-  const chosen = selection.value;
-  const rows = handles.value.filter(({ vertex }) => chosen.includes(vertex));
-  const pins = rows.filter(({ pinned }) => pinned);
-  return (
-    <span class="strip-part">
-      <Tool
-        name="Pin"
-        about="Pinned points do not move"
-        disabled={disabled || pins.length === chosen.length}
-        onClick={() => void setPinned(chosen, true)}
-      />
-      <Tool
-        name="Free"
-        about="Lets the pinned ones go"
-        disabled={disabled || pins.length === 0}
-        onClick={() => void freePins(chosen)}
-      />
-      <Tool
-        name="Remove"
-        about="Removes their handles and pins"
-        disabled={disabled || rows.length === 0}
-        onClick={() => void removeHandles(chosen)}
-      />
-    </span>
-  );
-}
+/** The outer share of the group over which its move falls off. */
+const FALL_OFFS: readonly (readonly [number, string])[] = [
+  [0, "none"],
+  [0.35, "at the rim"],
+  [0.65, "half way"],
+  [1, "from the middle"],
+];
 
-function SelectTools({ none }: { none: boolean }) {
-  const noEdge = selectedEdge() === null;
+function FallOff() {
+  const page = usePage();
   return (
-    <span class="strip-part">
-      <Tool name="Boundary" about="Adds the points of the boundary" onClick={selectBoundary} />
-      <Tool
-        name="Line"
-        about="Adds the line of the mesh through the two neighbours selected last (double click on an edge)"
-        disabled={noEdge}
-        onClick={selectLine}
-      />
-      <Tool
-        name="Ring"
-        about="Adds the strip of panels across the two neighbours selected last (Alt and double click on an edge)"
-        disabled={noEdge}
-        onClick={selectRing}
-      />
-      <Tool name="Invert" about="Selects all the other points" onClick={selectOthers} />
-      <Tool name="Grow" about="Adds the neighbours" disabled={none} onClick={growSelection} />
-      <Tool
-        name="Shrink"
-        about="Leaves out the points at the edge of the selection"
-        disabled={none}
-        onClick={shrinkSelection}
-      />
-    </span>
+    <label
+      class="strip-move"
+      title="Points further out move less: a bump, not a mesa. A drag falls off from the point that is dragged, typed amounts are those of the middle"
+    >
+      Fall-off
+      <select
+        class="select"
+        value={page.fallOff.value}
+        onChange={({ currentTarget }) => {
+          page.fallOff.value = Number(currentTarget.value);
+        }}
+      >
+        {FALL_OFFS.map(([share, words]) => (
+          <option key={share} value={share}>
+            {words}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 
 export function SelectionStrip() {
-  const { length } = selection.value;
-  const fixed = length === 0 || !ready.value || !baseFlat.value;
+  const page = usePage();
+  const { length } = page.selection.value;
   return (
     <div
       class="selection-strip"
       role="toolbar"
       aria-label="Selected points"
-      title={baseFlat.value ? undefined : FLAT_FIRST}
+      title={page.baseFlat.value ? undefined : FLAT_FIRST}
     >
       <span class="strip-count">{length === 1 ? "1 point" : `${length} points`}</span>
-      <DoTools disabled={fixed} />
-      <MoveFields disabled={fixed} />
-      <SelectTools none={length === 0} />
+      <Tools tools={DO} />
+      <MoveFields disabled={cannotEdit(page) !== ""} />
+      <FallOff />
+      <Tools tools={SIGHT} />
+      <Tools tools={SELECT} />
+      <Measures />
     </div>
   );
 }

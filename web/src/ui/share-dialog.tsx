@@ -1,34 +1,31 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useRef } from "preact/hooks";
 import { fetchPart } from "../state/later.ts";
-import { ready } from "../state/store.ts";
+import { CommandButton } from "./command-button.tsx";
+import { COMMANDS } from "./commands/commands.ts";
+import { useDoors } from "./commands/doors.ts";
 import { Dialog } from "./dialog.tsx";
 import { Icon } from "./icon.tsx";
+import { usePage } from "./page-context.ts";
 
 export function ShareDialog() {
+  const page = usePage();
   const dialog = useRef<HTMLDialogElement>(null);
   const content = useSignal<ComponentChild>(null);
   const open = async (): Promise<void> => {
-    const part = await fetchPart(() => import("./shared-link.tsx"));
-    const shared = await part?.share();
+    const part = await fetchPart(page, () => import("./shared-link.tsx"));
+    const shared = await part?.share(page);
     if (!part || !shared) return;
     content.value = <part.SharedLink shared={shared} onClose={() => dialog.current?.close()} />;
     dialog.current?.showModal();
   };
+  useDoors({ share: open });
   return (
     <>
-      <button
-        type="button"
-        class="bar-button"
-        title="Share"
-        disabled={!ready.value}
-        onClick={() => void open()}
-      >
-        <Icon name="share" />
-        <span class="bar-label">Share</span>
-      </button>
+      <CommandButton look="bar-button" icon={<Icon name="share" />} command={COMMANDS.share} />
       <Dialog dialog={dialog} id="share" title="Share this design">
         {content.value}
       </Dialog>

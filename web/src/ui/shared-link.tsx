@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+
 import { designLink } from "../export/design-link.ts";
 import { exportMesh } from "../export/exporting.ts";
 import { readCamera } from "../state/camera.ts";
+import type { Page } from "../state/page.ts";
 import { inTurn } from "../state/turns.ts";
+import { usePage } from "./page-context.ts";
 
 /** Mail programs and chats start to cut links about here. */
 const LONG = 8_000;
@@ -24,12 +27,9 @@ function advice({ link, copied }: Shared): string {
 
 /** Makes the link of the design, once all that was asked for is done, and copies it, where the
  * browser lets it. */
-export async function share(): Promise<Shared | null> {
-  let link: string | null = null;
-  await inTurn(async () => {
-    link = await designLink(readCamera());
-  });
-  return link === null ? null : copy(link);
+export async function share(page: Page): Promise<Shared | null> {
+  const link = await inTurn(page, () => designLink(page, readCamera(page)));
+  return link?.ok ? copy(link.value) : null;
 }
 
 async function copy(link: string): Promise<Shared> {
@@ -46,6 +46,7 @@ interface SharedLinkProps {
 }
 
 export function SharedLink({ shared, onClose }: SharedLinkProps) {
+  const page = usePage();
   return (
     <>
       <input
@@ -64,7 +65,7 @@ export function SharedLink({ shared, onClose }: SharedLinkProps) {
             class="button primary"
             onClick={() => {
               onClose();
-              void exportMesh("glb");
+              void exportMesh(page, "glb");
             }}
           >
             Save as GLB

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the dialogs for the workshop ask for.
+import { usePage } from "./page-context.ts";
 import "./shop-fields.css";
 import type { Signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { type Scope, selectedPanels } from "../export/shop.ts";
-import { busy } from "../state/store.ts";
-import { UNITS, type Unit, unitWord } from "../state/units.ts";
+import { UNITS, type Unit, unitWord } from "../quantity/units.ts";
 
 interface LengthProps {
   readonly label: string;
@@ -73,7 +73,8 @@ export function UnitRow({ label, value }: { label: string; value: Signal<Unit> }
 }
 
 export function ScopeRow({ label, value }: { label: string; value: Signal<Scope> }) {
-  const count = selectedPanels().length;
+  const page = usePage();
+  const count = selectedPanels(page).length;
   const choices = [
     { value: "all", text: "All panels" },
     { value: "remake", text: "What must be made again" },
@@ -92,6 +93,7 @@ interface FormProps {
 
 /** The rows of a dialog, and the button that saves. */
 export function ShopForm({ save, onSave, said, children }: FormProps) {
+  const page = usePage();
   return (
     <form
       class="shop-form"
@@ -103,7 +105,7 @@ export function ShopForm({ save, onSave, said, children }: FormProps) {
       {children}
       <div class="dialog-actions">
         <span aria-live="polite">{said}</span>
-        <button type="submit" class="button" disabled={busy.value}>
+        <button type="submit" class="button" disabled={page.busy.value}>
           {save}
         </button>
       </div>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What was saved for the workshop, in words.
+
+import { decimal, FLAT } from "../design/flatness.ts";
 import type { CuttingHeader } from "../solver/protocol.ts";
-import { decimal, FLAT } from "../state/flatness.ts";
 
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 

@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: MIT
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import "./designs.css";
 import { useEffect } from "preact/hooks";
-import type { Snapshot } from "../share/saved-record.ts";
-import { sourceName } from "../state/design.ts";
+import { sourceName } from "../design/design.ts";
+import type { Snapshot } from "../design/saved-record.ts";
+import { formatLength } from "../quantity/units.ts";
+import { snapshotPicture } from "../scene/snapshot-picture.ts";
 import {
   adoptSnapshot,
   deleteSnapshot,
   isShown,
   providePictures,
   renameSnapshot,
-  takeSnapshot,
 } from "../state/snapshots.ts";
-import { ready, snapshots, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
+import { CommandButton } from "./command-button.tsx";
+import { MORE_COMMANDS } from "./commands/more-commands.ts";
 import { CompareDialog } from "./compare-dialog.tsx";
 import { Icon } from "./icon.tsx";
-import { snapshotPicture } from "./snapshot-picture.ts";
 
-function figuresOf({ design }: Snapshot): string {
+function figuresOf(page: Page, { design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;
   if (movedVertices === 0) return "unchanged";
   const points = movedVertices === 1 ? "1 point" : `${movedVertices} points`;
-  return `${points} · ${formatLength(maxDisplacement, unit.value)}`;
+  return `${points} · ${formatLength(maxDisplacement, page.unit.value)}`;
 }
 
 const CLOCK = new Intl.DateTimeFormat(undefined, { hour: "2-digit", minute: "2-digit" });
 
 /** What tells one snapshot from another: its mesh; what moved, how far, and when it was taken. */
 function Caption({ snapshot }: { snapshot: Snapshot }) {
+  const page = usePage();
   const name = sourceName(snapshot.design.source);
-  const figures = `${figuresOf(snapshot)} · ${CLOCK.format(snapshot.time)}`;
+  const figures = `${figuresOf(page, snapshot)} · ${CLOCK.format(snapshot.time)}`;
   return (
     <div title={`${name} · ${figures}`}>
       <span class="quiet small">{name}</span>
@@ -39,15 +42,16 @@ function Caption({ snapshot }: { snapshot: Snapshot }) {
 }
 
 function Row({ snapshot }: { snapshot: Snapshot }) {
+  const page = usePage();
   const { id, name } = snapshot;
   return (
     <li class="snapshot">
       <button
         type="button"
         class="tile"
-        aria-pressed={isShown(snapshot)}
+        aria-pressed={isShown(page, snapshot)}
         aria-label={`Adopt ${name}`}
-        onClick={() => void adoptSnapshot(id)}
+        onClick={() => void adoptSnapshot(page, id)}
       >
         {snapshot.picture && <img class="picture" src={snapshot.picture} alt="" />}
       </button>
@@ -59,8 +63,8 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
           value={name}
           maxLength={100}
           onChange={({ currentTarget }) => {
-            renameSnapshot(id, currentTarget.value);
-            currentTarget.value = snapshots.value.find((one) => one.id === id)?.name ?? name;
+            renameSnapshot(page, id, currentTarget.value);
+            currentTarget.value = page.snapshots.value.find((one) => one.id === id)?.name ?? name;
           }}
         />
         <Caption snapshot={snapshot} />
@@ -69,7 +73,7 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
         type="button"
         class="icon-button"
         aria-label={`Delete ${name}`}
-        onClick={() => deleteSnapshot(id)}
+        onClick={() => deleteSnapshot(page, id)}
       >
         <Icon name="close" />
       </button>
@@ -79,22 +83,16 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
 
 /** Designs kept under a name. */
 export function SnapshotsSection() {
-  useEffect(() => providePictures(snapshotPicture), []);
+  const page = usePage();
+  useEffect(() => providePictures(page, () => snapshotPicture(page)), []);
   return (
     <section class="step" aria-labelledby="snapshots">
       <h2 id="snapshots">Snapshots</h2>
-      <button
-        type="button"
-        class="button wide"
-        disabled={!ready.value}
-        onClick={() => void takeSnapshot()}
-      >
-        Take snapshot
-      </button>
-      {snapshots.value.length > 0 && <CompareDialog />}
-      {snapshots.value.length > 0 && (
+      <CommandButton look="button wide" command={MORE_COMMANDS.takeSnapshot} />
+      {page.snapshots.value.length > 0 && <CompareDialog />}
+      {page.snapshots.value.length > 0 && (
         <ul class="snapshots" aria-labelledby="snapshots">
-          {snapshots.value.map((snapshot) => (
+          {page.snapshots.value.map((snapshot) => (
             <Row key={snapshot.id} snapshot={snapshot} />
           ))}
         </ul>

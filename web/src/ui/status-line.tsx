@@ -1,57 +1,48 @@
 // SPDX-License-Identifier: MIT
+
 import { Fragment } from "preact";
-import { flatnessWords } from "../state/flatness.ts";
+import { flatnessWords } from "../design/flatness.ts";
+import { planarisingWords } from "../design/planarising.ts";
+import { formatLength } from "../quantity/units.ts";
 import { foldWords } from "../state/fold.ts";
-import { planarisingWords } from "../state/planarising.ts";
+import type { Page } from "../state/page.ts";
+import type { Activity } from "../state/page-state.ts";
 import { cancel } from "../state/showing.ts";
-import {
-  type Activity,
-  activity,
-  busy,
-  context,
-  figures,
-  keeping,
-  limited,
-  mesh,
-  notice,
-  problem,
-  ready,
-  stranded,
-  unit,
-  update,
-} from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
 import { later } from "./later.tsx";
+import { usePage } from "./page-context.ts";
 
 const ContextNote = later(() => import("./context-note.tsx").then((part) => part.ContextNote));
+
 const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
+
 const RemakeNote = later(() => import("./remake-note.tsx").then((part) => part.RemakeNote));
 
-function numbers(): readonly string[] {
-  if (!ready.value) return [stranded.value ? "not ready" : "loading the solver…"];
+function numbers(page: Page): readonly string[] {
+  if (!page.ready.value) return [page.stranded.value ? "not ready" : "loading the solver…"];
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess, seconds, status } =
-    figures.value;
+    page.figures.value;
   const parts = [
-    `${movedVertices} of ${mesh.value?.report.vertices ?? 0} points move`,
-    `largest ${formatLength(maxDisplacement, unit.value)}`,
-    `worst panel ${flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).short}`,
+    `${movedVertices} of ${page.mesh.value?.report.vertices ?? 0} points move`,
+    `largest ${formatLength(maxDisplacement, page.unit.value)}`,
+    `worst panel ${flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).short}`,
   ];
-  const fold = foldWords(figures.value);
+  const fold = foldWords(page.figures.value);
   if (fold) parts.push(fold);
   if (seconds > 0) parts.push(`${Math.max(1, Math.round(1000 * seconds))} ms`);
   if (status === "infeasible_handles")
     parts.push(
-      `the targets cannot be reached ${limited.value ? "within the limits" : "with flat panels"}`,
+      `the targets cannot be reached ${page.limited.value ? "within the limits" : "with flat panels"}`,
     );
-  const report = mesh.value?.report;
-  const planarised = report && movedVertices === 0 ? planarisingWords(report, unit.value) : "";
+  const report = page.mesh.value?.report;
+  const planarised = report && movedVertices === 0 ? planarisingWords(report, page.unit.value) : "";
   if (planarised) parts.push(`planarised first: ${planarised}`);
   return parts;
 }
 
 /** Breaks between figures, never within one or before a dot. */
 function Numbers() {
-  const parts = numbers();
+  const page = usePage();
+  const parts = numbers(page);
   return (
     <>
       {parts.map((part, k) => (
@@ -73,33 +64,41 @@ function activityWords({ label, step, read }: Activity): string {
 }
 
 export function StatusLine() {
-  const running = activity.value;
+  const page = usePage();
+  const running = page.activity.value;
   return (
     <footer class="status-line">
       <div role="status" class="figures">
         <Numbers /> <DamageNote />
       </div>
       <RemakeNote />
-      {context.value && <ContextNote />}
-      {problem.value && (
+      {page.context.value && <ContextNote />}
+      {page.problem.value && (
         <div role="alert" class="alert">
-          {problem.value}
+          {page.problem.value}
         </div>
       )}
-      {notice.value && <div class="notice">{notice.value}</div>}
-      {keeping.value && <div class="notice">{keeping.value}</div>}
-      {update.value && (
+      <div class="notice" aria-live="polite">
+        {page.notice.value}
+      </div>
+      {page.keeping.value && <div class="notice">{page.keeping.value}</div>}
+      {page.update.value && (
         <div class="notice">
           A new version is ready.{" "}
-          <button type="button" class="button small" onClick={update.value}>
+          <button type="button" class="button small" onClick={page.update.value}>
             Reload
           </button>
         </div>
       )}
       <div class="activity" aria-hidden="true">
-        {running && ready.value && activityWords(running)}
+        {running && page.ready.value && activityWords(running)}
       </div>
-      <button type="button" class="button small" disabled={!busy.value} onClick={cancel}>
+      <button
+        type="button"
+        class="button small"
+        disabled={!page.busy.value}
+        onClick={() => cancel(page)}
+      >
         Cancel
       </button>
     </footer>

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
-import { FLAT } from "../state/flatness.ts";
+
+import { FLAT } from "../design/flatness.ts";
+import { formatGap } from "../quantity/units.ts";
 import { goOn, stopped } from "../state/going-on.ts";
 import { settled } from "../state/shortfall.ts";
-import { history, mesh, ready, unit } from "../state/store.ts";
-import { formatGap } from "../state/units.ts";
 import { gotWords, reasonWords, waysOn } from "../state/way-on.ts";
 import { HoldingPanels } from "./holding-panels.tsx";
+import { usePage } from "./page-context.ts";
 
 /** Where a point stops on its way to its target, why, and one press for each way on. */
 export function StoppedNote() {
-  const [design, found] = [history.value?.present, stopped.value];
+  const page = usePage();
+  const [design, found] = [page.history.value?.present, stopped(page).value];
   if (!design || !found) return null;
   const { stop, reason, growth } = found;
   const { status, residuals } = design.report;
   const left = residuals.at(-1);
-  const meanEdge = mesh.value?.report.meanEdge ?? 0;
+  const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`Panels allow ${gotWords(stop, unit.value)} here.`}</strong>{" "}
+        <strong>{`Panels allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
         {reasonWords(reason, growth)}
       </p>
       {reason === "panels" && <HoldingPanels />}
       {status === "infeasible_handles" && left !== undefined && 1000 * left > FLAT && (
-        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
+        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, page.unit.value)} out of flat.`}</p>
       )}
       <fieldset class="ways-on" aria-label="Get further">
         {waysOn(design, reason, growth).map((way) => (
@@ -32,8 +34,8 @@ export function StoppedNote() {
             type="button"
             class="button small"
             title={way.title}
-            disabled={!ready.value || !settled.value}
-            onClick={() => void goOn(way)}
+            disabled={!page.ready.value || !settled(page).value}
+            onClick={() => void goOn(page, way)}
           >
             {way.label}
           </button>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
 import { exportDrawings } from "../export/shop.ts";
-import { unit } from "../state/store.ts";
-import { type Unit, unitWord } from "../state/units.ts";
+import { type Unit, unitWord } from "../quantity/units.ts";
+import { usePage } from "./page-context.ts";
 import { ChoiceRow, NumberRow, ShopForm, UnitRow } from "./shop-fields.tsx";
 
 type Across = "none" | "x" | "y" | "z";
@@ -23,6 +24,7 @@ function planeOf(across: Across, at: number): readonly number[] {
 
 /** Plan, elevations and a section, to scale. */
 export function StructureDrawings() {
+  const page = usePage();
   const [scale, at] = [useSignal(""), useSignal("")];
   const drawingUnit = useSignal<Unit>("mm");
   const across = useSignal<Across>("none");
@@ -31,7 +33,7 @@ export function StructureDrawings() {
     said.value = null;
     const sections = planeOf(across.value, Number(at.value));
     const options = { unit: drawingUnit.value, scale: Number(scale.value), sections };
-    const drawn = await exportDrawings(options);
+    const drawn = await exportDrawings(page, options);
     if (drawn === null) return;
     const missed = drawn.missed.length > 0 ? " The section does not meet the structure." : "";
     said.value = `Drawn at 1 : ${drawn.scale}.${missed}`;
@@ -43,7 +45,7 @@ export function StructureDrawings() {
       <ChoiceRow label="Section" value={across} choices={ACROSS} />
       {across.value !== "none" && (
         <NumberRow
-          label={`Section at ${across.value}, ${unitWord(unit.value)}`}
+          label={`Section at ${across.value}, ${unitWord(page.unit.value)}`}
           value={at}
           otherwise="0"
           min=""

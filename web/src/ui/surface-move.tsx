@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-import type { Point } from "../state/design.ts";
-import { FLAT_FIRST, moveInFrame } from "../state/dragging.ts";
-import { baseFlat, mesh, ready, selection, unit } from "../state/store.ts";
-import { niceStep } from "../state/units.ts";
+
+import type { Point } from "../design/design.ts";
+import { niceStep } from "../quantity/units.ts";
+import { FLAT_FIRST } from "../state/dragging.ts";
+import { moveInFrame } from "../state/typed-moves.ts";
 import { NumberField } from "./number-field.tsx";
+import { usePage } from "./page-context.ts";
 
 const DIRECTIONS: readonly (readonly [string, string, Point])[] = [
   ["Along", "along the edge nearest to X, in the surface", [1, 0, 0]],
@@ -15,8 +17,9 @@ const count = (points: number): string => (points === 1 ? "1 point" : `${points}
 
 /** Typed moves of the selected points in the directions of the surface at each of them. */
 export function SurfaceMove() {
-  const chosen = selection.value;
-  const disabled = chosen.length === 0 || !ready.value || !baseFlat.value;
+  const page = usePage();
+  const chosen = page.selection.value;
+  const disabled = chosen.length === 0 || !page.ready.value || !page.baseFlat.value;
   return (
     <details class="surface-move">
       <summary>Move along the surface</summary>
@@ -24,22 +27,22 @@ export function SurfaceMove() {
         {DIRECTIONS.map(([label, about, [along, across, out]]) => (
           <div key={label} class="move-field" title={about}>
             <span>
-              {label} <span class="unit">{unit.value}</span>
+              {label} <span class="unit">{page.unit.value}</span>
             </span>
             <NumberField
               label={label}
               value={0}
-              unit={unit.value}
-              step={niceStep((mesh.value?.report.meanEdge ?? 1) / 100)}
+              unit={page.unit.value}
+              step={niceStep((page.mesh.value?.report.meanEdge ?? 1) / 100)}
               disabled={disabled}
               context={about}
-              onApply={(by) => void moveInFrame(chosen, [along * by, across * by, out * by])}
+              onApply={(by) => void moveInFrame(page, chosen, [along * by, across * by, out * by])}
             />
           </div>
         ))}
       </div>
       <p class="quiet">
-        {!baseFlat.value
+        {!page.baseFlat.value
           ? FLAT_FIRST
           : chosen.length === 0
             ? "Select a point first."

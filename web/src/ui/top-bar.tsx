@@ -1,54 +1,34 @@
 // SPDX-License-Identifier: MIT
-import { redo, undo } from "../state/editing.ts";
+
+import { SAMPLES } from "../design/samples.ts";
 import { offeredFigures, openFigure, shownFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
-import { SAMPLES } from "../state/samples.ts";
-import { canRedo, canUndo, designName, history, ready } from "../state/store.ts";
+import { CommandButton } from "./command-button.tsx";
+import { COMMANDS } from "./commands/commands.ts";
 import { ExportMenu } from "./export-menu.tsx";
 import { HelpDialog } from "./help-dialog.tsx";
-import { Icon, type IconName } from "./icon.tsx";
-import { pickAndOpen } from "./pick-file.ts";
+import { Icon } from "./icon.tsx";
+import { usePage } from "./page-context.ts";
+import type { Region } from "./regions.ts";
 import { ShareDialog } from "./share-dialog.tsx";
 
-interface BarButtonProps {
-  readonly icon: IconName;
-  readonly label: string;
-  readonly keys?: string;
-  readonly disabled: boolean;
-  readonly onClick: () => void;
-}
-
-function BarButton({ icon, label, keys, disabled, onClick }: BarButtonProps) {
-  return (
-    <button
-      type="button"
-      class="bar-button"
-      disabled={disabled}
-      onClick={onClick}
-      title={keys ? `${label} (${keys})` : label}
-    >
-      <Icon name={icon} />
-      <span class="bar-label">{label}</span>
-    </button>
-  );
-}
-
 function SampleChooser() {
-  const source = history.value?.present.source;
-  const value = shownFigure.value?.name ?? (source?.kind === "sample" ? source.name : "");
+  const page = usePage();
+  const source = page.history.value?.present.source;
+  const value = shownFigure(page).value?.name ?? (source?.kind === "sample" ? source.name : "");
   return (
     <select
       aria-label="Sample"
       class="select"
-      disabled={!ready.value}
+      disabled={!page.ready.value}
       value={value}
       onChange={({ currentTarget }) => {
-        if (!openFigure(currentTarget.value)) void openSample(currentTarget.value);
+        if (!openFigure(page, currentTarget.value)) void openSample(page, currentTarget.value);
       }}
     >
       {value === "" && (
         <option value="" disabled>
-          {designName.value}
+          {page.designName.value}
         </option>
       )}
       {SAMPLES.map((sample) => (
@@ -57,7 +37,7 @@ function SampleChooser() {
         </option>
       ))}
       <optgroup label="Figures of the paper">
-        {offeredFigures.value.map((figure) => (
+        {offeredFigures(page).value.map((figure) => (
           <option key={figure.name} value={figure.name}>
             {figure.label}
           </option>
@@ -67,35 +47,37 @@ function SampleChooser() {
   );
 }
 
+interface SkipLinkProps {
+  readonly to: Region;
+  readonly children: string;
+}
+
+/** Seen while it has the focus. The page's address stays: it names designs. */
+function SkipLink({ to, children }: SkipLinkProps) {
+  const skip = (event: MouseEvent): void => {
+    event.preventDefault();
+    void import("./regions.ts").then((regions) => regions.enterRegion(to));
+  };
+  return (
+    <a class="skip-link" href={`#${to}`} onClick={skip}>
+      {children}
+    </a>
+  );
+}
+
 export function TopBar() {
   return (
     <header class="top-bar">
+      <SkipLink to="view">Skip to the 3D view</SkipLink>
+      <SkipLink to="inspector">Skip to the controls</SkipLink>
       <h1 class="brand">Planish</h1>
       <div class="bar-group grow">
         <SampleChooser />
-        <BarButton
-          icon="folder"
-          label="Open file"
-          keys="Ctrl O"
-          disabled={!ready.value}
-          onClick={() => void pickAndOpen()}
-        />
+        <CommandButton look="bar-button" icon={<Icon name="folder" />} command={COMMANDS.open} />
       </div>
       <div class="bar-group">
-        <BarButton
-          icon="undo"
-          label="Undo"
-          keys="Ctrl Z"
-          disabled={!canUndo.value}
-          onClick={() => void undo()}
-        />
-        <BarButton
-          icon="redo"
-          label="Redo"
-          keys="Ctrl Shift Z"
-          disabled={!canRedo.value}
-          onClick={() => void redo()}
-        />
+        <CommandButton look="bar-button" icon={<Icon name="undo" />} command={COMMANDS.undo} />
+        <CommandButton look="bar-button" icon={<Icon name="redo" />} command={COMMANDS.redo} />
       </div>
       <div class="bar-group">
         <ExportMenu />

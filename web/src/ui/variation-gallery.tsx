@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./designs.css";
 import { useComputed } from "@preact/signals";
 import { useMemo } from "preact/hooks";
-import { flatnessWords } from "../state/flatness.ts";
+import { flatnessWords } from "../design/flatness.ts";
+import { pointFrame } from "../mesh/point-frame.ts";
+import { formatLength } from "../quantity/units.ts";
+import { type Patch, patchOf, zoomedTo } from "../scene/patch-drawing.ts";
+import type { Shape } from "../solver/protocol.ts";
+import { shownPoint } from "../state/editing.ts";
 import { foldWords, formatDegrees } from "../state/fold.ts";
+import { furthestBetween, signOf } from "../state/furthest.ts";
 import {
   adopt,
   fillGallery,
@@ -12,15 +19,31 @@ import {
   gallery,
   preview,
 } from "../state/gallery.ts";
-import { draft, mesh, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
-import { type Patch, patchOf, zoomedTo } from "./patch-drawing.ts";
+import type { Page } from "../state/page.ts";
+import { wayWords } from "../state/slider-range.ts";
 import { PatchPicture } from "./patch-picture.tsx";
+
+/** Where and how far it is from the edit, and which way: tiles may be the same in all other figures. */
+function apartWords(page: Page, { shape }: GalleryItem, centre: Shape): readonly [string, string] {
+  const opened = page.mesh.value;
+  const found = opened && furthestBetween(centre, shape, opened.positions);
+  if (!found) return ["", ""];
+  const { vertex, move } = found;
+  const frame = pointFrame(opened, (v) => shownPoint(page, v, centre), vertex);
+  const length = formatLength(Math.hypot(...move), page.unit.value);
+  const way = wayWords(move, frame.normal);
+  return [
+    `${signOf(move, frame)}${length} at ${vertex}`,
+    `from the edit ${length} at point ${vertex}, ${way}`,
+  ];
+}
 
 interface TileProps {
   readonly item: GalleryItem;
   readonly number: number;
   readonly patch: Patch;
+  /** The edit that it is a variation of. */
+  readonly centre: Shape;
 }
 
 /** "14 again"; what is spoilt is said, too. */
@@ -35,15 +58,17 @@ function Again({ panels }: Pick<GalleryItem, "panels">) {
   );
 }
 
-function Tile({ item, number, patch }: TileProps) {
+function Tile({ item, number, patch, centre }: TileProps) {
+  const page = usePage();
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
-  const length = formatLength(maxDisplacement, unit.value);
-  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value).sentence;
-  const chosen = draft.value?.shape === item.shape;
+  const length = formatLength(maxDisplacement, page.unit.value);
+  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence;
+  const chosen = page.draft.value?.shape === item.shape;
   const fold = foldWords(item.report);
-  const words = `${movedVertices} points move, largest ${length}, worst panel ${worst}, ${fold}`;
+  const [apart, apartAbout] = apartWords(page, item, centre);
+  const words = `${movedVertices} points move, largest ${length}, ${apartAbout}, worst panel ${worst}, ${fold}`;
   const after = item.report.sharpestFold?.after;
-  const opened = mesh.value;
+  const opened = page.mesh.value;
   const near = useMemo(
     () => (opened ? zoomedTo(opened, patch, item.shape) : patch),
     [opened, patch, item.shape],
@@ -55,11 +80,11 @@ function Tile({ item, number, patch }: TileProps) {
         class="tile"
         aria-pressed={chosen}
         title={words}
-        onClick={() => void adopt(item)}
-        onPointerEnter={() => preview(item)}
-        onPointerLeave={() => preview(null)}
-        onFocus={() => preview(item)}
-        onBlur={() => preview(null)}
+        onClick={() => void adopt(page, item)}
+        onPointerEnter={() => preview(page, item)}
+        onPointerLeave={() => preview(page, null)}
+        onFocus={() => preview(page, item)}
+        onBlur={() => preview(page, null)}
       >
         {opened && <PatchPicture mesh={opened} patch={near} shape={item.shape} />}
         <span class="visually-hidden">Adopt design {number}: </span>
@@ -67,6 +92,12 @@ function Tile({ item, number, patch }: TileProps) {
           {length}
           <br />
           {movedVertices} points
+          {apart && (
+            <>
+              <br />
+              <span aria-hidden="true">{apart}</span>
+            </>
+          )}
           {after !== undefined && (
             <>
               <br />
@@ -75,19 +106,27 @@ function Tile({ item, number, patch }: TileProps) {
           )}
           <Again panels={item.panels} />
         </span>
-        <span class="visually-hidden">, worst panel {worst}</span>
+        <span class="visually-hidden">
+          , {apartAbout}, worst panel {worst}
+        </span>
       </button>
     </li>
   );
 }
 
 function Tiles({ shown, patch }: { shown: Gallery; patch: Patch }) {
-  const { items, planned } = shown;
+  const { items, planned, centre } = shown;
   const waiting = Math.max(0, planned - items.length);
   return (
     <ul class="tiles" aria-label="Gallery of variations" aria-busy={waiting > 0}>
       {items.map((item, k) => (
-        <Tile key={item.coefficients.join()} item={item} number={k + 1} patch={patch} />
+        <Tile
+          key={item.coefficients.join()}
+          item={item}
+          number={k + 1}
+          patch={patch}
+          centre={centre}
+        />
       ))}
       {Array.from({ length: waiting }, (_, k) => (
         <li key={`waiting ${items.length + k}`} class="tile waiting" aria-hidden="true" />
@@ -97,8 +136,9 @@ function Tiles({ shown, patch }: { shown: Gallery; patch: Patch }) {
 }
 
 function GalleryButton() {
+  const page = usePage();
   return (
-    <button type="button" class="button wide" onClick={() => void fillGallery()}>
+    <button type="button" class="button wide" onClick={() => void fillGallery(page)}>
       Show gallery
     </button>
   );
@@ -106,8 +146,9 @@ function GalleryButton() {
 
 /** Designs to choose from, each exact already. */
 export function VariationGallery() {
+  const page = usePage();
   const patch = useComputed(() => {
-    const [opened, shown] = [mesh.value, gallery.value];
+    const [opened, shown] = [page.mesh.value, gallery(page).value];
     if (!opened || !shown) return null;
     return patchOf(
       opened,
@@ -115,7 +156,7 @@ export function VariationGallery() {
       shown.centre,
     );
   });
-  const [shown, centre] = [gallery.value, draft.value?.variation?.centre];
+  const [shown, centre] = [gallery(page).value, page.draft.value?.variation?.centre];
   if (!centre) return null;
   if (shown?.centre !== centre) return <GalleryButton />;
   if (!patch.value) return null;
@@ -123,7 +164,8 @@ export function VariationGallery() {
     <>
       <p class="quiet small">
         Designs to choose from, each flat already, coloured by how far it is from the edit: blue
-        towards you, amber away. Rest on one to see it in the view.
+        towards you, amber away. Under each: its largest move, how many points move, and where it is
+        furthest from the edit. Rest on one to see it in the view.
       </p>
       <Tiles shown={shown} patch={patch.value} />
     </>

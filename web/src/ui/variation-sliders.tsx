@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
+import { usePage } from "./page-context.ts";
 import "./variation-sliders.css";
 import { useEffect } from "preact/hooks";
+import type { Variation } from "../design/design.ts";
 import { pointFrame } from "../mesh/point-frame.ts";
+import { formatLength } from "../quantity/units.ts";
 import type { SliderLead, SliderRange } from "../solver/protocol.ts";
-import type { Variation } from "../state/design.ts";
 import { shownPoint } from "../state/editing.ts";
 import { commitVariation, previewVariation, sliderLeads } from "../state/exploring.ts";
 import { reachOf } from "../state/reach.ts";
 import { visit } from "../state/selection.ts";
 import { leadWords, stopsWithin, wayWords } from "../state/slider-range.ts";
 import { keepStops, sliderRanges } from "../state/slider-stops.ts";
-import { draft, mesh, selectedPanel, unit } from "../state/store.ts";
-import { formatLength } from "../state/units.ts";
 import { Slider } from "./slider.tsx";
 
 /** Where and which way a slider moves the structure, seen from the edit that it is around. */
 function Lead({ lead, variation }: { lead: SliderLead; variation: Variation }) {
-  const opened = mesh.value;
+  const page = usePage();
+  const opened = page.mesh.value;
   if (!opened) return null;
-  const at = (vertex: number) => shownPoint(vertex, variation.centre);
+  const at = (vertex: number) => shownPoint(page, vertex, variation.centre);
   const way = wayWords(lead.move, pointFrame(opened, at, lead.vertex).normal);
   return <>{`To the right point ${lead.vertex} moves most, ${leadWords(lead, way)}. `}</>;
 }
 
 function Stop({ panel, side }: { panel: number; side: string }) {
+  const page = usePage();
   return (
     <span class="stop-side">
       {`${side} `}
@@ -32,7 +34,7 @@ function Stop({ panel, side }: { panel: number; side: string }) {
         class="point-button"
         aria-label={`Show panel ${panel}, which stops it`}
         onClick={() => {
-          selectedPanel.value = panel;
+          page.selectedPanel.value = panel;
         }}
       >
         {panel}
@@ -59,28 +61,31 @@ function Stops({ range, value }: { range: SliderRange; value: number }) {
 
 /** One slider for each direction that was found around the edit. */
 export function VariationSliders() {
-  useEffect(keepStops, []);
-  const variation = draft.value?.variation;
-  const base = mesh.value?.positions;
+  const page = usePage();
+  useEffect(() => keepStops(page), []);
+  const variation = page.draft.value?.variation;
+  const base = page.mesh.value?.positions;
   if (!variation || !base) return null;
   const { centre, coefficients, asked } = variation;
   const reach = reachOf(centre, base);
   const found = coefficients.length;
   const words = (x: number): string =>
-    `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, unit.value)}`;
-  const ranges = sliderRanges.value?.centre === centre ? sliderRanges.value.ranges : [];
-  const leads = sliderLeads.value?.centre === centre ? sliderLeads.value.leads : [];
+    `${x > 0 ? "+" : x < 0 ? "−" : ""}${formatLength(Math.abs(x) * reach, page.unit.value)}`;
+  const stops = sliderRanges(page).value;
+  const ranges = stops?.centre === centre ? stops.ranges : [];
+  const moved = sliderLeads(page).value;
+  const leads = moved?.centre === centre ? moved.leads : [];
   return (
     <>
       <p class="quiet small">
         {found < asked && `${found} of ${asked} directions exist here. `}
         At either end of a slider the point that moves most moves by{" "}
-        {formatLength(reach, unit.value)}. Hatched: there a panel would lose its shape.
+        {formatLength(reach, page.unit.value)}. Hatched: there a panel would lose its shape.
       </p>
       {coefficients.map((value, k) => {
         const label = `Variation ${k + 1}`;
         const [range, lead] = [ranges[k], leads[k]];
-        const show = (on: boolean) => () => visit(on && lead ? lead.vertex : null);
+        const show = (on: boolean) => () => visit(page, on && lead ? lead.vertex : null);
         return (
           <div
             key={label}
@@ -99,8 +104,8 @@ export function VariationSliders() {
               shown={words(value)}
               stops={range && stopsWithin(range, 1)}
               disabled={false}
-              onInput={(x) => previewVariation(k, x)}
-              onCommit={(x, burst) => commitVariation(k, x, burst)}
+              onInput={(x) => previewVariation(page, k, x)}
+              onCommit={(x, burst) => commitVariation(page, k, x, burst)}
             />
             <p class="quiet small slider-about">
               {lead && <Lead lead={lead} variation={variation} />}

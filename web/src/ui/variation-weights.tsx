@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The weights of (7) that the next variations are found by, for those who know what they ask for.
+
 import { variationWeights as USUAL } from "virtual:core-defaults";
 import type { VariationWeights as Weights } from "../solver/protocol.ts";
-import { eigenbasis, ready, variationWeights } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
 interface Row {
@@ -52,15 +54,16 @@ const FAMILY: Row = {
   ends: ["those asked for", "24 directions"],
 };
 
-function choose(weight: keyof Weights, value: number): void {
-  const next = { ...(variationWeights.value ?? USUAL), [weight]: value };
+function choose(page: Page, weight: keyof Weights, value: number): void {
+  const next = { ...(page.variationWeights.value ?? USUAL), [weight]: value };
   const usual = Object.entries(USUAL).every(([name, x]) => next[name as keyof Weights] === x);
-  variationWeights.value = usual ? undefined : next;
+  page.variationWeights.value = usual ? undefined : next;
 }
 
 function WeightSlider({ weight, label, range, ends }: Row) {
+  const page = usePage();
   const [min, max, step] = range;
-  const value = (variationWeights.value ?? USUAL)[weight];
+  const value = (page.variationWeights.value ?? USUAL)[weight];
   return (
     <Slider
       label={label}
@@ -70,14 +73,15 @@ function WeightSlider({ weight, label, range, ends }: Row) {
       step={step}
       shown={String(Math.round(100 * value) / 100)}
       ends={ends}
-      disabled={!ready.value}
-      onInput={(x) => choose(weight, x)}
-      onCommit={(x) => choose(weight, x)}
+      disabled={!page.ready.value}
+      onInput={(x) => choose(page, weight, x)}
+      onCommit={(x) => choose(page, weight, x)}
     />
   );
 }
 
 export function VariationWeights() {
+  const page = usePage();
   return (
     <details class="disclosure">
       <summary>Weights of variations</summary>
@@ -87,13 +91,13 @@ export function VariationWeights() {
       {ROWS.map((row) => (
         <WeightSlider key={row.weight} {...row} />
       ))}
-      {eigenbasis.value && <WeightSlider {...FAMILY} />}
-      {variationWeights.value && (
+      {page.eigenbasis.value && <WeightSlider {...FAMILY} />}
+      {page.variationWeights.value && (
         <button
           type="button"
           class="button small"
           onClick={() => {
-            variationWeights.value = undefined;
+            page.variationWeights.value = undefined;
           }}
         >
           Default weights

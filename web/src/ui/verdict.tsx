@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
+
+import { flatnessWords, isFlat } from "../design/flatness.ts";
 import { damage, damageWords } from "../state/damage.ts";
-import { flatnessWords, isFlat } from "../state/flatness.ts";
 import { countHealth } from "../state/panel-rows.ts";
-import { figures, panelHealth, unit } from "../state/store.ts";
+import { usePage } from "./page-context.ts";
 
 const panelsCross = (count: number): string =>
   count === 1 ? "1 panel crosses itself" : `${count} panels cross themselves`;
 
 /** Whether every panel can be made: being flat is not all. */
 export function Verdict() {
-  const { worstGap, worstMmPerM, worstExcess } = figures.value;
-  const exact = isFlat(figures.value);
-  const crossing = panelHealth.value ? countHealth(panelHealth.value).crossing : 0;
-  const spoilt = damage.value ? damageWords(damage.value, panelHealth.value) : "";
+  const page = usePage();
+  const { worstGap, worstMmPerM, worstExcess } = page.figures.value;
+  const exact = isFlat(page.figures.value);
+  const crossing = page.panelHealth.value ? countHealth(page.panelHealth.value).crossing : 0;
+  const done = damage(page).value;
+  const spoilt = done ? damageWords(done, page.panelHealth.value) : "";
   const sound = crossing === 0 && spoilt === "";
-  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, unit.value);
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value);
   return (
     <p class={exact && sound ? "verdict good" : "verdict"}>
       {`${exact ? "Every panel is" : "Worst panel"} ${sentence}.`}

@@ -1,42 +1,61 @@
 // SPDX-License-Identifier: MIT
+
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { ViewName } from "../scene/framing.ts";
+import { isFlat } from "../design/flatness.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
+import type { MeshReport } from "../solver/protocol.ts";
 import { provideCamera } from "../state/camera.ts";
-import { isFlat } from "../state/flatness.ts";
-import { figures, mesh, offsetChoice, problem, showBefore, takePicture } from "../state/store.ts";
+import type { Page } from "../state/page.ts";
+import { say } from "../state/telling.ts";
+import { titleOf } from "./commands/command.ts";
+import { COMMANDS } from "./commands/commands.ts";
 import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
-import { ViewKeys } from "./view-keys.ts";
+import { usePage } from "./page-context.ts";
+import { offerView } from "./view-slot.ts";
 
 const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
-const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
-const OffsetNote = later(() => import("./offset-note.tsx").then((part) => part.OffsetNote));
+
+const PreviewWords = later(() => import("./preview-words.tsx").then((part) => part.PreviewWords));
+
+const ViewNotes = later(() => import("./view-notes.tsx").then((part) => part.ViewNotes));
+
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
-const VIEWS: readonly (readonly [ViewName, string])[] = [
-  ["Perspective", "1"],
-  ["Top", "2"],
-  ["Front", "3"],
-  ["Side", "4"],
-];
+const VIEWS = [COMMANDS.perspective, COMMANDS.top, COMMANDS.front, COMMANDS.side] as const;
+
+/** Of the design; a preview has words of its own. */
+function summaryWords(page: Page, { faces, vertices }: MeshReport): string {
+  const panels = isFlat(page.figures.value) ? "flat panels" : "panels, not all of them flat,";
+  const { movedVertices } = page.figures.value;
+  return `A structure of ${faces} ${panels} and ${vertices} points; ${movedVertices} points moved.`;
+}
 
 function Summary() {
-  const report = mesh.value?.report;
+  const page = usePage();
+  const report = page.mesh.value?.report;
+  const { kind } = page.planariseTrial.value;
+  const preview = kind === "shown" || kind === "running";
   return (
     <p id="view-summary" class="visually-hidden">
-      {report
-        ? `A structure of ${report.faces} ${isFlat(figures.value) ? "flat panels" : "panels, not all of them flat,"} and ${report.vertices} points; ${figures.value.movedVertices} points moved. Arrow keys step from point to point.`
-        : "The model is being prepared."}
+      {report ? (
+        <>
+          {preview ? <PreviewWords /> : summaryWords(page, report)} Arrow keys step from point to
+          point.
+        </>
+      ) : (
+        "The model is being prepared."
+      )}
     </p>
   );
 }
 
 /** What is seen while B or Before is held. */
 function BeforeNote() {
-  return showBefore.value ? <div class="before-note">Before the edit</div> : null;
+  const page = usePage();
+  return page.showBefore.value ? <div class="before-note">Before the edit</div> : null;
 }
 
 /** A word that gives way to a shorter one where there is little room. */
@@ -61,16 +80,17 @@ function partsOf(refs: PartRefs): ViewportParts | null {
 }
 
 /** Nothing of the page works without WebGL; say so instead of leaving a hole. */
-function mount(parts: ViewportParts): Viewport | null {
+function mount(page: Page, parts: ViewportParts): Viewport | null {
   try {
-    return new Viewport(parts);
+    return new Viewport(page, parts);
   } catch {
-    problem.value = "This browser cannot show 3D (WebGL is off). Everything else still works.";
+    say(page, "This browser cannot show 3D (WebGL is off). Everything else still works.");
     return null;
   }
 }
 
 export function ViewportPane() {
+  const page = usePage();
   const canvas = useRef<HTMLCanvasElement>(null);
   const markers = useRef<HTMLDivElement>(null);
   const pulls = useRef<HTMLDivElement>(null);
@@ -78,7 +98,7 @@ export function ViewportPane() {
   const figure = useRef<HTMLDivElement>(null);
   const point = useRef<HTMLDivElement>(null);
   const knob = useRef<HTMLDivElement>(null);
-  const box = useRef<HTMLDivElement>(null);
+  const area = useRef<HTMLDivElement>(null);
   const legend = useRef<HTMLFieldSetElement>(null);
   const views = useRef<HTMLFieldSetElement>(null);
   const viewport = useRef<Viewport | null>(null);
@@ -90,21 +110,21 @@ export function ViewportPane() {
       hint,
       figure,
       point,
-      box,
+      area,
       legend,
       views,
       knob,
     });
-    const view = parts && mount(parts);
+    const view = parts && mount(page, parts);
     viewport.current = view;
     if (!parts || !view) return;
-    const keys = new ViewKeys(parts.canvas, view);
-    takePicture.value = () => view.picture();
-    provideCamera(view.stage);
+    const leave = offerView(page, parts.canvas, view);
+    page.takePicture.value = () => view.picture();
+    provideCamera(page, view.stage);
     return () => {
-      takePicture.value = null;
-      provideCamera(null);
-      keys.dispose();
+      page.takePicture.value = null;
+      provideCamera(page, null);
+      leave();
       view.dispose();
     };
   }, []);
@@ -113,6 +133,7 @@ export function ViewportPane() {
       {/* biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: it takes keys of its own */}
       <canvas
         ref={canvas}
+        id="view"
         class="canvas"
         role="application"
         tabIndex={0}
@@ -120,7 +141,6 @@ export function ViewportPane() {
         aria-describedby="view-summary"
       />
       <Summary />
-      <Announcement />
       <div ref={pulls} class="markers" aria-hidden="true" />
       <div ref={markers} class="markers" aria-hidden="true" />
       <div ref={hint} class="hint" hidden>
@@ -133,24 +153,36 @@ export function ViewportPane() {
         <PointFigure />
       </div>
       <div ref={knob} class="reach-knob" title="Drag: how far the edit reaches" hidden />
-      <div ref={box} class="selection-box" hidden />
+      <div ref={area} class="selection-area" hidden>
+        <svg aria-hidden="true">
+          <polygon />
+        </svg>
+      </div>
       <BeforeNote />
-      {offsetChoice.value && <OffsetNote />}
+      <ViewNotes />
       <DragTools />
       <Legend element={legend} />
       <fieldset ref={views} class="views">
         <legend class="visually-hidden">Views</legend>
-        <button type="button" title="Fit all (Shift F)" onClick={() => viewport.current?.fit(true)}>
+        <button
+          type="button"
+          title={titleOf(page, COMMANDS.fitAll)}
+          onClick={() => COMMANDS.fitAll.run(page, "")}
+        >
           Fit
         </button>
-        {VIEWS.map(([name, key]) => (
+        {VIEWS.map((view) => (
           <button
-            key={name}
+            key={view.label}
             type="button"
-            title={`${name} (${key})`}
-            onClick={() => viewport.current?.view(name)}
+            title={titleOf(page, view)}
+            onClick={() => view.run(page, "")}
           >
-            {name === "Perspective" ? <Shortened long={name} short="3D" /> : name}
+            {view === COMMANDS.perspective ? (
+              <Shortened long={view.label} short="3D" />
+            ) : (
+              view.label
+            )}
           </button>
         ))}
       </fieldset>

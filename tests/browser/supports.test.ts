@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Points stand on what is chosen for them: their coordinates keep their bits, and the design says so
+// wherever it goes.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { type ObjMesh, readObj } from "./support/obj.ts";
+import { idle, movedCount, obj, typeTarget, usable } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+const supports = (page: Page) => page.getByText(/^Supports/).filter({ visible: true });
+
+async function stand(page: Page, words: string): Promise<void> {
+  await page.getByRole("combobox", { name: /^Selected: / }).selectOption(words);
+  await idle(page);
+}
+
+async function type(page: Page, axis: string, by: string): Promise<void> {
+  const field = page
+    .getByRole("table", { name: "Handles" })
+    .getByRole("spinbutton", { name: axis });
+  await field.first().fill(by);
+  await field.first().press("Enter");
+  await idle(page);
+}
+
+/** Points of edges that one panel has alone. */
+function boundaryOf({ faces }: ObjMesh): Set<number> {
+  const sides = faces.flatMap((face) => face.map((v, k) => [v, face[(k + 1) % face.length] ?? v]));
+  const known = new Set(sides.map(([a, b]) => `${a} ${b}`));
+  return new Set(sides.filter(([a, b]) => !known.has(`${b} ${a}`)).flat());
+}
+
+it("a point keeps its level to the last digit, in the design and its link, until it is let go", async () => {
+  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  const vertex = Number(await page.getByRole("button", { name: /^Select point/ }).innerText());
+  const before = await obj(page);
+  await supports(page).click();
+  await stand(page, "keep their level");
+  expect(await supports(page).innerText()).toBe("Supports (1 point)");
+  await type(page, "X", "+30cm");
+  await type(page, "Z", "+20cm");
+  expect(await movedCount(page)).toBeGreaterThan(1);
+  const at = (text: string): string[] => readObj(text).lines[vertex]?.split(" ") ?? [];
+  const held = await obj(page);
+  const [[x0 = "", , z0], [x = "", , z]] = [at(before), at(held)];
+  expect(z).toBe(z0);
+  expect(Number(x) - Number(x0)).toBeGreaterThan(0.2);
+  await page.getByRole("button", { name: "Let go" }).click();
+  await idle(page);
+  expect(Number(at(await obj(page))[2]) - Number(z0)).toBeGreaterThan(0.15);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const other = await site.open({}, new URL(link).hash);
+  await other.getByText(/^Verified:/).waitFor();
+  expect(await obj(other)).toBe(held);
+  expect(await supports(other).innerText()).toBe("Supports (1 point)");
+  await other.context().close();
+  await page.context().close();
+});
+
+it("a boundary that only goes up and down keeps every x and y, also after a reload", async () => {
+  const page = await site.open();
+  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
+  await page.getByRole("button", { name: "Select in a box" }).click();
+  await page.getByRole("button", { name: "Boundary", exact: true }).click();
+  await supports(page).click();
+  await stand(page, "only go up and down");
+  const before = readObj(await obj(page));
+  await page.reload();
+  await usable(page);
+  const boundary = boundaryOf(before);
+  expect(await supports(page).innerText()).toBe(`Supports (${boundary.size} points)`);
+  await page.getByRole("slider", { name: "Reach" }).fill("10");
+  await typeTarget(page, "+40cm");
+  const after = readObj(await obj(page));
+  const moved = [...boundary].filter((v) => before.lines[v] !== after.lines[v]);
+  expect(moved.length).toBeGreaterThan(3);
+  const plan = (line = ""): string => line.split(" ").slice(0, 2).join(" ");
+  for (const v of moved) expect(plan(after.lines[v])).toBe(plan(before.lines[v]));
+  await page.context().close();
+});

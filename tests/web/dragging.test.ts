@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+import { expect, it } from "vitest";
+import { beginDrag, toggleLock, togglePins } from "../../web/src/state/dragging.ts";
+import { setPinned } from "../../web/src/state/editing.ts";
+import type { Page } from "../../web/src/state/page.ts";
+import { selectThese } from "../../web/src/state/selection.ts";
+import { moveInFrame, moveTogether } from "../../web/src/state/typed-moves.ts";
+import { openedPage } from "./support/page-here.ts";
+
+const MIDDLE = 220;
+const frames = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 40));
+
+it("a drag is one step of the history, whatever its frames", async () => {
+  const page = await openedPage();
+  const drag = beginDrag(page, [MIDDLE]);
+  for (let k = 1; k <= 5; ++k) {
+    drag?.by([0, 0, 0.04 * k]);
+    await frames();
+  }
+  expect(page.history.value?.past.length).toBe(0);
+  expect(page.figures.value.movedVertices).toBeGreaterThan(0);
+  await drag?.end();
+  expect(page.history.value?.past.length).toBe(1);
+  const base = page.mesh.value?.positions ?? [];
+  const [row] = page.handles.value;
+  // Along x and y nothing was pulled: those coordinates keep their bits.
+  expect(row?.target.slice(0, 2)).toEqual([base[3 * MIDDLE], base[3 * MIDDLE + 1]]);
+  expect(page.history.value?.present.report.status).toBe("converged");
+});
+
+it("one that is given up leaves nothing", async () => {
+  const page = await openedPage();
+  const before = page.history.value;
+  toggleLock(page, "z", false);
+  const drag = beginDrag(page, [MIDDLE]);
+  toggleLock(page, "x", false);
+  drag?.by([0.1, 0, 0]);
+  await frames();
+  await drag?.abandon();
+  expect(page.history.value).toBe(before);
+  expect(page.figures.value.movedVertices).toBe(0);
+  expect(page.lock.value).toEqual({ axis: "z", plane: false });
+});
+
+it("is held back before folds sharpen, says so, and Shift goes through", async () => {
+  const page = await openedPage();
+  const drag = beginDrag(page, [MIDDLE]);
+  for (let k = 1; k <= 10; ++k) {
+    drag?.by([0, 0, 0.5 * k]);
+    await frames();
+  }
+  await drag?.end();
+  expect(page.notice.value).toMatch(/^Held back: /);
+  const { sharpestFold } = page.history.value?.present.report ?? {};
+  const growth = (sharpestFold?.after ?? 0) - (sharpestFold?.before ?? 0);
+  expect(growth).toBeGreaterThan(0);
+  expect(growth).toBeLessThanOrEqual(10);
+  const through = beginDrag(page, [MIDDLE]);
+  through?.by([0, 0, 3], true);
+  await frames();
+  await through?.end();
+  const after = page.history.value?.present.report.sharpestFold;
+  expect((after?.after ?? 0) - (after?.before ?? 0)).toBeGreaterThan(10);
+});
+
+it("pinned points are not dragged, and a mesh that is not ready is not either", async () => {
+  const page = await openedPage();
+  await setPinned(page, [MIDDLE], true);
+  expect(beginDrag(page, [MIDDLE])).toBeNull();
+  expect(page.notice.value).toBe(`Point ${MIDDLE} is pinned.`);
+  page.ready.value = false;
+  expect(beginDrag(page, [MIDDLE + 1])).toBeNull();
+});
+
+it("typed amounts move points together, all but the pinned ones", async () => {
+  const page = await openedPage();
+  await setPinned(page, [MIDDLE + 1], true);
+  await moveTogether(page, [MIDDLE, MIDDLE + 1], [0, 0, 0.1]);
+  const moved = page.handles.value.filter(({ pinned }) => !pinned);
+  expect(moved.map(({ vertex }) => vertex)).toEqual([MIDDLE]);
+  selectThese(page, [MIDDLE, MIDDLE + 1]);
+  togglePins(page);
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  expect(page.handles.value.every(({ pinned }) => pinned)).toBe(true);
+});
+
+/** How far each handle was asked to go upwards, by vertex. */
+const ways = (page: Page): ReadonlyMap<number, number> => {
+  const base = page.mesh.value?.positions ?? [];
+  return new Map(
+    page.handles.value.map(({ vertex, target }) => [
+      vertex,
+      Number((target[2] - (base[3 * vertex + 2] ?? 0)).toFixed(9)),
+    ]),
+  );
+};
+
+const LINE = [-2, -1, 1, 2, 0].map((k) => MIDDLE + k);
+
+it("with a fall-off a group moves as a bump: the dragged point all the way, the others less", async () => {
+  const page = await openedPage();
+  page.fallOff.value = 1;
+  const drag = beginDrag(page, LINE);
+  drag?.by([0, 0, 0.1]);
+  await frames();
+  await drag?.end();
+  const [l2 = 0, l1 = 0, r1 = 0, r2 = 0, middle] = LINE.map((v) => ways(page).get(v));
+  expect(middle).toBe(0.1);
+  expect(l1).toBeLessThan(0.1);
+  expect(l2).toBeLessThan(l1);
+  expect(l2).toBeGreaterThan(0);
+  expect(r1).toBeGreaterThan(r2);
+  // No step of the history more, and nothing that a link does not know: they are plain targets.
+  expect(page.history.value?.past.length).toBe(1);
+});
+
+it("typed amounts fall off from the middle of the group, and without a fall-off they do not", async () => {
+  const page = await openedPage();
+  await moveTogether(page, LINE, [0, 0, 0.1]);
+  expect([...ways(page).values()]).toEqual(LINE.map(() => 0.1));
+  page.fallOff.value = 0.65;
+  await moveTogether(page, LINE, [0, 0, -0.1]);
+  expect(ways(page).get(MIDDLE)).toBe(0);
+  expect(ways(page).get(MIDDLE + 2)).toBeGreaterThan(0);
+  await moveInFrame(page, LINE, [0, 0, 0.1]);
+  const asked = page.handles.value.find(({ vertex }) => vertex === MIDDLE + 2);
+  expect(asked).toBeDefined();
+});

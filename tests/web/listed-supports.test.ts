@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+import { expect, it } from "vitest";
+import { formsOf, pointsOf, withPoints } from "../../web/src/design/listed-supports.ts";
+import { boundaryForm, ofAnyMesh, withBoundary } from "../../web/src/design/supports.ts";
+
+const GIVEN = ["outline:boundary", "level=z:3,4", "line=0,0,1,0,0,1:7"];
+
+it("points stand on what is chosen for them and on nothing else", () => {
+  expect(withPoints(GIVEN, [5, 3], ["level=x", "level=y"])).toEqual([
+    "outline:boundary",
+    "level=z:4",
+    "line=0,0,1,0,0,1:7",
+    "level=x:3,5",
+    "level=y:3,5",
+  ]);
+  expect(withPoints(GIVEN, [5, 3], ["level=z"])[1]).toBe("level=z:3,4,5");
+  expect(withPoints(GIVEN, [3, 4, 7], [])).toEqual(["outline:boundary"]);
+});
+
+it("says what a point stands on, and whose a support is", () => {
+  const both = withPoints(GIVEN, [9], ["level=y", "level=x"]);
+  expect(formsOf(both, 9)).toEqual(["level=x", "level=y"]);
+  expect(formsOf(both, 3)).toEqual(["level=z"]);
+  expect(formsOf(both, 1)).toEqual([]);
+  expect(both.map(pointsOf)).toEqual([[], [3, 4], [7], [9], [9]]);
+});
+
+it("the boundary stands on one thing, which goes with the settings to another mesh", () => {
+  expect(boundaryForm(GIVEN)).toBe("outline");
+  expect(withBoundary(GIVEN, "level=z")).toEqual(["level=z:boundary", ...GIVEN.slice(1)]);
+  expect(withBoundary(GIVEN, "")).toEqual(GIVEN.slice(1));
+  expect(ofAnyMesh(GIVEN)).toEqual(["outline:boundary"]);
+});

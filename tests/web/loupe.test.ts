@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+import { expect, it } from "vitest";
+import { besideFinger, covered } from "../../web/src/scene/loupe.ts";
+
+const WIDTH = 390;
+/** Half of it, pixels; a finger covers about 25 around its middle. */
+const [HALF, FINGER] = [56, 25];
+
+it("lies clear of the finger and of the tools, inside the view, wherever the finger is", () => {
+  for (let x = 0; x <= WIDTH; x += 13)
+    for (let y = 0; y <= 600; y += 20) {
+      const at = besideFinger({ x, y }, WIDTH);
+      const gap = Math.hypot(at.x - x, at.y - y);
+      expect(gap).toBeGreaterThan(HALF + FINGER);
+      expect(at.x - HALF).toBeGreaterThanOrEqual(0);
+      expect(at.x + HALF).toBeLessThanOrEqual(WIDTH);
+      expect(at.y - HALF).toBeGreaterThanOrEqual(52);
+    }
+});
+
+it("lies above the finger where there is room", () => {
+  expect(besideFinger({ x: 200, y: 400 }, WIDTH)).toEqual({ x: 200, y: 300 });
+});
+
+it("shows the point that the finger hides, or what is under it where that has run away", () => {
+  const finger = { x: 100, y: 100 };
+  const near = { x: 110, y: 130 };
+  expect(covered(finger, [{ x: 60, y: 100 }, near, { x: 300, y: 100 }])).toBe(near);
+  expect(covered(finger, [{ x: 100, y: 170 }])).toBeNull();
+  expect(covered(finger, [])).toBeNull();
+});

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// What a stranger's JSON may say. Every reader gives a value of the right kind or null.
+import { words as WORDS } from "virtual:core-defaults";
+import type { EditSettings, FileFormat, VariationWeights } from "../solver/protocol.ts";
+import type { Camera } from "./camera.ts";
+import { DEFAULT_SETTINGS, type Family, type HandleRow } from "./design.ts";
+import { readKept } from "./kept-kind.ts";
+import { readLimits } from "./stated-limit.ts";
+
+const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
+
+/** The solver's own limit. */
+export const MOST_DIRECTIONS = 24;
+export const LONGEST_NAME = 1_000;
+
+export type Json = Readonly<Record<string, unknown>>;
+
+export const isRecord = (value: unknown): value is Json =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+export const isNumber = (value: unknown): value is number =>
+  typeof value === "number" && Number.isFinite(value);
+
+export const isNumbers = (value: unknown, length?: number): value is number[] =>
+  Array.isArray(value) &&
+  (length === undefined || value.length === length) &&
+  value.every((x) => isNumber(x));
+
+export const isIndex = (value: unknown): value is number =>
+  Number.isInteger(value) && (value as number) >= 0 && (value as number) < 2 ** 32;
+
+export const isName = (value: unknown): value is string =>
+  typeof value === "string" && value.length <= LONGEST_NAME;
+
+export const readFormat = (value: unknown): FileFormat | null =>
+  FORMATS.find((format) => format === value) ?? null;
+
+function readHandle(value: unknown): HandleRow | null {
+  if (!isNumbers(value, 5)) return null;
+  const [vertex, x = 0, y = 0, z = 0, pinned] = value;
+  return isIndex(vertex) ? { vertex, target: [x, y, z], pinned: pinned === 1 } : null;
+}
+
+/** Rows of vertex, x, y, z, pinned (0 or 1). */
+export function readHandles(value: unknown): HandleRow[] | null {
+  if (!Array.isArray(value)) return null;
+  const rows: HandleRow[] = [];
+  for (const item of value) {
+    const row = readHandle(item);
+    if (!row) return null;
+    rows.push(row);
+  }
+  return rows;
+}
+
+/** Where a link and a saved record have each weight of variations: a place is never given away. */
+const WEIGHTS = ["fairness", "sparsity", "closeness", "correlation", "spread", "family"] as const;
+export const WEIGHT_COUNT = WEIGHTS.length;
+
+export const writeWeights = (weights: VariationWeights): number[] => WEIGHTS.map((w) => weights[w]);
+
+/** Nothing where a family says nothing of them; null: not weights. */
+export function readWeights(value: unknown): Pick<Family, "weights"> | null {
+  if (value === undefined) return {};
+  if (!isNumbers(value, WEIGHT_COUNT) || value.some((x) => x < 0)) return null;
+  const [fairness = 0, sparsity = 0, closeness = 0, correlation = 0, spread, family] = value;
+  if (!isIndex(spread) || !isIndex(family)) return null;
+  return { weights: { fairness, sparsity, closeness, correlation, spread, family } };
+}
+
+/**
+ * Where a link and a saved record have each setting: a place is never given to another one. Later
+ * versions of the page added places at the end, and leave out those at the end that are as usual.
+ */
+const PLACES = [
+  ...(["attraction", "locality", "smoothness", "fairness", "engine"] as const),
+  ...(["sparsity", "hardHandles", "tolerance", "maxIterations"] as const),
+  ...(["reach", "reachLength", "keepBoundary", "softness"] as const),
+  "continuation",
+] as const;
+type Place = (typeof PLACES)[number];
+/** How many places there are in what some version of the page wrote; this one writes no 6. */
+const READ_LENGTHS = [5, 6, 9, 13, 14];
+const WRITTEN_LENGTHS = [5, 9, 13, 14];
+
+/** The supports that have a number, behind whether the boundary is kept, which is its first bit. */
+const NUMBERED = [[], ["level=z:boundary"], ["outline:boundary"]] as const;
+
+/** The number of a list of supports; 0 where it has none or says nothing. */
+const numberOf = (supports: readonly string[]): number =>
+  Math.max(
+    0,
+    NUMBERED.findIndex((known) => known.join() === supports.join()),
+  );
+
+function pack(settings: EditSettings, place: Place): number | string {
+  if (place === "keepBoundary") {
+    return Number(settings.keepBoundary) + 2 * numberOf(settings.supports);
+  }
+  const value = settings[place];
+  return typeof value === "boolean" ? Number(value) : value;
+}
+
+/** What `given` in `place` says; null if it says nothing. The core's table knows types and words. */
+function unpack(place: Place, given: unknown): Partial<EditSettings> | null {
+  const usual = DEFAULT_SETTINGS[place];
+  if (typeof usual === "string") {
+    const words: readonly string[] = WORDS[place as keyof typeof WORDS];
+    return words.some((word) => word === given) ? { [place]: given } : null;
+  }
+  if (!isNumber(given)) return null;
+  if (place === "keepBoundary")
+    return {
+      keepBoundary: given % 2 === 1,
+      supports: NUMBERED[given >> 1] ?? [],
+    };
+  return { [place]: typeof usual === "boolean" ? given === 1 : given };
+}
+
+const NUMBER = String.raw`-?\d+(?:\.\d*)?(?:e[+-]?\d+)?`;
+const several = (count: number): string => Array.from({ length: count }, () => NUMBER).join(",");
+const FORM = `level=[xyz]|outline|plane=${several(4)}|line=${several(6)}`;
+const SUPPORT = new RegExp(String.raw`^(?:${FORM}):(?:boundary|all|\d+(?:,\d+)*)$`);
+
+/** Of texts and of their characters: more is no design of anybody's. */
+const MOST = 1000;
+const LONGEST = 1_000_000;
+
+export const isSupport = (value: unknown): value is string =>
+  typeof value === "string" && value.length <= LONGEST && SUPPORT.test(value);
+
+/** A stranger's list; null if it is none. */
+export const readSupports = (value: unknown): readonly string[] | null =>
+  Array.isArray(value) && value.length <= MOST && value.every(isSupport) ? value : null;
+
+/** Last of the settings but the lists where panels keep their shape; absent in designs from before that bound. */
+const SHAPE = "shape";
+
+const isKind = (one: unknown): boolean => typeof one === "string" && !one.includes("=");
+
+/** A keep-out or the clearance from all of them; the core knows what they say. */
+const isKeepOut = (one: unknown): one is string =>
+  typeof one === "string" && /^(below|above|plane|box|clearance)=[-+.,\de]{1,400}$/.test(one);
+
+/** null if they are more than there may be. */
+function readKeepOuts(
+  listed: readonly string[],
+): Pick<EditSettings, "keepOuts" | "clearance"> | null {
+  const keepOuts = listed.filter((one) => !one.startsWith("clearance="));
+  const clearances = listed.filter((one) => one.startsWith("clearance="));
+  const clearance = Number(clearances[0]?.slice("clearance=".length) ?? 0);
+  if (keepOuts.length > 64 || clearances.length > 1 || !(clearance >= 0)) return null;
+  return { keepOuts, clearance };
+}
+
+/**
+ * By PLACES; then "shape"; then a list of stated limits, keep-outs, kept kinds, which have no "=", and
+ * supports.
+ */
+export function readSettings(value: unknown): EditSettings | null {
+  if (!Array.isArray(value)) return null;
+  const rest: unknown[] = [...value];
+  const listed: unknown[] = Array.isArray(rest.at(-1)) ? (rest.pop() as unknown[]) : [];
+  const keepShape = rest.at(-1) === SHAPE;
+  if (keepShape) rest.pop();
+  const supports = listed.filter(isSupport);
+  const others = listed.filter((one) => !isSupport(one));
+  const limits = readLimits(others.filter((one) => !isKind(one) && !isKeepOut(one)));
+  const constraints = readKept(others.filter(isKind));
+  const kept = readKeepOuts(others.filter(isKeepOut));
+  if (!limits || !constraints || !kept || !READ_LENGTHS.includes(rest.length)) return null;
+  let settings: EditSettings = { ...DEFAULT_SETTINGS, keepShape, limits, constraints, ...kept };
+  for (const [k, given] of rest.entries()) {
+    const place = PLACES[k];
+    const said = place && unpack(place, given);
+    if (!said) return null;
+    settings = { ...settings, ...said };
+  }
+  return supports.length > 0 ? { ...settings, supports } : settings;
+}
+
+export function writeSettings(settings: EditSettings): unknown[] {
+  const packed = PLACES.map((place) => pack(settings, place));
+  const different = PLACES.findLastIndex((place, k) => packed[k] !== pack(DEFAULT_SETTINGS, place));
+  const length = WRITTEN_LENGTHS.find((places) => places > different);
+  const whole = [...packed.slice(0, length), ...(settings.keepShape ? [SHAPE] : [])];
+  const { limits, keepOuts, clearance, constraints, supports } = settings;
+  const apart = clearance > 0 ? [`clearance=${clearance}`] : [];
+  const stand = numberOf(supports) > 0 ? [] : supports;
+  const listed = [...limits, ...keepOuts, ...apart, ...constraints, ...stand];
+  return listed.length > 0 ? [...whole, listed] : whole;
+}
+
+/** Position and target; undefined if there is something else than a camera or nothing. */
+export function readCamera(value: unknown): Camera | null | undefined {
+  if (value === undefined || value === null) return null;
+  if (!isNumbers(value, 6)) return undefined;
+  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = value;
+  return { position: [a, b, c], target: [d, e, f] };
+}
+
+export const writeCamera = ({ position, target }: Camera): number[] =>
+  [...position, ...target].map((x) => Number(x.toFixed(3)));

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What is on screen and from where it is seen: pixels, rays, and places on the structure.
+
+import { type Ray, Vector3 } from "three";
+import type { Page } from "../state/page.ts";
+import { type Place, project, type View } from "./picking.ts";
+import type { Shell } from "./shell.ts";
+import type { Stage } from "./stage.ts";
+import { surfaceHit } from "./surface-hit.ts";
+
+/** Pixels: the pointer still means the same place. */
+const SAME = 1;
+
+export class Sight {
+  readonly page: Page;
+  readonly canvas: HTMLCanvasElement;
+  readonly stage: Stage;
+  /** The structure on the stage; null before there is one, and after the view is gone. */
+  shell: Shell | null = null;
+  /** The last place on the surface that the wheel or a turn began at. */
+  #approached: Vector3 | null = null;
+
+  constructor(page: Page, canvas: HTMLCanvasElement, stage: Stage) {
+    this.page = page;
+    this.canvas = canvas;
+    this.stage = stage;
+  }
+
+  view(): View {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    return { camera: this.stage.camera, width, height };
+  }
+
+  rayThrough({ x, y }: Place): Ray {
+    const { width, height } = this.view();
+    return this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
+  }
+
+  /** Where the point chosen last is; null if it is out of view. */
+  leader(): Vector3 | null {
+    const [shell, vertex] = [this.shell, this.page.selected.value];
+    if (!shell || vertex === null) return null;
+    const view = this.view();
+    const at = project(shell.current, vertex, view);
+    if (!at || at.x < 0 || at.y < 0 || at.x > view.width || at.y > view.height) return null;
+    return new Vector3().fromArray(shell.current, 3 * vertex);
+  }
+
+  /** What lies under a pixel; zooming to it keeps it there, so that one search does for a ride. */
+  surfaceAt(place: Place): Vector3 | null {
+    const view = this.view();
+    const found = this.#approached;
+    const seen = found && project(Float32Array.from(found.toArray()), 0, view);
+    if (!seen || Math.hypot(seen.x - place.x, seen.y - place.y) > SAME) {
+      const hit = this.shell && surfaceHit(this.shell, this.rayThrough(place));
+      this.#approached = hit?.at ?? null;
+    }
+    return this.#approached;
+  }
+}

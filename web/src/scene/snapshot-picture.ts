@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+import type { Page } from "../state/page.ts";
+import { drawPatch, patchOf } from "./patch-drawing.ts";
+
+/** CSS pixels. */
+const SIZE = [88, 66] as const;
+
+/** The last finished design as a small picture, a data: address; "" if it cannot be drawn. */
+export function snapshotPicture(page: Page): string {
+  const design = page.history.value?.present;
+  const opened = page.mesh.value;
+  if (!design || !opened) return "";
+  const canvas = document.createElement("canvas");
+  drawPatch(canvas, opened, patchOf(opened, [design.shape]), design.shape, SIZE);
+  return canvas.toDataURL("image/webp", 0.9);
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// GLB, and designs as text, are read and written by a module of its own, fetched when it is needed
+// for the first time.
+// Meshes pass between it and the session as OBJ, which keeps every bit.
+import type { Session } from "@wasm/planish.mjs";
+import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_glb.mjs";
+import glbUrl from "@wasm/planish_glb.wasm?url";
+import type { Request, StoredDesign } from "./protocol.ts";
+import { aboutFile } from "./reading.ts";
+
+async function load(): Promise<GlbModule> {
+  const { default: create } = await import("@wasm/planish_glb.mjs");
+  return create({ locateFile: () => glbUrl });
+}
+
+interface OpenedGlb {
+  readonly mesh: Uint8Array;
+  readonly format: "obj";
+  /** null for a GLB without a design. */
+  readonly stored: StoredDesign | null;
+}
+
+/** With the mesh that is open as its base. */
+const withBase = (session: Session, { source, ...design }: DesignValue): DesignValue => ({
+  ...design,
+  source: "sample" in source ? source : { ...source, hash: session.baseHash() },
+});
+
+type Export = Extract<Request, { kind: "export"; format: "glb" | "json" }>;
+
+/** Every call rejects with a sentence where the module cannot be had; the next one tries again. */
+export class DesignFiles {
+  #loading: Promise<GlbModule> | null = null;
+
+  /** The base of the design in a GLB, or its mesh; throws a sentence if it is refused. */
+  async openGlb(name: string, bytes: Uint8Array): Promise<OpenedGlb> {
+    const glb = await this.#module();
+    const { problem, mesh, stored, moved, positions, warnings } = glb.openGlb(bytes);
+    if (problem) throw new Error(aboutFile(name, problem));
+    const shape = { moved, positions };
+    return { mesh, format: "obj", stored: { design: stored, shape, warnings } };
+  }
+
+  async read(text: string): Promise<DesignReading> {
+    return (await this.#module()).readDesign(text);
+  }
+
+  /** The design shown as text. */
+  async text(session: Session, design: DesignValue): Promise<string> {
+    return (await this.#module()).writeDesign(withBase(session, design));
+  }
+
+  /** The design shown: as text, or as GLB with its base, its variations as morph targets, its recipe as
+   * text, and a second layer if there is one. */
+  async write(session: Session, { format, design, offset }: Export): Promise<Uint8Array> {
+    if (format === "json") return new TextEncoder().encode(await this.text(session, design));
+    const glb = await this.#module();
+    return glb.assembleGlb(
+      session.write("obj"),
+      session.basePositions(),
+      session.variationSupport(),
+      session.variationDisplacements(),
+      offset ?? new Float64Array(),
+      withBase(session, design),
+    );
+  }
+
+  async #module(): Promise<GlbModule> {
+    this.#loading ??= load();
+    try {
+      return await this.#loading;
+    } catch {
+      this.#loading = null;
+      throw new Error(
+        "The part that reads and writes designs could not be loaded. Try again online.",
+      );
+    }
+  }
+}

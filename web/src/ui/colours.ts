@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+import type { ColourBy } from "../state/page-state.ts";
+
+/** What the colours of the model can mean, as it is offered. */
+export const COLOURS: readonly (readonly [ColourBy, string])[] = [
+  ["displacement", "Displacement"],
+  ["planarity", "Planarity"],
+  ["fold", "Folds"],
+  ["fairness", "Fairness"],
+  ["health", "Panel health"],
+  ["remake", "Make again"],
+  ["circular", "Circular"],
+  ["conical", "Conical"],
+  ["mobility", "Mobility"],
+  ["zebra", "Reflection lines"],
+  ["none", "Nothing"],
+];

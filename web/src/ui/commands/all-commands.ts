@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Everything that the page can be told: what has a key or a button, and what the palette has beside it.
+import { isKind } from "../../design/kept-kind.ts";
+import { SAMPLES } from "../../design/samples.ts";
+import { openSample } from "../../state/opening.ts";
+import type { Page } from "../../state/page.ts";
+import type { ColourBy } from "../../state/page-state.ts";
+import { COLOURS } from "../colours.ts";
+import { type Command, notReady } from "./command.ts";
+import { COMMANDS } from "./commands.ts";
+import { EXPORT_COMMANDS } from "./export-commands.ts";
+import { MORE_COMMANDS } from "./more-commands.ts";
+import { SELECTION_COMMANDS } from "./selection-commands.ts";
+import { KEEP_VIEW } from "./view-commands.ts";
+
+function colourBy(kind: ColourBy, label: string): Command {
+  const missing = (page: Page): boolean =>
+    isKind(kind) && page.mesh.value?.report.kinds[kind]?.worst === undefined;
+  return {
+    label: `Colour by ${label.toLowerCase()}`,
+    refusal: (page) => (missing(page) ? "This mesh has nothing that could be so." : ""),
+    run: (page) => {
+      page.colourBy.value = kind;
+    },
+  };
+}
+
+/** In the order of the palette. */
+export const ALL_COMMANDS: readonly Command[] = [
+  ...Object.values(COMMANDS),
+  ...Object.values(MORE_COMMANDS),
+  ...Object.values(SELECTION_COMMANDS),
+  KEEP_VIEW,
+  ...Object.values(EXPORT_COMMANDS),
+  ...COLOURS.map(([kind, label]) => colourBy(kind, label)),
+  ...SAMPLES.map(
+    ({ name, label }): Command => ({
+      label: `Sample: ${label}`,
+      refusal: notReady,
+      run: (page) => openSample(page, name),
+    }),
+  ),
+];

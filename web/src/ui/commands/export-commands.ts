@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Every way out of the page but the link, as the menu Export and the palette offer them.
+import { fetchPart } from "../../state/later.ts";
+import type { Page } from "../../state/page.ts";
+import { type Command, notReady } from "./command.ts";
+import { type Door, openDoor } from "./doors.ts";
+
+type Exporting = typeof import("../../export/exporting.ts");
+
+interface ExportCommand extends Command {
+  readonly name: string;
+  readonly about: string;
+}
+
+/** By a part that is fetched when something is exported. */
+const file = (
+  name: string,
+  about: string,
+  write: (part: Exporting, page: Page) => Promise<unknown>,
+): ExportCommand => ({
+  label: `Export ${name}`,
+  name,
+  about,
+  refusal: notReady,
+  run: async (page) => {
+    const part = await fetchPart(page, () => import("../../export/exporting.ts"));
+    if (part) await write(part, page);
+  },
+});
+
+const dialog = (name: string, about: string, door: Door): ExportCommand => ({
+  label: name,
+  name,
+  about,
+  refusal: notReady,
+  run: (page) => openDoor(page, door),
+});
+
+export const EXPORT_COMMANDS = {
+  obj: file("OBJ", "Polygons, every digit", (part, page) => part.exportMesh(page, "obj")),
+  glb: file("GLB", "3D scene, polygons kept", (part, page) => part.exportMesh(page, "glb")),
+  rhino: file("3DM", "Rhino, opens again", (part, page) => part.exportRhino(page)),
+  ply: file("PLY", "Polygons, binary", (part, page) => part.exportMesh(page, "ply")),
+  json: file("JSON", "Design, opens again", (part, page) => part.exportDesign(page)),
+  png: file("PNG", "Picture of this view", (part, page) => part.exportPicture(page)),
+  package: dialog("Cutting package…", "DXF and tables (zip)", "package"),
+  drawings: dialog("Drawings…", "Plan, elevations, section", "drawings"),
+  layer: dialog("Second layer…", "At a distance, shown and in GLB", "layer"),
+  ifc: dialog("IFC…", "Plates for building models", "ifc"),
+} as const;

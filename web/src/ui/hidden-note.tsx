@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+import { hiddenPanels } from "../state/hidden-panels.ts";
+import { showAll } from "../state/hiding.ts";
+import { usePage } from "./page-context.ts";
+import "./offset-note.css";
+
+/** That the view does not show everything, and the way back. */
+export function HiddenNote() {
+  const page = usePage();
+  const { size } = hiddenPanels(page).value;
+  if (size === 0) return null;
+  return (
+    <section class="offset-note" aria-label="Hidden panels">
+      <span>{`${size === 1 ? "1 panel" : `${size} panels`} hidden in the view`}</span>
+      <button
+        type="button"
+        class="button small"
+        title="Show all (Shift H)"
+        onClick={() => showAll(page)}
+      >
+        Show all
+      </button>
+    </section>
+  );
+}

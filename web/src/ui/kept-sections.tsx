@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// What is kept under names, at the end of the inspector.
+import { SnapshotsSection } from "./snapshots-section.tsx";
+import { ViewsSection } from "./views-section.tsx";
+
+export const KeptSections = () => (
+  <>
+    <SnapshotsSection />
+    <ViewsSection />
+  </>
+);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What single points stand on: they slide along it and never leave it.
+import { useEffect } from "preact/hooks";
+import "./point-supports.css";
+import {
+  followSupports,
+  isBoundarySelected,
+  standing,
+  standOfSelected,
+  standOn,
+} from "../state/supports.ts";
+import { Choice } from "./choice.tsx";
+import { usePage } from "./page-context.ts";
+
+const STANDS: readonly (readonly [string, string])[] = [
+  ["", "move freely"],
+  ["level=z", "keep their level"],
+  ["level=x level=y", "only go up and down"],
+  ["level=y level=z", "only go along x"],
+  ["level=x level=z", "only go along y"],
+  ["level=x", "keep their x"],
+  ["level=y", "keep their y"],
+];
+
+/** The polygon that the boundary is drawn as; other points have none. */
+const OUTLINE = ["outline", "stay on the outline"] as const;
+
+const MIXED = ["mixed", "stand on different things"] as const;
+
+const wordsOf = (stand: string): string =>
+  [...STANDS, OUTLINE].find(([form]) => form === stand)?.[1] ?? `stay on ${stand}`;
+
+const count = (points: number): string => (points === 1 ? "1 point" : `${points} points`);
+
+/** By what they stand on. */
+function groups(stands: ReadonlyMap<number, string>): Map<string, number[]> {
+  const all = new Map<string, number[]>();
+  for (const [vertex, stand] of stands) all.set(stand, [...(all.get(stand) ?? []), vertex]);
+  return all;
+}
+
+function Group({ stand, points }: { stand: string; points: readonly number[] }) {
+  const page = usePage();
+  const said = `${count(points.length)}: ${wordsOf(stand)}`;
+  return (
+    <li class="support-group">
+      <span>{said}</span>
+      <button
+        type="button"
+        class="tool"
+        aria-description={said}
+        onClick={() => {
+          page.selection.value = points;
+        }}
+      >
+        Select
+      </button>
+      <button
+        type="button"
+        class="tool"
+        aria-description={said}
+        disabled={!page.ready.value}
+        onClick={() => void standOn(page, points, "")}
+      >
+        Let go
+      </button>
+    </li>
+  );
+}
+
+function StandOfSelected() {
+  const page = usePage();
+  const chosen = page.selection.value;
+  const stand = standOfSelected(page);
+  const known = [...STANDS, ...(isBoundarySelected(page) ? [OUTLINE] : [])];
+  const other = stand === null ? MIXED : ([stand, wordsOf(stand)] as const);
+  const words = known.some(([form]) => form === other[0]) ? known : [other, ...known];
+  return (
+    <Choice
+      label={`Selected: ${count(chosen.length)}`}
+      value={other[0]}
+      words={words}
+      onChoose={(form) => {
+        if (form !== MIXED[0]) void standOn(page, chosen, form);
+      }}
+    />
+  );
+}
+
+export function PointSupports() {
+  const page = usePage();
+  useEffect(() => followSupports(page), []);
+  const none = page.selection.value.length === 0;
+  const listed = groups(standing(page));
+  return (
+    <details class="surface-move">
+      <summary>
+        {listed.size > 0 ? `Supports (${count(page.supported.value.length)})` : "Supports"}
+      </summary>
+      {none ? <p class="quiet">Select a point first.</p> : <StandOfSelected />}
+      <ul class="support-groups">
+        {[...listed].map(([stand, points]) => (
+          <Group key={stand} stand={stand} points={points} />
+        ))}
+      </ul>
+      <p class="quiet">
+        They slide along it and never leave it, wherever the edit takes them. Pinned points do not
+        move at all.
+      </p>
+    </details>
+  );
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Views kept under a name: to look from there again, to rename and to delete.
+import type { NamedView } from "../design/camera.ts";
+import { deleteView, renameView, showView } from "../state/named-views.ts";
+import { CommandButton } from "./command-button.tsx";
+import { KEEP_VIEW } from "./commands/view-commands.ts";
+import { Icon } from "./icon.tsx";
+import { usePage } from "./page-context.ts";
+import "./designs.css";
+
+function Row({ view }: { view: NamedView }) {
+  const page = usePage();
+  const { name } = view;
+  return (
+    <li class="named-view">
+      <input
+        type="text"
+        class="snapshot-name"
+        aria-label={`Name of ${name}`}
+        value={name}
+        maxLength={100}
+        onChange={({ currentTarget }) => {
+          renameView(page, view, currentTarget.value);
+          if (page.views.value.includes(view)) currentTarget.value = name;
+        }}
+      />
+      <button
+        type="button"
+        class="button small"
+        aria-label={`Show ${name}`}
+        onClick={() => showView(page, view)}
+      >
+        Show
+      </button>
+      <button
+        type="button"
+        class="icon-button"
+        aria-label={`Delete ${name}`}
+        onClick={() => deleteView(page, view)}
+      >
+        <Icon name="close" />
+      </button>
+    </li>
+  );
+}
+
+export function ViewsSection() {
+  const page = usePage();
+  return (
+    <section class="step" aria-labelledby="named-views">
+      <h2 id="named-views">Named views</h2>
+      <CommandButton look="button wide" command={KEEP_VIEW} />
+      {page.views.value.length > 0 && (
+        <ul class="snapshots" aria-labelledby="named-views">
+          {page.views.value.map((view, k) => (
+            <Row key={k} view={view} />
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
