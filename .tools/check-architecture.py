@@ -45,7 +45,7 @@ ARROWS = {
     "shapes": {"mesh", "trigonometry"},
     "problem": GEOMETRY | {"point_support"},
     "engines": PROBLEM,
-    "handle_edit": ENGINES | {"mesh_standing", "symmetry", "keep_out"},
+    "handle_edit": ENGINES | {"mesh_standing", "symmetry", "keep_out", "read_result"},
     "symmetric_edit": ENGINES | {"handle_edit", "planarising", "symmetry", "projection", "read_result"},
     "subspace": ENGINES,
     "projection": ENGINES | {"mesh_standing"},

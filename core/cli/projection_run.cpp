@@ -4,6 +4,7 @@
 #include <string>
 
 #include "edit_options.hpp"
+#include "planish/io/number.hpp"
 #include "planish/planarising.hpp"
 
 namespace planish::cli {

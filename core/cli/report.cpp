@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "planish/adjacency.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/folds.hpp"
+#include "planish/io/number.hpp"
 #include "planish/mesh_check.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
@@ -94,12 +94,6 @@ Json info_json(const MeshFile& file) {
                                 {"worst_gap", planarity.worst_gap}};
   json["warnings"] = file.warnings;
   return json;
-}
-
-std::string three_digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
 }
 
 std::optional<std::string> outcome_sentence(const SolveReport& report) {

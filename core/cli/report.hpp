@@ -52,9 +52,6 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 /// Where an edit stopped short of a target or has no certificate; nullopt where all is well.
 [[nodiscard]] std::optional<std::string> outcome_sentence(const SolveReport& report);
 
-/// A figure as sentences say it.
-[[nodiscard]] std::string three_digits(double value);
-
 /// Says `sentence`, if there is one, on standard error.
 void print_sentence(const std::optional<std::string>& sentence);
 

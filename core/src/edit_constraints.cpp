@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cstdio>
-
 #include "planish/constraints/elements.hpp"
 #include "planish/handle_edit.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 
@@ -26,10 +24,8 @@ Refusal find_broken_constraint(const Mesh& mesh, const HandleEditOptions& option
     }
     if (worst.excess <= kept.tolerance(kind)) return;
     const std::string where_word = Kind::kElement == Element::kFace ? "panel " : "point ";
-    std::array<char, 32> defect{};
-    std::snprintf(defect.data(), defect.size(), "%.3g", worst.measure);
     broken = "the base mesh is not " + std::string(Kind::kName) + ": " + where_word +
-             std::to_string(where) + " misses it by " + defect.data() + " " +
+             std::to_string(where) + " misses it by " + three_digits(worst.measure) + " " +
              std::string(Kind::kUnit);
   });
   return broken;

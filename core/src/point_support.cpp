@@ -2,8 +2,6 @@
 #include "planish/point_support.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -11,6 +9,7 @@
 
 #include "planish/adjacency.hpp"
 #include "planish/index.hpp"
+#include "planish/io/number.hpp"
 
 namespace planish {
 namespace {
@@ -57,12 +56,6 @@ double distance_to_outline(const Mesh& base, const std::vector<std::pair<int, in
   return least;
 }
 
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
 /// "supports: plane=0,0,1,3" without its points, which may be thousands.
 std::string name_of(const PointSupport& support) {
   const std::string text = point_support_text(support);
@@ -91,7 +84,7 @@ Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double m
     const Eigen::Vector3d point = mesh.positions.col(v);
     const double distance = way_off(support, point, point).norm();
     if (distance > most) {
-      return name_of(support) + ": vertex " + std::to_string(v) + " is " + figure(distance) +
+      return name_of(support) + ": vertex " + std::to_string(v) + " is " + three_digits(distance) +
              " away from it; a point slides on what it is on already";
     }
   }

@@ -16,12 +16,6 @@
 namespace planish {
 namespace {
 
-std::string length_text(double value) {
-  std::string text;
-  append_number(text, value, 3);
-  return text;
-}
-
 /// Thrown and caught in this file: what the images contradict.
 struct Contradiction {
   std::string sentence;
@@ -72,7 +66,7 @@ class ImageCollector {
       if (way.norm() > same_) {
         throw Contradiction{"handle " + std::to_string(handle.vertex) +
                             " is on a mirror plane or an axis of the symmetry; its target is " +
-                            length_text(0.5 * way.norm()) + " off it"};
+                            three_digits(0.5 * way.norm()) + " off it"};
       }
       sum += way;
       ++count;
@@ -94,7 +88,7 @@ class ImageCollector {
     if (off <= same_) return;
     throw Contradiction{"handle " + std::to_string(image) + " is the image of handle " +
                         std::to_string(handle) + " by the symmetry, and its target is " +
-                        length_text(off) + " away from the image of that one's"};
+                        three_digits(off) + " away from the image of that one's"};
   }
 
   void add_pins() {

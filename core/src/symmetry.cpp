@@ -16,12 +16,6 @@
 namespace planish {
 namespace {
 
-std::string three_digits_of(double value) {
-  std::string text;
-  append_number(text, value, 3);
-  return text;
-}
-
 /// The points of a mesh's faces in cubes of its mean edge.
 class PointGrid {
  public:
@@ -225,7 +219,7 @@ class SymmetryFinder {
       const Eigen::Vector3d image = moved_by(turn, centre, mesh_.positions.col(v));
       const auto found = grid_.nearest(image, kLooked * edge_);
       if (found.vertex < 0) {
-        return name + "no vertex is within two mean edges (" + three_digits_of(kLooked * edge_) +
+        return name + "no vertex is within two mean edges (" + three_digits(kLooked * edge_) +
                ") of the image of vertex " + std::to_string(v);
       }
       if (found.distance > distance) {
@@ -234,9 +228,8 @@ class SymmetryFinder {
       }
     }
     if (distance <= kSymmetryReach * edge_) return name + "two vertices have one image";
-    return name + "the image of vertex " + std::to_string(worst) + " is " +
-           three_digits_of(distance) + " away from the nearest vertex; " +
-           three_digits_of(kSymmetryReach * edge_) + " is allowed";
+    return name + "the image of vertex " + std::to_string(worst) + " is " + three_digits(distance) +
+           " away from the nearest vertex; " + three_digits(kSymmetryReach * edge_) + " is allowed";
   }
 
   [[nodiscard]] Refusal find_broken_face(const SymmetryElement& element,

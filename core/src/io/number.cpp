@@ -151,6 +151,12 @@ void append_number(std::string& text, double value, int digits) {
 #endif
 }
 
+std::string three_digits(double value) {
+  std::string text;
+  append_number(text, value, 3);
+  return text;
+}
+
 void append_exact(std::string& text, double value) {
   const std::size_t start = text.size();
   for (int digits = 15; digits <= 17; ++digits) {

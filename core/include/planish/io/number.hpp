@@ -19,6 +19,9 @@ namespace planish {
 /// Appends `value` with `digits` significant digits, as printf's %.*g.
 void append_number(std::string& text, double value, int digits);
 
+/// `value` for reading, not for storing: three significant digits.
+[[nodiscard]] std::string three_digits(double value);
+
 /// Appends finite `value` so that parse_number() gives the same bits: the shortest of 15, 16 or 17
 /// digits that does.
 void append_exact(std::string& text, double value);
