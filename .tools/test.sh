@@ -98,7 +98,7 @@ check_doors() {
   install_wheel && bash .tools/build.sh wasm npm site &&
     npx --no-install vitest run --config web/vitest.config.ts --dir tests/doors
 }
-check_tidy() { bash .tools/tidy.sh; }
+check_tidy() { python3 .tools/tidy.py; }
 check_cppcheck() { bash .tools/cppcheck.sh; }
 check_fuzz() { bash .tools/fuzz.sh; }
 check_sanitize() {
