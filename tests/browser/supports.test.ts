@@ -73,7 +73,8 @@ it("a boundary that only goes up and down keeps every x and y, also after a relo
   await page.reload();
   await usable(page);
   const boundary = boundaryOf(before);
-  expect(await supports(page).innerText()).toBe(`Supports (${boundary.size} points)`);
+  // What was saved comes back after the page is usable.
+  await expect.poll(() => supports(page).innerText()).toBe(`Supports (${boundary.size} points)`);
   await page.getByRole("slider", { name: "Reach" }).fill("10");
   await typeTarget(page, "+40cm");
   const after = readObj(await obj(page));
