@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -67,62 +66,6 @@ TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
   EXPECT_NE(err().find("version 9"), std::string::npos);
   ASSERT_EQ(run("convert d.json -o x.obj"), 2);
   EXPECT_EQ(run("edit sample:castle:9 --handle 0=0,0,0"), 2);
-}
-
-TEST_F(Cli, ASymmetricEditIsReplayedFromJsonAndFromGlb) {
-  ASSERT_EQ(run("sample roof --size 13 -o r.obj"), 0);
-  for (const std::string mesh : {"r.obj", "sample:roof:13"}) {
-    for (const std::string symmetry : {"x", "y,axis:2", "auto"}) {
-      ASSERT_EQ(run("edit " + mesh + " --handle 20+=0.02,0.01,0.3 --symmetry " + symmetry +
-                    " --design d.json -o d.glb --report e.json"),
-                0)
-          << err();
-      const auto edited = nlohmann::json::parse(contents(directory_ / "e.json"))["symmetry"];
-      EXPECT_EQ(edited["images"], symmetry == "x" ? 2 : 4);
-      EXPECT_LE(edited["asymmetry_mean_edges"].get<double>(), 1e-9);
-      const auto design = nlohmann::json::parse(contents(directory_ / "d.json"));
-      EXPECT_EQ(design["handles"].size(), 1U);
-      EXPECT_EQ(design["symmetry"], edited["elements"]);
-      for (const std::string stored : {"d.json", "d.glb"}) {
-        const std::string base = mesh == "r.obj" && stored == "d.json" ? " --base r.obj" : "";
-        ASSERT_EQ(run("replay " + stored + base + " -o again.obj --report r.json"), 0) << err();
-        const auto again = nlohmann::json::parse(contents(directory_ / "r.json"));
-        EXPECT_TRUE(again["verified"].get<bool>()) << stored;
-        EXPECT_LE(again["symmetry"]["asymmetry_mean_edges"].get<double>(), 1e-9);
-        EXPECT_TRUE(testing::same_bits(load("again.obj").positions, load("d.glb").positions));
-      }
-    }
-  }
-}
-
-TEST_F(Cli, WithoutASymmetryAnEditHasTheBitsThatItHad) {
-  const std::string edit = "edit sample:roof:13 --handle 20+=0.02,0.01,0.3 -o ";
-  ASSERT_EQ(run(edit + "a.obj --design a.json"), 0) << err();
-  ASSERT_EQ(run(edit + "b.obj --design b.json --symmetry off"), 0) << err();
-  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
-  EXPECT_EQ(contents(directory_ / "a.json"), contents(directory_ / "b.json"));
-  const std::string none = "edit sample:hex:9 --handle 40+=0,0,0.3 -o ";  // auto finds none
-  ASSERT_EQ(run(none + "a.obj --design a.json"), 0) << err();
-  ASSERT_EQ(run(none + "b.obj --design b.json --symmetry auto"), 0) << err();
-  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
-  EXPECT_EQ(contents(directory_ / "a.json"), contents(directory_ / "b.json"));
-}
-
-TEST_F(Cli, ASymmetryThatIsNoneIsRefusedInWords) {
-  const std::string edit = "edit sample:vault:13 --handle 20+=0,0,0.3 ";
-  EXPECT_EQ(run(edit + "--symmetry w"), 2);
-  EXPECT_EQ(err().rfind("planish: --symmetry: \"w\" is none of auto, off, or some of x, y, z", 0),
-            0U)
-      << err();
-  EXPECT_EQ(run(edit + "--symmetry y"), 2);
-  EXPECT_EQ(err().rfind("planish: symmetry: the mesh does not have y: the image of vertex ", 0), 0U)
-      << err();
-  EXPECT_EQ(run(edit + "--symmetry x --handle 18+=0,0,0.4"), 2);
-  EXPECT_NE(err().find("is the image of handle"), std::string::npos) << err();
-  EXPECT_EQ(run(edit + "--symmetry x --solver alm"), 2);
-  EXPECT_NE(err().find("symmetry: the engine alm knows none"), std::string::npos) << err();
-  EXPECT_EQ(run("explore sample:vault:13 --handle 20+=0,0,0.3 --dimension 2 --symmetry x"), 2);
-  EXPECT_NE(err().find("--symmetry"), std::string::npos) << err();
 }
 
 TEST_F(Cli, EditMovesTheHandleAndReports) {
@@ -250,122 +193,6 @@ TEST_F(Cli, KeepsALimitAndReplaysIt) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
     EXPECT_EQ(json("again.json")["verified"], true);
   }
-}
-
-TEST_F(Cli, KeepOutsAreKeptReportedAndReplayed) {
-  const auto json = [&](const std::string& name) {
-    return nlohmann::json::parse(contents(directory_ / name));
-  };
-  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
-  const Positions before = load("v.obj").positions;
-  const double top = before(2, 66) + 0.3;
-  const std::string out = " --keep-out above=" + std::to_string(top) + " --keep-out below=0.2";
-  const std::string edit = "edit v.obj --handle 66+=0.2,0,1 --report r.json" + out;
-  ASSERT_EQ(run(edit + " --clearance 0.05 -o edited.glb --design d.json"), 0) << err();
-  const Positions after = load("edited.glb").positions;
-  EXPECT_LE(after.row(2).maxCoeff(), std::stod(std::to_string(top)) - 0.05 + 1e-9);
-  EXPECT_GT(after(2, 66), before(2, 66) + 0.2);
-  for (int v = 0; v < after.cols(); ++v) {
-    EXPECT_GE(after(2, v), std::min(0.25, before(2, v)) - 1e-9) << v;
-  }
-  const auto report = json("r.json");
-  ASSERT_EQ(report["bounds"].size(), 1u);
-  EXPECT_EQ(report["bounds"][0]["name"], "keep-out");
-  const auto points = report["bounds"][0]["binding"].get<std::vector<int>>();
-  EXPECT_NE(std::find(points.begin(), points.end(), 66), points.end());
-  EXPECT_EQ(report["status"], "converged");
-  for (const std::string design : {"d.json", "edited.glb"}) {
-    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
-  }
-}
-
-TEST_F(Cli, ABoxIsKeptOutOfAndReplayed) {
-  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
-  const Positions before = load("v.obj").positions;
-  const double low = before(2, 66) + 0.35;
-  const std::string box = std::to_string(before(0, 66) - 0.3) + "," +
-                          std::to_string(before(1, 66) - 0.3) + "," + std::to_string(low) + "," +
-                          std::to_string(before(0, 66) + 0.3) + "," +
-                          std::to_string(before(1, 66) + 0.3) + "," + std::to_string(low + 1.0);
-  ASSERT_EQ(run("edit v.obj --handle 66+=0,0,1 --keep-out box=" + box +
-                " --clearance 0.05 -o e.glb --design d.json"),
-            0)
-      << err();
-  const Positions after = load("e.glb").positions;
-  EXPECT_LE(after(2, 66), std::stod(std::to_string(low)) - 0.05 + 1e-9);
-  EXPECT_GT(after(2, 66), before(2, 66) + 0.1);
-  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
-  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
-}
-
-TEST_F(Cli, AWrongKeepOutIsSaidByItsName) {
-  const auto said = [&](const std::string& words) {
-    EXPECT_EQ(run("edit sample:vault:12 --handle 66+=0,0,1 " + words), 2);
-    return err();
-  };
-  EXPECT_NE(said("--keep-out mesh=a.obj").find("--keep-out: \"mesh=a.obj\" is none of below=Z"),
-            std::string::npos);
-  EXPECT_NE(said("--keep-out self").find("is none of"), std::string::npos);
-  EXPECT_NE(said("--keep-out plane=0,0,0,1").find("its direction has no length"),
-            std::string::npos);
-  EXPECT_NE(said("--clearance 1").find("there is none"), std::string::npos);
-  EXPECT_NE(said("--keep-out below=0 --clearance -1").find("clearance must be"), std::string::npos);
-  EXPECT_NE(said("--keep-out below=0 --solver alm").find("it needs newton"), std::string::npos);
-}
-
-TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
-  const auto json = [&](const std::string& name) {
-    return nlohmann::json::parse(contents(directory_ / name));
-  };
-  const std::string edit = "edit sample:vault:12 --handle 66+=0.2,0,0.6 --report r.json ";
-  ASSERT_EQ(run(edit + "--support outline:boundary --support level=x:65,67 -o edited.glb "
-                       "--design d.json"),
-            0)
-      << err();
-  const auto supports = json("r.json")["supports"];
-  ASSERT_EQ(supports.size(), 2u);
-  EXPECT_EQ(supports[0]["name"], "outline:boundary");
-  EXPECT_LE(supports[0]["distance_max"].get<double>(), 1e-9);
-  EXPECT_EQ(supports[1], (nlohmann::json{{"name", "level=x:65,67"}, {"distance_max", 0.0}}));
-  EXPECT_EQ(json("d.json")["supports"], (nlohmann::json{"outline:boundary", "level=x:65,67"}));
-  for (const std::string design : {"d.json", "edited.glb"}) {
-    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
-    EXPECT_EQ(json("again.json")["supports"], supports);
-    EXPECT_EQ(json("again.json")["spoilt_faces"], json("r.json")["spoilt_faces"]);
-  }
-}
-
-TEST_F(Cli, VariationsLeaveSupportedPointsWhereTheEditPutThem) {
-  const std::string explore =
-      "explore sample:vault:12 --handle 66+=0,0,0.6 --support level=x:65,67 --dimension 2 --exact "
-      "--coefficients ";
-  ASSERT_EQ(run(explore + "0,0 -o edit.obj"), 0) << err();
-  ASSERT_EQ(run(explore + "0.3,0.2 -o variation.obj --design d.json"), 0) << err();
-  const auto points = [&](const std::string& name) {
-    std::istringstream text(contents(directory_ / name));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) {
-      if (line.starts_with("v ")) lines.push_back(line);
-    }
-    return lines;
-  };
-  const auto edit = points("edit.obj"), variation = points("variation.obj");
-  ASSERT_EQ(edit.size(), 144u);
-  EXPECT_NE(edit, variation);
-  for (const std::size_t v : {65u, 67u}) EXPECT_EQ(edit[v], variation[v]);
-  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
-  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
-}
-
-TEST_F(Cli, ASupportThatIsNoneIsRefused) {
-  const std::string edit = "edit sample:vault:12 --handle 66+=0,0,0.3 --support ";
-  EXPECT_EQ(run(edit + "roof:boundary"), 2);
-  EXPECT_NE(err().find("\"roof:boundary\" is none of level:POINTS"), std::string::npos) << err();
-  EXPECT_EQ(run(edit + "plane=0,0,1,99:boundary"), 2);
-  EXPECT_NE(err().find("away from it"), std::string::npos) << err();
-  EXPECT_EQ(run(edit + "level:boundary --solver alm"), 2);
 }
 
 TEST_F(Cli, SaysWhatAnEditDidNotReach) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Supports of an edit: kept, reported, replayed, refused.
+#ifndef __EMSCRIPTEN__
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/cli.hpp"
+
+namespace planish {
+namespace {
+
+using testing::Cli;
+using testing::contents;
+
+TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
+  const auto json = [&](const std::string& name) {
+    return nlohmann::json::parse(contents(directory_ / name));
+  };
+  const std::string edit = "edit sample:vault:12 --handle 66+=0.2,0,0.6 --report r.json ";
+  ASSERT_EQ(run(edit + "--support outline:boundary --support level=x:65,67 -o edited.glb "
+                       "--design d.json"),
+            0)
+      << err();
+  const auto supports = json("r.json")["supports"];
+  ASSERT_EQ(supports.size(), 2u);
+  EXPECT_EQ(supports[0]["name"], "outline:boundary");
+  EXPECT_LE(supports[0]["distance_max"].get<double>(), 1e-9);
+  EXPECT_EQ(supports[1], (nlohmann::json{{"name", "level=x:65,67"}, {"distance_max", 0.0}}));
+  EXPECT_EQ(json("d.json")["supports"], (nlohmann::json{"outline:boundary", "level=x:65,67"}));
+  for (const std::string design : {"d.json", "edited.glb"}) {
+    ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
+    EXPECT_EQ(json("again.json")["verified"], true);
+    EXPECT_EQ(json("again.json")["supports"], supports);
+    EXPECT_EQ(json("again.json")["spoilt_faces"], json("r.json")["spoilt_faces"]);
+  }
+}
+
+TEST_F(Cli, VariationsLeaveSupportedPointsWhereTheEditPutThem) {
+  const std::string explore =
+      "explore sample:vault:12 --handle 66+=0,0,0.6 --support level=x:65,67 --dimension 2 --exact "
+      "--coefficients ";
+  ASSERT_EQ(run(explore + "0,0 -o edit.obj"), 0) << err();
+  ASSERT_EQ(run(explore + "0.3,0.2 -o variation.obj --design d.json"), 0) << err();
+  const auto points = [&](const std::string& name) {
+    std::istringstream text(contents(directory_ / name));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("v ")) lines.push_back(line);
+    }
+    return lines;
+  };
+  const auto edit = points("edit.obj"), variation = points("variation.obj");
+  ASSERT_EQ(edit.size(), 144u);
+  EXPECT_NE(edit, variation);
+  for (const std::size_t v : {65u, 67u}) EXPECT_EQ(edit[v], variation[v]);
+  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
+}
+
+TEST_F(Cli, ASupportThatIsNoneIsRefused) {
+  const std::string edit = "edit sample:vault:12 --handle 66+=0,0,0.3 --support ";
+  EXPECT_EQ(run(edit + "roof:boundary"), 2);
+  EXPECT_NE(err().find("\"roof:boundary\" is none of level:POINTS"), std::string::npos) << err();
+  EXPECT_EQ(run(edit + "plane=0,0,1,99:boundary"), 2);
+  EXPECT_NE(err().find("away from it"), std::string::npos) << err();
+  EXPECT_EQ(run(edit + "level:boundary --solver alm"), 2);
+}
+
+}  // namespace
+}  // namespace planish
+
+#endif  // __EMSCRIPTEN__
