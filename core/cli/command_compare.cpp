@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "files.hpp"
 #include "planish/comparison/edit_measure.hpp"
 #include "planish/comparison/global_subspace.hpp"

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "files.hpp"
 
 namespace planish::cli {

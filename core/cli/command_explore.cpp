@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "exploration.hpp"
 #include "files.hpp"
 #include "projection_run.hpp"

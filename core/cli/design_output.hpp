@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "planish/design.hpp"
 #include "planish/io/gltf.hpp"
 

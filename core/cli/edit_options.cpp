@@ -6,8 +6,6 @@
 
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/design_words.hpp"
-#include "planish/metrics.hpp"
-#include "report.hpp"
 
 namespace planish::cli {
 namespace {
@@ -134,31 +132,6 @@ std::vector<OptionRow> edit_command_rows() {
 }
 
 namespace {
-
-/// The symmetry of `mesh` that --symmetry asks for; nullopt without or off.
-std::optional<MeshSymmetry> asked_symmetry(const Arguments& arguments, const Mesh& mesh,
-                                           const HandleEditOptions& options) {
-  const auto text = arguments.value("--symmetry");
-  if (!text) return std::nullopt;
-  const auto stated = parse_symmetry(*text);
-  if (!stated) {
-    throw CommandError(
-        kWrongUsage, "--symmetry: \"" + *text + "\" is none of " + std::string(known_symmetries()));
-  }
-  if (stated->is_off()) return std::nullopt;
-  if (options.engine != Engine::kNewton) {
-    throw CommandError(kWrongUsage, "symmetry: the engine alm knows none; it needs newton");
-  }
-  auto found = find_symmetry(mesh, *stated);
-  if (auto* why = std::get_if<std::string>(&found)) throw CommandError(kWrongUsage, *why);
-  return std::get<MeshSymmetry>(std::move(found));
-}
-
-EditTargets all_images(const EditTargets& targets, const Mesh& base, const MeshSymmetry& symmetry) {
-  auto all = with_images(targets, base, symmetry);
-  if (auto* why = std::get_if<std::string>(&all)) throw CommandError(kWrongUsage, *why);
-  return std::get<EditTargets>(std::move(all));
-}
 
 constexpr Words<double, 6> kUnits = {
     {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
@@ -328,120 +301,6 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
     throw CommandError(kWrongUsage, *problem);
   }
   return targets;
-}
-
-FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Progress& progress) {
-  FlatBase base{mesh, {}, std::nullopt};
-  if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
-  base.planarised = planarise(mesh, base.how, progress);
-  if (base.planarised->report.status == SolveStatus::kToleranceNotMet) {
-    base.how = kNearestFlat;  // an edit needs a flat base: what this spoils is reported
-    base.planarised = planarise(mesh, base.how, progress);
-  }
-  for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
-    base.mesh.positions.col(base.planarised->moved[k]) =
-        base.planarised->moved_positions.col(static_cast<Eigen::Index>(k));
-  }
-  return base;
-}
-
-std::optional<std::string> planarised_sentence(const FlatBase& base) {
-  if (!base.planarised) return std::nullopt;
-  return "not flat; planarised first, which moved " +
-         std::to_string(base.planarised->moved.size()) + " vertices by up to " +
-         three_digits(base.planarised->max_move) + " (units of the mesh)";
-}
-
-std::optional<std::string> evened_sentence(const EditRun& run) {
-  if (run.evened.max_move == 0.0) return std::nullopt;
-  return "not exactly symmetric; made so first, which moved vertices by up to " +
-         three_digits(run.evened.max_move) + " (units of the mesh)";
-}
-
-EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
-                 const std::string& name, const Progress& progress) {
-  EditRun run;
-  run.unit = model_unit(arguments);
-  run.given = std::move(source.mesh);
-  run.source = std::move(source.source);
-  // Wrong targets must not cost a projection first; the vertices are the same after it.
-  run.targets = edit_targets(arguments, run.given);
-  run.symmetry = asked_symmetry(arguments, run.given, options);
-  if (run.symmetry) {
-    Mesh even = run.given;
-    even_out(*run.symmetry, even.face_vertices, even.positions);
-    (void)all_images(edit_targets(arguments, even), even, *run.symmetry);
-  }
-  bool stopped = false;
-  Progress watched;
-  if (progress) {
-    watched = [&](const IterationRecord& record) {
-      stopped = stopped || progress(record) == Flow::kStop;
-      return stopped ? Flow::kStop : Flow::kContinue;
-    };
-  }
-  run.base = flat_base(run.given, options, watched);
-  if (stopped) {
-    run.base = {run.given, {}, std::nullopt};
-    run.edited = run.given.positions;
-    run.report.status = SolveStatus::kCancelled;
-    return run;
-  }
-  if (run.symmetry && (!run.base.planarised || run.base.planarised->report.usable())) {
-    run.evened = make_symmetric(run.base.mesh, *run.symmetry, options.tolerance, watched);
-  }
-  run.targets = edit_targets(arguments, run.base.mesh);
-  run.edited = run.base.mesh.positions;
-  if (run.base.planarised && !run.base.planarised->report.usable()) {
-    run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
-    return run;
-  }
-  if (!run.evened.symmetric) {
-    throw CommandError(kInvalidMesh,
-                       name + ": symmetry: the mesh cannot be made flat and symmetric");
-  }
-  if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
-    throw CommandError(kInvalidMesh,
-                       name + ": " + *broken + "; planish project --constraint makes it so");
-  }
-  HandleEditSolver solver(run.base.mesh, options);
-  const HandleEditResult result =
-      run.symmetry && run.symmetry->operations.size() > 1
-          ? solver.solve_symmetric(all_images(run.targets, run.base.mesh, *run.symmetry),
-                                   *run.symmetry, watched)
-          : solver.solve(run.targets, watched);
-  run.edited = apply(run.base.mesh, result);
-  run.report = result.report;
-  return run;
-}
-
-EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
-  const std::string name = arguments.only_positional("MESH");
-  EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
-  clear_progress_line();
-  if (const auto sentence = planarised_sentence(run.base)) print_message(name + ": " + *sentence);
-  if (const auto sentence = evened_sentence(run)) print_message(name + ": " + *sentence);
-  return run;
-}
-
-Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
-  Json json = Json::object();
-  add_solve(json, run.report, engine);
-  json["mesh"] = mesh_json(run.given);
-  json["planarity_mm_per_m"] = planarity_json(run.given, run.given.positions, after);
-  if (run.base.planarised) {
-    json["planarised_first"] = {{"max_move", run.base.planarised->max_move},
-                                {"rms_move", run.base.planarised->rms_move}};
-  }
-  json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
-  json["sharpest_fold"] = fold_json(run.base.mesh, after);
-  json["remake"] = remake_json(run.base.mesh, after);
-  add_supports(json, run.targets.supports, run.base.mesh, after);
-  if (run.symmetry) {
-    json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
-    if (run.evened.max_move > 0.0) json["symmetry"]["base_moved_by"] = run.evened.max_move;
-  }
-  return json;
 }
 
 }  // namespace planish::cli

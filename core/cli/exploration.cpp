@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "design_output.hpp"
+#include "edit_options.hpp"
 #include "planish/adjacency.hpp"
 #include "planish/exact_variation.hpp"
+#include "planish/io/number.hpp"
 #include "planish/mesh_standing.hpp"
 #include "planish/slider_stops.hpp"
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "design_input.hpp"
+#include "edit_options.hpp"
 #include "files.hpp"
 #include "planish/io/number.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "planish/mobility/mobility_meter.hpp"
 #include "report.hpp"
 

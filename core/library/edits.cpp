@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "design_output.hpp"
+#include "edit_options.hpp"
 #include "files.hpp"
 #include "offset_run.hpp"
 #include "planish/design_text.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "design_input.hpp"
-#include "edit_options.hpp"
+#include "edit_run.hpp"
 #include "exploration.hpp"
 #include "mobility_run.hpp"
 #include "open_mesh.hpp"
