@@ -41,6 +41,9 @@ LimitStanding MeshKeepOuts::standing(std::span<const int>,
 bool MeshKeepOuts::choose_planes(std::span<const int>, const std::function<Eigen::Vector3d(int)>&) {
   is_not_here();
 }
+bool MeshKeepOuts::part_panels(std::span<const int>, const std::function<Eigen::Vector3d(int)>&) {
+  is_not_here();
+}
 void MeshLimits::keep_out(const LimitBase&, const std::vector<KeepOut>&, double) { is_not_here(); }
 
 void PatchCutter::add_keep_outs(const MeshKeepOuts&, int, Patch&) { is_not_here(); }
@@ -59,6 +62,12 @@ void HandleEditSolver::State::keep_out() { is_not_here(); }
 void HandleEditSolver::State::keep_out(const FreeSpace&) { is_not_here(); }
 void HandleEditSolver::State::make_rests() { is_not_here(); }
 void HandleEditSolver::State::open_planes() { is_not_here(); }
+void HandleEditSolver::State::forget_parted() { is_not_here(); }
+bool HandleEditSolver::State::goes_through_itself(const ExactDesign&) { is_not_here(); }
+void HandleEditSolver::State::part_panels(const std::function<ExactDesign(SolveReport&)>&,
+                                          ExactDesign&, SolveReport&) {
+  is_not_here();
+}
 bool HandleEditSolver::State::keep_outs_turn() const { is_not_here(); }
 bool HandleEditSolver::State::turn_planes(const ExactDesign&) { is_not_here(); }
 bool HandleEditSolver::State::meets_keep_outs(const ExactDesign&) { is_not_here(); }

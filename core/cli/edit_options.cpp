@@ -105,7 +105,8 @@ std::vector<OptionRow> edit_option_rows() {
            "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH (repeatable)"},
           {"--keep-out", "KIND=VALUE",
            "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
-           "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1;\n"
+           "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "
+           "self: through no other panel;\n"
            "what is there in MESH goes no deeper (repeatable)"},
           {"--clearance", "D", "kept from every --keep-out (units of the mesh)"},
           kConstraintRow,

@@ -58,8 +58,11 @@ class LimitJudge {
       return model_.points.col(v) + (shape.col(v) - base.col(v)) / model_.unit();
     };
     const std::vector<int> faces = faces_of(model_.adjacency, moved_vertices(base, shape));
-    // The planes of boxes follow the shape that is judged.
-    if (limits_.keep_outs() != nullptr) limits_.keep_outs()->choose_planes(faces, place);
+    // The planes follow the shape that is judged.
+    if (MeshKeepOuts* const keep_outs = limits_.keep_outs()) {
+      (void)keep_outs->part_panels(faces, place);
+      (void)keep_outs->choose_planes(faces, place);
+    }
     return limit_standing(limits_, faces, place);
   }
 

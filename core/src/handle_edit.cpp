@@ -218,6 +218,7 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
                                                 const Progress& progress) {
   const Stopwatch watch;
   set_targets(targets);
+  if (has_keep_outs()) forget_parted();
   open_tracks();
   SolveReport report;
   if (nothing_to_do()) {
@@ -225,7 +226,9 @@ HandleEditResult HandleEditSolver::State::solve(const EditTargets& targets,
     report.solve_seconds = watch.seconds();
     return result_of(unmoved(), std::move(report));
   }
-  ExactDesign design = find_design(progress, report);
+  const auto find = [&](SolveReport& found) { return find_design(progress, found); };
+  ExactDesign design = find(report);
+  if (has_keep_outs()) part_panels(find, design, report);
   HandleEditResult result = result_of(design, std::move(report));
   result.report.solve_seconds = watch.seconds();
   return result;

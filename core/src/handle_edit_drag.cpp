@@ -106,7 +106,8 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
        ++turn) {  // the next frames go on with it
     design = finish_->finish(problem_, drag_support_, *field_, kept_);
   }
-  const bool acceptable = is_acceptable(design);
+  const bool acceptable =
+      is_acceptable(design) && !(has_keep_outs() && goes_through_itself(design));
   if (acceptable) last_exact_ = std::move(design);
   if (!acceptable || report.status == SolveStatus::kSingularSystem) {
     // No way on from here: the last exact state stands; the next frame starts afresh.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What an edit does about keep-outs. None of it is called where there are none.
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,11 +32,40 @@ void HandleEditSolver::State::make_rests() {
   slides_->rest(std::move(resting));
 }
 
+/// Before a solve: no planes from what an earlier one came near to. [KEE-4]
+void HandleEditSolver::State::forget_parted() { limits_->keep_outs()->forget_parted(); }
+
+/// Whether a panel may have gone through another that it had no plane to. It has one now.
+bool HandleEditSolver::State::goes_through_itself(const ExactDesign& design) {
+  return limits_->keep_outs()->part_panels(design.faces, verdict_->places(design));
+}
+
+/// Makes `design` again by `find` for as long as it comes near to panels that it had no plane to.
+void HandleEditSolver::State::part_panels(const std::function<ExactDesign(SolveReport&)>& find,
+                                          ExactDesign& design, SolveReport& report) {
+  constexpr int kMostRounds = 12;
+  int round = 0;
+  while (goes_through_itself(design)) {
+    if (report.status == SolveStatus::kCancelled || ++round > kMostRounds) {
+      if (report.usable()) report.status = SolveStatus::kInfeasibleHandles;
+      report.optimality.reset();
+      design = unmoved();
+      return;
+    }
+    open_tracks();
+    SolveReport again;
+    again.iterations = report.iterations;
+    again.factorizations = report.factorizations;
+    report = std::move(again);
+    design = find(report);
+  }
+}
+
 void HandleEditSolver::State::open_planes() { limits_->keep_outs()->open(); }
 
 /// Whether what was met may turn out to be other than what a state was solved with.
 bool HandleEditSolver::State::keep_outs_turn() const {
-  return (slides_ != nullptr && slides_->has_rests()) || limits_->keep_outs()->has_boxes();
+  return (slides_ != nullptr && slides_->has_rests()) || limits_->keep_outs()->has_turning_planes();
 }
 
 /// Other planes between boxes and panels where the design makes them better. [KEE-3]
@@ -108,6 +138,11 @@ std::optional<ExactDesign> HandleEditSolver::State::settle_at_last_weight(
 ExactDesign HandleEditSolver::State::settle_beside_keep_outs(const NewtonOptions& options,
                                                              const Progress& progress,
                                                              SolveReport& report) {
+  if (!limits_->keep_outs()->has_rows()) {  // as without any, to the bit
+    ExactDesign design = settle(options, progress, report);
+    if (!options_.bounds.empty()) approach_limits(options, progress, design, report);
+    return design;
+  }
   // Other limits lose their certificate so more often (decision 15).
   if (options_.bounds.empty() && report.status == SolveStatus::kConverged) {
     if (auto design = settle_at_last_weight(options, progress, report)) return std::move(*design);

@@ -5,6 +5,7 @@
 /// under a symmetry, handle_edit_keep_outs.cpp is what all of them do about keep-outs.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -53,6 +54,8 @@ class HandleEditSolver::State {
   std::optional<ExactDesign> solve_by_copies(const EditTargets& targets,
                                              const MeshSymmetry& symmetry, const Progress& progress,
                                              SolveReport& report);
+  ExactDesign find_symmetric(const EditTargets& targets, const MeshSymmetry& symmetry,
+                             const Progress& progress, SolveReport& report);
   ExactDesign solve_together(const MeshSymmetry& symmetry, const Progress& progress,
                              SolveReport& report);
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
@@ -65,6 +68,10 @@ class HandleEditSolver::State {
   void keep_out(const FreeSpace& free);
   void make_rests();
   void open_planes();
+  void forget_parted();
+  [[nodiscard]] bool goes_through_itself(const ExactDesign& design);
+  void part_panels(const std::function<ExactDesign(SolveReport&)>& find, ExactDesign& design,
+                   SolveReport& report);
   [[nodiscard]] bool keep_outs_turn() const;
   [[nodiscard]] bool turn_planes(const ExactDesign& design);
   [[nodiscard]] bool meets_keep_outs(const ExactDesign& design);

@@ -102,6 +102,7 @@ bool is_same_side(const HalfSpace& a, const HalfSpace& b) {
 /// What keep-outs and all their images leave free, each of them once.
 FreeSpace with_images(const FreeSpace& free, const MeshSymmetry& symmetry) {
   FreeSpace all;
+  all.apart = free.apart;
   const auto add = [](auto& list, const auto& image, const auto& is_same) {
     const bool known =
         std::any_of(list.begin(), list.end(), [&](const auto& one) { return is_same(one, image); });
@@ -253,6 +254,19 @@ ExactDesign HandleEditSolver::State::solve_together(const MeshSymmetry& symmetry
   return std::move(*even);
 }
 
+ExactDesign HandleEditSolver::State::find_symmetric(const EditTargets& targets,
+                                                    const MeshSymmetry& symmetry,
+                                                    const Progress& progress, SolveReport& report) {
+  if (auto design = solve_by_copies(targets, symmetry, progress, report)) return std::move(*design);
+  SolveReport together;
+  together.iterations = report.iterations;
+  together.factorizations = report.factorizations;
+  report = std::move(together);
+  set_targets(targets);
+  open_tracks();
+  return solve_together(symmetry, progress, report);
+}
+
 HandleEditResult HandleEditSolver::State::solve_symmetric(const EditTargets& targets,
                                                           const MeshSymmetry& symmetry,
                                                           const Progress& progress) {
@@ -267,17 +281,12 @@ HandleEditResult HandleEditSolver::State::solve_symmetric(const EditTargets& tar
   if (has_keep_outs()) {
     keep_out(with_images(free_space(options_.keep_outs, options_.clearance), symmetry));
   }
-  std::optional<ExactDesign> design = solve_by_copies(targets, symmetry, progress, report);
-  if (!design) {
-    SolveReport together;
-    together.iterations = report.iterations;
-    together.factorizations = report.factorizations;
-    report = std::move(together);
-    set_targets(targets);
-    open_tracks();
-    design = solve_together(symmetry, progress, report);
-  }
-  HandleEditResult result = result_of(*design, std::move(report));
+  const auto find = [&](SolveReport& found) {
+    return find_symmetric(targets, symmetry, progress, found);
+  };
+  ExactDesign design = find(report);
+  if (has_keep_outs()) part_panels(find, design, report);
+  HandleEditResult result = result_of(design, std::move(report));
   if (has_keep_outs()) keep_out();
   result.report.solve_seconds = watch.seconds();
   return result;

@@ -17,8 +17,8 @@ struct KeepOutForm {
 };
 
 /// In the order of KeepOut::Kind.
-constexpr std::array<KeepOutForm, 4> kForms = {
-    {{"below", 1}, {"above", 1}, {"plane", 4}, {"box", 6}}};
+constexpr std::array<KeepOutForm, 5> kForms = {
+    {{"below", 1}, {"above", 1}, {"plane", 4}, {"box", 6}, {"self", 0}}};
 
 const KeepOutForm& form_of(const KeepOut& keep_out) {
   return kForms[static_cast<std::size_t>(keep_out.kind)];
@@ -63,7 +63,7 @@ std::optional<KeepOut> parse_keep_out(std::string_view text) {
   const auto form = std::find_if(kForms.begin(), kForms.end(), [&](const KeepOutForm& one) {
     return one.name == text.substr(0, equals);
   });
-  if (equals == std::string_view::npos || form == kForms.end()) return std::nullopt;
+  if (form == kForms.end()) return std::nullopt;
   KeepOut keep_out;
   keep_out.kind = static_cast<KeepOut::Kind>(form - kForms.begin());
   std::size_t count = 0;
@@ -88,7 +88,7 @@ std::string keep_out_text(const KeepOut& keep_out) {
 }
 
 std::string_view known_keep_outs() {
-  return "below=Z, above=Z, plane=a,b,c,d, box=x0,y0,z0,x1,y1,z1";
+  return "below=Z, above=Z, plane=a,b,c,d, box=x0,y0,z0,x1,y1,z1, self";
 }
 
 Refusal find_problem(const std::vector<KeepOut>& keep_outs) {
@@ -103,7 +103,9 @@ Refusal find_problem(const std::vector<KeepOut>& keep_outs) {
 FreeSpace free_space(const std::vector<KeepOut>& keep_outs, double clearance) {
   FreeSpace free;
   for (const KeepOut& keep_out : keep_outs) {
-    if (keep_out.kind == KeepOut::Kind::kBox) {
+    if (keep_out.kind == KeepOut::Kind::kSelf) {
+      free.apart = clearance;
+    } else if (keep_out.kind == KeepOut::Kind::kBox) {
       free.boxes.push_back(box_of(keep_out, clearance));
     } else {
       free.sides.push_back(free_side(keep_out));

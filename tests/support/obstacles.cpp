@@ -12,6 +12,7 @@
 
 #include "planish/io/mesh_format.hpp"
 #include "planish/planarising.hpp"
+#include "support/distances.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
@@ -57,40 +58,8 @@ double parted(const Box& box, const Positions& panel) {
   return widest;
 }
 
-using Segment = std::array<Eigen::Vector3d, 2>;
-
-double distance(const Eigen::Vector3d& p, const Segment& s) {
-  const Eigen::Vector3d along = s[1] - s[0];
-  const double place = std::clamp(along.dot(p - s[0]) / along.squaredNorm(), 0.0, 1.0);
-  return (s[0] + place * along - p).norm();
-}
-
-double distance(const Segment& s, const Segment& t) {
-  double least =
-      std::min({distance(s[0], t), distance(s[1], t), distance(t[0], s), distance(t[1], s)});
-  const Eigen::Vector3d u = s[1] - s[0], v = t[1] - t[0], w = s[0] - t[0];
-  const double whole = u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v);
-  if (whole <= 1e-14 * u.squaredNorm() * v.squaredNorm()) return least;
-  const double first = (u.dot(v) * v.dot(w) - v.squaredNorm() * u.dot(w)) / whole;
-  const double second = (u.squaredNorm() * v.dot(w) - u.dot(v) * u.dot(w)) / whole;
-  if (first < 0.0 || first > 1.0 || second < 0.0 || second > 1.0) return least;
-  return std::min(least, (w + first * u - second * v).norm());
-}
-
-/// From a point to the inside of a triangle; infinite where its foot is not there.
-double distance_inside(const Eigen::Vector3d& p, const Eigen::Matrix3d& triangle) {
-  const Eigen::Vector3d u = triangle.col(1) - triangle.col(0),
-                        v = triangle.col(2) - triangle.col(0);
-  const Eigen::Vector3d normal = u.cross(v), way = p - triangle.col(0);
-  if (!(normal.norm() > 1e-12 * u.norm() * v.norm())) return INFINITY;
-  const double second = way.cross(v).dot(normal) / normal.squaredNorm();
-  const double third = u.cross(way).dot(normal) / normal.squaredNorm();
-  if (second < 0.0 || third < 0.0 || second + third > 1.0) return INFINITY;
-  return std::abs(way.dot(normal)) / normal.norm();
-}
-
 /// Between a box and a panel that do not meet: of corners from the other's sides, and of edges.
-double distance(const Box& box, const Positions& panel) {
+double box_distance(const Box& box, const Positions& panel) {
   std::array<Eigen::Vector3d, 8> corners;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     for (int c = 0; c < 3; ++c) corners[corner][c] = (corner >> c) & 1 ? box.high[c] : box.low[c];
@@ -178,7 +147,7 @@ double worst_entry(const Mesh& mesh, const HandleEditResult& result, const Box& 
     const Positions was = mesh.positions(Eigen::all, corners), is = after(Eigen::all, corners);
     if (was == is) continue;
     const double now = parted(box, is);
-    const double apart = now > 0.0 ? distance(box, is) : now;
+    const double apart = now > 0.0 ? box_distance(box, is) : now;
     worst = std::max(worst, std::min(clearance, parted(box, was)) - apart);
   }
   return worst / mean_edge_length(mesh);

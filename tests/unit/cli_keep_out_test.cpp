@@ -45,6 +45,17 @@ TEST_F(Cli, KeepOutsAreKeptReportedAndReplayed) {
   }
 }
 
+TEST_F(Cli, AMeshThatIsAKeepOutItselfReplaysTheSameBits) {
+  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
+  const std::string edit = "edit v.obj --handle 66+=0.2,0,0.6";
+  ASSERT_EQ(run(edit + " --keep-out self --design d.json -o with.obj"), 0) << err();
+  ASSERT_EQ(run(edit + " -o without.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "with.obj"), contents(directory_ / "without.obj"));
+  EXPECT_NE(contents(directory_ / "d.json").find("\"self\""), std::string::npos);
+  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+  EXPECT_NE(contents(directory_ / "again.json").find("\"verified\": true"), std::string::npos);
+}
+
 TEST_F(Cli, ABoxIsKeptOutOfAndReplayed) {
   ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
   const Positions before = load("v.obj").positions;

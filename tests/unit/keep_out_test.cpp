@@ -15,8 +15,8 @@ namespace planish {
 namespace {
 
 TEST(KeepOut, ReadsBackWhatItWrites) {
-  for (const char* text :
-       {"below=0", "below=-2.5", "above=3.25", "plane=0,0.5,-1,4", "box=-1,0,0.5,2,1,3.25"}) {
+  for (const char* text : {"below=0", "below=-2.5", "above=3.25", "plane=0,0.5,-1,4",
+                           "box=-1,0,0.5,2,1,3.25", "self"}) {
     const auto keep_out = parse_keep_out(text);
     ASSERT_TRUE(keep_out) << text;
     EXPECT_EQ(keep_out_text(*keep_out), text);
@@ -26,7 +26,7 @@ TEST(KeepOut, ReadsBackWhatItWrites) {
 
 TEST(KeepOut, IsRefusedWithItsName) {
   for (const char* text : {"", "below", "below=", "below=x", "below=1,2", "plane=1,0,0", "above=,",
-                           "plane=1,0,0,0,0", "mesh=a.obj", "self", "self=1", "under=3"}) {
+                           "plane=1,0,0,0,0", "mesh=a.obj", "self=", "self=1", "under=3"}) {
     EXPECT_FALSE(parse_keep_out(text)) << text;
   }
   const auto problem_of = [](const char* text) {
@@ -108,7 +108,7 @@ TEST(KeepOutRows, TurnWithThePanelBesideABox) {
   const Adjacency adjacency = build_adjacency(mesh);
   const FreeSpace free = free_space({*parse_keep_out("box=0.4,0.4,0.35,0.7,0.7,1")}, 0.0);
   MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0}, free);
-  ASSERT_TRUE(keep_outs.has_boxes());
+  ASSERT_TRUE(keep_outs.has_turning_planes());
   const Eigen::Vector3d before = keep_outs.of(0).front().normal;
   const std::vector<int> first = {0};
   const auto still = [&](int v) -> Eigen::Vector3d { return mesh.positions.col(v); };
@@ -123,6 +123,72 @@ TEST(KeepOutRows, TurnWithThePanelBesideABox) {
   EXPECT_GT((after - before).norm(), 1e-3);
   keep_outs.open();
   EXPECT_EQ(keep_outs.of(0).front().normal, before);
+}
+
+/// Two squares, one above the other, and one beside them that touches neither.
+Mesh stacked_squares() {
+  return testing::make_mesh({{0, 0, 0},
+                             {1, 0, 0},
+                             {1, 1, 0},
+                             {0, 1, 0},
+                             {0, 0, 1},
+                             {1, 0, 1},
+                             {1, 1, 1},
+                             {0, 1, 1},
+                             {3, 0, 0},
+                             {4, 0, 0},
+                             {4, 1, 0},
+                             {3, 1, 0}},
+                            {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}});
+}
+
+/// Where two panels went through each other a plane of the base stands between them, and only
+/// there.
+TEST(KeepOutRows, PartPanelsThatWentThroughEachOther) {
+  const Mesh mesh = stacked_squares();
+  const Adjacency adjacency = build_adjacency(mesh);
+  FreeSpace free;
+  free.apart = 0.1;
+  MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0}, free);
+  EXPECT_FALSE(keep_outs.has_rows());
+  const auto raised_by = [&](double by) {
+    return [&mesh, by](int v) -> Eigen::Vector3d {
+      return mesh.positions.col(v) + Eigen::Vector3d(0, 0, v < 4 ? by : 0.0);
+    };
+  };
+  const std::vector<int> first = {0};
+  EXPECT_FALSE(keep_outs.part_panels(first, raised_by(0.85)));
+  EXPECT_FALSE(keep_outs.has_rows()) << "the clearance is kept";
+  EXPECT_TRUE(keep_outs.part_panels(first, raised_by(0.95)));
+  keep_outs.forget_parted();
+  EXPECT_FALSE(keep_outs.has_rows());
+  EXPECT_TRUE(keep_outs.part_panels(first, raised_by(3.0)));
+  EXPECT_TRUE(keep_outs.of(2).empty());
+  ASSERT_EQ(keep_outs.of(0).size(), 4u);
+  ASSERT_EQ(keep_outs.of(1).size(), 4u);
+  for (const KeepOutRow& row : keep_outs.of(0)) {
+    const Eigen::Vector3d here = mesh.positions.col(row.vertex);
+    EXPECT_GT(row.share(here + Eigen::Vector3d(0, 0, 0.449)), 0.0);
+    EXPECT_LT(row.share(here + Eigen::Vector3d(0, 0, 0.451)), 0.0) << "half of what is beside 0.1";
+  }
+  EXPECT_FALSE(keep_outs.part_panels(first, raised_by(3.0))) << "they have a plane";
+  EXPECT_TRUE(keep_outs.choose_planes(first, raised_by(0.4))) << "only the first has moved";
+  for (const KeepOutRow& row : keep_outs.of(0)) {
+    const Eigen::Vector3d here = mesh.positions.col(row.vertex);
+    EXPECT_GT(row.share(here + Eigen::Vector3d(0, 0, 0.84)), 0.0);
+  }
+}
+
+/// What touches in the base rests, and may go away.
+TEST(KeepOutRows, LetPanelsRestThatTouchInTheBase) {
+  Mesh mesh = stacked_squares();
+  for (const int v : {4, 5, 6, 7}) mesh.positions(2, v) = 0.0;
+  const Adjacency adjacency = build_adjacency(mesh);
+  FreeSpace free;
+  free.apart = 0.0;
+  const MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0}, free);
+  EXPECT_EQ(keep_outs.resting_points().size(), 8u);
+  EXPECT_TRUE(keep_outs.of(2).empty());
 }
 
 }  // namespace

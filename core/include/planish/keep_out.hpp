@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Where nothing of an edit may go: below a level, above one, beyond a plane, into a box. [KEE-1]
+/// Where nothing of an edit may go: below a level, above one, beyond a plane, into a box,
+/// through the mesh itself. [KEE-1]
 #pragma once
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@ struct KeepOut {
     kAbove,  ///< nothing may be above Z
     kPlane,  ///< nothing may be where a·x + b·y + c·z > d
     kBox,    ///< no panel may enter the box between two corners
+    kSelf,   ///< no panel may touch another with which it shares no point
   };
   Kind kind = Kind::kBelow;
   /// Z; a, b, c, d; or x0, y0, z0, x1, y1, z1; model units. Zeros behind them.
@@ -52,11 +54,10 @@ struct KeptBox {
 struct FreeSpace {
   std::vector<HalfSpace> sides;  ///< clearance included
   std::vector<KeptBox> boxes;
-
-  [[nodiscard]] bool empty() const { return sides.empty() && boxes.empty(); }
+  std::optional<double> apart;  ///< of panels that share no point, ≥ 0; nullopt: they may meet
 };
 
-/// "below=Z", "above=Z", "plane=a,b,c,d" or "box=x0,y0,z0,x1,y1,z1".
+/// "below=Z", "above=Z", "plane=a,b,c,d", "box=x0,y0,z0,x1,y1,z1" or "self".
 /// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s
 [[nodiscard]] std::optional<KeepOut> parse_keep_out(std::string_view text);
 

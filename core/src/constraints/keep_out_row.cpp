@@ -9,28 +9,9 @@
 namespace planish {
 namespace {
 
-constexpr double kWidth = 0.5;   ///< sides of a panel from the plane to where s = 1
-constexpr double kRests = 1e-3;  ///< sides: what is no farther from the plane rests on it
+constexpr double kWidth = 0.5;  ///< sides of a panel from the plane to where s = 1
 /// Sides: by which a point that rests may be deeper; what solving and rounding leave.
 constexpr double kSlack = 1e-10;
-
-/// @param room of the point in the base, unit of `base.points`
-KeepOutRow row_of(const LimitBase& base, int vertex, double side, const Eigen::Vector3d& normal,
-                  double room) {
-  constexpr double kUlps = 8.0 * std::numeric_limits<double>::epsilon();
-  KeepOutRow row;
-  row.vertex = vertex;
-  row.normal = normal;
-  const double now = normal.dot(base.points.col(vertex));
-  row.rests = room <= kRests * side;
-  if (row.rests) {
-    const double size = base.mesh.positions.col(vertex).cwiseAbs().maxCoeff();
-    row.scale = {1.0 / side, kSlack + kUlps * size / (base.unit * side) - now / side};
-  } else {
-    row.scale = LimitScale::at_least(now - room, now, kWidth * side, 0.0);
-  }
-  return row;
-}
 
 }  // namespace
 
@@ -78,14 +59,33 @@ BoxPlane widest_plane(const KeptBox& box, const Positions& panel) {
   return widest;
 }
 
-KeepOutRow plane_row(int vertex, const Eigen::Vector3d& place, double side, const BoxPlane& plane) {
+KeepOutRow base_row(const LimitBase& base, int vertex, double side, const Eigen::Vector3d& normal,
+                    double room) {
+  constexpr double kUlps = 8.0 * std::numeric_limits<double>::epsilon();
   KeepOutRow row;
   row.vertex = vertex;
-  row.normal = plane.normal;
-  const double now = plane.normal.dot(place), room = now - plane.bound;
+  row.normal = normal;
+  const double now = normal.dot(base.points.col(vertex));
+  row.rests = room <= kRestsWithin * side;
+  if (row.rests) {
+    const double size = base.mesh.positions.col(vertex).cwiseAbs().maxCoeff();
+    row.scale = {1.0 / side, kSlack + kUlps * size / (base.unit * side) - now / side};
+  } else {
+    row.scale = LimitScale::at_least(now - room, now, kWidth * side, 0.0);
+  }
+  return row;
+}
+
+KeepOutRow plane_row(int vertex, const Eigen::Vector3d& place, double side,
+                     const Eigen::Vector3d& normal, double bound) {
+  KeepOutRow row;
+  row.vertex = vertex;
+  row.normal = normal;
+  const double room = normal.dot(place) - bound;
   // One that a panel turned to may leave little room at rest: there it acts.
-  const double range = room > kRests * side ? std::min(kWidth * side, 2.0 * room) : kWidth * side;
-  row.scale = {1.0 / range, -plane.bound / range};
+  const double range =
+      room > kRestsWithin * side ? std::min(kWidth * side, 2.0 * room) : kWidth * side;
+  row.scale = {1.0 / range, -bound / range};
   return row;
 }
 
@@ -98,7 +98,7 @@ void append_rows(const LimitBase& base, const FreeSpace& free, int face,
     for (const HalfSpace& one : free.sides) {
       const Eigen::Vector3d place = base.mesh.positions.col(v);
       const double room = (one.normal.dot(place) - one.bound) / base.unit;
-      out.push_back(row_of(base, v, side, one.normal, room));
+      out.push_back(base_row(base, v, side, one.normal, room));
     }
   }
   if (free.boxes.empty()) return;
@@ -108,7 +108,7 @@ void append_rows(const LimitBase& base, const FreeSpace& free, int face,
     const BoxPlane plane = widest_plane(in_points(base, free.boxes[b]), points);
     for (const int v : panel) {
       const double room = plane.normal.dot(base.points.col(v)) - plane.bound;
-      out.push_back(row_of(base, v, side, plane.normal, room));
+      out.push_back(base_row(base, v, side, plane.normal, room));
       out.back().panel = face;
       out.back().box = static_cast<int>(b);
     }

@@ -10,25 +10,41 @@
 namespace planish {
 
 MeshKeepOuts::MeshKeepOuts(const LimitBase& base, const FreeSpace& free)
-    : mesh_(&base.mesh), points_(&base.points), first_(1, 0) {
+    : base_(base), rows_(at(base.mesh.face_count())) {
   for (const KeptBox& box : free.boxes) boxes_.push_back(in_points(base, box));
-  for (int f = 0; f < base.mesh.face_count(); ++f) {
-    append_rows(base, free, f, rows_);
-    first_.push_back(static_cast<int>(rows_.size()));
-  }
+  for (int f = 0; f < base.mesh.face_count(); ++f) append_rows(base, free, f, rows_[at(f)]);
+  if (!free.apart) return;
+  clearance_ = *free.apart / base.unit;
+  reach_ = std::make_shared<PanelBoxes>(base.mesh, base.points);
+  pairs_of_.resize(rows_.size());
+  part_what_touches();
 }
 
 std::vector<RestingPoint> MeshKeepOuts::resting_points() const {
   std::vector<RestingPoint> points;
-  for (const KeepOutRow& row : rows_) {
-    if (row.rests) points.push_back({row.vertex, row.normal});
+  for (const auto& rows : rows_) {
+    for (const KeepOutRow& row : rows) {
+      if (row.rests) points.push_back({row.vertex, row.normal});
+    }
   }
   return points;
 }
 
+bool MeshKeepOuts::has_rows() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const auto& rows) { return !rows.empty(); });
+}
+
 void MeshKeepOuts::open() {
-  for (auto one = base_.rbegin(); one != base_.rend(); ++one) rows_[at(one->first)] = one->second;
-  base_.clear();
+  for (auto one = changed_.rbegin(); one != changed_.rend(); ++one) {
+    rows_[at(one->face)][one->row] = one->was;
+  }
+  changed_.clear();
+}
+
+void MeshKeepOuts::take(int face, std::size_t row, const KeepOutRow& other) {
+  KeepOutRow& here = rows_[at(face)][row];
+  changed_.push_back({face, row, here});
+  here = other;
 }
 
 /// @param rows of one panel and one box
@@ -50,14 +66,16 @@ bool MeshKeepOuts::choose_plane(std::span<KeepOutRow> rows,
   }
   if (!near) return false;
   const int face = rows[0].panel, box = rows[0].box;
-  const double side = mean_side(*points_, mesh_->face(face));
+  const double side = mean_side(base_.points, base_.mesh.face(face));
   const BoxPlane plane = widest_plane(boxes_[at(box)], panel);
   if (!(plane.gap > gap + kWorth * side)) return false;
-  for (KeepOutRow& row : rows) {
-    base_.emplace_back(static_cast<int>(&row - rows_.data()), row);
-    row = plane_row(row.vertex, points_->col(row.vertex), side, plane);
-    row.panel = face;
-    row.box = box;
+  const auto first = static_cast<std::size_t>(rows.data() - rows_[at(face)].data());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const int v = rows[k].vertex;
+    KeepOutRow turned = plane_row(v, base_.points.col(v), side, plane.normal, plane.bound);
+    turned.panel = face;
+    turned.box = box;
+    take(face, first + k, turned);
   }
   return true;
 }
@@ -65,14 +83,17 @@ bool MeshKeepOuts::choose_plane(std::span<KeepOutRow> rows,
 bool MeshKeepOuts::choose_planes(std::span<const int> faces,
                                  const std::function<Eigen::Vector3d(int)>& point) {
   bool changed = false;
-  if (boxes_.empty()) return false;
   for (const int face : faces) {
-    const auto corners = mesh_->face(face).size();
-    // Those of the half-spaces come first.
-    KeepOutRow* const rows =
-        rows_.data() + first_[at(face) + 1] - static_cast<std::ptrdiff_t>(corners * boxes_.size());
+    std::vector<KeepOutRow>& rows = rows_[at(face)];
+    const auto box =
+        std::find_if(rows.begin(), rows.end(), [](const KeepOutRow& row) { return row.box >= 0; });
+    const std::size_t corners = base_.mesh.face(face).size();
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
-      changed = choose_plane({rows + b * corners, corners}, point) || changed;
+      changed = choose_plane({&*box + b * corners, corners}, point) || changed;
+    }
+    if (reach_ == nullptr) continue;
+    for (const int pair : pairs_of_[at(face)]) {
+      changed = choose_plane(pairs_[at(pair)], point) || changed;
     }
   }
   return changed;

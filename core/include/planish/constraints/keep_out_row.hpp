@@ -25,7 +25,7 @@ struct KeepOutRow {
   LimitScale scale;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   bool rests = false;  ///< on the plane or beyond it in the base
-  int panel = -1;      ///< that stays out of a box; −1: the plane is a keep-out's own
+  int panel = -1;      ///< that stays out of a box; −1: of none
   int box = -1;
 
   /// Of the point at `place`: 1/2 or more where no force acts, 0 at the bound.
@@ -49,10 +49,19 @@ struct BoxPlane {
 /// to an edge of either. @param panel 3 × corners
 [[nodiscard]] BoxPlane widest_plane(const KeptBox& box, const Positions& panel);
 
-/// The row of a panel's point for such a plane.
+/// The row of a panel's point for a plane that the base may not have.
 /// @param place in the base; @param side a length of the panel
+/// @param bound of normal · p, unit of the points
 [[nodiscard]] KeepOutRow plane_row(int vertex, const Eigen::Vector3d& place, double side,
-                                   const BoxPlane& plane);
+                                   const Eigen::Vector3d& normal, double bound);
+
+/// The row of a point for a plane of the base: where it has no room it rests.
+/// @param room normal · p − bound of the point, unit of the points
+[[nodiscard]] KeepOutRow base_row(const LimitBase& base, int vertex, double side,
+                                  const Eigen::Vector3d& normal, double room);
+
+/// How near a plane is to a point that rests on it, sides of its panel.
+inline constexpr double kRestsWithin = 1e-3;
 
 /// Mean length of a panel's sides; 1 where they have none.
 [[nodiscard]] double mean_side(const Positions& points, std::span<const int> panel);

@@ -3,39 +3,49 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "planish/constraints/keep_out_row.hpp"
 #include "planish/constraints/limit_standing.hpp"
+#include "planish/constraints/panel_boxes.hpp"
+#include "planish/constraints/panel_contact.hpp"
 
 namespace planish {
 
 class MeshKeepOuts {
  public:
-  /// @param base mesh and points outlive choose_planes()
+  /// @param base outlived by nothing that is called here
   MeshKeepOuts(const LimitBase& base, const FreeSpace& free);
 
   /// The rows that hang on a panel. A point's row hangs on one panel, a box's on its own.
   [[nodiscard]] std::span<const KeepOutRow> of(int face) const {
-    const auto begin = static_cast<std::size_t>(first_[static_cast<std::size_t>(face)]);
-    return {rows_.data() + begin,
-            static_cast<std::size_t>(first_[static_cast<std::size_t>(face) + 1]) - begin};
+    return rows_[static_cast<std::size_t>(face)];
   }
 
   /// The points that rest on a keep-out, a plane each.
   [[nodiscard]] std::vector<RestingPoint> resting_points() const;
 
-  /// Whether there are boxes, whose planes may have to be chosen anew.
-  [[nodiscard]] bool has_boxes() const { return !boxes_.empty(); }
-  /// Other planes between boxes and those of `faces` that are nearer to them by the ones they have
-  /// than they need be. @param point as for limit_standing()
+  /// Whether there may be planes that have to be chosen anew.
+  [[nodiscard]] bool has_turning_planes() const { return !boxes_.empty() || !pairs_.empty(); }
+  /// Whether there are any rows: a mesh that is a keep-out itself may have none.
+  [[nodiscard]] bool has_rows() const;
+  /// Other planes between boxes and those of `faces`, and between two panels, that are nearer by
+  /// the ones they have than they need be. @param point as for limit_standing()
   /// @returns whether any changed: the state is then to be solved again
   bool choose_planes(std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point);
   /// Every plane as in the base again.
   void open();
+
+  /// Planes between those of `faces` and what they may have gone through since the base: panels
+  /// with which they share no point, where the mesh is a keep-out itself. [KEE-4]
+  /// @returns whether a new one acts: the edit is then to be made again from the base
+  bool part_panels(std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point);
+  /// Without the planes that part_panels() made.
+  void forget_parted();
 
   /// Whether the barrier acts on a point of `faces`, so that an edit is elsewhere without it.
   [[nodiscard]] bool acts(std::span<const int> faces,
@@ -46,14 +56,50 @@ class MeshKeepOuts {
                                        const std::function<Eigen::Vector3d(int)>& point) const;
 
  private:
-  bool choose_plane(std::span<KeepOutRow> rows, const std::function<Eigen::Vector3d(int)>& point);
+  /// Two panels that share no point, and a plane between them. Each has a row a corner.
+  struct Pair {
+    std::array<int, 2> panels;
+    std::array<std::size_t, 2> first_row;  ///< among the rows of each
+  };
 
-  const Mesh* mesh_;                              ///< of the base
-  const Positions* points_;                       ///< of the base
-  std::vector<KeepOutRow> rows_;                  ///< panel by panel
-  std::vector<int> first_;                        ///< of each panel, and the end
-  std::vector<KeptBox> boxes_;                    ///< in the unit of the points
-  std::vector<std::pair<int, KeepOutRow>> base_;  ///< rows with another plane, as they were
+  /// A panel that an edit touched, on its way from the base.
+  struct Touched {
+    int face;
+    PanelPath path;
+    Eigen::AlignedBox3d box;  ///< of both ends, and the clearance
+  };
+
+  bool choose_plane(std::span<KeepOutRow> rows, const std::function<Eigen::Vector3d(int)>& point);
+  bool choose_plane(const Pair& pair, const std::function<Eigen::Vector3d(int)>& point);
+  void turn_plane(const Pair& pair, const PanelGap& gap, double part,
+                  const std::array<double, 2>& side);
+  void take(int face, std::size_t row, const KeepOutRow& other);
+  void part_what_touches();
+  void add_pair(int first, int second);
+  [[nodiscard]] bool may_meet(int first, int second) const;
+  [[nodiscard]] std::span<KeepOutRow> rows_of(const Pair& pair, std::size_t which);
+  [[nodiscard]] std::vector<Touched> touched_panels(
+      std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point) const;
+  void part_from_all(const std::vector<Touched>& touched, std::size_t k);
+  [[nodiscard]] Positions base_shape(int face) const;
+  [[nodiscard]] Positions shape(int face, const std::function<Eigen::Vector3d(int)>& point) const;
+
+  /// A row with another plane, as it was.
+  struct BaseRow {
+    int face;
+    std::size_t row;
+    KeepOutRow was;
+  };
+
+  LimitBase base_;
+  std::vector<std::vector<KeepOutRow>> rows_;  ///< of each panel: half-spaces, boxes, pairs
+  std::vector<KeptBox> boxes_;                 ///< in the unit of the points
+  std::vector<BaseRow> changed_;
+  std::shared_ptr<const PanelBoxes> reach_;  ///< null: the mesh is no keep-out itself
+  double clearance_ = 0.0;                   ///< between panels; unit of the points
+  std::vector<Pair> pairs_;
+  std::vector<std::vector<int>> pairs_of_;  ///< of each panel, into `pairs_`
+  std::size_t base_pairs_ = 0;              ///< that touch in the base
 };
 
 }  // namespace planish
