@@ -51,16 +51,11 @@ check_parity() {
 }
 # What everybody does with the page; the other browser files are for `rest`.
 browser_first=(first-minute dragging exploring saving share links)
-# A page keeps one core busy for most of its time: two run beside each other.
+# A page keeps one core busy for most of its time: two run beside each other, the longest files first.
 in_browser() { # files, or options of vitest
-  bash .tools/build.sh wasm site || return 1
-  local pids=() status=0 shard shards=$((jobs < 2 ? 1 : 2))
-  for ((shard = 1; shard <= shards; shard++)); do
-    npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser --shard="$shard/$shards" --passWithNoTests "$@" &
-    pids+=($!)
-  done
-  for pid in "${pids[@]}"; do wait "$pid" || status=1; done
-  return "$status"
+  bash .tools/build.sh wasm site &&
+    npx --no-install vitest run --config web/vitest.config.ts --dir tests/browser \
+      --fileParallelism --maxWorkers=$((jobs < 2 ? 1 : 2)) "$@"
 }
 check_browser() { in_browser; }
 check_browser_first() { in_browser "${browser_first[@]/%/.test.ts}"; }
