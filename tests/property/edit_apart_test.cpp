@@ -18,7 +18,7 @@
 namespace planish {
 namespace {
 
-constexpr double kHeld = 1e-9;  ///< mean edges: what was promised
+constexpr double kKept = 1e-9;  ///< mean edges: what was promised
 
 HandleEditOptions apart(double clearance = 0.0) {
   HandleEditOptions options;
@@ -56,7 +56,7 @@ constexpr int kTip = 2;
 TEST(EditApart, FlapsThatArePushedThroughEachOtherStopAtContact) {
   const Mesh mesh = two_flaps(4, 1.5);
   for (const double clearance : {0.0, 0.2}) {
-    for (const Eigen::Vector3d move :
+    for (const Eigen::Vector3d& move :
          {Eigen::Vector3d(0.0, 0.0, -2.5), Eigen::Vector3d(-0.3, 0.2, -4.0),
           Eigen::Vector3d(-2.0, 0.0, -1.8)}) {
       SCOPED_TRACE(::testing::Message() << clearance << ": " << move.transpose());
@@ -73,7 +73,7 @@ TEST(EditApart, FlapsThatArePushedThroughEachOtherStopAtContact) {
           std::string(status_name(held.report.status)).c_str(), distance, held.report.handle_error,
           through.report.handle_error, 1e3 * held.report.solve_seconds,
           1e3 * through.report.solve_seconds);
-      EXPECT_GE(distance, clearance - kHeld);
+      EXPECT_GE(distance, clearance - kKept);
       EXPECT_GT(distance, 0.0);
       EXPECT_LE(distance, clearance + 0.02) << "at contact, not before";
       EXPECT_GT(held.report.moved_vertices, 0);
@@ -93,8 +93,8 @@ TEST(EditApart, NoFrameOfAFastDragGoesThrough) {
     const Positions after = apply(mesh, frame);
     EXPECT_GT(testing::least_panel_distance(mesh, after, 1.0), 0.0) << depth;
     for (const int v : frame.moved) {
-      if (v < 7 * 5)
-        EXPECT_GT(after(2, v), 0.0) << depth << ": " << v << " is under the lower flap";
+      const bool upper = v < 7 * 5;
+      EXPECT_TRUE(!upper || after(2, v) > 0.0) << depth << ": " << v << " is under the lower flap";
     }
     followed += frame.report.handle_error < 0.5 * depth ? 1 : 0;
   }
@@ -145,7 +145,7 @@ TEST_P(EditApartOn, KeepsTheClearance) {
       nearer_without += nearest(solve_handle_edit(mesh, targets), share * edge) < share ? 1 : 0;
       const HandleEditResult held = solve_handle_edit(mesh, targets, apart(share * edge));
       EXPECT_TRUE(testing::is_valid_edit(mesh, targets, held));
-      EXPECT_GE(nearest(held, share * edge), share - kHeld);
+      EXPECT_GE(nearest(held, share * edge), share - kKept);
       EXPECT_GT(nearest(held, 0.0), 0.0);
       certified += held.report.status == SolveStatus::kConverged ? 1 : 0;
       moved += held.report.moved_vertices > 0 ? 1 : 0;
