@@ -47,6 +47,11 @@ async function editing(page: Page): Promise<void> {
     if ((await summary.locator("..").getAttribute("open")) === null) await summary.click();
   }
   await expectClean(page, "everything unfolded");
+  await push(page, "Nothing may be in a box");
+  await idle(page);
+  await expectClean(page, "a keep-out");
+  await push(page, "Remove all");
+  await idle(page);
 }
 
 async function exploring(page: Page): Promise<void> {

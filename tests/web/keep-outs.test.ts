@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: MIT
 // A design with keep-outs is opened with the solver that knows them, and edits go on with them.
-import { expect, it } from "vitest";
-import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
+import { describe, expect, it } from "vitest";
+import { DEFAULT_SETTINGS, type Point } from "../../web/src/design/design.ts";
 import { fromDesign } from "../../web/src/design/design-value.ts";
+import {
+  firstKeepOut,
+  type KeepOutKind,
+  keepOutMoved,
+  keepOutText,
+  readKeepOut,
+} from "../../web/src/design/keep-outs.ts";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Steps } from "../../web/src/design/recipe.ts";
-import { commitSettings, setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import { refuse } from "../../web/src/result/result.ts";
+import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
+import {
+  addKeepOut,
+  changeKeepOut,
+  heldByKeepOuts,
+  keepClear,
+  keepOuts,
+  movedInView,
+  moveKeepOut,
+  removeKeepOut,
+  removeKeepOuts,
+} from "../../web/src/state/keep-outs.ts";
 import { openSample } from "../../web/src/state/opening.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
+import { panelsAtLimit } from "../../web/src/state/wanted.ts";
 import { loadGlb } from "../parity/support/planish.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
@@ -71,7 +91,7 @@ it("edits go on with them, and another mesh begins without", async () => {
 it("a link and a saved design hold them", async () => {
   const settings = {
     ...DEFAULT_SETTINGS,
-    keepOuts: ["below=0", "plane=0,0.5,-1e-3,4", "box=-1,0,0.5,2,1,3.25"],
+    keepOuts: ["below=0", "plane=0,0.5,-1e-3,4", "box=-1,0,0.5,2,1,3.25", "self"],
     clearance: 0.125,
     limits: ["fold=+5"],
     constraints: ["circular:1e-9"],
@@ -88,4 +108,105 @@ it("a link and a saved design hold them", async () => {
   } as const;
   const read = await decodeLink(await encodeLink(recipe));
   expect(read.ok && read.value.settings).toEqual(settings);
+});
+
+describe("keep-outs as text", () => {
+  it("are read back as they were written, and nothing else is read", () => {
+    for (const text of [
+      "below=0",
+      "above=3.25",
+      "plane=0,0.5,-0.001,4",
+      "box=-1,0,0.5,2,1,3",
+      "self",
+    ])
+      expect(keepOutText(readKeepOut(text) ?? { kind: "self", numbers: [] })).toBe(text);
+    for (const text of [
+      "",
+      "below",
+      "below=",
+      "below=1,2",
+      "box=1,2,3",
+      "self=1",
+      "above=x",
+      "under=1",
+    ])
+      expect(readKeepOut(text), text).toBeNull();
+  });
+
+  it("move as a whole", () => {
+    const moved = (text: string, ...by: readonly [number, number, number]): string => {
+      const read = readKeepOut(text);
+      return read ? keepOutText(keepOutMoved(read, by)) : "";
+    };
+    expect(moved("below=1", 5, 6, 0.5)).toBe("below=1.5");
+    expect(moved("plane=0,2,0,8", 1, 3, 9)).toBe("plane=0,2,0,14");
+    expect(moved("box=0,0,0,1,2,3", 1, -1, 0.5)).toBe("box=1,-1,0.5,2,1,3.5");
+    expect(moved("self", 1, 1, 1)).toBe("self");
+  });
+
+  it("begin beside the structure, a plane through three chosen points", () => {
+    const extent = { low: [0, 0, 0.12], high: [10, 8, 3.14] } as const;
+    const first = (kind: KeepOutKind, chosen: readonly Point[] = []): string =>
+      keepOutText(firstKeepOut(kind, { extent, chosen, step: 0.1 }));
+    expect(first("below")).toBe("below=0.1");
+    expect(first("above")).toBe("above=3.2");
+    expect(first("plane")).toBe("plane=1,0,0,10");
+    expect(
+      first("plane", [
+        [0, 0, 1],
+        [0, 1, 1],
+        [1, 0, 1],
+      ]),
+    ).toBe("plane=0,0,1,1");
+    expect(
+      first("plane", [
+        [0, 0, 1],
+        [1, 0, 1],
+        [2, 0, 1],
+      ]),
+    ).toBe("plane=1,0,0,10");
+    expect(first("box", [[1, 1, 1]])).toBe("box=0,0,2,2,2,4");
+  });
+});
+
+describe("keep-outs of a page", () => {
+  it("are added beside the design, changed, moved, refused and removed, a step each", async () => {
+    const page = await openedPage();
+    const texts = (): readonly string[] => page.draft.value?.settings.keepOuts ?? [];
+    await addKeepOut(page, "above");
+    const roof = Math.max(...(page.mesh.value?.positions ?? []).filter((_, k) => k % 3 === 2));
+    const ceiling = keepOuts(page).value[0]?.numbers[0] ?? 0;
+    expect(ceiling).toBeGreaterThanOrEqual(roof);
+    expect(ceiling).toBeLessThan(roof + 0.2);
+    await keepClear(page, 0.02);
+    await addKeepOut(page, "box");
+    expect(texts()).toHaveLength(2);
+    const wrong = await changeKeepOut(page, 1, { kind: "box", numbers: [1, 0, 0, 0, 1, 1] });
+    expect(wrong).toEqual(
+      refuse("The first corner must be lower than the second along X, Y and Z."),
+    );
+    expect((await keepClear(page, -1))?.ok).toBe(false);
+    expect(page.draft.value?.settings.clearance).toBe(0.02);
+    await moveKeepOut(page, 0, [1, 1, 0.5]);
+    expect(keepOuts(page).value[0]?.numbers[0]).toBeCloseTo(ceiling + 0.5, 12);
+    await undo(page);
+    expect(keepOuts(page).value[0]?.numbers[0]).toBe(ceiling);
+    movedInView(page).value = 1;
+    await removeKeepOut(page, 1);
+    expect(movedInView(page).value).toBeNull();
+    expect(texts()).toEqual([`above=${ceiling}`]);
+    await removeKeepOuts(page);
+    expect(texts()).toEqual([]);
+    expect(page.draft.value?.settings.clearance).toBe(0);
+  });
+
+  it("say which points they hold back, which are no panels at a limit", async () => {
+    const page = await openedPage();
+    const [x, y, z] = await middle();
+    await commitSettings(page, { keepOuts: [`above=${z + 0.05}`, "self"], limits: ["fold=+20"] });
+    await setTarget(page, MIDDLE, [x, y, z + 0.8]);
+    expect(page.problem.value).toBeNull();
+    expect(heldByKeepOuts(page)).toContain(MIDDLE);
+    expect(panelsAtLimit(page).value).not.toContain(MIDDLE);
+  });
 });

@@ -92,7 +92,8 @@ export const SOFT_LIMITS: Partial<EditSettings> = {
 /**
  * What another mesh starts with: everything that the page has a control for stays as the controls
  * show it, so that nothing changes behind the user's back. What has none goes back to its default:
- * a link or a file may have set it, and nobody could see that it is still there.
+ * a link or a file may have set it, and nobody could see that it is still there. So do keep-outs, which
+ * are somewhere: where another mesh is they mean nothing.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;

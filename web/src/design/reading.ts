@@ -140,7 +140,8 @@ const isKind = (one: unknown): boolean => typeof one === "string" && !one.includ
 
 /** A keep-out or the clearance from all of them; the core knows what they say. */
 const isKeepOut = (one: unknown): one is string =>
-  typeof one === "string" && /^(below|above|plane|box|clearance)=[-+.,\de]{1,400}$/.test(one);
+  typeof one === "string" &&
+  /^(self|(below|above|plane|box|clearance)=[-+.,\de]{1,400})$/.test(one);
 
 /** null if they are more than there may be. */
 function readKeepOuts(
@@ -164,10 +165,10 @@ export function readSettings(value: unknown): EditSettings | null {
   const keepShape = rest.at(-1) === SHAPE;
   if (keepShape) rest.pop();
   const supports = listed.filter(isSupport);
-  const others = listed.filter((one) => !isSupport(one));
-  const limits = readLimits(others.filter((one) => !isKind(one) && !isKeepOut(one)));
+  const kept = readKeepOuts(listed.filter(isKeepOut));
+  const others = listed.filter((one) => !isSupport(one) && !isKeepOut(one));
+  const limits = readLimits(others.filter((one) => !isKind(one)));
   const constraints = readKept(others.filter(isKind));
-  const kept = readKeepOuts(others.filter(isKeepOut));
   if (!limits || !constraints || !kept || !READ_LENGTHS.includes(rest.length)) return null;
   let settings: EditSettings = { ...DEFAULT_SETTINGS, keepShape, limits, constraints, ...kept };
   for (const [k, given] of rest.entries()) {

@@ -33,7 +33,10 @@ export const panelsAtLimit = kept((page) =>
   computed((): readonly number[] => {
     const { bounds, sharpestFold, movedVertices } = page.figures.value;
     if (movedVertices === 0) return [];
-    if (page.limited.value) return [...new Set(Object.values(bounds ?? {}).flat())];
+    if (page.limited.value) {
+      const { "keep-out": _points, ...panels } = bounds ?? {};
+      return [...new Set(Object.values(panels).flat())];
+    }
     return beyond(page).value && sharpestFold?.panels
       ? sharpestFold.panels.filter((f) => f >= 0)
       : [];

@@ -17,8 +17,9 @@ export interface Stop {
   readonly got: number;
 }
 
-/** By the limit on a drag's folds, by a limit that was stated, or by what flat panels can do. */
-export type Reason = "fold" | "limits" | "panels";
+/** By the limit on a drag's folds, by a limit that was stated, by what flat panels can do, or by a
+ * keep-out. */
+export type Reason = "fold" | "limits" | "panels" | "keep-outs";
 
 export interface WayOn {
   readonly label: string;
@@ -60,6 +61,7 @@ export function stopOf(
 
 /** `held`: a pull of the design was held back. */
 export function reasonOf({ report, settings }: Design, held: boolean): Reason {
+  if ((report.bounds?.["keep-out"] ?? []).length > 0) return "keep-outs";
   const bound = Object.values(report.bounds ?? {}).some((panels) => panels.length > 0);
   const refused = report.status === "infeasible_handles";
   if (settings.limits.length > 0 && (held || bound || refused)) return "limits";
@@ -76,6 +78,7 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
 /** What stops it, in a sentence; `growth` as in Wanted. */
 export function reasonWords(reason: Reason, growth: number | null): string {
   if (reason === "limits") return "Further, they would exceed a limit that you stated.";
+  if (reason === "keep-outs") return "Further, they would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
   return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
 }

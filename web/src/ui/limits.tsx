@@ -168,7 +168,10 @@ function Standing() {
   const page = usePage();
   const { bounds, movedVertices } = page.figures.value;
   if (!page.limited.value || !bounds || movedVertices === 0) return null;
-  const held = Object.entries(bounds).filter(([, panels]) => panels.length > 0);
+  // What keep-outs hold back are points, and said where they are listed.
+  const held = Object.entries(bounds).filter(
+    ([name, panels]) => name !== "keep-out" && panels.length > 0,
+  );
   if (held.length === 0) return <p class="quiet small">No limit holds this edit back.</p>;
   return (
     <>

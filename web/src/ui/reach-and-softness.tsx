@@ -106,6 +106,8 @@ const PointSupports = later(() =>
   import("./point-supports.tsx").then((part) => part.PointSupports),
 );
 
+const KeepOuts = later(() => import("./keep-outs.tsx").then((part) => part.KeepOuts));
+
 const SLIDES: readonly (readonly [string, string])[] = [
   ["", "moves freely"],
   ["level=z", "keeps its level"],
@@ -137,6 +139,7 @@ export function ReachAndSoftness() {
       <KeepBoundary />
       <BoundarySlides />
       <PointSupports />
+      <KeepOuts />
     </>
   );
 }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Where nothing of an edit may go, in the words of the command line: "below=0", "box=0,0,0,1,1,1", "self".
+import type { Point } from "./design.ts";
+
+/** Of the numbers behind it: z; z; a, b, c, d of a·x + b·y + c·z > d; two corners; none. */
+const NUMBERS = { below: 1, above: 1, plane: 4, box: 6, self: 0 } as const;
+
+export type KeepOutKind = keyof typeof NUMBERS;
+
+/** Model units. */
+export interface KeepOut {
+  readonly kind: KeepOutKind;
+  readonly numbers: readonly number[];
+}
+
+const isKeepOutKind = (word: string): word is KeepOutKind => Object.hasOwn(NUMBERS, word);
+
+/** null if it is none. */
+export function readKeepOut(text: string): KeepOut | null {
+  const [kind = "", list, ...more] = text.split("=");
+  const numbers = list?.split(",").map((word) => (word === "" ? Number.NaN : Number(word))) ?? [];
+  if (!isKeepOutKind(kind) || more.length > 0 || numbers.length !== NUMBERS[kind]) return null;
+  return numbers.every(Number.isFinite) ? { kind, numbers } : null;
+}
+
+export const keepOutText = ({ kind, numbers }: KeepOut): string =>
+  numbers.length > 0 ? `${kind}=${numbers.join(",")}` : kind;
+
+/** Why it can be none, in a sentence; null where it can. The core has the same rules. */
+export function problemOf({ kind, numbers }: KeepOut): string | null {
+  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
+  if (kind === "box" && !(a < d && b < e && c < f))
+    return "The first corner must be lower than the second along X, Y and Z.";
+  if (kind === "plane" && !(Math.hypot(a, b, c) > 0)) return "The direction needs a length.";
+  return null;
+}
+
+/** The same somewhere else. */
+export function keepOutMoved({ kind, numbers }: KeepOut, by: Point): KeepOut {
+  const [a = 0, b = 0, c = 0, d = 0] = numbers;
+  const along = { below: 1, above: 1, plane: 4, box: 6, self: 0 }[kind];
+  if (along === 1) return { kind, numbers: [a + by[2]] };
+  if (along === 4) return { kind, numbers: [a, b, c, d + a * by[0] + b * by[1] + c * by[2]] };
+  return { kind, numbers: numbers.map((x, k) => x + (by[(k % 3) as 0 | 1 | 2] ?? 0)) };
+}
+
+/** Of points (3 each): the lowest and the highest x, y and z. */
+export interface Extent {
+  readonly low: Point;
+  readonly high: Point;
+}
+
+export function extentOf(points: ArrayLike<number>): Extent {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < points.length; ++k) {
+    const axis = (k % 3) as 0 | 1 | 2;
+    low[axis] = Math.min(low[axis], points[k] ?? 0);
+    high[axis] = Math.max(high[axis], points[k] ?? 0);
+  }
+  return { low, high };
+}
+
+/** The plane through three points as a, b, c of length 1, upwards where it can be, and d; null where
+ * they are in one line. */
+function planeThrough([p, q, r]: readonly [Point, Point, Point]): readonly number[] | null {
+  const u = q.map((x, k) => x - (p[k] ?? 0));
+  const v = r.map((x, k) => x - (p[k] ?? 0));
+  const at = (w: readonly number[], k: number): number => w[k % 3] ?? 0;
+  const n = [0, 1, 2].map((k) => at(u, k + 1) * at(v, k + 2) - at(u, k + 2) * at(v, k + 1));
+  const length = Math.hypot(...n);
+  if (!(length > 1e-9 * Math.hypot(...u) * Math.hypot(...v))) return null;
+  const up = n.map((x) => x * (at(n, 2) < 0 ? -1 : 1)).map((x) => x / length);
+  return [...up, up.reduce((sum, x, k) => sum + x * (p[k] ?? 0), 0)];
+}
+
+/** What a new keep-out is put beside. */
+export interface Surroundings {
+  readonly extent: Extent;
+  /** Selected points, the latest last. */
+  readonly chosen: readonly Point[];
+  /** Model units; numbers are its multiples. */
+  readonly step: number;
+}
+
+/** One that a person has just asked for: it touches nothing yet, and is a little work away from right. */
+export function firstKeepOut(kind: KeepOutKind, { extent, chosen, step }: Surroundings): KeepOut {
+  const { low, high } = extent;
+  const down = (x: number): number => Number((Math.floor(x / step) * step).toPrecision(12));
+  const up = (x: number): number => Number((Math.ceil(x / step) * step).toPrecision(12));
+  if (kind === "below") return { kind, numbers: [down(low[2])] };
+  if (kind === "above") return { kind, numbers: [up(high[2])] };
+  if (kind === "self") return { kind, numbers: [] };
+  const [p, q, r] = chosen;
+  if (kind === "plane") {
+    const through = p && q && r && chosen.length === 3 ? planeThrough([p, q, r]) : null;
+    return { kind, numbers: through ?? [1, 0, 0, up(high[0])] };
+  }
+  const middle = chosen.at(-1) ?? [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]];
+  const size = 20 * step;
+  const corner = [middle[0] - size / 2, middle[1] - size / 2, middle[2] + size / 2].map(up);
+  return { kind, numbers: [...corner, ...corner.map((x) => up(x + size))] };
+}

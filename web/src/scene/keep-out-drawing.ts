@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Keep-outs on screen, translucent: a box as a box, a level and a plane as a slab on the side where
+// nothing may be.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Vector3,
+} from "three";
+import type { Point } from "../design/design.ts";
+import type { KeepOut } from "../design/keep-outs.ts";
+import type { OpenedMesh } from "../solver/protocol.ts";
+import type { Page } from "../state/page.ts";
+import type { Outcome } from "../state/turns.ts";
+import { KeepOutArrows } from "./keep-out-arrows.ts";
+import type { Stage } from "./stage.ts";
+
+export interface Surroundings {
+  readonly page: Page;
+  readonly stage: Stage;
+  readonly mesh: OpenedMesh;
+  readonly colour: string;
+}
+
+export interface MoveInView {
+  readonly place: number;
+  /** @param by model units */
+  readonly to: (page: Page, place: number, by: Point) => Outcome;
+}
+
+const OPACITY = 0.16;
+/** The structure is seen through two sides of a slab. */
+const SLAB_OPACITY = 0.06;
+const INK = 0.8;
+/** A slab is larger than the structure by this, and as thick as a share of its size. */
+const LARGER = 1.15;
+const THICK = 0.05;
+
+/** A box in display coordinates: from its middle to three of its sides. */
+interface Solid {
+  readonly middle: Vector3;
+  readonly halves: readonly [Vector3, Vector3, Vector3];
+}
+
+/** The middle of the structure on screen, and half its size along each axis. */
+function wholeOf({ mesh }: Surroundings): { middle: Vector3; half: Vector3 } {
+  const { centre, scale } = mesh.report;
+  const [low, high] = [
+    new Vector3(Infinity, Infinity, Infinity),
+    new Vector3(-Infinity, -Infinity, -Infinity),
+  ];
+  const p = mesh.positions;
+  for (let k = 0; k < p.length; k += 3) {
+    const at = new Vector3(p[k], p[k + 1], p[k + 2]);
+    low.min(at);
+    high.max(at);
+  }
+  const place = (v: Vector3): Vector3 => v.sub(new Vector3(...centre)).multiplyScalar(scale);
+  const [a, b] = [place(low), place(high)];
+  return { middle: a.clone().add(b).multiplyScalar(0.5), half: b.sub(a).multiplyScalar(0.5) };
+}
+
+/** On the side of the plane that `normal` (of any length) points to. */
+function slab(around: Surroundings, normal: Vector3, bound: number): Solid {
+  const { centre, scale } = around.mesh.report;
+  const { middle, half } = wholeOf(around);
+  const away = normal.clone().normalize();
+  const offset = (bound / normal.length() - away.dot(new Vector3(...centre))) * scale;
+  const size = Math.max(half.length(), 1e-6);
+  const foot = middle.clone().addScaledVector(away, offset - away.dot(middle));
+  const axis = Math.abs(away.z) > 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1);
+  const up = axis.sub(away.clone().multiplyScalar(axis.dot(away))).normalize();
+  const across = up.clone().cross(away);
+  const reach = (way: Vector3): number =>
+    LARGER * (Math.abs(way.x) * half.x + Math.abs(way.y) * half.y + Math.abs(way.z) * half.z) +
+    THICK * size;
+  return {
+    middle: foot.addScaledVector(away, 0.5 * THICK * size),
+    halves: [
+      across.clone().multiplyScalar(reach(across)),
+      up.clone().multiplyScalar(reach(up)),
+      away.multiplyScalar(0.5 * THICK * size),
+    ],
+  };
+}
+
+function solidOf(around: Surroundings, { kind, numbers }: KeepOut): Solid | null {
+  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
+  if (kind === "self") return null;
+  if (kind === "below") return slab(around, new Vector3(0, 0, -1), -a);
+  if (kind === "above") return slab(around, new Vector3(0, 0, 1), a);
+  if (kind === "plane") return slab(around, new Vector3(a, b, c), d);
+  const { centre, scale } = around.mesh.report;
+  const middle = new Vector3((a + d) / 2, (b + e) / 2, (c + f) / 2);
+  return {
+    middle: middle.sub(new Vector3(...centre)).multiplyScalar(scale),
+    halves: [
+      new Vector3(((d - a) / 2) * scale, 0, 0),
+      new Vector3(0, ((e - b) / 2) * scale, 0),
+      new Vector3(0, 0, ((f - c) / 2) * scale),
+    ],
+  };
+}
+
+/** Corners of a box by the signs of its halves: bit 0 for the first, 1 and 2 for the others. */
+const SIDES = [0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5];
+const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
+
+/** From −1 to 1 along each axis. */
+const CORNERS = Float32Array.from({ length: 24 }, (_, k) =>
+  (Math.floor(k / 3) >> (k % 3)) & 1 ? 1 : -1,
+);
+
+function geometryOf(index: readonly number[]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(CORNERS, 3));
+  geometry.setIndex([...index]);
+  return geometry;
+}
+
+const TRIANGLES = Array.from({ length: 6 }, (_, side) =>
+  [0, 1, 2, 0, 2, 3].map((corner) => SIDES[4 * side + corner] ?? 0),
+).flat();
+
+const skinOf = (color: string, opacity: number): MeshStandardMaterial =>
+  new MeshStandardMaterial({
+    color,
+    transparent: true,
+    opacity,
+    depthWrite: false,
+    flatShading: true,
+    side: DoubleSide,
+  });
+
+/** Adds them to the scene; dispose() takes them away. */
+export function drawKeepOuts(
+  around: Surroundings,
+  all: readonly KeepOut[],
+  move: MoveInView | null,
+): { dispose(): void } {
+  const [sides, edges] = [geometryOf(TRIANGLES), geometryOf(EDGES)];
+  const [skin, film] = [skinOf(around.colour, OPACITY), skinOf(around.colour, SLAB_OPACITY)];
+  const ink = new LineBasicMaterial({ color: around.colour, transparent: true, opacity: INK });
+  const group = new Group();
+  let arrows: KeepOutArrows | null = null;
+  for (const [place, one] of all.entries()) {
+    const solid = solidOf(around, one);
+    if (!solid) continue;
+    const body = new Group().add(
+      new Mesh(sides, one.kind === "box" ? skin : film),
+      new LineSegments(edges, ink),
+    );
+    const { middle, halves } = solid;
+    body.applyMatrix4(new Matrix4().makeBasis(...halves).setPosition(middle));
+    group.add(body);
+    if (move?.place !== place) continue;
+    const { page, stage, mesh } = around;
+    arrows = new KeepOutArrows(stage, body, one.kind !== "box" && one.kind !== "plane", (by) => {
+      const [x, y, z] = by.divideScalar(mesh.report.scale).toArray();
+      void move.to(page, place, [x, y, z]);
+    });
+  }
+  around.stage.scene.add(group);
+  return {
+    dispose() {
+      arrows?.dispose();
+      group.removeFromParent();
+      for (const part of [sides, edges, skin, film, ink]) part.dispose();
+    },
+  };
+}
