@@ -318,8 +318,9 @@ void read_format(const Field& root) {
 
 Design read_root(const Field& root) {
   read_format(root);
+  // What a page keeps beside a design ("page") makes no part of it and is passed over.
   root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
-             "supports", "continuation", "symmetry", "options", "variations", "result"});
+             "supports", "continuation", "symmetry", "options", "variations", "result", "page"});
   const int version = root.at("version").whole(1);
   if (version != kDesignVersion) {
     throw Refused{"the design is of version " + std::to_string(version) + "; this reads version " +

@@ -154,7 +154,8 @@ TEST_P(EditApartOn, KeepsTheClearance) {
   std::printf("%s: %d certified, %d moved of %d; %d nearer without\n", GetParam(), certified, moved,
               2 * kEdits, nearer_without);
   EXPECT_EQ(moved, 2 * kEdits);
-  EXPECT_GE(certified, 2 * 2 * kEdits / 3);
+  // docs/decisions/0040-keep-outs.md: all but three of 120, which are of mixed345_airport.
+  EXPECT_GE(certified, kEdits);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, EditApartOn,

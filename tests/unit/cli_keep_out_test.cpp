@@ -82,7 +82,7 @@ TEST_F(Cli, AWrongKeepOutIsSaidByItsName) {
   };
   EXPECT_NE(said("--keep-out mesh=a.obj").find("--keep-out: \"mesh=a.obj\" is none of below=Z"),
             std::string::npos);
-  EXPECT_NE(said("--keep-out self").find("is none of"), std::string::npos);
+  EXPECT_NE(said("--keep-out self=1").find("is none of"), std::string::npos);
   EXPECT_NE(said("--keep-out plane=0,0,0,1").find("its direction has no length"),
             std::string::npos);
   EXPECT_NE(said("--clearance 1").find("there is none"), std::string::npos);

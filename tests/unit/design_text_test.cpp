@@ -189,6 +189,19 @@ TEST(DesignTextBounds, AreRefusedByName) {
   EXPECT_EQ(with(R"(["fold=200"])"), "options: bounds: fold must be at most 180 degrees");
 }
 
+/// What a page keeps beside a design is passed over, whatever it is; other unknown fields are not.
+TEST(DesignText, PassesOverWhatAPageKeepsBesideIt) {
+  const std::string design =
+      R"({"version":1,"format":"planish-design","source":{"sample":"dome","size":9})";
+  const auto plain = read_design(design + "}");
+  for (const char* page : {R"({"n":"A note","v":[["Top",1,2,3,4,5,6]],"s":[{}]})", "7", "null"}) {
+    const auto read = read_design(design + R"(,"page":)" + page + "}");
+    ASSERT_TRUE(std::holds_alternative<Design>(read)) << page;
+    EXPECT_EQ(write_design(std::get<Design>(read)), write_design(std::get<Design>(plain)));
+  }
+  EXPECT_EQ(sentence_of(design + R"(,"pages":{}})"), "pages is not a field of a design");
+}
+
 TEST(DesignTextConstraints, OfAnUnknownKindAreRefusedByName) {
   const auto with = [](const std::string& constraints) {
     return sentence_of(

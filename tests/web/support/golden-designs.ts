@@ -85,5 +85,6 @@ export const RECORD: SavedRecord = {
     { id: "b", name: "", time: 2, picture: "", design: EDITED },
   ],
   views: [],
+  note: "",
   steps: { past: [], future: [] },
 };

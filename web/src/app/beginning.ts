@@ -4,6 +4,7 @@ import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
+import { note } from "../state/note.ts";
 import { openFirst } from "../state/opening.ts";
 import type { Page } from "../state/page.ts";
 import { recoverFromDeath, show } from "../state/showing.ts";
@@ -35,6 +36,7 @@ async function openSaved(page: Page, saved: ReturnType<typeof restoreSaved>): Pr
   }
   page.snapshots.value = record.snapshots;
   page.views.value = record.views;
+  note(page).value = record.note;
   page.history.value = restored.history;
   page.unit.value = record.unit;
   placeCamera(page, record.camera);

@@ -2,20 +2,18 @@
 // What makes a design again: its source and what was done to it, with a mark of the result.
 
 import type { Unit } from "../quantity/units.ts";
-import type { EditSettings, Planarising, ResultMark, Source } from "../solver/protocol.ts";
+import type { ResultMark, Source } from "../solver/protocol.ts";
 import type { Camera } from "./camera.ts";
-import { type Design, type Family, familyOf, type HandleRow } from "./design.ts";
+import type { Companions } from "./companions.ts";
+import { type Design, type Family, familyOf } from "./design.ts";
+import type { MarkedSteps } from "./marked-steps.ts";
 
-export interface Recipe {
+export interface Recipe extends MarkedSteps {
   readonly source: Source;
-  readonly planarised: Planarising | null;
-  readonly handles: readonly HandleRow[];
-  readonly settings: EditSettings;
-  /** Families of variations, each around what the one before it gave; the last has the sliders. */
-  readonly families: readonly Family[];
   readonly unit: Unit;
   readonly camera: Camera | null;
-  readonly mark: ResultMark;
+  /** What travels beside it; absent for nothing. */
+  readonly companions?: Companions | undefined;
 }
 
 /** What is done again, whatever came out of it. */
@@ -33,6 +31,14 @@ function familiesOf({ variation }: Design): Family[] {
   return [...variation.earlier, familyOf(variation)];
 }
 
+export const stepsOf = (design: Design, mark: ResultMark): MarkedSteps => ({
+  planarised: design.planarised,
+  handles: design.handles,
+  settings: design.settings,
+  families: familiesOf(design),
+  mark,
+});
+
 export const recipeOf = (
   design: Design,
   unit: Unit,
@@ -40,11 +46,7 @@ export const recipeOf = (
   mark: ResultMark,
 ): Recipe => ({
   source: design.source,
-  planarised: design.planarised,
-  handles: design.handles,
-  settings: design.settings,
-  families: familiesOf(design),
+  ...stepsOf(design, mark),
   unit,
   camera,
-  mark,
 });

@@ -39,12 +39,16 @@ export interface SavedRecord {
   readonly present: Design;
   readonly snapshots: readonly Snapshot[];
   readonly views: readonly NamedView[];
+  /** What its author says of the design; "" for nothing. */
+  readonly note: string;
   /** Undo and redo. */
   readonly steps: StepKeys;
 }
 
 const MAGIC = 0x534e4c50; // "PLNS"
 const VERSION = 1;
+/** Characters; one's own below what came with designs. */
+const LONGEST_KEPT_NOTE = 20_000;
 /** Characters. */
 const LONGEST_PICTURE = 200_000;
 const PICTURE = /^data:image\/(?:png|webp);base64,[A-Za-z0-9+/=]*$/;
@@ -86,6 +90,7 @@ export function encodeRecord(record: SavedRecord): Uint8Array {
       name: name.slice(0, LONGEST_NAME),
       camera: readableCamera(camera),
     })),
+    note: record.note.slice(0, LONGEST_KEPT_NOTE),
     steps: record.steps,
   };
   return packBlock(MAGIC, VERSION, json, pool);
@@ -134,7 +139,9 @@ function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | nul
     read.push(snapshot);
   }
   const [views, steps] = [readViews(json.views), readStepKeys(json.steps)];
-  return { time, unit, camera, figure, present, snapshots: read, views, steps };
+  // None in records from before it was kept.
+  const note = typeof json.note === "string" ? json.note.slice(0, LONGEST_KEPT_NOTE) : "";
+  return { time, unit, camera, figure, present, snapshots: read, views, note, steps };
 }
 
 export type ReadRecord =

@@ -4,6 +4,7 @@ import { recipeOf } from "../design/recipe.ts";
 import { done, GIVEN_UP, type Result, refuse } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import type { DesignValue, FileFormat } from "../solver/protocol.ts";
+import { readCamera } from "../state/camera.ts";
 import { run } from "../state/connection.ts";
 import { loadPart } from "../state/later.ts";
 import { readMark } from "../state/marking.ts";
@@ -57,7 +58,19 @@ async function fileNow(page: Page, format: FileFormat | "json"): Promise<Result<
   if (!question.ok) return question;
   const answer = await run(page, `writing ${format.toUpperCase()}`, question.value, "exported");
   if (!answer.ok) return answer;
-  return done(new Blob([answer.value.bytes as BlobPart], { type: MEDIA[format] }));
+  const file = new Blob([answer.value.bytes as BlobPart], { type: MEDIA[format] });
+  return format === "json" ? withCompanions(page, file) : done(file);
+}
+
+/** A design as text with all that was written and kept under names here. */
+async function withCompanions(page: Page, file: Blob): Promise<Result<Blob>> {
+  const parts = await loadPart(() =>
+    Promise.all([import("../design/beside-text.ts"), import("./companions.ts")]),
+  );
+  if (!parts.ok) return parts;
+  const [{ withBeside }, { companionsOf, EVERYTHING }] = parts.value;
+  const beside = { camera: readCamera(page), companions: await companionsOf(page, EVERYTHING) };
+  return done(new Blob([withBeside(await file.text(), beside)], { type: file.type }));
 }
 
 async function exportNow(page: Page, format: FileFormat | "json", ending: string): Outcome {

@@ -12,6 +12,7 @@ import type {
 import { run } from "../state/connection.ts";
 import type { Page } from "../state/page.ts";
 import { inTurn } from "../state/turns.ts";
+import { NOTHING } from "./companions.ts";
 import { designLink } from "./design-link.ts";
 import { save } from "./exporting.ts";
 import { linkCode } from "./link-code.ts";
@@ -77,7 +78,7 @@ export async function exportPackage(
   { withLink, ...choice }: PackageChoice,
 ): Promise<CuttingHeader | null> {
   const order = async (): Promise<ShopOrder> => {
-    const link = withLink ? await designLink(page, null) : GIVEN_UP;
+    const link = withLink ? await designLink(page, null, NOTHING) : GIVEN_UP;
     const code = linkCode(link.ok ? link.value : "");
     return { what: "package", options: cuttingOptions(page, choice), code };
   };

@@ -10,6 +10,7 @@ import type { SavedRecord } from "../design/saved-record.ts";
 import type { StepFiles } from "../design/saved-steps.ts";
 import { readCamera } from "./camera.ts";
 import { shownFigure } from "./figures.ts";
+import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
 import {
   claimNewSlot,
@@ -75,6 +76,7 @@ async function whatIsKept(page: Page, history: History<Design>) {
     present,
     snapshots,
     views: page.views.value,
+    note: note(page).value,
     steps: keys,
   };
   const sources = filesOf([present, ...snapshots.map(({ design }) => design), ...designs]);
@@ -200,7 +202,7 @@ export function startAutosave(page: Page): () => void {
   const stop = effect(() => {
     const present = page.history.value?.present;
     page.unit.value;
-    const named = [...page.snapshots.value, ...page.views.value];
+    const named = [...page.snapshots.value, ...page.views.value, ...note(page).value];
     worth ||= present !== begun || named.length > 0;
     if (worth) saveSoon(page);
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Opening the user's files. A design, as text or in a GLB or 3DM, opens as that design.
 
+import { readBeside } from "../design/beside-text.ts";
 import { type Design, toTargets } from "../design/design.ts";
 import { fromDesign } from "../design/design-value.ts";
 import * as steps from "../design/history.ts";
@@ -104,7 +105,7 @@ async function openDesign(page: Page, file: File): Promise<Result<unknown>> {
   const { source, meshName } = read.value;
   if (!source)
     return wrong(`Its mesh, ${meshName.slice(0, 100)}, lies beside it. Open it as a GLB instead.`);
-  const opened = await replayNow(page, { ...read.value, source, camera: null });
+  const opened = await replayNow(page, { ...read.value, source, ...readBeside(text) });
   return opened.ok || !opened.reason ? differingIn(opened) : wrong(opened.reason);
 }
 

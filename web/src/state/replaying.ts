@@ -7,13 +7,14 @@ import { toDesign } from "../design/design-value.ts";
 import * as steps from "../design/history.ts";
 import type { Steps } from "../design/recipe.ts";
 import { done, type Result, refuse } from "../result/result.ts";
-import type { OpenedMesh } from "../solver/protocol.ts";
+import type { OpenedMesh, Shape, SliderLead } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
 import { held, run } from "./connection.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
 import { sliderLeads } from "./exploring.ts";
 import { freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
+import { type Received, receive, variantsOf } from "./receiving.ts";
 import { showPresent, takeMesh } from "./showing.ts";
 import { inTurn } from "./turns.ts";
 
@@ -44,15 +45,23 @@ function withSliders(
   return all;
 }
 
-/** The design of `recipe` on its mesh, which the solver has open; within a turn. */
-export async function compute(
+interface Solved extends Replayed {
+  /** Of its variation. */
+  readonly found: { readonly centre: Shape; readonly leads: readonly SliderLead[] } | null;
+}
+
+const beforeIt = (
   page: Page,
-  recipe: Steps,
-  opened: OpenedMesh,
-): Promise<Result<Replayed>> {
-  const { source, planarised, handles, settings } = recipe;
-  const fresh = { ...freshDesign(page, source, planarised, opened), handles, settings };
-  takeMesh(page, fresh, opened);
+  { source, planarised, handles, settings }: Steps,
+  on: OpenedMesh,
+) => ({
+  ...freshDesign(page, source, planarised, on),
+  handles,
+  settings,
+});
+
+/** The design of `recipe` on its mesh, which the solver has open; nothing of it is shown yet. */
+async function solveAgain(page: Page, recipe: Steps, fresh: Design): Promise<Result<Solved>> {
   const question = { kind: "replay", design: toDesign(recipe) } as const;
   const answer = await run(page, "opening the design", question, "replayed");
   if (!answer.ok) return answer;
@@ -62,9 +71,42 @@ export async function compute(
   const last = families.at(-1);
   const earlier = families.slice(0, -1);
   const variation: Variation | null = last ? { ...last, centre, earlier, exact: true } : null;
-  held(page).centre = variation && centre;
-  if (variation) sliderLeads(page).value = { centre, leads };
-  return done({ design: { ...fresh, shape, report, variation }, deviation });
+  const found = variation && { centre, leads };
+  return done({ design: { ...fresh, shape, report, variation }, deviation, found });
+}
+
+/** The design of `recipe` on its mesh, which the solver has open; within a turn. */
+export async function compute(
+  page: Page,
+  recipe: Steps,
+  opened: OpenedMesh,
+): Promise<Result<Replayed>> {
+  const fresh = beforeIt(page, recipe, opened);
+  takeMesh(page, fresh, opened);
+  const end = await solveAgain(page, recipe, fresh);
+  if (!end.ok) return end;
+  const { found } = end.value;
+  held(page).centre = found?.centre ?? null;
+  if (found) sliderLeads(page).value = found;
+  return end;
+}
+
+/** The variants that came with a design, none of them shown; those that cannot be made are left out. */
+async function makeVariants(page: Page, recipe: Steps): Promise<Received[]> {
+  const received: Received[] = [];
+  for (const { name, steps: variant } of variantsOf(recipe)) {
+    const { source, planarised } = variant;
+    const question = { kind: "open", source, planarise: planarised } as const;
+    const answer = await run(page, `opening ${name}`, question, "opened");
+    if (!answer.ok) continue;
+    const { mesh } = answer.value;
+    const end = await solveAgain(page, variant, beforeIt(page, variant, mesh));
+    if (!end.ok) continue;
+    const { design, deviation } = end.value;
+    const same = isRounding(deviation, sizeOf(mesh.report), recipe.unit);
+    received.push({ name, design, same });
+  }
+  return received;
 }
 
 async function openAndCompute(
@@ -83,6 +125,8 @@ async function openAndCompute(
 /** Within a turn; gives in how far the design that is there now differs from what was recorded, in words,
  * "" where it does not. */
 export async function replayNow(page: Page, recipe: Steps): Promise<Result<string>> {
+  // First, since what the solver has open is the design in the end.
+  const variants = await makeVariants(page, recipe);
   const end = await openAndCompute(page, recipe);
   if (!end.ok) {
     await showPresent(page);
@@ -95,7 +139,10 @@ export async function replayNow(page: Page, recipe: Steps): Promise<Result<strin
   page.history.value = page.history.value
     ? steps.record(page.history.value, design)
     : steps.begin(design);
-  return done(compared(page, recipe, deviation, mesh));
+  const differing = compared(page, recipe, deviation, mesh);
+  const came = receive(page, recipe.companions, variants);
+  if (came && page.notice.value) page.notice.value = `${page.notice.value} ${came}`;
+  return done(came && differing ? `${differing} ${came}` : differing);
 }
 
 /** A design that is there but differs is told as a refusal is. */

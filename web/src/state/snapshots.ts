@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Designs kept under a name, to come back to or to compare.
 
+import type { Design } from "../design/design.ts";
 import * as steps from "../design/history.ts";
 import type { Snapshot } from "../design/saved-record.ts";
 import { kept, type Page } from "./page.ts";
@@ -27,6 +28,15 @@ function freeName(page: Page): string {
 }
 
 const newId = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+
+/** Of a design that is not the one shown: without a picture. */
+export const newSnapshot = (name: string, design: Design): Snapshot => ({
+  id: newId(),
+  name,
+  time: Date.now(),
+  picture: "",
+  design,
+});
 
 /** Keeps the design once everything that was asked for before is done; gives the snapshot's id. */
 export async function takeSnapshot(page: Page, name?: string): Promise<string> {

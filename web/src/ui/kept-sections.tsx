@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is kept under names, at the end of the inspector.
+import { NoteSection } from "./note-section.tsx";
 import { SnapshotsSection } from "./snapshots-section.tsx";
 import { ViewsSection } from "./views-section.tsx";
 
@@ -7,5 +8,6 @@ export const KeptSections = () => (
   <>
     <SnapshotsSection />
     <ViewsSection />
+    <NoteSection />
   </>
 );

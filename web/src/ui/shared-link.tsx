@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 
+import { useSignal } from "@preact/signals";
+import "./going-along.css";
+import { EVERYTHING, snapshotsToSend, type Taken } from "../export/companions.ts";
 import { designLink } from "../export/design-link.ts";
 import { exportMesh } from "../export/exporting.ts";
 import { readCamera } from "../state/camera.ts";
+import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
 import { inTurn } from "../state/turns.ts";
 import { usePage } from "./page-context.ts";
@@ -15,6 +19,7 @@ const TOO_LONG = 32_000;
 export interface Shared {
   readonly link: string;
   readonly copied: boolean;
+  readonly taken: Taken;
 }
 
 function advice({ link, copied }: Shared): string {
@@ -27,12 +32,12 @@ function advice({ link, copied }: Shared): string {
 
 /** Makes the link of the design, once all that was asked for is done, and copies it, where the
  * browser lets it. */
-export async function share(page: Page): Promise<Shared | null> {
-  const link = await inTurn(page, () => designLink(page, readCamera(page)));
-  return link?.ok ? copy(link.value) : null;
+export async function share(page: Page, taken = EVERYTHING): Promise<Shared | null> {
+  const link = await inTurn(page, () => designLink(page, readCamera(page), taken));
+  return link?.ok ? { ...(await copy(link.value)), taken } : null;
 }
 
-async function copy(link: string): Promise<Shared> {
+async function copy(link: string): Promise<Omit<Shared, "taken">> {
   const copied = await navigator.clipboard.writeText(link).then(
     () => true,
     () => false,
@@ -45,10 +50,64 @@ interface SharedLinkProps {
   readonly onClose: () => void;
 }
 
-export function SharedLink({ shared, onClose }: SharedLinkProps) {
+const count = (n: number, what: string): string => (n === 1 ? `1 ${what}` : `${n} ${what}s`);
+
+/** What there is to go along, by its words. */
+function companionsHere(page: Page): readonly (readonly [keyof Taken, string])[] {
+  const [views, snapshots] = [page.views.value.length, snapshotsToSend(page).length];
+  return [
+    ...(note(page).value.trim() ? [["note", "Note"] as const] : []),
+    ...(views > 0 ? [["views", count(views, "named view")] as const] : []),
+    ...(snapshots > 0 ? [["snapshots", count(snapshots, "snapshot")] as const] : []),
+  ];
+}
+
+interface GoingAlongProps {
+  readonly taken: Taken;
+  readonly onChange: (taken: Taken) => void;
+}
+
+function GoingAlong({ taken, onChange }: GoingAlongProps) {
   const page = usePage();
+  const here = companionsHere(page);
+  const left = page.snapshots.value.length - snapshotsToSend(page).length;
   return (
     <>
+      {here.length > 0 && (
+        <fieldset class="going-along">
+          <legend>Goes along, beside the view that you have now</legend>
+          {here.map(([key, words]) => (
+            <label key={key} class="check">
+              <input
+                type="checkbox"
+                checked={taken[key]}
+                onChange={({ currentTarget }) =>
+                  onChange({ ...taken, [key]: currentTarget.checked })
+                }
+              />
+              <span>{words}</span>
+            </label>
+          ))}
+        </fieldset>
+      )}
+      {left > 0 && (
+        <p class="quiet small">{`${count(left, "snapshot")} of another mesh, or too many, stay here.`}</p>
+      )}
+    </>
+  );
+}
+
+export function SharedLink({ shared: first, onClose }: SharedLinkProps) {
+  const page = usePage();
+  const shown = useSignal(first);
+  const shared = shown.value;
+  const change = async (taken: Taken): Promise<void> => {
+    const next = await share(page, taken);
+    if (next) shown.value = next;
+  };
+  return (
+    <>
+      <GoingAlong taken={shared.taken} onChange={(taken) => void change(taken)} />
       <input
         type="text"
         class="link-box"

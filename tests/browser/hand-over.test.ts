@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Three variants with a view and a note are handed over, as a link and as a file, and are all there in
+// the browser of someone else, verified.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
+import { exportAs, idle, obj, openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
+
+const NOTE = "The middle comes up.\nThe third is the one that we would build.";
+
+/** In an order that the page keeps. */
+const named = (page: Page, what: string): Promise<string[]> =>
+  page
+    .getByRole("textbox", { name: new RegExp(`^Name of ${what}`) })
+    .evaluateAll((fields) => fields.map((field) => (field as HTMLInputElement).value));
+
+/** The shape of each variant, as it is exported once it is adopted. */
+async function shapes(page: Page): Promise<string[]> {
+  const all: string[] = [];
+  for (const name of await named(page, "Variant")) {
+    await page.getByRole("button", { name: `Adopt ${name}` }).click();
+    await idle(page);
+    all.push(await obj(page));
+  }
+  return all;
+}
+
+async function author(): Promise<Page> {
+  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  for (const [k, rise] of ["+20cm", "+15cm", "+30cm"].entries()) {
+    await typeTarget(page, rise);
+    await page.getByRole("button", { name: "Take snapshot" }).click();
+    const name = page.getByRole("textbox", { name: "Name of Snapshot 1" });
+    await name.fill(`Variant ${k + 1}`);
+    await name.press("Enter");
+    await page.getByRole("textbox", { name: `Name of Variant ${k + 1}` }).waitFor();
+  }
+  await page.getByRole("button", { name: "Top", exact: true }).click();
+  await page.getByRole("button", { name: "Keep this view" }).click();
+  await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
+  const note = page.getByRole("textbox", { name: "Note" });
+  await note.fill(NOTE);
+  await note.blur();
+  return page;
+}
+
+async function expectHandedOver(page: Page, sent: readonly string[], shown: string): Promise<void> {
+  await page.getByText(/^Verified:.* With it came a note, 1 view, 3 snapshots\.$/).waitFor();
+  expect(await obj(page)).toBe(shown);
+  const arrived = page.getByRole("region", { name: "Note that came with the design" });
+  await arrived.waitFor();
+  expect(await arrived.locator("p").innerText()).toBe(NOTE);
+  await expectClean(page, "a design that was handed over");
+  await page.getByRole("button", { name: "Put the note aside" }).click();
+  expect(await arrived.count()).toBe(0);
+  expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
+  expect(await named(page, "View")).toEqual(["View 1"]);
+  expect(await named(page, "Variant")).toEqual(["Variant 1", "Variant 2", "Variant 3"]);
+  expect(await shapes(page)).toEqual(sent);
+}
+
+it("three variants, a view and a note come with a link and with a file", async () => {
+  const page = await author();
+  const shown = await obj(page);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = page.getByRole("textbox", { name: "Link" });
+  const whole = await link.inputValue();
+  await expectClean(page, "sharing with what goes along");
+  await page.getByRole("checkbox", { name: "3 snapshots" }).uncheck();
+  await expect.poll(async () => (await link.inputValue()).length).toBeLessThan(whole.length);
+  await page.keyboard.press("Escape");
+  const file = await exportAs(page, "JSON");
+  const sent = await shapes(page);
+  expect(new Set(sent).size).toBe(3);
+  expect(sent[2]).toBe(shown);
+  await page.context().close();
+
+  const byLink = await site.open({}, new URL(whole).hash);
+  await expectHandedOver(byLink, sent, shown);
+  await byLink.reload();
+  await byLink.getByText(/is back\./).waitFor();
+  expect(await byLink.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
+  await byLink.context().close();
+
+  const byFile = await site.open();
+  await openFile(byFile, "handed-over.json", file);
+  await expectHandedOver(byFile, sent, shown);
+  await byFile.context().close();
+});

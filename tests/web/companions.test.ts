@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What travels beside a design comes back as it was; what is wrong with it costs the design nothing.
+import { describe, expect, it } from "vitest";
+import { readBeside, withBeside } from "../../web/src/design/beside-text.ts";
+import {
+  type Companions,
+  readCompanions,
+  writeCompanions,
+} from "../../web/src/design/companions.ts";
+import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
+import { recipeOf, stepsOf } from "../../web/src/design/recipe.ts";
+import { companionsOf, EVERYTHING, NOTHING } from "../../web/src/export/companions.ts";
+import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import { readMark } from "../../web/src/state/marking.ts";
+import { note } from "../../web/src/state/note.ts";
+import { openSample } from "../../web/src/state/opening.ts";
+import type { Page } from "../../web/src/state/page.ts";
+import { arrivedNote } from "../../web/src/state/receiving.ts";
+import { replay } from "../../web/src/state/replaying.ts";
+import { takeSnapshot } from "../../web/src/state/snapshots.ts";
+import { openedPage, pageHere } from "./support/page-here.ts";
+
+const MIDDLE = 220;
+const CAMERA = { position: [1, 2, 3], target: [0, 0, 0.5] } as const;
+const VIEW = { name: "From the street", camera: CAMERA };
+
+async function raise(page: Page, by: number): Promise<void> {
+  const base = page.mesh.value?.positions.slice(3 * MIDDLE, 3 * MIDDLE + 3) ?? [];
+  await setTarget(page, MIDDLE, [base[0] ?? 0, base[1] ?? 0, (base[2] ?? 0) + by]);
+}
+
+/** A roof with a note, a view and three variants; the last is shown. */
+async function author(): Promise<Page> {
+  const page = await openedPage();
+  for (const [k, by] of [0.2, 0.4, 0.6].entries()) {
+    await raise(page, by);
+    await takeSnapshot(page, `Variant ${k + 1}`);
+  }
+  note(page).value = "Middle raised.\nPlease choose <b>one</b>.";
+  page.views.value = [VIEW];
+  return page;
+}
+
+async function linkOf(page: Page, taken = EVERYTHING): Promise<string> {
+  const design = page.history.value?.present;
+  const mark = design && (await readMark(page, design.shape));
+  if (!design || !mark?.ok) throw new Error("no design");
+  const companions = await companionsOf(page, taken);
+  return encodeLink({ ...recipeOf(design, "m", CAMERA, mark.value), companions });
+}
+
+async function openedFrom(link: string): Promise<Page> {
+  const read = await decodeLink(link);
+  if (!read.ok) throw new Error(read.reason);
+  const page = pageHere();
+  expect(await replay(page, read.value)).toBe(true);
+  return page;
+}
+
+describe("what travels beside a design", () => {
+  it("is there where the link is opened: note, view, three variants to the bit", async () => {
+    const page = await author();
+    const other = await openedFrom(await linkOf(page));
+    expect(other.problem.value).toBeNull();
+    expect(other.notice.value).toMatch(/^Verified: .* With it came a note, 1 view, 3 snapshots\.$/);
+    expect(note(other).value).toBe(note(page).value);
+    expect(arrivedNote(other).value).toBe(note(page).value);
+    expect(other.views.value).toEqual([VIEW]);
+    const pairs = page.snapshots.value.map((one, k) => [one, other.snapshots.value[k]] as const);
+    expect(pairs).toHaveLength(3);
+    for (const [sent, came] of pairs) {
+      expect(came?.name).toBe(sent.name);
+      expect(came?.design.shape).toEqual(sent.design.shape);
+      expect(came?.design.handles).toEqual(sent.design.handles);
+    }
+    expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+    // The solver has the design itself open, not the last variant.
+    await raise(other, 0.7);
+    await raise(page, 0.7);
+    expect(shownPoint(other, MIDDLE)).toEqual(shownPoint(page, MIDDLE));
+  });
+
+  it("is nothing twice where the link is opened again, and nothing of one's own is lost", async () => {
+    const page = await author();
+    const read = await decodeLink(await linkOf(page));
+    if (!read.ok) throw new Error(read.reason);
+    const other = await openedPage();
+    note(other).value = "Mine.";
+    other.views.value = [{ name: VIEW.name, camera: { ...CAMERA, target: [9, 9, 9] } }];
+    await takeSnapshot(other, "Variant 1");
+    for (let time = 0; time < 2; ++time) expect(await replay(other, read.value)).toBe(true);
+    expect(other.snapshots.value.map(({ name }) => name)).toEqual([
+      "Variant 1",
+      "Variant 1 2",
+      "Variant 2",
+      "Variant 3",
+    ]);
+    expect(other.views.value.map(({ name }) => name)).toEqual([VIEW.name, `${VIEW.name} 2`]);
+    expect(note(other).value).toBe(`${note(page).value}\n\nMine.`);
+  });
+
+  it("is only what is wanted, and of this mesh", async () => {
+    const page = await author();
+    const all = await linkOf(page);
+    const none = await linkOf(page, NOTHING);
+    expect(none.length).toBeLessThan(all.length - 100);
+    const bare = await decodeLink(none);
+    expect(bare.ok && "companions" in bare.value).toBe(false);
+    await openSample(page, "vault");
+    expect((await companionsOf(page, EVERYTHING)).variants).toEqual([]);
+  });
+
+  it("costs the design nothing where it is damaged or hostile", async () => {
+    const page = await author();
+    const whole = await companionsOf(page, EVERYTHING);
+    const json = JSON.parse(JSON.stringify(writeCompanions(whole)));
+    expect(readCompanions(json)).toEqual(whole);
+    const long = "x".repeat(5000);
+    const odd: unknown[] = [
+      null,
+      7,
+      "note",
+      [],
+      {},
+      { n: 7, v: 7, s: 7 },
+      { v: [[1, 2], ["a", 1], null], s: [null, {}, { n: "a" }] },
+      { s: json.s.map((one: object) => ({ ...one, h: "none" })) },
+      { v: [["a", 1, 2, 3, 4, 5, Number.NaN]] },
+    ];
+    for (const one of odd) expect(readCompanions(one), JSON.stringify(one)).toBeUndefined();
+    expect(readCompanions({ n: long })?.note).toHaveLength(2000);
+    const many = Array.from({ length: 99 }, (_, k) => [`v${k}`, 1, 2, 3, 4, 5, 6]);
+    expect(readCompanions({ v: many })?.views).toHaveLength(50);
+    expect(readCompanions({ s: Array(99).fill(json.s[0]) })?.variants).toHaveLength(20);
+  });
+
+  it('stands in a saved design under "page", beside numbers that stay as they were written', async () => {
+    const page = await author();
+    const design = page.history.value?.present;
+    const mark = design && (await readMark(page, design.shape));
+    if (!design || !mark?.ok) throw new Error("no design");
+    const companions: Companions = {
+      note: "A } in a note",
+      views: [VIEW],
+      variants: [{ name: "now", steps: stepsOf(design, mark.value) }],
+    };
+    const text = '{"format": "planish-design",\n "x": 0.1000000000000000055511151231257827}\n';
+    const saved = withBeside(text, { camera: CAMERA, companions });
+    expect(saved).toContain('"x": 0.1000000000000000055511151231257827,\n "page": {');
+    expect(readBeside(saved)).toEqual({ camera: CAMERA, companions });
+    expect(withBeside(text, { camera: null, companions: undefined })).toBe(text);
+    for (const odd of ["", '"page"', '{"page": 1}', '{"page": {"c": "no"}', text])
+      expect(readBeside(odd)).toEqual({ camera: null, companions: undefined });
+  });
+});

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What travels beside a design, in a link or in a file that a page saves: a note, views to look from,
+// and variants of the design on the same mesh. It makes no part of the design: whatever is wrong with
+// it is left out, and costs the design nothing.
+import type { NamedView } from "./camera.ts";
+import type { MarkedSteps } from "./marked-steps.ts";
+import { readSteps, type StepsJson, writeSteps } from "./payload-steps.ts";
+import { isName, isRecord, type Json, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
+
+/** Characters. */
+export const LONGEST_NOTE = 2000;
+export const MOST_VIEWS = 50;
+export const MOST_VARIANTS = 20;
+
+export interface Variant {
+  readonly name: string;
+  readonly steps: MarkedSteps;
+}
+
+export interface Companions {
+  /** For people, as plain text. */
+  readonly note: string;
+  /** No two have the same name. */
+  readonly views: readonly NamedView[];
+  readonly variants: readonly Variant[];
+}
+
+/** Short names: they are part of every link. */
+export interface CompanionsJson {
+  /** The note. */
+  n?: string;
+  /** Views: a name, then position and target of the camera. */
+  v?: [string, ...number[]][];
+  /** Variants: a name (n) and what was done. */
+  s?: ({ n: string } & StepsJson)[];
+}
+
+/** null where there is nothing to say. */
+export function writeCompanions({ note, views, variants }: Companions): CompanionsJson | null {
+  const cut = (name: string): string => name.slice(0, LONGEST_NAME);
+  const json: CompanionsJson = {
+    ...(note && { n: note.slice(0, LONGEST_NOTE) }),
+    ...(views.length > 0 && {
+      v: views.slice(0, MOST_VIEWS).map(({ name, camera }) => [cut(name), ...writeCamera(camera)]),
+    }),
+    ...(variants.length > 0 && {
+      s: variants
+        .slice(0, MOST_VARIANTS)
+        .map(({ name, steps }) => ({ n: cut(name), ...writeSteps(steps) })),
+    }),
+  };
+  return Object.keys(json).length > 0 ? json : null;
+}
+
+const listOf = (value: unknown, most: number): readonly unknown[] =>
+  Array.isArray(value) ? value.slice(0, most) : [];
+
+function readViews(value: unknown): NamedView[] {
+  const views = new Map<string, NamedView>();
+  for (const one of listOf(value, MOST_VIEWS)) {
+    const [name, ...numbers]: readonly unknown[] = Array.isArray(one) ? one : [];
+    const camera = readCamera(numbers);
+    if (isName(name) && camera) views.set(name, { name, camera });
+  }
+  return [...views.values()];
+}
+
+function readVariant(value: unknown): Variant | null {
+  if (!isRecord(value)) return null;
+  const { n: name } = value as Json;
+  const steps = readSteps(value);
+  return isName(name) && steps ? { name, steps } : null;
+}
+
+/** Anything gives what can be read of it; undefined for nothing. */
+export function readCompanions(value: unknown): Companions | undefined {
+  const { n, v, s } = isRecord(value) ? value : {};
+  const note = typeof n === "string" ? n.slice(0, LONGEST_NOTE) : "";
+  const views = readViews(v);
+  const variants = listOf(s, MOST_VARIANTS).flatMap((one) => readVariant(one) ?? []);
+  return note || views.length + variants.length > 0 ? { note, views, variants } : undefined;
+}

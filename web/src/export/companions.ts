@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What travels beside the design that is shown: what was written and kept under names here.
+import { type Companions, MOST_VARIANTS, type Variant } from "../design/companions.ts";
+import { stepsOf } from "../design/recipe.ts";
+import type { Source } from "../solver/protocol.ts";
+import { readMark } from "../state/marking.ts";
+import { note } from "../state/note.ts";
+import type { Page } from "../state/page.ts";
+
+/** Which of it goes along. */
+export interface Taken {
+  readonly note: boolean;
+  readonly views: boolean;
+  readonly snapshots: boolean;
+}
+
+export const EVERYTHING: Taken = { note: true, views: true, snapshots: true };
+export const NOTHING: Taken = { note: false, views: false, snapshots: false };
+
+const sameSource = (a: Source, b: Source): boolean => {
+  if (a.kind === "sample") return b.kind === "sample" && a.name === b.name && a.size === b.size;
+  return b.kind === "file" && a.crc === b.crc && a.bytes.size === b.bytes.size;
+};
+
+/** Snapshots of the mesh that is shown, the latest if there are too many: those of others would need
+ * their meshes too. */
+export function snapshotsToSend(page: Page) {
+  const source = page.history.value?.present.source;
+  return page.snapshots.value
+    .filter(({ design }) => source && sameSource(design.source, source))
+    .slice(-MOST_VARIANTS);
+}
+
+/** Within a turn. A snapshot whose mark cannot be read stays here. */
+export async function companionsOf(page: Page, taken: Taken): Promise<Companions> {
+  const variants: Variant[] = [];
+  for (const { name, design } of taken.snapshots ? snapshotsToSend(page) : []) {
+    const mark = await readMark(page, design.shape);
+    if (mark.ok) variants.push({ name, steps: stepsOf(design, mark.value) });
+  }
+  return {
+    note: taken.note ? note(page).value.trim() : "",
+    views: taken.views ? page.views.value : [],
+    variants,
+  };
+}
