@@ -55,6 +55,13 @@ describe("what stops it", () => {
     expect(reasonOf(design({ limits }, { status: "infeasible_handles" }), false)).toBe("limits");
     expect(reasonOf(design({}, { status: "infeasible_handles" }), false)).toBe("panels");
     expect(reasonOf(design({}), true)).toBe("fold");
+    const keepOuts = ["above=3"];
+    const held = { "keep-out": [212] };
+    expect(reasonOf(design({ keepOuts }, { bounds: held }), false)).toBe("keep-outs");
+    expect(reasonOf(design({ keepOuts }, { bounds: { "keep-out": [] } }), false)).toBe("panels");
+    expect(reasonWords("keep-outs", null)).toBe("Further, they would enter a keep-out.");
+    const ways = waysOn(design({ keepOuts, clearance: 0.1 }), "keep-outs", null);
+    expect(ways.map(({ change }) => change)).toEqual([{ keepOuts: [], clearance: 0 }]);
     expect(reasonWords("fold", 10)).toBe("Further, folds would be more than 10° sharper.");
     expect(reasonWords("limits", null)).toContain("a limit that you stated");
   });

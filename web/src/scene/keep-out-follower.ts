@@ -4,8 +4,10 @@ import { effect } from "@preact/signals";
 import { keepOuts, movedInView, moveKeepOut } from "../state/keep-outs.ts";
 import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
-import { DARK, LIGHT } from "./palette.ts";
 import type { Stage } from "./stage.ts";
+
+/** Seen on the page, light or dark, and on panels. */
+const COLOURS = { light: "#C2410C", dark: "#FF9A5C" } as const;
 
 /** Returns how to stop. */
 export function followKeepOuts(page: Page, stage: Stage): () => void {
@@ -24,7 +26,7 @@ export function followKeepOuts(page: Page, stage: Stage): () => void {
     const part = await fetchPart(page, () => import("./keep-out-drawing.ts"));
     if (mine !== turn) return;
     clear();
-    const colour = (dark.matches ? DARK : LIGHT).limit;
+    const colour = dark.matches ? COLOURS.dark : COLOURS.light;
     const move = moved === null ? null : { place: moved, to: moveKeepOut };
     drawn = part?.drawKeepOuts({ page, stage, mesh, colour }, all, move) ?? null;
     stage.invalidate();

@@ -125,9 +125,17 @@ function looser({ limits }: EditSettings): WayOn {
   return { label, title: "Loosens the limit", change: { limits: changed }, growth: null };
 }
 
+const without = (): WayOn => ({
+  label: "Without keep-outs",
+  title: "Takes all of them back",
+  change: { keepOuts: [], clearance: 0 },
+  growth: null,
+});
+
 /** One press each. Those that do not loosen the limit on a drag's folds keep it. */
 export function waysOn(design: Design, reason: Reason, growth: number | null): readonly WayOn[] {
   const { settings } = design;
+  if (reason === "keep-outs") return [without()];
   const kept = reason === "fold" ? growth : null;
   const ways = wider(settings, kept);
   if (kept !== null)

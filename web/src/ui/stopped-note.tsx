@@ -20,7 +20,7 @@ export function StoppedNote() {
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`Panels allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
+        <strong>{`${reason === "keep-outs" ? "Keep-outs" : "Panels"} allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
         {reasonWords(reason, growth)}
       </p>
       {reason === "panels" && <HoldingPanels />}
