@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { exportAs, status } from "./support/page.ts";
+import { exportAs, idle, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 it("works without a network after the first visit", async () => {
@@ -10,6 +10,12 @@ it("works without a network after the first visit", async () => {
   await page.reload();
   await expect.poll(() => status(page)).toMatch(/0 of 425 points move/);
   expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
+  // What knows keep-outs is another module, which the first visit has not run.
+  await page.getByText("Keep-outs").click();
+  await page.getByRole("button", { name: "Nothing may be above a level" }).click();
+  await idle(page);
+  await typeTarget(page, "+1.5");
+  expect(await page.getByText(/^They hold \d+ points? of this edit back\.$/).count()).toBe(1);
   await page.context().close();
 });
 
