@@ -19,7 +19,9 @@ export function ShareDialog() {
     const part = await fetchPart(page, () => import("./shared-link.tsx"));
     const shared = await part?.share(page);
     if (!part || !shared) return;
-    content.value = <part.SharedLink shared={shared} onClose={() => dialog.current?.close()} />;
+    const close = (): void => dialog.current?.close();
+    // Begins with the link as it is now, whatever was chosen for the last.
+    content.value = <part.SharedLink key={shared.link} shared={shared} onClose={close} />;
     dialog.current?.showModal();
   };
   useDoors({ share: open });
