@@ -35,6 +35,7 @@ ExitCode run_explore(const Arguments& arguments) {
   }
   const Json json = exploration_json(run, family, variation);
   print_sentence(damage_sentence(json["spoilt_faces"]));
+  print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
   print_sentence(not_exact_sentence(run, family, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));

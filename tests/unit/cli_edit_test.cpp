@@ -68,6 +68,18 @@ TEST_F(Cli, AReplayThatDiffersSaysHowFar) {
   EXPECT_EQ(run("edit sample:castle:9 --handle 0=0,0,0"), 2);
 }
 
+/// Of the variation, not only of the edit that it began with.
+TEST_F(Cli, ExploreSaysThatFoldsAreMuchSharper) {
+  const std::string explore =
+      "explore sample:vault:12 --dimension 2 --report r.json --handle 65+=0,0,";
+  ASSERT_EQ(run(explore + "1.2 --coefficients 0.2,0"), 0) << err();
+  const auto fold = nlohmann::json::parse(contents(directory_ / "r.json"))["sharpest_fold"];
+  ASSERT_GT(fold["growth"].get<double>(), 20.0);
+  EXPECT_NE(err().find("sharpest fold"), std::string::npos) << err();
+  ASSERT_EQ(run(explore + "0.05"), 0) << err();
+  EXPECT_EQ(err().find("sharpest fold"), std::string::npos) << err();
+}
+
 TEST_F(Cli, EditMovesTheHandleAndReports) {
   ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
   ASSERT_EQ(run("edit a.obj --handle 65+=0,0,0.5 --pin 0,11 -o b.obj --report r.json"), 0) << err();
