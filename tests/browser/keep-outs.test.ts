@@ -7,7 +7,7 @@ import { idle, obj, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { press } from "./support/view.ts";
 
-const section = (page: Page) => page.getByText(/^Keep-outs/);
+const section = (page: Page) => page.locator("summary", { hasText: "Keep-outs" });
 
 async function add(page: Page, words: string): Promise<void> {
   await page.getByRole("button", { name: `Nothing may be ${words}` }).click();

@@ -11,7 +11,7 @@ it("works without a network after the first visit", async () => {
   await expect.poll(() => status(page)).toMatch(/0 of 425 points move/);
   expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
   // What knows keep-outs is another module, which the first visit has not run.
-  await page.getByText("Keep-outs").click();
+  await page.locator("summary", { hasText: "Keep-outs" }).click();
   await page.getByRole("button", { name: "Nothing may be above a level" }).click();
   await idle(page);
   await typeTarget(page, "+1.5");
