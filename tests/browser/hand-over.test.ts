@@ -37,6 +37,11 @@ async function author(): Promise<Page> {
     await page.getByRole("textbox", { name: `Name of Variant ${k + 1}` }).waitFor();
   }
   await page.getByRole("button", { name: "Top", exact: true }).click();
+  const whole = await page.screenshot();
+  await page.getByRole("combobox", { name: "Cut the view" }).selectOption("across X");
+  await idle(page);
+  await expect.poll(async () => (await page.screenshot()).equals(whole)).toBe(false);
+  await page.getByText(/^Cuts \d+ panels, .* in all\./).waitFor();
   await page.getByRole("button", { name: "Keep this view" }).click();
   await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
   const note = page.getByRole("textbox", { name: "Note" });
@@ -46,7 +51,9 @@ async function author(): Promise<Page> {
 }
 
 async function expectHandedOver(page: Page, sent: readonly string[], shown: string): Promise<void> {
-  await page.getByText(/^Verified:.* With it came a note, 1 view, 3 snapshots\.$/).waitFor();
+  await page
+    .getByText(/^Verified:.* With it came a note, 1 view, 3 snapshots, a section\.$/)
+    .waitFor();
   expect(await obj(page)).toBe(shown);
   const arrived = page.getByRole("region", { name: "Note that came with the design" });
   await arrived.waitFor();
@@ -56,6 +63,8 @@ async function expectHandedOver(page: Page, sent: readonly string[], shown: stri
   expect(await arrived.count()).toBe(0);
   expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
   expect(await named(page, "View")).toEqual(["View 1"]);
+  const cut = page.getByRole("combobox", { name: "Cut the view" });
+  expect(await cut.locator("option:checked").innerText()).toBe("across X");
   expect(await named(page, "Variant")).toEqual(["Variant 1", "Variant 2", "Variant 3"]);
   expect(await shapes(page)).toEqual(sent);
 }

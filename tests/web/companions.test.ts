@@ -143,6 +143,7 @@ describe("what travels beside a design", () => {
       note: "A } in a note",
       views: [VIEW],
       variants: [{ name: "now", steps: stepsOf(design, mark.value) }],
+      section: { axis: 2, at: 1.25, flipped: true },
     };
     const text = '{"format": "planish-design",\n "x": 0.1000000000000000055511151231257827}\n';
     const saved = withBeside(text, { camera: CAMERA, companions });

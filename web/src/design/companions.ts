@@ -5,7 +5,15 @@
 import type { NamedView } from "./camera.ts";
 import type { MarkedSteps } from "./marked-steps.ts";
 import { readSteps, type StepsJson, writeSteps } from "./payload-steps.ts";
-import { isName, isRecord, type Json, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
+import {
+  isName,
+  isNumbers,
+  isRecord,
+  type Json,
+  LONGEST_NAME,
+  readCamera,
+  writeCamera,
+} from "./reading.ts";
 
 /** Characters. */
 export const LONGEST_NOTE = 2000;
@@ -17,12 +25,22 @@ export interface Variant {
   readonly steps: MarkedSteps;
 }
 
+/** Cuts the view open; model units. */
+export interface SectionPlane {
+  readonly axis: 0 | 1 | 2;
+  readonly at: number;
+  /** Whether what is above it along the axis is shown, instead of what is below. */
+  readonly flipped: boolean;
+}
+
 export interface Companions {
   /** For people, as plain text. */
   readonly note: string;
   /** No two have the same name. */
   readonly views: readonly NamedView[];
   readonly variants: readonly Variant[];
+  /** null: the view is not cut. */
+  readonly section: SectionPlane | null;
 }
 
 /** Short names: they are part of every link. */
@@ -33,10 +51,17 @@ export interface CompanionsJson {
   v?: [string, ...number[]][];
   /** Variants: a name (n) and what was done. */
   s?: ({ n: string } & StepsJson)[];
+  /** The section: axis, place, whether the other side is shown. */
+  p?: [0 | 1 | 2, number, 0 | 1];
 }
 
 /** null where there is nothing to say. */
-export function writeCompanions({ note, views, variants }: Companions): CompanionsJson | null {
+export function writeCompanions({
+  note,
+  views,
+  variants,
+  section,
+}: Companions): CompanionsJson | null {
   const cut = (name: string): string => name.slice(0, LONGEST_NAME);
   const json: CompanionsJson = {
     ...(note && { n: note.slice(0, LONGEST_NOTE) }),
@@ -48,6 +73,7 @@ export function writeCompanions({ note, views, variants }: Companions): Companio
         .slice(0, MOST_VARIANTS)
         .map(({ name, steps }) => ({ n: cut(name), ...writeSteps(steps) })),
     }),
+    ...(section && { p: [section.axis, section.at, section.flipped ? 1 : 0] }),
   };
   return Object.keys(json).length > 0 ? json : null;
 }
@@ -72,11 +98,19 @@ function readVariant(value: unknown): Variant | null {
   return isName(name) && steps ? { name, steps } : null;
 }
 
+function readSection(value: unknown): SectionPlane | null {
+  if (!isNumbers(value, 3)) return null;
+  const [axis, at = 0, side] = value;
+  return axis === 0 || axis === 1 || axis === 2 ? { axis, at, flipped: side === 1 } : null;
+}
+
 /** Anything gives what can be read of it; undefined for nothing. */
 export function readCompanions(value: unknown): Companions | undefined {
-  const { n, v, s } = isRecord(value) ? value : {};
+  const { n, v, s, p } = isRecord(value) ? value : {};
   const note = typeof n === "string" ? n.slice(0, LONGEST_NOTE) : "";
   const views = readViews(v);
   const variants = listOf(s, MOST_VARIANTS).flatMap((one) => readVariant(one) ?? []);
-  return note || views.length + variants.length > 0 ? { note, views, variants } : undefined;
+  const section = readSection(p);
+  const some = note !== "" || views.length + variants.length > 0 || section !== null;
+  return some ? { note, views, variants, section } : undefined;
 }

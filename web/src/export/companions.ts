@@ -6,6 +6,7 @@ import type { Source } from "../solver/protocol.ts";
 import { readMark } from "../state/marking.ts";
 import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
+import { sectionPlane } from "../state/section-plane.ts";
 
 /** Which of it goes along. */
 export interface Taken {
@@ -42,5 +43,6 @@ export async function companionsOf(page: Page, taken: Taken): Promise<Companions
     note: taken.note ? note(page).value.trim() : "",
     views: taken.views ? page.views.value : [],
     variants,
+    section: taken.views ? sectionPlane(page).value : null,
   };
 }

@@ -2,6 +2,7 @@
 // The 3D view: puts its parts together, has them follow the state, and does what keys and buttons ask.
 
 import { effect, untracked } from "@preact/signals";
+import type { Object3D } from "three";
 import { frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
@@ -68,6 +69,9 @@ export class Viewport {
     this.#pointer = this.#makePointer();
     this.#follow();
   }
+
+  /** The group of the structure on the stage; null before there is one. */
+  readonly structure = (): Object3D | null => this.#sight.shell?.group ?? null;
 
   view(name: ViewName): void {
     const { shell } = this.#sight;

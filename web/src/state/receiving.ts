@@ -8,6 +8,7 @@ import type { Design } from "../design/design.ts";
 import type { Steps } from "../design/recipe.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
+import { sectionPlane } from "./section-plane.ts";
 import { newSnapshot } from "./snapshots.ts";
 
 /** The note that came with what is shown, until it is put aside; "" for none. */
@@ -85,11 +86,13 @@ export function receive(
   if (!came) return "";
   keepNote(page, came.note);
   keepViews(page, came.views);
+  if (came.section) sectionPlane(page).value = came.section;
   keepVariants(page, received);
   const words = [
     ...(came.note ? ["a note"] : []),
     ...count(came.views.length, "view"),
     ...count(received.length, "snapshot"),
+    ...(came.section ? ["a section"] : []),
   ];
   const others = received.filter(({ same }) => !same).map(({ name }) => name);
   const lost = came.variants.length - received.length;

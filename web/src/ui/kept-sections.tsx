@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is kept under names, at the end of the inspector.
 import { NoteSection } from "./note-section.tsx";
+import { SectionPlaneSection } from "./section-plane.tsx";
 import { SnapshotsSection } from "./snapshots-section.tsx";
 import { ViewsSection } from "./views-section.tsx";
 
@@ -8,6 +9,7 @@ export const KeptSections = () => (
   <>
     <SnapshotsSection />
     <ViewsSection />
+    <SectionPlaneSection />
     <NoteSection />
   </>
 );

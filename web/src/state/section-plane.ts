@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A plane that cuts the view open. It changes nothing of the design.
+import { computed, signal } from "@preact/signals";
+import type { SectionPlane } from "../design/companions.ts";
+import { NO_SHAPE } from "../design/design.ts";
+import { cutPanels, type PlaneSection } from "../mesh/plane-section.ts";
+import { kept, type Page } from "./page.ts";
+
+/** null: nothing is cut. */
+export const sectionPlane = kept(() => signal<SectionPlane | null>(null));
+
+/** The design shown, model units; three numbers a point. */
+const shownPoints = kept((page) =>
+  computed((): Float64Array => {
+    const mesh = page.mesh.value;
+    if (!mesh) return new Float64Array(0);
+    const points = mesh.positions.slice();
+    const { moved, positions } = page.draft.value?.shape ?? NO_SHAPE;
+    moved.forEach((v, k) => {
+      points.set(positions.subarray(3 * k, 3 * k + 3), 3 * v);
+    });
+    return points;
+  }),
+);
+
+/** What the plane cuts, model units; null without one. */
+export const section = kept((page) =>
+  computed((): PlaneSection | null => {
+    const [plane, mesh] = [sectionPlane(page).value, page.mesh.value];
+    return plane && mesh && cutPanels(shownPoints(page).value, mesh, plane.axis, plane.at);
+  }),
+);
+
+/** Of the base along an axis, model units. */
+export function rangeAlong(page: Page, axis: 0 | 1 | 2): readonly [number, number] {
+  const points = page.mesh.value?.positions ?? [];
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = axis; k < points.length; k += 3) {
+    low = Math.min(low, points[k] ?? 0);
+    high = Math.max(high, points[k] ?? 0);
+  }
+  return low <= high ? [low, high] : [0, 0];
+}
+
+/** Through the middle of the structure, or the point chosen last; null takes it away. */
+export function cutAcross(page: Page, axis: 0 | 1 | 2 | null): void {
+  if (axis === null) {
+    sectionPlane(page).value = null;
+    return;
+  }
+  const chosen = page.selection.value.at(-1);
+  const [low, high] = rangeAlong(page, axis);
+  const through = chosen === undefined ? undefined : shownPoints(page).value[3 * chosen + axis];
+  sectionPlane(page).value = { axis, at: through ?? (low + high) / 2, flipped: false };
+}
