@@ -81,6 +81,7 @@ FILE_GROUPS = {
     "handle_edit_parts": "handle_edit",
     "handle_edit_drag": "handle_edit",
     "handle_edit_symmetric": "handle_edit",
+    "symmetric_shape": "symmetry",
     "handle_edit_keep_outs": "handle_edit",
     "problem_keep_outs": "problem",
     "symmetry_text": "symmetry",
