@@ -101,15 +101,7 @@ TEST(EditApart, NoFrameOfAFastDragGoesThrough) {
   EXPECT_GE(followed, 3);
 }
 
-class EditApartOn : public ::testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    mesh = testing::obstructed_mesh(GetParam());
-    if (mesh.face_count() == 0) GTEST_SKIP() << "no shared meshes here";
-  }
-
-  Mesh mesh;
-};
+using EditApartOn = testing::OnObstructedMesh;
 
 /// Where no panel comes near another the edit is the same, to the bit.
 TEST_P(EditApartOn, ChangesNothingWhereNothingMeets) {
@@ -159,10 +151,7 @@ TEST_P(EditApartOn, KeepsTheClearance) {
   EXPECT_GE(certified, kEdits);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, EditApartOn,
-                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex",
-                                           "pq_gitter", "mixed345_airport", "pq_octtorus",
-                                           "hex_sphere_two_openings"),
+INSTANTIATE_TEST_SUITE_P(Meshes, EditApartOn, ::testing::ValuesIn(testing::kObstructedMeshes),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

@@ -32,15 +32,7 @@ using testing::worst_entry;
 
 constexpr double kHeld = 1e-9;  ///< mean edges: what was promised
 
-class EditKeepOuts : public ::testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    mesh = testing::obstructed_mesh(GetParam());
-    if (mesh.face_count() == 0) GTEST_SKIP() << "no shared meshes here";
-  }
-
-  Mesh mesh;
-};
+using EditKeepOuts = testing::OnObstructedMesh;
 
 TEST_P(EditKeepOuts, NoPointGoesBeyondAPlane) {
   constexpr int kEdits = 12;
@@ -118,10 +110,7 @@ TEST_P(EditKeepOuts, HoldWithEveryOption) {
   expect_held(options, targets);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOuts,
-                         ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex",
-                                           "pq_gitter", "mixed345_airport", "pq_octtorus",
-                                           "hex_sphere_two_openings"),
+INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOuts, ::testing::ValuesIn(testing::kObstructedMeshes),
                          [](const auto& each) { return std::string(each.param); });
 
 class EditBoxes : public EditKeepOuts {

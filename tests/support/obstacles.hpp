@@ -3,7 +3,10 @@
 /// core's rows.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,24 @@ struct Plane {
 
 /// A sample of 16, or a shared mesh made flat; no faces where it is absent.
 [[nodiscard]] Mesh obstructed_mesh(const std::string& name);
+
+/// Names for obstructed_mesh().
+inline constexpr std::array kObstructedMeshes = {"roof",        "vault",
+                                                 "dome",        "freeform",
+                                                 "hex",         "trihex",
+                                                 "pq_gitter",   "mixed345_airport",
+                                                 "pq_octtorus", "hex_sphere_two_openings"};
+
+/// Tests on one of them.
+class OnObstructedMesh : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    mesh = obstructed_mesh(GetParam());
+    if (mesh.face_count() == 0) GTEST_SKIP() << "no shared meshes here";
+  }
+
+  Mesh mesh;
+};
 
 /// A pull at one vertex and a plane in its way.
 struct Obstacle {

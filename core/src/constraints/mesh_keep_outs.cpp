@@ -10,7 +10,7 @@
 namespace planish {
 
 MeshKeepOuts::MeshKeepOuts(const LimitBase& base, const FreeSpace& free)
-    : base_(base), rows_(at(base.mesh.face_count())) {
+    : base_(base), rows_(at(base.mesh.face_count())), has_sides_(!free.sides.empty()) {
   for (const KeptBox& box : free.boxes) boxes_.push_back(in_points(base, box));
   for (int f = 0; f < base.mesh.face_count(); ++f) append_rows(base, free, f, rows_[at(f)]);
   if (!free.apart) return;
@@ -28,10 +28,6 @@ std::vector<RestingPoint> MeshKeepOuts::resting_points() const {
     }
   }
   return points;
-}
-
-bool MeshKeepOuts::has_rows() const {
-  return std::any_of(rows_.begin(), rows_.end(), [](const auto& rows) { return !rows.empty(); });
 }
 
 void MeshKeepOuts::open() {

@@ -25,7 +25,7 @@ struct KeepOutRow {
   LimitScale scale;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   bool rests = false;  ///< on the plane or beyond it in the base
-  int panel = -1;      ///< that stays out of a box; −1: of none
+  int panel = -1;      ///< that stays out of a box; −1: the row is no box's
   int box = -1;
 
   /// Of the point at `place`: 1/2 or more where no force acts, 0 at the bound.

@@ -18,7 +18,7 @@ namespace planish {
 
 class MeshKeepOuts {
  public:
-  /// @param base outlived by nothing that is called here
+  /// @param base whose mesh, adjacency and points outlive this
   MeshKeepOuts(const LimitBase& base, const FreeSpace& free);
 
   /// The rows that hang on a panel. A point's row hangs on one panel, a box's on its own.
@@ -32,7 +32,7 @@ class MeshKeepOuts {
   /// Whether there may be planes that have to be chosen anew.
   [[nodiscard]] bool has_turning_planes() const { return !boxes_.empty() || !pairs_.empty(); }
   /// Whether there are any rows: a mesh that is a keep-out itself may have none.
-  [[nodiscard]] bool has_rows() const;
+  [[nodiscard]] bool has_rows() const { return has_sides_ || has_turning_planes(); }
   /// Other planes between boxes and those of `faces`, and between two panels, that are nearer by
   /// the ones they have than they need be. @param point as for limit_standing()
   /// @returns whether any changed: the state is then to be solved again
@@ -93,6 +93,7 @@ class MeshKeepOuts {
 
   LimitBase base_;
   std::vector<std::vector<KeepOutRow>> rows_;  ///< of each panel: half-spaces, boxes, pairs
+  bool has_sides_;                             ///< half-spaces
   std::vector<KeptBox> boxes_;                 ///< in the unit of the points
   std::vector<BaseRow> changed_;
   std::shared_ptr<const PanelBoxes> reach_;  ///< null: the mesh is no keep-out itself
