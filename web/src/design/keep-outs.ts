@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where nothing of an edit may go, in the words of the command line: "below=0", "box=0,0,0,1,1,1", "self".
+import type { Extent } from "../mesh/extent.ts";
 import type { Point } from "./design.ts";
 
 /** Of the numbers behind it: z; z; a, b, c, d of a·x + b·y + c·z > d; two corners; none. */
@@ -38,27 +39,9 @@ export function problemOf({ kind, numbers }: KeepOut): string | null {
 /** The same somewhere else. */
 export function keepOutMoved({ kind, numbers }: KeepOut, by: Point): KeepOut {
   const [a = 0, b = 0, c = 0, d = 0] = numbers;
-  const along = { below: 1, above: 1, plane: 4, box: 6, self: 0 }[kind];
-  if (along === 1) return { kind, numbers: [a + by[2]] };
-  if (along === 4) return { kind, numbers: [a, b, c, d + a * by[0] + b * by[1] + c * by[2]] };
+  if (kind === "below" || kind === "above") return { kind, numbers: [a + by[2]] };
+  if (kind === "plane") return { kind, numbers: [a, b, c, d + a * by[0] + b * by[1] + c * by[2]] };
   return { kind, numbers: numbers.map((x, k) => x + (by[(k % 3) as 0 | 1 | 2] ?? 0)) };
-}
-
-/** Of points (3 each): the lowest and the highest x, y and z. */
-export interface Extent {
-  readonly low: Point;
-  readonly high: Point;
-}
-
-export function extentOf(points: ArrayLike<number>): Extent {
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (let k = 0; k < points.length; ++k) {
-    const axis = (k % 3) as 0 | 1 | 2;
-    low[axis] = Math.min(low[axis], points[k] ?? 0);
-    high[axis] = Math.max(high[axis], points[k] ?? 0);
-  }
-  return { low, high };
 }
 
 /** The plane through three points as a, b, c of length 1, upwards where it can be, and d; null where

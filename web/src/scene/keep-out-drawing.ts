@@ -2,6 +2,7 @@
 // Keep-outs on screen, translucent: a box as a box, a level and a plane as a slab on the side where
 // nothing may be.
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -18,7 +19,9 @@ import type { KeepOut } from "../design/keep-outs.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import type { Page } from "../state/page.ts";
 import type { Outcome } from "../state/turns.ts";
+import type { Drawn } from "./drawing-follower.ts";
 import { KeepOutArrows } from "./keep-out-arrows.ts";
+import { placed } from "./placing.ts";
 import type { Stage } from "./stage.ts";
 
 export interface Surroundings {
@@ -48,28 +51,14 @@ interface Solid {
   readonly halves: readonly [Vector3, Vector3, Vector3];
 }
 
-/** The middle of the structure on screen, and half its size along each axis. */
-function wholeOf({ mesh }: Surroundings): { middle: Vector3; half: Vector3 } {
-  const { centre, scale } = mesh.report;
-  const [low, high] = [
-    new Vector3(Infinity, Infinity, Infinity),
-    new Vector3(-Infinity, -Infinity, -Infinity),
-  ];
-  const p = mesh.positions;
-  for (let k = 0; k < p.length; k += 3) {
-    const at = new Vector3(p[k], p[k + 1], p[k + 2]);
-    low.min(at);
-    high.max(at);
-  }
-  const place = (v: Vector3): Vector3 => v.sub(new Vector3(...centre)).multiplyScalar(scale);
-  const [a, b] = [place(low), place(high)];
-  return { middle: a.clone().add(b).multiplyScalar(0.5), half: b.sub(a).multiplyScalar(0.5) };
-}
-
 /** On the side of the plane that `normal` (of any length) points to. */
 function slab(around: Surroundings, normal: Vector3, bound: number): Solid {
   const { centre, scale } = around.mesh.report;
-  const { middle, half } = wholeOf(around);
+  const whole = new Box3().setFromArray(around.mesh.display);
+  const [middle, half] = [
+    whole.getCenter(new Vector3()),
+    whole.getSize(new Vector3()).multiplyScalar(0.5),
+  ];
   const away = normal.clone().normalize();
   const offset = (bound / normal.length() - away.dot(new Vector3(...centre))) * scale;
   const size = Math.max(half.length(), 1e-6);
@@ -91,20 +80,19 @@ function slab(around: Surroundings, normal: Vector3, bound: number): Solid {
 }
 
 function solidOf(around: Surroundings, { kind, numbers }: KeepOut): Solid | null {
-  const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
+  const [a = 0, b = 0, c = 0, d = 0] = numbers;
   if (kind === "self") return null;
   if (kind === "below") return slab(around, new Vector3(0, 0, -1), -a);
   if (kind === "above") return slab(around, new Vector3(0, 0, 1), a);
   if (kind === "plane") return slab(around, new Vector3(a, b, c), d);
-  const { centre, scale } = around.mesh.report;
-  const middle = new Vector3((a + d) / 2, (b + e) / 2, (c + f) / 2);
+  const [low, high] = [0, 3].map((corner) =>
+    new Vector3().fromArray(placed(Float64Array.from(numbers), around.mesh.report), corner),
+  );
+  const box = new Box3(low, high);
+  const half = box.getSize(new Vector3()).multiplyScalar(0.5);
   return {
-    middle: middle.sub(new Vector3(...centre)).multiplyScalar(scale),
-    halves: [
-      new Vector3(((d - a) / 2) * scale, 0, 0),
-      new Vector3(0, ((e - b) / 2) * scale, 0),
-      new Vector3(0, 0, ((f - c) / 2) * scale),
-    ],
+    middle: box.getCenter(new Vector3()),
+    halves: [new Vector3(half.x, 0, 0), new Vector3(0, half.y, 0), new Vector3(0, 0, half.z)],
   };
 }
 
@@ -143,7 +131,7 @@ export function drawKeepOuts(
   around: Surroundings,
   all: readonly KeepOut[],
   move: MoveInView | null,
-): { dispose(): void } {
+): Drawn {
   const [sides, edges] = [geometryOf(TRIANGLES), geometryOf(EDGES)];
   const [skin, film] = [skinOf(around.colour, OPACITY), skinOf(around.colour, SLAB_OPACITY)];
   const ink = new LineBasicMaterial({ color: around.colour, transparent: true, opacity: INK });

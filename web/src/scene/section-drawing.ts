@@ -21,6 +21,7 @@ import vertex from "three/src/renderers/shaders/ShaderChunk/clipping_planes_vert
 import type { SectionPlane } from "../design/companions.ts";
 import type { PlaneSection } from "../mesh/plane-section.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
+import type { Drawn } from "./drawing-follower.ts";
 import { placed } from "./placing.ts";
 import type { Stage } from "./stage.ts";
 
@@ -68,7 +69,7 @@ export function drawSection(
   }: { stage: Stage; structure: Object3D; mesh: OpenedMesh; colour: string },
   { axis, at, flipped }: SectionPlane,
   { pieces }: PlaneSection,
-): { dispose(): void } {
+): Drawn {
   putShadersBack();
   stage.renderer.localClippingEnabled = true;
   const height = (at - mesh.report.centre[axis]) * mesh.report.scale;

@@ -202,8 +202,8 @@ export function startAutosave(page: Page): () => void {
   const stop = effect(() => {
     const present = page.history.value?.present;
     page.unit.value;
-    const named = [...page.snapshots.value, ...page.views.value, ...note(page).value];
-    worth ||= present !== begun || named.length > 0;
+    const named = page.snapshots.value.length + page.views.value.length + note(page).value.length;
+    worth ||= present !== begun || named > 0;
     if (worth) saveSoon(page);
   });
   const save = (): void => void saveNow(page);

@@ -4,7 +4,6 @@
 import { computed, signal } from "@preact/signals";
 import { FIRST_SETTINGS, type Point } from "../design/design.ts";
 import {
-  extentOf,
   firstKeepOut,
   type KeepOut,
   type KeepOutKind,
@@ -13,6 +12,7 @@ import {
   problemOf,
   readKeepOut,
 } from "../design/keep-outs.ts";
+import { extentOf } from "../mesh/extent.ts";
 import { niceStep } from "../quantity/units.ts";
 import { refuse } from "../result/result.ts";
 import { commitSettings, shownPoint } from "./editing.ts";
@@ -43,13 +43,12 @@ export function heldByKeepOuts(page: Page): readonly number[] {
   return movedVertices === 0 ? [] : (bounds?.["keep-out"] ?? []);
 }
 
-const commitAll = (page: Page, all: readonly KeepOut[], burst: string | null = null): Outcome =>
+const commitAll = (page: Page, all: readonly KeepOut[]): Outcome =>
   commitSettings(
     page,
     all.length > 0
       ? { keepOuts: all.map(keepOutText) }
       : { keepOuts: [], clearance: FIRST_SETTINGS.clearance },
-    burst,
   );
 
 /** Beside the design that is shown, or the points that are selected. */

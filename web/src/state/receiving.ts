@@ -6,6 +6,7 @@ import type { NamedView } from "../design/camera.ts";
 import type { Companions } from "../design/companions.ts";
 import type { Design } from "../design/design.ts";
 import type { Steps } from "../design/recipe.ts";
+import { counted } from "../quantity/counted.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
 import { sectionPlane } from "./section-plane.ts";
@@ -74,8 +75,7 @@ function keepNote(page: Page, came: string): void {
   arrivedNote(page).value = came;
 }
 
-const count = (n: number, what: string): string[] =>
-  n === 0 ? [] : [n === 1 ? `1 ${what}` : `${n} ${what}s`];
+const some = (n: number, what: string): string[] => (n === 0 ? [] : [counted(n, what)]);
 
 /** @returns what came, in a sentence; "" for nothing */
 export function receive(
@@ -90,8 +90,8 @@ export function receive(
   keepVariants(page, received);
   const words = [
     ...(came.note ? ["a note"] : []),
-    ...count(came.views.length, "view"),
-    ...count(received.length, "snapshot"),
+    ...some(came.views.length, "view"),
+    ...some(received.length, "snapshot"),
     ...(came.section ? ["a section"] : []),
   ];
   const others = received.filter(({ same }) => !same).map(({ name }) => name);
@@ -99,7 +99,7 @@ export function receive(
   return [
     words.length > 0 ? `With it came ${words.join(", ")}.` : "",
     others.length > 0 ? `${others.join(", ")}: not quite what was recorded.` : "",
-    lost > 0 ? `${count(lost, "snapshot")[0]} could not be made again.` : "",
+    lost > 0 ? `${counted(lost, "snapshot")} could not be made again.` : "",
   ]
     .filter((sentence) => sentence !== "")
     .join(" ");

@@ -94,12 +94,17 @@ export async function compute(
 /** The variants that came with a design, none of them shown; those that cannot be made are left out. */
 async function makeVariants(page: Page, recipe: Steps): Promise<Received[]> {
   const received: Received[] = [];
+  let opened = null as { readonly how: string; readonly mesh: OpenedMesh } | null;
   for (const { name, steps: variant } of variantsOf(recipe)) {
     const { source, planarised } = variant;
-    const question = { kind: "open", source, planarise: planarised } as const;
-    const answer = await run(page, `opening ${name}`, question, "opened");
-    if (!answer.ok) continue;
-    const { mesh } = answer.value;
+    const how = JSON.stringify(planarised);
+    if (opened?.how !== how) {
+      const question = { kind: "open", source, planarise: planarised } as const;
+      const answer = await run(page, `opening ${name}`, question, "opened");
+      opened = answer.ok ? { how, mesh: answer.value.mesh } : null;
+    }
+    if (!opened) continue;
+    const { mesh } = opened;
     const end = await solveAgain(page, variant, beforeIt(page, variant, mesh));
     if (!end.ok) continue;
     const { design, deviation } = end.value;

@@ -3,6 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import type { SectionPlane } from "../design/companions.ts";
 import { NO_SHAPE } from "../design/design.ts";
+import { extentOf } from "../mesh/extent.ts";
 import { cutPanels, type PlaneSection } from "../mesh/plane-section.ts";
 import { kept, type Page } from "./page.ts";
 
@@ -33,13 +34,8 @@ export const section = kept((page) =>
 
 /** Of the base along an axis, model units. */
 export function rangeAlong(page: Page, axis: 0 | 1 | 2): readonly [number, number] {
-  const points = page.mesh.value?.positions ?? [];
-  let [low, high] = [Infinity, -Infinity];
-  for (let k = axis; k < points.length; k += 3) {
-    low = Math.min(low, points[k] ?? 0);
-    high = Math.max(high, points[k] ?? 0);
-  }
-  return low <= high ? [low, high] : [0, 0];
+  const { low, high } = extentOf(page.mesh.value?.positions ?? [0, 0, 0]);
+  return [low[axis], high[axis]];
 }
 
 /** Through the middle of the structure, or the point chosen last; null takes it away. */

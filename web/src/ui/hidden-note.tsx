@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { counted } from "../quantity/counted.ts";
 import { hiddenPanels } from "../state/hidden-panels.ts";
 import { showAll } from "../state/hiding.ts";
 import { usePage } from "./page-context.ts";
@@ -11,7 +12,7 @@ export function HiddenNote() {
   if (size === 0) return null;
   return (
     <section class="offset-note" aria-label="Hidden panels">
-      <span>{`${size === 1 ? "1 panel" : `${size} panels`} hidden in the view`}</span>
+      <span>{`${counted(size, "panel")} hidden in the view`}</span>
       <button
         type="button"
         class="button small"

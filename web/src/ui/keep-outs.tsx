@@ -5,6 +5,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import "./keep-outs.css";
 import type { KeepOut, KeepOutKind } from "../design/keep-outs.ts";
+import { counted } from "../quantity/counted.ts";
 import { followKeepOuts } from "../scene/keep-out-follower.ts";
 import {
   addKeepOut,
@@ -77,8 +78,6 @@ const WORDS: Readonly<Record<KeepOutKind, Words>> = {
 };
 
 const KINDS = Object.keys(WORDS) as readonly KeepOutKind[];
-
-const count = (points: number): string => (points === 1 ? "1 point" : `${points} points`);
 
 /** Which of several alike. */
 function nameOf(all: readonly KeepOut[], place: number): string {
@@ -236,7 +235,7 @@ function Kept() {
           {refused.value}
         </p>
       )}
-      {held.length > 0 && <p>{`They hold ${count(held.length)} of this edit back.`}</p>}
+      {held.length > 0 && <p>{`They hold ${counted(held.length, "point")} of this edit back.`}</p>}
       <button
         type="button"
         class="button small"

@@ -2,6 +2,7 @@
 // What single points stand on: they slide along it and never leave it.
 import { useEffect } from "preact/hooks";
 import "./point-supports.css";
+import { counted } from "../quantity/counted.ts";
 import {
   followSupports,
   isBoundarySelected,
@@ -30,8 +31,6 @@ const MIXED = ["mixed", "stand on different things"] as const;
 const wordsOf = (stand: string): string =>
   [...STANDS, OUTLINE].find(([form]) => form === stand)?.[1] ?? `stay on ${stand}`;
 
-const count = (points: number): string => (points === 1 ? "1 point" : `${points} points`);
-
 /** By what they stand on. */
 function groups(stands: ReadonlyMap<number, string>): Map<string, number[]> {
   const all = new Map<string, number[]>();
@@ -41,7 +40,7 @@ function groups(stands: ReadonlyMap<number, string>): Map<string, number[]> {
 
 function Group({ stand, points }: { stand: string; points: readonly number[] }) {
   const page = usePage();
-  const said = `${count(points.length)}: ${wordsOf(stand)}`;
+  const said = `${counted(points.length, "point")}: ${wordsOf(stand)}`;
   return (
     <li class="support-group">
       <span>{said}</span>
@@ -77,7 +76,7 @@ function StandOfSelected() {
   const words = known.some(([form]) => form === other[0]) ? known : [other, ...known];
   return (
     <Choice
-      label={`Selected: ${count(chosen.length)}`}
+      label={`Selected: ${counted(chosen.length, "point")}`}
       value={other[0]}
       words={words}
       onChoose={(form) => {
@@ -95,7 +94,9 @@ export function PointSupports() {
   return (
     <details class="surface-move">
       <summary>
-        {listed.size > 0 ? `Supports (${count(page.supported.value.length)})` : "Supports"}
+        {listed.size > 0
+          ? `Supports (${counted(page.supported.value.length, "point")})`
+          : "Supports"}
       </summary>
       {none ? <p class="quiet">Select a point first.</p> : <StandOfSelected />}
       <ul class="support-groups">

@@ -2,6 +2,7 @@
 // Cuts the view open along a plane, and says what it cuts.
 import { useEffect } from "preact/hooks";
 import { sectionLength } from "../mesh/plane-section.ts";
+import { counted } from "../quantity/counted.ts";
 import { formatLength } from "../quantity/units.ts";
 import { followSection } from "../scene/section-follower.ts";
 import { cutAcross, rangeAlong, section, sectionPlane } from "../state/section-plane.ts";
@@ -29,7 +30,6 @@ function Place() {
   const move = (at: number): void => {
     shown.value = { ...plane, at };
   };
-  const words = cut.panels === 1 ? "1 panel" : `${cut.panels} panels`;
   return (
     <>
       <div class="field">
@@ -66,7 +66,7 @@ function Place() {
       <p class="quiet small">
         {cut.panels === 0
           ? "It cuts nothing there."
-          : `Cuts ${words}, ${formatLength(sectionLength(cut), page.unit.value)} in all. To scale: Export, Drawings…`}
+          : `Cuts ${counted(cut.panels, "panel")}, ${formatLength(sectionLength(cut), page.unit.value)} in all. To scale: Export, Drawings…`}
       </p>
     </>
   );

@@ -5,6 +5,7 @@ import "./going-along.css";
 import { EVERYTHING, snapshotsToSend, type Taken } from "../export/companions.ts";
 import { designLink } from "../export/design-link.ts";
 import { exportMesh } from "../export/exporting.ts";
+import { counted } from "../quantity/counted.ts";
 import { readCamera } from "../state/camera.ts";
 import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
@@ -50,15 +51,13 @@ interface SharedLinkProps {
   readonly onClose: () => void;
 }
 
-const count = (n: number, what: string): string => (n === 1 ? `1 ${what}` : `${n} ${what}s`);
-
 /** What there is to go along, by its words. */
 function companionsHere(page: Page): readonly (readonly [keyof Taken, string])[] {
   const [views, snapshots] = [page.views.value.length, snapshotsToSend(page).length];
   return [
     ...(note(page).value.trim() ? [["note", "Note"] as const] : []),
-    ...(views > 0 ? [["views", count(views, "named view")] as const] : []),
-    ...(snapshots > 0 ? [["snapshots", count(snapshots, "snapshot")] as const] : []),
+    ...(views > 0 ? [["views", counted(views, "named view")] as const] : []),
+    ...(snapshots > 0 ? [["snapshots", counted(snapshots, "snapshot")] as const] : []),
   ];
 }
 
@@ -91,7 +90,7 @@ function GoingAlong({ taken, onChange }: GoingAlongProps) {
         </fieldset>
       )}
       {left > 0 && (
-        <p class="quiet small">{`${count(left, "snapshot")} of another mesh, or too many, stay here.`}</p>
+        <p class="quiet small">{`${counted(left, "snapshot")} of another mesh, or too many, stay here.`}</p>
       )}
     </>
   );

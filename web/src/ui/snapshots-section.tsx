@@ -5,6 +5,7 @@ import "./designs.css";
 import { useEffect } from "preact/hooks";
 import { sourceName } from "../design/design.ts";
 import type { Snapshot } from "../design/saved-record.ts";
+import { counted } from "../quantity/counted.ts";
 import { formatLength } from "../quantity/units.ts";
 import { snapshotPicture } from "../scene/snapshot-picture.ts";
 import {
@@ -22,8 +23,7 @@ import { Icon } from "./icon.tsx";
 function figuresOf(page: Page, { design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;
   if (movedVertices === 0) return "unchanged";
-  const points = movedVertices === 1 ? "1 point" : `${movedVertices} points`;
-  return `${points} · ${formatLength(maxDisplacement, page.unit.value)}`;
+  return `${counted(movedVertices, "point")} · ${formatLength(maxDisplacement, page.unit.value)}`;
 }
 
 const CLOCK = new Intl.DateTimeFormat(undefined, { hour: "2-digit", minute: "2-digit" });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import type { Point } from "../design/design.ts";
+import { counted } from "../quantity/counted.ts";
 import { niceStep } from "../quantity/units.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import { moveInFrame } from "../state/typed-moves.ts";
@@ -12,8 +13,6 @@ const DIRECTIONS: readonly (readonly [string, string, Point])[] = [
   ["Across", "at right angles to it, in the surface", [0, 1, 0]],
   ["Out", "along the normal, out of the surface", [0, 0, 1]],
 ];
-
-const count = (points: number): string => (points === 1 ? "1 point" : `${points} points`);
 
 /** Typed moves of the selected points in the directions of the surface at each of them. */
 export function SurfaceMove() {
@@ -46,7 +45,7 @@ export function SurfaceMove() {
           ? FLAT_FIRST
           : chosen.length === 0
             ? "Select a point first."
-            : `Moves ${count(chosen.length)} by what you type.`}
+            : `Moves ${counted(chosen.length, "point")} by what you type.`}
       </p>
     </details>
   );
