@@ -44,17 +44,29 @@ async function author(): Promise<Page> {
   await page.getByText(/^Cuts \d+ panels, .* in all\./).waitFor();
   await page.getByRole("button", { name: "Keep this view" }).click();
   await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
+  await page.getByRole("button", { name: "Perspective", exact: true }).click();
   const note = page.getByRole("textbox", { name: "Note" });
   await note.fill(NOTE);
   await note.blur();
   return page;
 }
 
-async function expectHandedOver(page: Page, sent: readonly string[], shown: string): Promise<void> {
+interface HandedOver {
+  readonly link: string;
+  readonly sent: readonly string[];
+  readonly shown: string;
+}
+
+async function expectHandedOver(page: Page, { link, sent, shown }: HandedOver): Promise<void> {
   await page
     .getByText(/^Verified:.* With it came a note, 1 view, 3 snapshots, a section\.$/)
     .waitFor();
   expect(await obj(page)).toBe(shown);
+  // The same view, note, section, views and variants are the same link.
+  await page.getByRole("button", { name: "Share" }).click();
+  const again = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  expect(new URL(again).hash).toBe(new URL(link).hash);
+  await page.keyboard.press("Escape");
   const arrived = page.getByRole("region", { name: "Note that came with the design" });
   await arrived.waitFor();
   expect(await arrived.locator("p").innerText()).toBe(NOTE);
@@ -85,8 +97,9 @@ it("three variants, a view and a note come with a link and with a file", async (
   expect(sent[2]).toBe(shown);
   await page.context().close();
 
+  const handedOver = { link: whole, sent, shown };
   const byLink = await site.open({}, new URL(whole).hash);
-  await expectHandedOver(byLink, sent, shown);
+  await expectHandedOver(byLink, handedOver);
   await byLink.reload();
   await byLink.getByText(/is back\./).waitFor();
   expect(await byLink.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
@@ -94,6 +107,6 @@ it("three variants, a view and a note come with a link and with a file", async (
 
   const byFile = await site.open();
   await openFile(byFile, "handed-over.json", file);
-  await expectHandedOver(byFile, sent, shown);
+  await expectHandedOver(byFile, handedOver);
   await byFile.context().close();
 });
