@@ -23,9 +23,9 @@ export interface Visitor {
   leave(): Promise<void>;
 }
 
-/** What Firefox says of parts that still come while one goes to another address. That a part cannot be
- * had the page would say itself. */
-const LEFT = /^Error: Failed to load .* A ServiceWorker intercepted the request/;
+/** What Firefox says of parts that still come while one goes to another address or closes the window; it
+ * reports it as an error of the page. That a part cannot be had the page would say itself. */
+const LEFT = /^(Error: )?Failed to load .* A ServiceWorker intercepted the request/;
 
 /** Waits until the page can be used. */
 export const usable = ({ status }: Visitor): Promise<void> =>
@@ -48,9 +48,12 @@ export async function visit(): Promise<Visitor> {
   });
   const complaints: string[] = [];
   const page = await browser.newPage();
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  const complain = (text: string): void => {
+    if (!LEFT.test(text)) complaints.push(text);
+  };
+  page.on("pageerror", (error) => complain(String(error)));
   page.on("console", (message) => {
-    if (message.type() === "error" && !LEFT.test(message.text())) complaints.push(message.text());
+    if (message.type() === "error") complain(message.text());
   });
   await page.setViewport({ width: 900, height: 640 });
   await page.goto(url);
