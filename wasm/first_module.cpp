@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// What the page's first module does without, so that a first visit transfers less: keep-outs.
-/// Linked in place of the core's own files, whose functions these are; planish_whole has them.
-/// Input that asks for them is refused by find_problem(), so that nothing else here is ever
-/// reached.
+/// What the page's first module does without, so that a first visit transfers less: keep-outs, and
+/// exploring. Linked in place of the core's own files, whose functions these are; planish_whole has
+/// them. Keep-outs are refused by find_problem(), and the page asks no first module to explore, so
+/// that nothing else here is ever reached.
 #include "edit_reach.hpp"
 #include "engines/keep_out_terms.hpp"
 #include "engines/patch_system.hpp"
@@ -10,8 +10,10 @@
 #include "handle_edit_state.hpp"
 #include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/constraints/mesh_limits.hpp"
+#include "planish/exact_variation.hpp"
 #include "planish/keep_out.hpp"
 #include "planish/problem.hpp"
+#include "planish/subspace.hpp"
 #include "planish/vertex_slides.hpp"
 #include "session.hpp"
 
@@ -78,5 +80,18 @@ ExactDesign HandleEditSolver::State::settle_beside_keep_outs(const NewtonOptions
 }
 void HandleEditSolver::State::hold_back(const std::vector<int>&, ExactDesign&) { is_not_here(); }
 void hold_resting(const Mesh&, const HandleEditOptions&, std::vector<int>&) { is_not_here(); }
+
+Subspace compute_subspace(const Mesh&, const Positions&, const std::vector<int>&,
+                          const SubspaceOptions&, const std::vector<int>&, const KeptKinds&,
+                          const Progress&) {
+  is_not_here();
+}
+void evaluate(const Subspace&, const Eigen::Ref<const Eigen::VectorXd>&, Positions&) {
+  is_not_here();
+}
+ProjectionResult make_exact(const ShownVariation&, const HandleEditOptions&, double,
+                            const std::vector<int>&, const Progress&) {
+  is_not_here();
+}
 
 }  // namespace planish

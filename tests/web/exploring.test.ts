@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { begin } from "../../web/src/design/history.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { commitVariation, explore, makeExact } from "../../web/src/state/exploring.ts";
@@ -7,6 +8,7 @@ import { fillGallery, gallery } from "../../web/src/state/gallery.ts";
 import { markOf } from "../../web/src/state/marking.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
+import { show } from "../../web/src/state/showing.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 const MIDDLE = 220;
@@ -40,6 +42,22 @@ it("a slider ends exact, and undo goes back to the edit that it varies", async (
   // The solver has to find its directions again, the same ones.
   await commitVariation(page, 1, 0.3);
   expect(page.history.value?.present.shape.positions).toEqual(varied?.shape.positions);
+});
+
+it("a slider goes on from a design that another solver has only been told", async () => {
+  const page = await exploredPage();
+  await commitVariation(page, 1, 0.3);
+  const varied = page.history.value?.present;
+  if (!varied) throw new Error("no design");
+  // Its solver begins as every first one does, without knowing variations.
+  const other = await openedPage();
+  expect(await show(other, varied)).toMatchObject({ ok: true });
+  other.history.value = begin(varied);
+  for (const one of [page, other]) await commitVariation(one, 0, -0.2);
+  const [here, there] = [page, other].map((one) => one.history.value?.present);
+  expect(here?.variation?.coefficients).toEqual([-0.2, 0.3, 0, 0]);
+  expect(there?.variation?.coefficients).toEqual([-0.2, 0.3, 0, 0]);
+  expect(there?.shape).toEqual(here?.shape);
 });
 
 it("makes exact what is exact already without another step", async () => {

@@ -8,9 +8,9 @@ import type { ShopModule } from "@wasm/planish_shop.mjs";
 
 const BUILT = new URL("../../../build/wasm/wasm/", import.meta.url);
 
-/** The wasm core in node, as the worker has it in the browser. `name`: the one of a first visit, or
- * planish_whole, which knows keep-outs, too. */
-export async function loadPlanish(name = "planish"): Promise<PlanishModule> {
+/** The wasm core in node, as the worker has it in the browser. `name`: or planish, the one of a first
+ * visit, which knows no keep-outs and no variations. */
+export async function loadPlanish(name = "planish_whole"): Promise<PlanishModule> {
   const { default: create } = await import(new URL(`${name}.mjs`, BUILT).href);
   return create({ wasmBinary: await readFile(new URL(`${name}.wasm`, BUILT)) });
 }

@@ -27,7 +27,8 @@ interface Waiting {
 export interface SpawnWorker {
   /** A new worker; `died` is to be called when it is gone, whether it says so or not. */
   (died: () => void): Promise<Worker>;
-  /** Those started from now on know keep-outs, too; rejects where what they need did not come. */
+  /** Those started from now on know keep-outs and variations, too; rejects where what they need did not
+   * come. */
   takeWhole(): Promise<void>;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one solver of the page, and what its answers do to the state.
 
+import { type Design, toTargets } from "../design/design.ts";
 import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
 import type { Planarising, Shape, Source } from "../solver/protocol.ts";
@@ -44,14 +45,16 @@ interface Held {
   base: Base | null;
   /** The shape that its variations were found around. */
   centre: Shape | null;
+  /** What it was told of its shape; null where it found that itself. */
+  told: Extract<Question, { kind: "restore" }> | null;
 }
 
-export const held = kept((): Held => ({ base: null, centre: null }));
+export const held = kept((): Held => ({ base: null, centre: null, told: null }));
 
 interface Own {
   recover: () => void;
   running: number;
-  /** Whether the solver is the one that knows keep-outs. */
+  /** Whether the solver is the one that knows keep-outs and variations. */
   whole: boolean;
 }
 
@@ -63,8 +66,7 @@ export function onDeath(page: Page, action: () => void): void {
 }
 
 function forget(page: Page): void {
-  held(page).base = null;
-  held(page).centre = null;
+  Object.assign(held(page), { base: null, centre: null, told: null } satisfies Held);
 }
 
 export const client = kept(
@@ -90,6 +92,10 @@ export const client = kept(
     }),
 );
 
+/** Tells the solver a design that is known, to the last bit. @param keep its variations */
+export const restoreQuestion = ({ handles, settings, shape }: Design, keep: boolean) =>
+  ({ kind: "restore", targets: toTargets(handles), settings, shape, keep }) as const;
+
 /** Replaces the solver at once; what it did is abandoned. */
 export function restartSolver(page: Page): void {
   client(page).cancel();
@@ -102,26 +108,32 @@ function account(page: Page, question: Question, done: boolean): void {
   switch (question.kind) {
     case "open":
       solver.base = done ? { source: question.source, planarised: question.planarise } : null;
-      solver.centre = null;
+      solver.centre = solver.told = null;
       return;
     case "planarise":
       if (done && solver.base) solver.base = { ...solver.base, planarised: question.how };
-      if (done) solver.centre = null;
+      if (done) solver.centre = solver.told = null;
       return;
     case "restore":
+      if (done) solver.told = question;
       if (done && !question.keep) solver.centre = null;
       return;
     case "edit":
     case "replay":
     case "read":
-      if (done) solver.centre = null;
+      if (done) solver.centre = solver.told = null;
   }
 }
 
-/** Whether the solver that a visit begins with would refuse it. */
+/** Whether it is about the shape that the solver holds, which the question does not say. */
+const isAboutShape = ({ kind }: Question): boolean => kind === "explore" || kind === "exact";
+
+/** Whether the solver that a visit begins with does not know it. */
 function needsWhole(question: Question): boolean {
   if ("settings" in question) return question.settings.keepOuts.length > 0;
-  return question.kind === "replay" && question.design.options.keepOuts.length > 0;
+  if (question.kind !== "replay") return isAboutShape(question);
+  const { options, variations } = question.design;
+  return options.keepOuts.length > 0 || variations.length > 0;
 }
 
 /** Goes over to the solver that knows everything, with the mesh that is open. */
@@ -133,8 +145,22 @@ async function takeWhole(page: Page): Promise<void> {
   if (base) await ask(page, { kind: "open", source: base.source, planarise: base.planarised });
 }
 
+/** The same with the shape, as it was told or is shown, and with the flat mesh that is shown. */
+async function takeWholeWithShape(page: Page): Promise<void> {
+  const [{ base, told }, design, mesh] = [held(page), page.draft.value, page.mesh.value];
+  await page.spawn.takeWhole();
+  own(page).whole = true;
+  restartSolver(page);
+  if (!base || !design || !mesh) return;
+  await ask(page, { kind: "open", source: base.source, planarise: null });
+  const how = base.planarised;
+  if (how) await ask(page, { kind: "planarise", how, found: mesh.positions });
+  await ask(page, told ?? restoreQuestion(design, false));
+}
+
 async function ask(page: Page, question: Question): Promise<Answer> {
-  if (!own(page).whole && needsWhole(question)) await takeWhole(page);
+  if (!own(page).whole && needsWhole(question))
+    await (isAboutShape(question) ? takeWholeWithShape(page) : takeWhole(page));
   try {
     const answer = await client(page).ask(question);
     account(page, question, true);

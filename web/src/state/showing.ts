@@ -2,7 +2,7 @@
 // Puts a known design on the screen and into the solver without solving anything.
 
 import { batch } from "@preact/signals";
-import { type Design, sourceName, toTargets } from "../design/design.ts";
+import { type Design, sourceName } from "../design/design.ts";
 import type { History } from "../design/history.ts";
 import { sameWay } from "../design/planarising.ts";
 import { done, type Refusal, type Result } from "../result/result.ts";
@@ -14,6 +14,7 @@ import {
   held,
   onDeath,
   restartSolver,
+  restoreQuestion,
   run,
   tell,
 } from "./connection.ts";
@@ -70,9 +71,6 @@ export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
 
 const openQuestion = ({ source, planarised }: Design) =>
   ({ kind: "open", source, planarise: planarised }) as const;
-
-const restoreQuestion = ({ handles, settings, shape }: Design, keep: boolean) =>
-  ({ kind: "restore", targets: toTargets(handles), settings, shape, keep }) as const;
 
 async function openBase(page: Page, design: Design): Promise<Result<unknown>> {
   const { base } = held(page);
