@@ -339,6 +339,11 @@ Design to_recipe(const val& value) {
   design.unit = value["unit"].as<std::string>();
   design.targets = to_targets(value);
   design.options = to_options(value["options"]);
+  for (const val& text : emscripten::vecFromJSArray<val>(value["symmetry"])) {
+    const auto stated = parse_symmetry(text.as<std::string>());
+    if (!stated) throw std::invalid_argument("no symmetry");
+    design.symmetry.insert(design.symmetry.end(), stated->elements.begin(), stated->elements.end());
+  }
   for (const val& one : emscripten::vecFromJSArray<val>(value["variations"])) {
     DesignVariation variation{.options = to_subspace_options(one),
                               .coefficients = numbers_of(one["coefficients"]),

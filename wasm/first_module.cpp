@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// What the page's first module does without, so that a first visit transfers less: keep-outs, and
-/// exploring. Linked in place of the core's own files, whose functions these are; planish_whole has
-/// them. Keep-outs are refused by find_problem(), and the page asks no first module to explore, so
-/// that nothing else here is ever reached.
+/// What the page's first module does without, so that a first visit transfers less: keep-outs,
+/// symmetry, exploring. Linked in place of the core's own files, whose functions these are;
+/// planish_whole has them. Keep-outs are refused by find_problem(), and the page asks no first
+/// module for the others, so that nothing else here is ever reached.
 #include "edit_reach.hpp"
 #include "engines/keep_out_terms.hpp"
 #include "engines/patch_system.hpp"
@@ -93,5 +93,10 @@ ProjectionResult make_exact(const ShownVariation&, const HandleEditOptions&, dou
                             const std::vector<int>&, const Progress&) {
   is_not_here();
 }
+
+Refusal Session::solve_symmetric(EditMode, const EditTargets&, double, HandleEditResult&) {
+  is_not_here();
+}
+std::variant<Replay, std::string> Session::replay_symmetric(const Design&) const { is_not_here(); }
 
 }  // namespace planish

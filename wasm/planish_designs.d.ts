@@ -138,6 +138,8 @@ export interface DesignValue {
   /** As --support says them. */
   readonly supports: readonly string[];
   readonly continuation: number;
+  /** As --symmetry says it, one each. */
+  readonly symmetry: readonly string[];
   readonly options: EditOptions;
   readonly variations: readonly DesignVariation[];
   readonly result: ResultMark | null;
@@ -145,8 +147,6 @@ export interface DesignValue {
 
 /** `plain`: exact, and without what only the command line can set. */
 export interface ReadDesignValue extends DesignValue {
-  /** As --symmetry says it, one each. */
-  readonly symmetry: readonly string[];
   readonly variations: readonly (DesignVariation & { readonly plain: boolean })[];
 }
 

@@ -50,6 +50,7 @@ Refusal Session::open_file(std::string_view bytes, const std::string& format) {
 
 void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   solver_.reset();  // it may refer to the old base
+  symmetry_.reset();
   subspace_.reset();
   base_ = std::move(mesh);
   before_planarising_.resize(3, 0);
@@ -87,18 +88,25 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   }
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
-  const bool drag = mode == EditMode::kDrag;
   lower_at_once_ = false;
-  const HandleEditResult result = drag ? solver_->drag(targets, budget_seconds)
-                                  : mode == EditMode::kRelease ? release(targets)
-                                                               : solver_->solve(targets, progress_);
+  HandleEditResult result;
+  if (!symmetry_) {
+    result = solve(mode, targets, budget_seconds);
+  } else if (const Refusal refusal = solve_symmetric(mode, targets, budget_seconds, result)) {
+    return refusal;
+  }
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
   subspace_.reset();
   targets_ = std::move(targets);
   show(result.moved, result.moved_positions);
-  follows_path_ = drag;
+  follows_path_ = mode == EditMode::kDrag;
   renew_report(result.report, watch.seconds());
   return std::nullopt;
+}
+
+HandleEditResult Session::solve(EditMode mode, EditTargets& targets, double budget_seconds) {
+  if (mode == EditMode::kDrag) return solver_->drag(targets, budget_seconds);
+  return mode == EditMode::kRelease ? release(targets) : solver_->solve(targets, progress_);
 }
 
 void Session::keep_frame() {
@@ -132,6 +140,7 @@ Refusal Session::explore(SubspaceOptions options) {
   options.engine = options_.engine;
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
+  if (symmetry_) return "Variations do not keep a symmetry: switch it off first.";
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);

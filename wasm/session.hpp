@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "planish/adjacency.hpp"
@@ -19,6 +21,7 @@
 #include "planish/projection.hpp"
 #include "planish/refusal.hpp"
 #include "planish/subspace.hpp"
+#include "planish/symmetry.hpp"
 #include "session_report.hpp"
 
 namespace planish {
@@ -71,6 +74,12 @@ class Session {
   // Editing. A refused operation leaves the design as it was.
   /// For all edits from here on. An edit needs a base that keeps the constraints.
   [[nodiscard]] Refusal set_options(HandleEditOptions options);
+  /// For all edits of this base, as --symmetry says it: each edits its images, too. Looked for in
+  /// what was opened; the base, which must be flat, is evened out where it needs that, as by
+  /// planarise(). @param tolerance mm/m
+  [[nodiscard]] Refusal set_symmetry(const std::string& text, double tolerance);
+  /// Null without one.
+  [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
   /// For all edits from here on, one support a line as --support says it; "" for none.
   [[nodiscard]] Refusal set_supports(const std::string& lines);
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
@@ -137,7 +146,11 @@ class Session {
   void adopt_planarised(Positions flat);
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
+  [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
+  [[nodiscard]] Refusal solve_symmetric(EditMode mode, const EditTargets& targets,
+                                        double budget_seconds, HandleEditResult& result);
+  [[nodiscard]] std::variant<Replay, std::string> replay_symmetric(const Design& design) const;
   [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
   [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
   [[nodiscard]] Refusal require_kept_constraints();
@@ -166,6 +179,7 @@ class Session {
 
   Mesh base_;
   Positions before_planarising_;
+  std::shared_ptr<const MeshSymmetry> symmetry_;  ///< of the base; null: none was asked for
   Adjacency adjacency_;
   std::vector<std::string> warnings_;
   WorstPanel base_worst_;

@@ -32,7 +32,7 @@ Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
     return "The mesh in the design is not the one that was edited (source.hash differs).";
   }
   const Stopwatch watch;
-  auto result = replay_on(base_, design, progress_);
+  auto result = symmetry_ ? replay_symmetric(design) : replay_on(base_, design, progress_);
   if (auto* sentence = std::get_if<std::string>(&result)) return as_sentence(std::move(*sentence));
   auto& done = std::get<Replay>(result);
   if (Refusal refusal = stopped(done)) return refusal;

@@ -273,13 +273,19 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
   if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
   Mesh& base = std::get<Mesh>(opened);
   if (!symmetry) return replay_on(std::move(base), design, progress);
-  auto targets = with_images(design.targets, base, *symmetry);
+  return replay_on(std::move(base), *symmetry, design, progress);
+}
+
+std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
+                                            const Design& design, const Progress& progress) {
+  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
+  auto targets = with_images(design.targets, base, symmetry);
   if (auto* problem = std::get_if<std::string>(&targets)) return std::move(*problem);
   const auto solve = [&](HandleEditSolver& solver) {
-    return solver.solve_symmetric(std::get<EditTargets>(targets), *symmetry, progress);
+    return solver.solve_symmetric(std::get<EditTargets>(targets), symmetry, progress);
   };
   auto played = play(std::move(base), design, solve, progress);
-  if (auto* done = std::get_if<Replay>(&played)) done->symmetry = std::move(symmetry);
+  if (auto* done = std::get_if<Replay>(&played)) done->symmetry = symmetry;
   return played;
 }
 

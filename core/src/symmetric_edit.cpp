@@ -58,27 +58,16 @@ class ImageCollector {
 
   /// The target without what rounding took off the planes and axes that the handle is on.
   [[nodiscard]] Eigen::Vector3d on_fixed_points(const Handle& handle) const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int count = 0;
     for (std::size_t k = 0; k < symmetry_.operations.size(); ++k) {
       if (symmetry_.operations[k].image[at(handle.vertex)] != handle.vertex) continue;
-      const Eigen::Vector3d way = symmetry_.moved(k, handle.target) - handle.target;
-      if (way.norm() > same_) {
+      const double way = (symmetry_.moved(k, handle.target) - handle.target).norm();
+      if (way > same_) {
         throw Contradiction{"handle " + std::to_string(handle.vertex) +
                             " is on a mirror plane or an axis of the symmetry; its target is " +
-                            three_digits(0.5 * way.norm()) + " off it"};
-      }
-      sum += way;
-      ++count;
-    }
-    Eigen::Vector3d target = handle.target + sum / count;
-    for (const SymmetryOperation& operation : symmetry_.operations) {
-      if (operation.image[at(handle.vertex)] != handle.vertex) continue;
-      for (int c = 0; c < 3; ++c) {
-        if (operation.turn(c, c) == -1.0) target[c] = symmetry_.centre[c];
+                            three_digits(0.5 * way) + " off it"};
       }
     }
-    return target;
+    return place_on_fixed_points(symmetry_, handle.vertex, handle.target);
   }
 
   void check_given(int handle, int image, const Eigen::Vector3d& target) const {
@@ -179,6 +168,25 @@ class ImageCollector {
 };
 
 }  // namespace
+
+Eigen::Vector3d place_on_fixed_points(const MeshSymmetry& symmetry, int vertex,
+                                      const Eigen::Vector3d& place) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (std::size_t k = 0; k < symmetry.operations.size(); ++k) {
+    if (symmetry.operations[k].image[at(vertex)] != vertex) continue;
+    sum += symmetry.moved(k, place) - place;
+    ++count;
+  }
+  Eigen::Vector3d nearest = place + sum / count;
+  for (const SymmetryOperation& operation : symmetry.operations) {
+    if (operation.image[at(vertex)] != vertex) continue;
+    for (int c = 0; c < 3; ++c) {
+      if (operation.turn(c, c) == -1.0) nearest[c] = symmetry.centre[c];
+    }
+  }
+  return nearest;
+}
 
 std::variant<EditTargets, std::string> with_images(const EditTargets& targets, const Mesh& base,
                                                    const MeshSymmetry& symmetry) {

@@ -115,6 +115,7 @@ it("a replay gives the bits of its steps, and is known by its mark", async () =>
     pins: [],
     supports: [],
     continuation: 0,
+    symmetry: [],
     options,
     variations: [{ ...family, coefficients }],
     result: mark,

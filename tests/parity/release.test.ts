@@ -41,7 +41,13 @@ class Page {
 
   async open(): Promise<void> {
     const source = { kind: "sample", name: "vault", size: 20 } as const;
-    const answer = await this.ask({ kind: "open", job: 1, source, planarise: null });
+    const answer = await this.ask({
+      kind: "open",
+      job: 1,
+      source,
+      planarise: null,
+      symmetry: null,
+    });
     if (answer.kind !== "opened") throw new Error(answer.kind);
     this.base = answer.mesh.positions;
   }

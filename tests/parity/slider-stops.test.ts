@@ -58,7 +58,10 @@ it.each(["roof", "vault", "dome", "hex"])(
       return reply as Extract<Reply, { kind: K }>;
     };
     const source = { kind: "sample", name, size: SIZE } as const;
-    const { mesh } = await ask({ kind: "open", job: 1, source, planarise: null }, "opened");
+    const { mesh } = await ask(
+      { kind: "open", job: 1, source, planarise: null, symmetry: null },
+      "opened",
+    );
     const { positions, offsets, vertices, report } = mesh;
     const middle = [...positions.keys()].filter((k) => k % 3 === 0).map((k) => k / 3);
     const away = (v: number): number =>

@@ -129,12 +129,12 @@ it("knows which mesh the solver has open", async () => {
   const page = pageHere();
   expect(held(page).base).toBeNull();
   const source = { kind: "sample", name: "vault", size: 21 } as const;
-  await run(page, "opening", { kind: "open", source, planarise: null }, "opened");
+  await run(page, "opening", { kind: "open", source, planarise: null, symmetry: null }, "opened");
   expect(held(page).base?.source).toEqual(source);
   await run(
     page,
     "opening",
-    { kind: "open", source: { ...source, name: "x" }, planarise: null },
+    { kind: "open", source: { ...source, name: "x" }, planarise: null, symmetry: null },
     "opened",
   );
   expect(held(page).base).toBeNull();

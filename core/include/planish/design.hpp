@@ -130,4 +130,10 @@ struct Replay {
 [[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
                                                           const Progress& progress = {});
 
+/// The same of a design with a symmetry, on a base that is flat, and symmetric, already.
+/// @param symmetry of that base, which is the design's
+[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
+                                                          const Design& design,
+                                                          const Progress& progress = {});
+
 }  // namespace planish

@@ -21,6 +21,11 @@ namespace planish {
                                                                  const Mesh& base,
                                                                  const MeshSymmetry& symmetry);
 
+/// The nearest place to `place` on all mirror planes and axes that `vertex` is on; `place` itself
+/// where it is on none. Model units.
+[[nodiscard]] Eigen::Vector3d place_on_fixed_points(const MeshSymmetry& symmetry, int vertex,
+                                                    const Eigen::Vector3d& place);
+
 /// A flat mesh further from symmetric than this share of its mean edge is not evened out: to do so
 /// would spoil panels.
 inline constexpr double kMostEvened = 0.01;

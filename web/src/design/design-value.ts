@@ -12,6 +12,7 @@ import { readKept } from "./kept-kind.ts";
 import { readFormat, readSupports } from "./reading.ts";
 import type { Steps } from "./recipe.ts";
 import { readLimits } from "./stated-limit.ts";
+import { readSymmetry } from "./symmetry.ts";
 
 /** What is read: a recipe, and what its source says. */
 export interface DesignText extends Omit<Steps, "source" | "camera"> {
@@ -26,9 +27,10 @@ const NO_BYTES = new Uint8Array(0);
 /** @param bytes of the mesh's file, to ride along */
 export function toDesign(recipe: Steps, bytes: Uint8Array = NO_BYTES): DesignValue {
   const { source, planarised, unit, settings, families, mark, baseHash } = recipe;
-  const { supports, continuation, ...options } = settings;
-  // Making a mesh flat may round differently elsewhere.
-  const hash = planarised === null ? (baseHash ?? null) : null;
+  const { supports, continuation, symmetry, ...options } = settings;
+  // Making a mesh flat, or symmetric, may round differently elsewhere.
+  const asOpened = planarised === null && symmetry.length === 0;
+  const hash = asOpened ? (baseHash ?? null) : null;
   return {
     source:
       source.kind === "sample"
@@ -39,6 +41,7 @@ export function toDesign(recipe: Steps, bytes: Uint8Array = NO_BYTES): DesignVal
     ...toTargets(recipe.handles),
     supports,
     continuation,
+    symmetry,
     options,
     variations: families,
     result: mark,
@@ -53,7 +56,7 @@ type Read = NonNullable<DesignReading["design"]>;
 /** What the page has no control for, in words; null if it can show all. */
 function whatIsUnknown(design: Read): string | null {
   const { options, supports, symmetry, variations, planarised, source } = design;
-  if (symmetry.length > 0) return "symmetry: this page knows none; “planish replay” does.";
+  if (!readSymmetry(symmetry)) return "symmetry: this page does not know one of them.";
   if (!readSupports(supports)) return "supports: this page does not know one of them.";
   if (!readLimits(options.limits)) return "options.bounds: this page knows each limit once.";
   const kinds = "this page knows the kinds circular and conical, each once.";
@@ -92,7 +95,8 @@ function sourceOf({ source }: Read): Pick<DesignText, "source" | "meshName" | "b
 /** The recipe that was read, or one sentence. */
 export function fromDesign({ problem, design }: DesignReading): Result<DesignText> {
   if (!design) return refuse(sentence(problem));
-  const { planarised, unit, options, supports, continuation, variations, result: mark } = design;
+  const { planarised, unit, options, supports, continuation, symmetry } = design;
+  const { variations, result: mark } = design;
   const unknown = whatIsUnknown(design);
   if (unknown !== null || !isUnit(unit)) return refuse(unknown ?? "unit must be known.");
   const value: DesignText = {
@@ -100,7 +104,7 @@ export function fromDesign({ problem, design }: DesignReading): Result<DesignTex
     planarised,
     unit,
     handles: handlesOf(design),
-    settings: { ...options, supports, continuation },
+    settings: { ...options, supports, continuation, symmetry },
     families: variations.map(({ plain: _, ...family }) => family),
     mark,
     someSliders: true,

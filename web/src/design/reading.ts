@@ -6,6 +6,7 @@ import type { Camera } from "./camera.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "./design.ts";
 import { readKept } from "./kept-kind.ts";
 import { readLimits } from "./stated-limit.ts";
+import { isSymmetry } from "./symmetry.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
@@ -143,6 +144,11 @@ const isKeepOut = (one: unknown): one is string =>
   typeof one === "string" &&
   /^(self|(below|above|plane|box|clearance)=[-+.,\de]{1,400})$/.test(one);
 
+const SYMMETRY = "symmetry=";
+
+const isOfSymmetry = (one: unknown): one is string =>
+  typeof one === "string" && one.startsWith(SYMMETRY) && isSymmetry(one.slice(SYMMETRY.length));
+
 /** null if they are more than there may be. */
 function readKeepOuts(
   listed: readonly string[],
@@ -155,8 +161,8 @@ function readKeepOuts(
 }
 
 /**
- * By PLACES; then "shape"; then a list of stated limits, keep-outs, kept kinds, which have no "=", and
- * supports.
+ * By PLACES; then "shape"; then a list of stated limits, keep-outs, symmetries, kept kinds, which have no
+ * "=", and supports.
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
@@ -166,11 +172,19 @@ export function readSettings(value: unknown): EditSettings | null {
   if (keepShape) rest.pop();
   const supports = listed.filter(isSupport);
   const kept = readKeepOuts(listed.filter(isKeepOut));
-  const others = listed.filter((one) => !isSupport(one) && !isKeepOut(one));
+  const symmetry = listed.filter(isOfSymmetry).map((one) => one.slice(SYMMETRY.length));
+  const others = listed.filter((one) => !isSupport(one) && !isKeepOut(one) && !isOfSymmetry(one));
   const limits = readLimits(others.filter((one) => !isKind(one)));
   const constraints = readKept(others.filter(isKind));
   if (!limits || !constraints || !kept || !READ_LENGTHS.includes(rest.length)) return null;
-  let settings: EditSettings = { ...DEFAULT_SETTINGS, keepShape, limits, constraints, ...kept };
+  let settings: EditSettings = {
+    ...DEFAULT_SETTINGS,
+    keepShape,
+    limits,
+    constraints,
+    symmetry,
+    ...kept,
+  };
   for (const [k, given] of rest.entries()) {
     const place = PLACES[k];
     const said = place && unpack(place, given);
@@ -188,7 +202,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const { limits, keepOuts, clearance, constraints, supports } = settings;
   const apart = clearance > 0 ? [`clearance=${clearance}`] : [];
   const stand = numberOf(supports) > 0 ? [] : supports;
-  const listed = [...limits, ...keepOuts, ...apart, ...constraints, ...stand];
+  const images = settings.symmetry.map((one) => SYMMETRY + one);
+  const listed = [...limits, ...keepOuts, ...apart, ...images, ...constraints, ...stand];
   return listed.length > 0 ? [...whole, listed] : whole;
 }
 

@@ -8,7 +8,7 @@ const LIMIT = 400;
 
 export interface Marker {
   readonly vertex: number;
-  readonly kind: "handle" | "pin" | "support" | "point" | "hover" | "first";
+  readonly kind: "handle" | "pin" | "image" | "support" | "point" | "hover" | "first";
   readonly selected: boolean;
 }
 

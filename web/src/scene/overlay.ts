@@ -35,6 +35,10 @@ function markersFor(page: Page): Marker[] {
     selected: chosen.has(vertex),
   }));
   const known = new Set(markers.map((marker) => marker.vertex));
+  for (const vertex of page.images.value) {
+    if (!known.has(vertex)) markers.push({ vertex, kind: "image", selected: chosen.has(vertex) });
+    known.add(vertex);
+  }
   for (const vertex of page.supported.value) {
     if (!known.has(vertex)) markers.push({ vertex, kind: "support", selected: chosen.has(vertex) });
     known.add(vertex);

@@ -15,6 +15,7 @@ import type {
   SliderLead,
   Source,
   StoredDesign,
+  Symmetry,
 } from "./protocol.ts";
 import { keepCopy, readFile, readGiven, readKept } from "./reading.ts";
 import { insist, insistReadable, isFatal, Refused, sentence } from "./refused.ts";
@@ -37,11 +38,16 @@ type Waited =
   | "model"
   | "offset";
 
-function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
+function readMesh(
+  module: PlanishModule,
+  session: Session,
+  warnings: readonly string[],
+): OpenedMesh {
   const report = session.meshReport();
   return {
     report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
+    symmetry: module.symmetryOf?.(session) ?? null,
     ...prepareDisplay({
       display: session.displayBase(),
       offsets: session.faceOffsets(),
@@ -50,7 +56,7 @@ function readMesh(session: Session, warnings: readonly string[]): OpenedMesh {
   };
 }
 
-const AS_ASKED: Edited = { taken: null, stated: null };
+const AS_ASKED: Edited = { taken: null, stated: null, placed: null };
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
@@ -109,7 +115,8 @@ export class Dispatcher {
   readonly #onPiece = (done: number, total: number): void =>
     this.#post({ kind: "reading", job: this.#job, done, total }, []);
 
-  async #open({ job, source, planarise }: Extract<Request, { kind: "open" }>): Promise<void> {
+  async #open(request: Extract<Request, { kind: "open" }>): Promise<void> {
+    const { job, source, planarise, symmetry } = request;
     const session = this.#session;
     if (source.kind === "sample") insist(session.openSample(source.name, source.size));
     else {
@@ -120,7 +127,14 @@ export class Dispatcher {
       insistReadable(name, session.openFile(mesh, format));
     }
     if (planarise) insist(session.planarise(planarise));
+    if (symmetry) this.#setSymmetry(symmetry);
     this.#postOpened(job, null, null);
+  }
+
+  #setSymmetry({ elements, tolerance }: Symmetry): void {
+    const { setSymmetry } = this.#module;
+    if (!setSymmetry) throw new Error("This module knows no symmetry.");
+    insist(setSymmetry(this.#session, elements.join(","), tolerance));
   }
 
   async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
@@ -295,12 +309,12 @@ export class Dispatcher {
 
   #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
     this.#analysis.forget();
-    const mesh = readMesh(this.#session, stored?.warnings ?? []);
+    const mesh = readMesh(this.#module, this.#session, stored?.warnings ?? []);
     const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 
-  #postShown(job: number, withShape: boolean, { taken, stated } = AS_ASKED): void {
+  #postShown(job: number, withShape: boolean, edited = AS_ASKED): void {
     const session = this.#session;
     const changes = session.takeChanges();
     const report = session.shapeReport();
@@ -309,6 +323,6 @@ export class Dispatcher {
       : null;
     const buffers: Transferable[] = [changes.buffer];
     if (shape) buffers.push(shape.moved.buffer, shape.positions.buffer);
-    this.#post({ kind: "shown", job, changes, report, shape, taken, stated }, buffers);
+    this.#post({ kind: "shown", job, changes, report, shape, ...edited }, buffers);
   }
 }

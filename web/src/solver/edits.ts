@@ -16,6 +16,8 @@ export interface Edited {
   readonly taken: HandleList | null;
   /** The limit on folds that was stated for the edit; null for none. */
   readonly stated: string | null;
+  /** The handles, where some are on a mirror plane or an axis and were to leave it; else null. */
+  readonly placed: HandleList | null;
 }
 
 /** Throws Refused where the session does; it is then as it was. */
@@ -37,13 +39,26 @@ export class Edits {
   }
 
   edit(request: EditRequest): Edited {
-    const { mode, targets, settings, limit } = request;
-    this.#setOptions(settings);
+    this.#setOptions(request.settings);
+    const placed = this.#onFixedPoints(request.targets.handles);
+    if (!placed) return { ...this.#edit(request), placed };
+    const targets = { ...request.targets, handles: placed };
+    return { ...this.#edit({ ...request, targets }), placed };
+  }
+
+  #edit(request: EditRequest): Omit<Edited, "placed"> {
+    const { mode, targets, limit } = request;
     if (limit) return { taken: this.#within(limit, request), stated: null };
     this.#hold = new PullHold();
     const once = (): void => this.#attempt(request, targets.handles, mode);
     once();
     return { taken: null, stated: this.#unfold(request, once) };
+  }
+
+  /** null where they are there already. */
+  #onFixedPoints(handles: HandleList): HandleList | null {
+    const placed = this.#module.onFixedPoints?.(this.#session, Float64Array.from(handles));
+    return placed?.some((x, k) => x !== handles[k]) ? [...placed] : null;
   }
 
   restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): void {

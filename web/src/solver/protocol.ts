@@ -61,6 +61,14 @@ export interface EditSettings extends Reports.EditOptions {
   readonly supports: readonly string[];
   /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
   readonly continuation: number;
+  /** Under which edits have images, as --symmetry says it, one each. */
+  readonly symmetry: readonly string[];
+}
+
+/** Under which edits of a mesh have images, and how flat its evened base has to be, mm/m. */
+export interface Symmetry {
+  readonly elements: readonly string[];
+  readonly tolerance: number;
 }
 
 /** A finished design: where it differs from its base, in float64. */
@@ -81,10 +89,22 @@ export type Source =
       readonly crc: number;
     };
 
+/** A module of the solver: the one that a visit begins with, or the whole of it. */
+export interface Compiled {
+  readonly module: WebAssembly.Module;
+  readonly whole: boolean;
+}
+
 export type Request =
   /** The worker holds the lock named `alive` for as long as it lives. */
-  | { kind: "start"; job: 0; module: WebAssembly.Module; alive: string }
-  | { kind: "open"; job: number; source: Source; planarise: Reports.Planarising | null } // → opened
+  | { kind: "start"; job: 0; compiled: Compiled; alive: string }
+  | {
+      kind: "open";
+      job: number;
+      source: Source;
+      planarise: Reports.Planarising | null;
+      symmetry: Symmetry | null;
+    } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */
@@ -212,6 +232,8 @@ export interface SliderRange {
 export interface OpenedMesh extends DisplayMesh {
   readonly report: Reports.MeshReport;
   readonly positions: Float64Array;
+  /** Under which its edits have images; null without one. */
+  readonly symmetry: Reports.MeshSymmetry | null;
 }
 
 /** What a GLB held beside its mesh. */
@@ -248,6 +270,8 @@ export type Reply =
       shape: Shape | null;
       taken: HandleList | null;
       stated: string | null;
+      /** The handles, where some are on a mirror plane or an axis and were to leave it; else null. */
+      placed: HandleList | null;
     }
   /**
    * `directions`: found for each variation; `centre`: what the last was found around; `leads`:

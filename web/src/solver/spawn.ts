@@ -2,18 +2,19 @@
 import wasmUrl from "@wasm/planish.wasm?url";
 import wholeUrl from "@wasm/planish_whole.wasm?url";
 import type { SpawnWorker } from "./client.ts";
-import type { Request } from "./protocol.ts";
+import type { Compiled, Request } from "./protocol.ts";
 import { reachable } from "./reachable.ts";
 import workerUrl from "./worker.ts?worker&url";
 
 /** Compiles as it downloads; falls back where the server sends no wasm media type. */
-async function compile(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(url);
+async function compile(whole: boolean): Promise<Compiled> {
+  const response = await fetch(whole ? wholeUrl : wasmUrl);
   if (!response.ok) throw new Error(`The solver could not be loaded (${response.status}).`);
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) {
-    return WebAssembly.compileStreaming(response);
-  }
-  return WebAssembly.compile(await response.arrayBuffer());
+  const streams = response.headers.get("content-type")?.startsWith("application/wasm");
+  const module = await (streams
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer()));
+  return { module, whole };
 }
 
 /**
@@ -30,26 +31,26 @@ function watch(worker: Worker, alive: string, died: () => void): void {
 
 /** What starts solver workers; the module is compiled once for all of them. */
 export function solverSpawner(): SpawnWorker {
-  let compiled: Promise<WebAssembly.Module> | null = null;
+  let compiled: Promise<Compiled> | null = null;
   const start = (died: () => void) => {
-    compiled ??= compile(wasmUrl);
+    compiled ??= compile(false);
     return spawn(compiled, died);
   };
   const takeWhole = async () => {
-    compiled = Promise.resolve(await compile(wholeUrl));
+    compiled = Promise.resolve(await compile(true));
   };
   return Object.assign(start, { takeWhole });
 }
 
-async function spawn(compiled: Promise<WebAssembly.Module>, died: () => void): Promise<Worker> {
+async function spawn(coming: Promise<Compiled>, died: () => void): Promise<Worker> {
   // The worker loads its script while the module compiles.
   const worker = new Worker(reachable(workerUrl), { type: "module" });
-  const module = await compiled.catch((error: unknown) => {
+  const compiled = await coming.catch((error: unknown) => {
     worker.terminate();
     throw error;
   });
   const alive = `planish-solver-${performance.timeOrigin}-${performance.now()}-${Math.random()}`;
   watch(worker, alive, died);
-  worker.postMessage({ kind: "start", job: 0, module, alive } satisfies Request);
+  worker.postMessage({ kind: "start", job: 0, compiled, alive } satisfies Request);
   return worker;
 }

@@ -2,7 +2,7 @@
 // The worker's entry: loads the module, then hands every request to the dispatcher.
 import createPlanish, { type PlanishModule } from "@wasm/planish.mjs";
 import { Dispatcher } from "./dispatch.ts";
-import type { Reply, Request } from "./protocol.ts";
+import type { Compiled, Reply, Request } from "./protocol.ts";
 import { warmUp } from "./warm-up.ts";
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
@@ -29,14 +29,15 @@ function stayAlive(name: string): Promise<void> {
 }
 
 /** The page compiles once; a worker that replaces a cancelled one starts from the same module. */
-async function start(compiled: WebAssembly.Module, alive: string): Promise<Solver> {
+async function start({ module, whole }: Compiled, alive: string): Promise<Solver> {
+  const create = whole ? (await import("@wasm/planish_whole.mjs")).default : createPlanish;
   const [planish] = await Promise.all([
-    createPlanish({
+    create({
       instantiateWasm(
         imports: WebAssembly.Imports,
         done: (instance: WebAssembly.Instance) => void,
       ) {
-        WebAssembly.instantiate(compiled, imports).then(done);
+        WebAssembly.instantiate(module, imports).then(done);
         return {};
       },
     }),
@@ -48,7 +49,13 @@ async function start(compiled: WebAssembly.Module, alive: string): Promise<Solve
 
 scope.onmessage = async ({ data }: MessageEvent<Request>): Promise<void> => {
   if (data.kind === "start") {
-    solver = start(data.module, data.alive);
+    solver = start(data.compiled, data.alive);
+    // Thrown, the page hears of it as an error of the worker.
+    solver.catch((error: unknown) => {
+      setTimeout(() => {
+        throw error;
+      });
+    });
     return;
   }
   const started = await solver;

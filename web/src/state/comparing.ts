@@ -9,7 +9,7 @@ import { displayOfShape } from "../solver/shape-display.ts";
 import { client } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { countHealth } from "./panel-rows.ts";
-import { sameBase } from "./showing.ts";
+import { sameMesh } from "./showing.ts";
 
 export const MOST_COMPARED = 4;
 
@@ -37,7 +37,7 @@ export const candidates = kept((page) =>
   computed((): readonly Candidate[] => {
     const present = page.history.value?.present;
     if (!present) return [];
-    const same = page.snapshots.value.filter(({ design }) => sameBase(design, present));
+    const same = page.snapshots.value.filter(({ design }) => sameMesh(design, present));
     return [{ id: "", name: "Now", design: present }, ...same];
   }),
 );

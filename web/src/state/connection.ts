@@ -2,9 +2,10 @@
 // The one solver of the page, and what its answers do to the state.
 
 import { type Design, toTargets } from "../design/design.ts";
+import { symmetryIn } from "../design/symmetry.ts";
 import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
-import type { Planarising, Shape, Source } from "../solver/protocol.ts";
+import type { Planarising, Shape, Source, Symmetry } from "../solver/protocol.ts";
 import { kept, type Page } from "./page.ts";
 import { say } from "./telling.ts";
 
@@ -38,7 +39,22 @@ export function announceChanges(page: Page, changes: Float32Array): void {
 export interface Base {
   readonly source: Source;
   readonly planarised: Planarising | null;
+  /** Under which its edits have images. */
+  readonly symmetry: Symmetry | null;
 }
+
+/** What a design is an edit of. */
+export const baseOf = ({ source, planarised, settings }: BaseSteps): Base => ({
+  source,
+  planarised,
+  symmetry: symmetryIn(settings),
+});
+
+type BaseSteps = Pick<Design, "source" | "planarised" | "settings">;
+
+/** What makes the solver open it. */
+export const openQuestion = ({ source, planarised, symmetry }: Base) =>
+  ({ kind: "open", source, planarise: planarised, symmetry }) as const;
 
 /** What the solver holds; null where it would have to be told again. */
 interface Held {
@@ -103,15 +119,17 @@ export function restartSolver(page: Page): void {
 }
 
 /** Keeps account of what the solver holds. A refused `open` may have left another mesh behind. */
-function account(page: Page, question: Question, done: boolean): void {
+function account(page: Page, question: Question, answer: Answer | null): void {
+  const done = answer !== null;
   const solver = held(page);
   switch (question.kind) {
     case "open":
-      solver.base = done ? { source: question.source, planarised: question.planarise } : null;
+      solver.base = done ? openedBase(question, answer) : null;
       solver.centre = solver.told = null;
       return;
     case "planarise":
-      if (done && solver.base) solver.base = { ...solver.base, planarised: question.how };
+      if (done && solver.base)
+        solver.base = { ...solver.base, planarised: question.how, symmetry: null };
       if (done) solver.centre = solver.told = null;
       return;
     case "restore":
@@ -125,12 +143,20 @@ function account(page: Page, question: Question, done: boolean): void {
   }
 }
 
+/** With the symmetry that was found, where any was asked for. */
+function openedBase(question: Extract<Question, { kind: "open" }>, answer: Answer): Base {
+  const { source, planarise: planarised, symmetry } = question;
+  const elements = (answer.kind === "opened" && answer.mesh.symmetry?.elements) || [];
+  return { source, planarised, symmetry: symmetry && { ...symmetry, elements } };
+}
+
 /** Whether it is about the shape that the solver holds, which the question does not say. */
 const isAboutShape = ({ kind }: Question): boolean => kind === "explore" || kind === "exact";
 
 /** Whether the solver that a visit begins with does not know it. */
 function needsWhole(question: Question): boolean {
   if ("settings" in question) return question.settings.keepOuts.length > 0;
+  if (question.kind === "open") return question.symmetry !== null;
   if (question.kind !== "replay") return isAboutShape(question);
   const { options, variations } = question.design;
   return options.keepOuts.length > 0 || variations.length > 0;
@@ -142,7 +168,7 @@ async function takeWhole(page: Page): Promise<void> {
   own(page).whole = true;
   const { base } = held(page);
   restartSolver(page);
-  if (base) await ask(page, { kind: "open", source: base.source, planarise: base.planarised });
+  if (base) await ask(page, openQuestion(base));
 }
 
 /** The same with the shape, as it was told or is shown, and with the flat mesh that is shown. */
@@ -152,7 +178,7 @@ async function takeWholeWithShape(page: Page): Promise<void> {
   own(page).whole = true;
   restartSolver(page);
   if (!base || !design || !mesh) return;
-  await ask(page, { kind: "open", source: base.source, planarise: null });
+  await ask(page, openQuestion({ ...base, planarised: null }));
   const how = base.planarised;
   if (how) await ask(page, { kind: "planarise", how, found: mesh.positions });
   await ask(page, told ?? restoreQuestion(design, false));
@@ -163,12 +189,12 @@ async function ask(page: Page, question: Question): Promise<Answer> {
     await (isAboutShape(question) ? takeWholeWithShape(page) : takeWhole(page));
   try {
     const answer = await client(page).ask(question);
-    account(page, question, true);
+    account(page, question, answer);
     if (answer.kind === "opened" && answer.source)
-      held(page).base = { source: answer.source, planarised: null };
+      held(page).base = { source: answer.source, planarised: null, symmetry: null };
     return answer;
   } catch (error) {
-    account(page, question, false);
+    account(page, question, null);
     throw error;
   }
 }
@@ -232,7 +258,7 @@ export const tell = (page: Page, ...questions: readonly Question[]): Promise<Res
 export async function frame(page: Page, question: Question): Promise<Answer | null> {
   try {
     const answer = await client(page).stream(question);
-    account(page, question, true);
+    account(page, question, answer);
     show(page, answer);
     say(page, null);
     return answer;

@@ -16,7 +16,15 @@ import type { Question } from "../solver/client.ts";
 import { foldGrowth } from "../solver/fair-folds.ts";
 import type { EditSettings, HandleList, PullLimit } from "../solver/protocol.ts";
 import { client, frame } from "./connection.ts";
-import { commitEdit, editQuestion, freePins, handleOf, setPinned, shownPoint } from "./editing.ts";
+import {
+  commitEdit,
+  editQuestion,
+  freePins,
+  handleOf,
+  setPinned,
+  shownPoint,
+  speaking,
+} from "./editing.ts";
 import { moveWeights } from "./fall-off.ts";
 import { formatDegrees } from "./fold.ts";
 import type { Page } from "./page.ts";
@@ -40,11 +48,12 @@ export function frameAt(page: Page, vertex: number): Frame | null {
 }
 
 function withTargets(page: Page, grips: readonly Grip[], offset: Point): HandleRow[] {
-  let rows: readonly HandleRow[] = page.draft.value?.handles ?? [];
+  const before = page.draft.value?.handles ?? [];
+  let rows: readonly HandleRow[] = before;
   for (const { vertex, from, weight } of grips) {
     rows = withHandle(rows, { vertex, target: add(from, offset, weight), pinned: false });
   }
-  return [...rows];
+  return speaking(page, before, rows);
 }
 
 interface Grip {

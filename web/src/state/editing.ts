@@ -14,6 +14,7 @@ import {
 } from "../design/design.ts";
 import * as steps from "../design/history.ts";
 import { limitNumbers } from "../design/stated-limit.ts";
+import { withoutImages } from "../design/symmetry.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
@@ -22,7 +23,7 @@ import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { showStep, takeBack } from "./showing.ts";
+import { openBase, showStep, takeBack } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -111,9 +112,10 @@ export async function commit(
   const answer = await run(page, label, ask, "shown");
   const steady = page.history.value;
   if (!answer.ok || !steady) return answer.ok ? undefined : takeBack(page, answer);
-  const { shape, report, taken, stated } = answer.value;
+  const { shape, report, taken, placed, stated } = answer.value;
   if (!shape) return takeBack(page, GIVEN_UP);
-  const handles = taken ? withTaken(next.handles, taken) : next.handles;
+  const to = taken ?? placed;
+  const handles = to ? withTaken(next.handles, to) : next.handles;
   const limits = stated ? [...next.settings.limits, stated] : next.settings.limits;
   const settings = { ...next.settings, limits, continuation: continuationOf(ask, report, next) };
   const done: Design = { ...next, handles, settings, shape, report };
@@ -150,6 +152,16 @@ function changed(page: Page, rows: readonly HandleRow[]): Design | null {
   return page.draft.value ? { ...page.draft.value, handles: rows } : null;
 }
 
+/** `rows` without images of what has changed in them: those go where it makes them. */
+export function speaking(
+  page: Page,
+  before: readonly HandleRow[],
+  rows: readonly HandleRow[],
+): HandleRow[] {
+  const orbits = page.mesh.value?.symmetry?.orbits;
+  return orbits ? withoutImages(orbits, before, rows) : [...rows];
+}
+
 /** One edit of the handles as they are when its turn comes. */
 export const edit = (
   page: Page,
@@ -159,7 +171,8 @@ export const edit = (
   inTurn(
     page,
     async () => {
-      const next = changed(page, change(page.draft.value?.handles ?? []));
+      const before = page.draft.value?.handles ?? [];
+      const next = changed(page, speaking(page, before, change(before)));
       if (!next) return;
       const asked = { ...next, variation: null };
       return commit(
@@ -268,7 +281,9 @@ export function commitSettings(
       const next = { ...design, settings: { ...design.settings, ...change } };
       page.refusedTolerance.value = needsFlatterMesh(page, next) ? next.settings.tolerance : null;
       if (page.refusedTolerance.value !== null) return;
-      return commitEdit(page, next, "solve", burst);
+      const based = await openBase(page, next);
+      if (!based.ok) return takeBack(page, based);
+      return commitEdit(page, based.value, "solve", burst);
     },
     burst,
   );

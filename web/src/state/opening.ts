@@ -14,7 +14,7 @@ import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
 import type { Refusal, Result } from "../result/result.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
-import { run } from "./connection.ts";
+import { openQuestion, run } from "./connection.ts";
 import { commitEdit } from "./editing.ts";
 import type { Page } from "./page.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
@@ -66,7 +66,7 @@ export const openSample = (page: Page, name: string): Outcome =>
     const sample = SAMPLES.find((s) => s.name === name);
     if (!sample) return;
     const source: Source = { kind: "sample", name, size: sample.size };
-    const question = { kind: "open", source, planarise: null } as const;
+    const question = openQuestion({ source, planarised: null, symmetry: null });
     const answer = await run(page, `opening ${sample.label}`, question, "opened");
     if (!answer.ok) return takeBack(page, answer);
     adopt(page, source, null, answer.value.mesh);

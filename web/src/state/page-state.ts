@@ -8,6 +8,7 @@ import { isKind, type Kind, kindOf } from "../design/kept-kind.ts";
 import { FAIR_FLAT, type Preview } from "../design/planarising.ts";
 import { FIRST_SAMPLE } from "../design/samples.ts";
 import type { Snapshot } from "../design/saved-record.ts";
+import { imagesOf } from "../design/symmetry.ts";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { niceStep, type Unit } from "../quantity/units.ts";
 import type { Context } from "../rhino/context.ts";
@@ -198,6 +199,16 @@ export class PageState {
     () => this.draft.value && this.contexts.value.get(this.draft.value.source),
   );
   readonly handles = computed(() => this.draft.value?.handles ?? []);
+  /** Points that follow the handles as their images. */
+  readonly images = computed((): readonly number[] => {
+    const orbits = this.mesh.value?.symmetry?.orbits;
+    return orbits
+      ? imagesOf(
+          orbits,
+          this.handles.value.map(({ vertex }) => vertex),
+        )
+      : [];
+  });
   readonly settings = computed(() => this.draft.value?.settings ?? null);
   /** Whether every panel of the opened mesh is flat up to the tolerance: only then do points move. */
   readonly baseFlat = computed(

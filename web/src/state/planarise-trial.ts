@@ -50,7 +50,7 @@ export class PlanariseTrials {
   async #compute(source: Source, how: Planarising): Promise<Trial> {
     this.#worker ??= startWorker(this.#spawn);
     const worker = await this.#worker;
-    const open = { kind: "open", job: JOB, source, planarise: how } as const;
+    const open = { kind: "open", job: JOB, source, planarise: how, symmetry: null } as const;
     const { mesh } = await ask(worker, open, "opened");
     return { how, mesh, measures: await measured(worker) };
   }

@@ -9,7 +9,7 @@ import type { Steps } from "../design/recipe.ts";
 import { done, type Result, refuse } from "../result/result.ts";
 import type { OpenedMesh, Shape, SliderLead } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
-import { held, run } from "./connection.ts";
+import { baseOf, held, openQuestion, run } from "./connection.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
 import { sliderLeads } from "./exploring.ts";
 import { freshDesign } from "./opening.ts";
@@ -96,10 +96,10 @@ async function makeVariants(page: Page, recipe: Steps): Promise<Received[]> {
   const received: Received[] = [];
   let opened = null as { readonly how: string; readonly mesh: OpenedMesh } | null;
   for (const { name, steps: variant } of variantsOf(recipe)) {
-    const { source, planarised } = variant;
-    const how = JSON.stringify(planarised);
+    const base = baseOf(variant);
+    const how = JSON.stringify([base.planarised, base.symmetry]);
     if (opened?.how !== how) {
-      const question = { kind: "open", source, planarise: planarised } as const;
+      const question = openQuestion(base);
       const answer = await run(page, `opening ${name}`, question, "opened");
       opened = answer.ok ? { how, mesh: answer.value.mesh } : null;
     }
@@ -118,8 +118,7 @@ async function openAndCompute(
   page: Page,
   recipe: Steps,
 ): Promise<Result<Replayed & { readonly mesh: OpenedMesh }>> {
-  const { source, planarised } = recipe;
-  const question = { kind: "open", source, planarise: planarised } as const;
+  const question = openQuestion(baseOf(recipe));
   const answer = await run(page, "opening the design", question, "opened");
   if (!answer.ok) return answer;
   const { mesh } = answer.value;

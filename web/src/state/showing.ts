@@ -5,14 +5,17 @@ import { batch } from "@preact/signals";
 import { type Design, sourceName } from "../design/design.ts";
 import type { History } from "../design/history.ts";
 import { sameWay } from "../design/planarising.ts";
+import { sameSymmetry } from "../design/symmetry.ts";
 import { done, type Refusal, type Result } from "../result/result.ts";
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { displayOfShape } from "../solver/shape-display.ts";
 import {
   announceChanges,
   type Base,
+  baseOf,
   held,
   onDeath,
+  openQuestion,
   restartSolver,
   restoreQuestion,
   run,
@@ -29,8 +32,12 @@ const sameSource = (a: Source, b: Source): boolean => {
   return a.crc === b.crc && a.bytes.size === b.bytes.size;
 };
 
-export const sameBase = (a: Base, b: Base): boolean =>
+/** Up to what evening one out takes. */
+export const sameMesh = (a: Omit<Base, "symmetry">, b: Omit<Base, "symmetry">): boolean =>
   sameWay(a.planarised, b.planarised) && sameSource(a.source, b.source);
+
+const sameBase = (a: Base, b: Base): boolean =>
+  sameMesh(a, b) && sameSymmetry(a.symmetry, b.symmetry);
 
 interface Own {
   /** The base of the mesh on screen; null before the first. */
@@ -44,8 +51,7 @@ const own = kept((): Own => ({ shown: null, retold: null, tries: 0 }));
 
 /** Takes over a mesh that the solver has opened; the points of the one before are let go. */
 export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
-  const { source, planarised } = design;
-  own(page).shown = { source, planarised };
+  own(page).shown = baseOf(design);
   batch(() => {
     page.mesh.value = opened;
     page.displayMesh.value = opened;
@@ -69,23 +75,21 @@ export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
   });
 }
 
-const openQuestion = ({ source, planarised }: Design) =>
-  ({ kind: "open", source, planarise: planarised }) as const;
-
-async function openBase(page: Page, design: Design): Promise<Result<unknown>> {
+/** Lets the solver have the mesh of `design`, and the screen too; in the answer are the symmetries that
+ * were found, where all were asked for. */
+export async function openBase(page: Page, design: Design): Promise<Result<Design>> {
   const { base } = held(page);
-  if (base && sameBase(base, design)) return done(design);
-  const answer = await run(
-    page,
-    `opening ${sourceName(design.source)}`,
-    openQuestion(design),
-    "opened",
-  );
+  if (base && sameBase(base, baseOf(design))) return done(design);
+  const question = openQuestion(baseOf(design));
+  const answer = await run(page, `opening ${sourceName(design.source)}`, question, "opened");
   if (!answer.ok) return answer;
+  const { mesh } = answer.value;
+  const symmetry = mesh.symmetry?.elements ?? [];
+  const found = { ...design, settings: { ...design.settings, symmetry } };
   const { shown } = own(page);
-  if (shown && sameBase(shown, design)) announceChanges(page, displayOf(page, design));
-  else takeMesh(page, design, answer.value.mesh);
-  return answer;
+  if (shown && sameBase(shown, baseOf(found))) announceChanges(page, displayOf(page, found));
+  else takeMesh(page, found, mesh);
+  return done(found);
 }
 
 export async function show(page: Page, design: Design): Promise<Result<unknown>> {
@@ -166,13 +170,13 @@ export function cancel(page: Page): void {
   page.draft.value = design;
   page.figures.value = design.report;
   const mine = own(page);
-  if (!mine.shown || !sameBase(mine.shown, design)) {
+  if (!mine.shown || !sameBase(mine.shown, baseOf(design))) {
     void inTurn(page, () => showPresent(page));
     return;
   }
   announceChanges(page, displayOf(page, design));
   // Both at once: no frame of a drag gets in between.
-  const told = tell(page, openQuestion(design), restoreQuestion(design, false));
+  const told = tell(page, openQuestion(baseOf(design)), restoreQuestion(design, false));
   const retold = { design, done: told };
   mine.retold = retold;
   holdTurns(

@@ -108,6 +108,10 @@ const PointSupports = later(() =>
 
 const KeepOuts = later(() => import("./keep-outs.tsx").then((part) => part.KeepOuts));
 
+const SymmetrySection = later(() =>
+  import("./symmetry-section.tsx").then((part) => part.SymmetrySection),
+);
+
 const SLIDES: readonly (readonly [string, string])[] = [
   ["", "moves freely"],
   ["level=z", "keeps its level"],
@@ -140,6 +144,7 @@ export function ReachAndSoftness() {
       <BoundarySlides />
       <PointSupports />
       <KeepOuts />
+      <SymmetrySection />
     </>
   );
 }

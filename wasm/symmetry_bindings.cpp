@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// What planish_whole has beside what bindings.cpp lists: symmetry of the mesh that a session has
+/// open.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "planish/symmetric_edit.hpp"
+#include "session.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::MeshSymmetry;
+using planish::Session;
+
+template <class T>
+val copy(const std::vector<T>& data) {
+  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
+}
+
+std::string set_symmetry(Session& s, const std::string& text, double tolerance) {
+  try {
+    return s.set_symmetry(text, tolerance).value_or("");
+  } catch (const std::exception& error) {
+    return std::string("Internal error: ") + error.what();
+  }
+}
+
+/// The least vertex of those that each is an image of.
+std::vector<int> orbits_of(const MeshSymmetry& symmetry) {
+  std::vector<int> least = symmetry.operations.front().image;
+  for (const planish::SymmetryOperation& operation : symmetry.operations) {
+    for (std::size_t v = 0; v < least.size(); ++v) {
+      least[v] = std::min(least[v], operation.image[v]);
+    }
+  }
+  return least;
+}
+
+val symmetry_of(const Session& s) {
+  if (s.symmetry() == nullptr) return val::null();
+  val elements = val::array();
+  for (const planish::SymmetryElement& element : s.symmetry()->elements) {
+    elements.call<void>("push", planish::symmetry_text(element));
+  }
+  val value = val::object();
+  value.set("elements", elements);
+  value.set("orbits", copy(orbits_of(*s.symmetry())));
+  return value;
+}
+
+val on_fixed_points(const Session& s, const val& handles) {
+  auto rows = emscripten::convertJSArrayToNumberVector<double>(handles);
+  for (std::size_t k = 0; s.symmetry() != nullptr && k + 3 < rows.size(); k += 4) {
+    const auto vertex = static_cast<int>(rows[k]);
+    if (vertex < 0 || vertex >= s.base().vertex_count()) continue;
+    Eigen::Map<Eigen::Vector3d> target(rows.data() + k + 1);
+    target = planish::place_on_fixed_points(*s.symmetry(), vertex, target);
+  }
+  return copy(rows);
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_symmetry) {
+  emscripten::function("setSymmetry", &set_symmetry);
+  emscripten::function("symmetryOf", &symmetry_of);
+  emscripten::function("onFixedPoints", &on_fixed_points);
+}
