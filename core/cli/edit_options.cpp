@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/design_words.hpp"
 
@@ -106,7 +107,7 @@ std::vector<OptionRow> edit_option_rows() {
           {"--keep-out", "KIND=VALUE",
            "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
            "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "
-           "self: through no other panel;\n"
+           "mesh=FILE: through none of\nits panels; self: through no other panel;\n"
            "what is there in MESH goes no deeper (repeatable)"},
           {"--clearance", "D", "kept from every --keep-out (units of the mesh)"},
           kConstraintRow,
@@ -198,14 +199,33 @@ Engine parse_engine(std::string_view text) { return parse_word(text, "--solver",
 
 namespace {
 
+ContextMesh to_context(const Mesh& mesh) {
+  ContextMesh context;
+  for (const auto point : mesh.positions.colwise()) {
+    context.points.push_back({point.x(), point.y(), point.z()});
+  }
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    context.panels.emplace_back(face.begin(), face.end());
+  }
+  return context;
+}
+
+/// As designs say it; a model may also be a file.
+KeepOut to_keep_out(const std::string& text) {
+  constexpr std::string_view kMesh = "mesh=";
+  if (auto keep_out = parse_keep_out(text)) return std::move(*keep_out);
+  if (text.starts_with(kMesh)) {
+    const LoadedSource model = open_source(text.substr(kMesh.size()));
+    return {.kind = KeepOut::Kind::kMesh, .mesh = to_context(model.mesh)};
+  }
+  throw CommandError(kWrongUsage,
+                     "--keep-out: \"" + text + "\" is none of " + std::string(known_keep_outs()));
+}
+
 void set_keep_outs(const Arguments& arguments, HandleEditOptions& options) {
   for (const std::string& text : arguments.values("--keep-out")) {
-    auto keep_out = parse_keep_out(text);
-    if (!keep_out) {
-      throw CommandError(
-          kWrongUsage, "--keep-out: \"" + text + "\" is none of " + std::string(known_keep_outs()));
-    }
-    options.keep_outs.push_back(std::move(*keep_out));
+    options.keep_outs.push_back(to_keep_out(text));
   }
   set_number(arguments, "--clearance", options.clearance);
   if (arguments.has("--clearance") && options.keep_outs.empty()) {

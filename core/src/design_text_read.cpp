@@ -25,7 +25,8 @@ constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
                       kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
                       kMostBounds = 16, kMostKeepOuts = 64, kMostSupports = 1000,
-                      kMostElements = 16, kLongestName = 400, kLongestSupport = 10'000'000;
+                      kMostElements = 16, kLongestName = 400, kLongestSupport = 10'000'000,
+                      kLongestKeepOut = 10'000'000;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -181,9 +182,9 @@ std::vector<StatedLimit> read_bounds(const Field& field) {
 std::vector<KeepOut> read_value(const Field& field, const std::vector<KeepOut>&) {
   std::vector<KeepOut> keep_outs;
   for (std::size_t k = 0; k < field.size(kMostKeepOuts); ++k) {
-    const auto keep_out = parse_keep_out(field[k].text(kLongestName));
+    auto keep_out = parse_keep_out(field[k].text(kLongestKeepOut));
     if (!keep_out) field[k].refuse("one of " + std::string(known_keep_outs()));
-    keep_outs.push_back(*keep_out);
+    keep_outs.push_back(std::move(*keep_out));
   }
   return keep_outs;
 }

@@ -103,6 +103,7 @@ bool is_same_side(const HalfSpace& a, const HalfSpace& b) {
 FreeSpace with_images(const FreeSpace& free, const MeshSymmetry& symmetry) {
   FreeSpace all;
   all.apart = free.apart;
+  all.wall_clearance = free.wall_clearance;
   const auto add = [](auto& list, const auto& image, const auto& is_same) {
     const bool known =
         std::any_of(list.begin(), list.end(), [&](const auto& one) { return is_same(one, image); });
@@ -114,6 +115,11 @@ FreeSpace with_images(const FreeSpace& free, const MeshSymmetry& symmetry) {
       const Eigen::Vector3d normal = turn * side.normal;
       const double shift = (normal - side.normal).dot(symmetry.centre);
       add(all.sides, HalfSpace{normal, side.bound + shift}, is_same_side);
+    }
+    for (const Positions& wall : free.walls) {
+      Positions image = wall;
+      for (auto corner : image.colwise()) corner = symmetry.moved(k, corner);
+      all.walls.push_back(std::move(image));
     }
     for (const KeptBox& box : free.boxes) {
       const KeptBox image{symmetry.moved(k, box.centre), turn * box.halves, box.clearance};

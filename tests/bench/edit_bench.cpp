@@ -70,7 +70,7 @@ void edit_cold(benchmark::State& state, const Scene& scene, const HandleEditOpti
 /// Processor time of this one thread, so that a busy machine does not count.
 double milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-void drag(benchmark::State& state, const Scene& scene) {
+void drag(benchmark::State& state, const Scene& scene, const HandleEditOptions& options = {}) {
   constexpr int kFrames = 60;
   std::vector<double> frames;
   double worst = 0.0;
@@ -78,7 +78,7 @@ void drag(benchmark::State& state, const Scene& scene) {
   HandleEditResult result;
   for (auto _ : state) {
     state.PauseTiming();
-    HandleEditSolver solver(scene.mesh, {});
+    HandleEditSolver solver(scene.mesh, options);
     state.ResumeTiming();
     for (int frame = 1; frame <= kFrames; ++frame) {
       const EditTargets targets = scene.at(frame / static_cast<double>(kFrames));
@@ -101,6 +101,38 @@ void EditColdVault(benchmark::State& state) { edit_cold(state, scene(0, 32), {})
 void EditColdDome(benchmark::State& state) { edit_cold(state, scene(1, 32), {}); }
 void EditCold(benchmark::State& state) {
   edit_cold(state, scene(2, static_cast<int>(state.range(0))), {});
+}
+/// An uneven ceiling of 1,058 triangles, so many mean edges above the vault.
+HandleEditOptions under_a_ceiling(const Mesh& mesh, double above) {
+  constexpr int kSide = 24;
+  const double edge = mean_edge_length(mesh);
+  const Eigen::Vector3d low = mesh.positions.rowwise().minCoeff();
+  const Eigen::Vector3d size = mesh.positions.rowwise().maxCoeff() - low;
+  KeepOut ceiling{.kind = KeepOut::Kind::kMesh};
+  for (int k = 0; k < kSide * kSide; ++k) {
+    const Eigen::Vector2d place(low.x() + size.x() * (k % kSide) / (kSide - 1),
+                                low.y() + size.y() * (k / kSide) / (kSide - 1));
+    Eigen::Index nearest = 0;
+    (mesh.positions.topRows(2).colwise() - place).colwise().norm().minCoeff(&nearest);
+    const double bump = 0.05 * ((k * 7) % 5);
+    const double height = mesh.positions(2, nearest) + (above + bump) * edge;
+    ceiling.mesh.points.push_back({place.x(), place.y(), height});
+  }
+  for (int j = 0; j + 1 < kSide; ++j) {
+    for (int i = 0; i + 1 < kSide; ++i) {
+      const int a = j * kSide + i, b = a + kSide;
+      ceiling.mesh.panels.push_back({a, a + 1, b + 1});
+      ceiling.mesh.panels.push_back({a, b + 1, b});
+    }
+  }
+  return {.keep_outs = {ceiling}, .clearance = 0.02 * edge};
+}
+
+/// A pull of one and a half mean edges, and a ceiling so many tenths of one above.
+void DragUnderACeiling(benchmark::State& state) {
+  const Scene vault = scene(0, 32);
+  const double above = 0.1 * static_cast<double>(state.range(0));
+  drag(state, vault, under_a_ceiling(vault.mesh, above));
 }
 void DragVault(benchmark::State& state) { drag(state, scene(0, 32)); }
 void DragDome(benchmark::State& state) { drag(state, scene(1, 32)); }
@@ -213,6 +245,7 @@ void SliderTick(benchmark::State& state) {
 BENCHMARK(EditColdVault)->Unit(benchmark::kMillisecond);
 BENCHMARK(EditColdDome)->Unit(benchmark::kMillisecond);
 BENCHMARK(DragVault)->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK(DragUnderACeiling)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(DragDome)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(EditCold)
     ->Arg(32)

@@ -156,6 +156,26 @@ TEST_P(EditBoxes, NoPanelEntersOne) {
   EXPECT_GE(certified, 9 * edits() / 10);
 }
 
+/// The same boxes as models of six panels, which edits first go through and are then made again.
+TEST_P(EditBoxes, NoPanelEntersOneThatIsAModel) {
+  int certified = 0, made = 0, moved = 0;
+  for (const BoxInTheWay& one : boxes_near(mesh, 61, std::min(edits(), 20))) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
+    const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+    HandleEditOptions options = options_for(one);
+    options.keep_outs = {*parse_keep_out(one.box.model_text())};
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(worst_entry(mesh, result, one.box, options.clearance), kHeld);
+    certified += result.report.status == SolveStatus::kConverged ? 1 : 0;
+    moved += result.report.moved_vertices > 0 ? 1 : 0;
+    ++made;
+  }
+  std::printf("%s: %d certified, %d moved of %d\n", GetParam(), certified, moved, made);
+  EXPECT_GE(moved, 9 * made / 10);
+  EXPECT_GE(certified, 9 * made / 10);
+}
+
 /// Boxes around the handle itself: panels that are inside go no deeper, and the others stay out.
 TEST_P(EditBoxes, NoPanelThatIsInsideGoesDeeper) {
   int moved = 0;
@@ -182,6 +202,37 @@ TEST_P(EditBoxes, NoFrameOfADragEntersOne) {
     const HandleEditOptions options = options_for(one);
     HandleEditSolver solver(mesh, options);
     for (int frame = 1; frame <= kFrames; ++frame) {  // fast: through the box and out again
+      const auto targets = testing::pull(mesh, one.vertex, (3.0 * frame / kFrames) * one.move);
+      const HandleEditResult result = solver.drag(targets, kBudget);
+      EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+      EXPECT_LE(worst_entry(mesh, result, one.box, options.clearance), kHeld) << frame;
+    }
+  }
+}
+
+/// A model that is not in the way changes no bit.
+TEST_P(EditBoxes, AModelThatNothingMeetsChangesNothing) {
+  const BoxInTheWay one = boxes_near(mesh, 61, 1).front();
+  const Eigen::Vector3d away = 100.0 * mean_edge_length(mesh) * Eigen::Vector3d::Ones();
+  const testing::Box far{one.box.low + away, one.box.high + away};
+  const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
+  HandleEditOptions options = options_for(one);
+  options.keep_outs = {*parse_keep_out(far.model_text())};
+  const HandleEditResult free = solve_handle_edit(mesh, targets);
+  const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+  EXPECT_TRUE(testing::same_bits(apply(mesh, result), apply(mesh, free)));
+  EXPECT_EQ(result.report.status, free.report.status);
+}
+
+TEST_P(EditBoxes, NoFrameOfADragEntersOneThatIsAModel) {
+  constexpr int kFrames = 8;
+  constexpr double kBudget = 10.0;  // seconds: time must not decide
+  for (const BoxInTheWay& one : boxes_near(mesh, 67, 6)) {
+    SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
+    HandleEditOptions options = options_for(one);
+    options.keep_outs = {*parse_keep_out(one.box.model_text())};
+    HandleEditSolver solver(mesh, options);
+    for (int frame = 1; frame <= kFrames; ++frame) {
       const auto targets = testing::pull(mesh, one.vertex, (3.0 * frame / kFrames) * one.move);
       const HandleEditResult result = solver.drag(targets, kBudget);
       EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));

@@ -100,6 +100,18 @@ std::string Box::text() const {
   return words;
 }
 
+std::string Box::model_text() const {
+  std::string words = "mesh=";
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    char point[120];
+    std::snprintf(point, sizeof point, "%s%.17g,%.17g,%.17g", corner > 0 ? ";" : "",
+                  corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                  corner & 4 ? high.z() : low.z());
+    words += point;
+  }
+  return words + "/0,2,3,1;4,5,7,6;0,1,5,4;2,6,7,3;0,4,6,2;1,3,7,5";
+}
+
 double deepest(const Mesh& mesh, const HandleEditResult& result, const Plane& plane,
                double clearance) {
   double worst = 0.0;

@@ -68,6 +68,8 @@ struct Box {
 
   /// As --keep-out says it.
   [[nodiscard]] std::string text() const;
+  /// The same as a model of its six sides.
+  [[nodiscard]] std::string model_text() const;
 };
 
 /// By how many mean edges touched panels are nearer to the box than they may be: than the

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "planish/io/obj.hpp"
 #include "support/cli.hpp"
 
 namespace planish {
@@ -75,12 +78,37 @@ TEST_F(Cli, ABoxIsKeptOutOfAndReplayed) {
   EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
 }
 
+/// The model rides along in the design: who replays it needs no other file.
+TEST_F(Cli, AModelIsKeptOutOfAndReplayedWithoutItsFile) {
+  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
+  Mesh ceiling;
+  const Positions before = load("v.obj").positions;
+  const double level = before(2, 66) + 0.35;
+  ceiling.positions.resize(3, 4);
+  ceiling.positions << -1e3, 1e3, 1e3, -1e3, -1e3, -1e3, 1e3, 1e3, level, level, level, level;
+  ceiling.face_offsets = {0, 4};
+  ceiling.face_vertices = {0, 1, 2, 3};
+  std::ofstream(directory_ / "ceiling.obj") << write_obj(ceiling);
+  ASSERT_EQ(run("edit v.obj --handle 66+=0,0,1 --keep-out mesh=ceiling.obj --clearance 0.05 "
+                "-o e.glb --design d.json"),
+            0)
+      << err();
+  const Positions after = load("e.glb").positions;
+  EXPECT_LE(after.row(2).maxCoeff(), std::max(before.row(2).maxCoeff(), level - 0.05) + 1e-9);
+  EXPECT_GT(after(2, 66), before(2, 66) + 0.1);
+  std::filesystem::remove(directory_ / "ceiling.obj");
+  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
+  EXPECT_NE(run("edit v.obj --handle 66+=0,0,1 --keep-out mesh=ceiling.obj"), 0);
+  EXPECT_NE(err().find("ceiling.obj"), std::string::npos) << err();
+}
+
 TEST_F(Cli, AWrongKeepOutIsSaidByItsName) {
   const auto said = [&](const std::string& words) {
     EXPECT_EQ(run("edit sample:vault:12 --handle 66+=0,0,1 " + words), 2);
     return err();
   };
-  EXPECT_NE(said("--keep-out mesh=a.obj").find("--keep-out: \"mesh=a.obj\" is none of below=Z"),
+  EXPECT_NE(said("--keep-out meshes").find("--keep-out: \"meshes\" is none of below=Z"),
             std::string::npos);
   EXPECT_NE(said("--keep-out self=1").find("is none of"), std::string::npos);
   EXPECT_NE(said("--keep-out plane=0,0,0,1").find("its direction has no length"),

@@ -15,8 +15,9 @@ namespace planish {
 namespace {
 
 TEST(KeepOut, ReadsBackWhatItWrites) {
-  for (const char* text : {"below=0", "below=-2.5", "above=3.25", "plane=0,0.5,-1,4",
-                           "box=-1,0,0.5,2,1,3.25", "self"}) {
+  for (const char* text :
+       {"below=0", "below=-2.5", "above=3.25", "plane=0,0.5,-1,4", "box=-1,0,0.5,2,1,3.25", "self",
+        "mesh=0,0,0;1,0,0.5;1,1,0;0,1,0/0,1,2;0,2,3"}) {
     const auto keep_out = parse_keep_out(text);
     ASSERT_TRUE(keep_out) << text;
     EXPECT_EQ(keep_out_text(*keep_out), text);
@@ -25,8 +26,10 @@ TEST(KeepOut, ReadsBackWhatItWrites) {
 }
 
 TEST(KeepOut, IsRefusedWithItsName) {
-  for (const char* text : {"", "below", "below=", "below=x", "below=1,2", "plane=1,0,0", "above=,",
-                           "plane=1,0,0,0,0", "mesh=a.obj", "self=", "self=1", "under=3"}) {
+  for (const char* text :
+       {"", "below", "below=", "below=x", "below=1,2", "plane=1,0,0", "above=,", "plane=1,0,0,0,0",
+        "mesh=a.obj", "self=", "self=1", "under=3", "mesh", "mesh=0,0,0;1,0,0;1,1,0",
+        "mesh=0,0;1,0;1,1/0,1,2", "mesh=0,0,0;1,0,0;1,1,0/0,1,-2", "mesh=/"}) {
     EXPECT_FALSE(parse_keep_out(text)) << text;
   }
   const auto problem_of = [](const char* text) {
@@ -177,6 +180,63 @@ TEST(KeepOutRows, PartPanelsThatWentThroughEachOther) {
     const Eigen::Vector3d here = mesh.positions.col(row.vertex);
     EXPECT_GT(row.share(here + Eigen::Vector3d(0, 0, 0.84)), 0.0);
   }
+}
+
+TEST(KeepOut, AModelIsPanelsOfItsPoints) {
+  const auto problem = [](const char* text) {
+    return find_problem(std::vector<KeepOut>{*parse_keep_out(text)}).value_or("");
+  };
+  const std::string wrong = "keep_out: mesh: a panel has three or more of its 3 points (from 0)";
+  EXPECT_EQ(problem("mesh=0,0,0;1,0,0;1,1,0/0,1,3"), wrong);
+  EXPECT_EQ(problem("mesh=0,0,0;1,0,0;1,1,0/0,1"), wrong);
+  KeepOut large = *parse_keep_out("mesh=0,0,0;1,0,0;1,1,0/0,1,2");
+  large.mesh.panels.resize(kMostContextPanels + 1, {0, 1, 2});
+  EXPECT_EQ(find_problem(std::vector<KeepOut>{large}).value_or(""),
+            "keep_out: mesh: at most 20000 panels, here are 20001");
+  large.mesh.panels.clear();
+  EXPECT_EQ(find_problem(std::vector<KeepOut>{large}).value_or(""),
+            "keep_out: mesh: it has no panels");
+}
+
+/// A wall between the floor and the ceiling of the stack: what went through gets a plane at the
+/// wall, less the clearance, and what touches it in the base rests.
+TEST(KeepOutRows, PartPanelsFromWalls) {
+  const Mesh mesh = stacked_squares();
+  const Adjacency adjacency = build_adjacency(mesh);
+  const double top = mesh.positions.row(2).maxCoeff(), low = mesh.positions.row(2).minCoeff();
+  const double level = 0.5 * (top + low);
+  FreeSpace free;
+  free.wall_clearance = 0.125 * (top - low);
+  Positions wall(3, 4);
+  wall << -9, 9, 9, -9, -9, -9, 9, 9, level, level, level, level;
+  free.walls = {wall};
+  MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0}, free);
+  EXPECT_FALSE(keep_outs.has_rows());
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.face_count(); ++f) faces.push_back(f);
+  const auto at_rest = [&](int v) -> Eigen::Vector3d { return mesh.positions.col(v); };
+  EXPECT_FALSE(keep_outs.part_panels(faces, at_rest));
+  const auto swapped = [&](int v) -> Eigen::Vector3d {
+    Eigen::Vector3d p = mesh.positions.col(v);
+    p.z() = top + low - p.z();
+    return p;
+  };
+  EXPECT_TRUE(keep_outs.part_panels(faces, swapped));
+  for (const int f : faces) {
+    for (const KeepOutRow& row : keep_outs.of(f)) {
+      const double side = mesh.positions(2, row.vertex) > level ? 1.0 : -1.0;
+      Eigen::Vector3d bound = mesh.positions.col(row.vertex);
+      bound.z() = level + side * free.wall_clearance;
+      EXPECT_NEAR(row.share(bound), 0.0, 1e-12);
+      EXPECT_GT(row.share(mesh.positions.col(row.vertex)), 0.0);
+    }
+  }
+  keep_outs.forget_parted();
+  EXPECT_FALSE(keep_outs.has_rows());
+
+  free.walls[0].row(2).setConstant(top);
+  const MeshKeepOuts touching({mesh, adjacency, mesh.positions, 1.0}, free);
+  EXPECT_FALSE(touching.resting_points().empty());
 }
 
 /// What touches in the base rests, and may go away.

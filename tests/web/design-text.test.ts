@@ -162,7 +162,6 @@ describe("names the field that is wrong", () => {
     ],
     [text({ supports: ["level=w:boundary"] }), /^supports\[0\] must be one of level:POINTS/],
     [text({ supports: "level=z:boundary" }), /^supports must be a list/],
-    [text({ symmetry: ["x", "axis:z:4"] }), /^symmetry: this page knows none/],
     [text({ options: { keep_out: ["selves"] } }), /^options\.keep_out\[0\] must be one of below=Z/],
     [text({ symmetry: ["x,y"] }), /^symmetry\[0\] must be x, y, z or axis/],
     [text({ symmetry: "x" }), /^symmetry must be a list/],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Where nothing of an edit may go: below a level, above one, beyond a plane, into a box,
-/// through the mesh itself. [KEE-1]
+/// Where nothing of an edit may go: below a level, above one, beyond a plane, into a box, through
+/// another model, through the mesh itself. [KEE-1]
 #pragma once
 
 #include <Eigen/Core>
@@ -14,6 +14,17 @@
 
 namespace planish {
 
+/// Panels of another model, which stay where they are.
+struct ContextMesh {
+  std::vector<std::array<double, 3>> points;  ///< model units
+  std::vector<std::vector<int>> panels;       ///< three points or more each
+
+  friend bool operator==(const ContextMesh&, const ContextMesh&) = default;
+};
+
+/// Most panels of all of them together.
+inline constexpr std::size_t kMostContextPanels = 20'000;
+
 /// One keep-out. What is inside in the base goes no deeper, and blocks nothing else.
 struct KeepOut {
   enum class Kind {
@@ -22,10 +33,12 @@ struct KeepOut {
     kPlane,  ///< nothing may be where a·x + b·y + c·z > d
     kBox,    ///< no panel may enter the box between two corners
     kSelf,   ///< no panel may touch another with which it shares no point
+    kMesh,   ///< no panel may touch one of another model
   };
   Kind kind = Kind::kBelow;
   /// Z; a, b, c, d; or x0, y0, z0, x1, y1, z1; model units. Zeros behind them.
   std::array<double, 6> numbers{};
+  ContextMesh mesh = {};  ///< of kMesh
 
   friend bool operator==(const KeepOut&, const KeepOut&) = default;
 };
@@ -55,9 +68,12 @@ struct FreeSpace {
   std::vector<HalfSpace> sides;  ///< clearance included
   std::vector<KeptBox> boxes;
   std::optional<double> apart;  ///< of panels that share no point, ≥ 0; nullopt: they may meet
+  std::vector<Eigen::Matrix3Xd> walls;  ///< panels of other models, 3 × corners each
+  double wall_clearance = 0.0;          ///< from them
 };
 
-/// "below=Z", "above=Z", "plane=a,b,c,d", "box=x0,y0,z0,x1,y1,z1" or "self".
+/// "below=Z", "above=Z", "plane=a,b,c,d", "box=x0,y0,z0,x1,y1,z1", "self" or
+/// "mesh=x,y,z;x,y,z;x,y,z/0,1,2": the points of a model and, behind the stroke, its panels.
 /// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s
 [[nodiscard]] std::optional<KeepOut> parse_keep_out(std::string_view text);
 

@@ -13,11 +13,28 @@ MeshKeepOuts::MeshKeepOuts(const LimitBase& base, const FreeSpace& free)
     : base_(base), rows_(at(base.mesh.face_count())), has_sides_(!free.sides.empty()) {
   for (const KeptBox& box : free.boxes) boxes_.push_back(in_points(base, box));
   for (int f = 0; f < base.mesh.face_count(); ++f) append_rows(base, free, f, rows_[at(f)]);
-  if (!free.apart) return;
-  clearance_ = *free.apart / base.unit;
-  reach_ = std::make_shared<PanelBoxes>(base.mesh, base.points);
+  if (!free.apart && free.walls.empty()) return;
+  clearance_ = free.apart.value_or(free.wall_clearance) / base.unit;
+  if (free.apart) reach_ = std::make_shared<PanelBoxes>(base.mesh, base.points);
+  if (!free.walls.empty()) take_walls(free);
   pairs_of_.resize(rows_.size());
   part_what_touches();
+}
+
+void MeshKeepOuts::take_walls(const FreeSpace& free) {
+  Eigen::Index corners = 0;
+  for (const Positions& wall : free.walls) corners += wall.cols();
+  walls_.positions.resize(3, corners);
+  corners = 0;
+  const Eigen::Vector3d from = base_.mesh.positions.col(0), to = base_.points.col(0);
+  for (const Positions& wall : free.walls) {
+    walls_.positions.middleCols(corners, wall.cols()) =
+        ((wall.colwise() - from) / base_.unit).colwise() + to;
+    corners += wall.cols();
+    walls_.face_offsets.push_back(static_cast<int>(corners));
+  }
+  for (int v = 0; v < walls_.vertex_count(); ++v) walls_.face_vertices.push_back(v);
+  wall_reach_ = std::make_shared<PanelBoxes>(walls_, walls_.positions);
 }
 
 std::vector<RestingPoint> MeshKeepOuts::resting_points() const {
@@ -87,7 +104,7 @@ bool MeshKeepOuts::choose_planes(std::span<const int> faces,
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       changed = choose_plane({&*box + b * corners, corners}, point) || changed;
     }
-    if (reach_ == nullptr) continue;
+    if (!parts_panels()) continue;
     for (const int pair : pairs_of_[at(face)]) {
       changed = choose_plane(pairs_[at(pair)], point) || changed;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A mesh that is a keep-out itself: the planes between its panels. [KEE-4]
+/// A mesh that is a keep-out itself: the planes between its panels. [KEE-4] And those between its
+/// panels and walls, which are panels of other models. [KEE-5]
 #include <algorithm>
 #include <limits>
 
@@ -11,14 +12,6 @@ namespace planish {
 namespace {
 
 constexpr double kUnpressed = 0.5;  ///< share of a point: where no barrier acts
-
-/// What the first of two panels gets of the room between them: near all where the other is at rest.
-/// The plane follows it there in a turn or two; halves would take ten.
-double part_of_first(bool first_moved, bool second_moved) {
-  constexpr double kNearAll = 0.9;
-  if (first_moved == second_moved) return 0.5;
-  return first_moved ? kNearAll : 1.0 - kNearAll;
-}
 
 /// Bounds of n · p for the first, and of −n · p for the second, with the clearance between the two.
 std::array<double, 2> bounds_between(const PanelGap& gap, double clearance, double part) {
@@ -37,11 +30,35 @@ Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
 
 }  // namespace
 
+/// What the first of two panels gets of the room between them: near all where the other is at rest.
+/// The plane follows it there in a turn or two; halves would take ten. A wall needs none.
+double MeshKeepOuts::part_of_first(const Pair& pair, const std::array<bool, 2>& moved) const {
+  constexpr double kNearAll = 0.9;
+  if (is_wall(pair.panels[1])) return 1.0;
+  if (moved[0] == moved[1]) return 0.5;
+  return moved[0] ? kNearAll : 1.0 - kNearAll;
+}
+
+/// Of the mesh where it is a keep-out itself, and walls; ascending.
+std::vector<int> MeshKeepOuts::panels_near(const Eigen::AlignedBox3d& box) const {
+  std::vector<int> panels;
+  if (reach_ != nullptr) panels = reach_->near(box);
+  if (wall_reach_ != nullptr) {
+    for (const int wall : wall_reach_->near(box)) panels.push_back(base_.mesh.face_count() + wall);
+  }
+  std::sort(panels.begin(), panels.end());
+  return panels;
+}
+
 Positions MeshKeepOuts::base_shape(int face) const {
   return shape(face, [&](int v) -> Eigen::Vector3d { return base_.points.col(v); });
 }
 
 Positions MeshKeepOuts::shape(int face, const std::function<Eigen::Vector3d(int)>& point) const {
+  if (is_wall(face)) {
+    const auto wall = walls_.face(face - base_.mesh.face_count());
+    return walls_.positions.middleCols(wall.front(), static_cast<Eigen::Index>(wall.size()));
+  }
   const auto panel = base_.mesh.face(face);
   Positions shape(3, static_cast<Eigen::Index>(panel.size()));
   for (std::size_t k = 0; k < panel.size(); ++k) {
@@ -52,27 +69,32 @@ Positions MeshKeepOuts::shape(int face, const std::function<Eigen::Vector3d(int)
 
 std::span<KeepOutRow> MeshKeepOuts::rows_of(const Pair& pair, std::size_t which) {
   const int face = pair.panels[which];
+  if (is_wall(face)) return {};
   return {rows_[at(face)].data() + pair.first_row[which], base_.mesh.face(face).size()};
 }
 
 /// Panels that share a point meet there; a pair that has a plane needs no other.
 bool MeshKeepOuts::may_meet(int first, int second) const {
-  const auto a = base_.mesh.face(first), b = base_.mesh.face(second);
-  const auto shared = std::find_first_of(a.begin(), a.end(), b.begin(), b.end());
+  if (!is_wall(second)) {
+    const auto a = base_.mesh.face(first), b = base_.mesh.face(second);
+    if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end()) return false;
+  }
   const auto& pairs = pairs_of_[at(first)];
-  return shared == a.end() && std::none_of(pairs.begin(), pairs.end(), [&](int k) {
-           const auto& panels = pairs_[at(k)].panels;
-           return panels[0] == second || panels[1] == second;
-         });
+  return std::none_of(pairs.begin(), pairs.end(), [&](int k) {
+    const auto& panels = pairs_[at(k)].panels;
+    return panels[0] == second || panels[1] == second;
+  });
 }
 
-/// With the plane of the base, in the middle of the room that it leaves.
+/// With the plane of the base, in the middle of the room that it leaves, or at the wall.
 void MeshKeepOuts::add_pair(int first, int second) {
   const PanelGap gap = widest_gap(base_shape(first), base_shape(second));
-  const std::array<double, 2> bounds = bounds_between(gap, clearance_, 0.5);
   Pair pair{{first, second}, {}};
+  const std::array<double, 2> bounds =
+      bounds_between(gap, clearance_, part_of_first(pair, {false, false}));
   for (std::size_t which = 0; which < 2; ++which) {
     const int face = pair.panels[which];
+    if (is_wall(face)) break;
     const Eigen::Vector3d normal = which == 0 ? gap.normal : Eigen::Vector3d(-gap.normal);
     const double side = mean_side(base_.points, base_.mesh.face(face));
     pair.first_row[which] = rows_[at(face)].size();
@@ -91,9 +113,7 @@ void MeshKeepOuts::part_what_touches() {
     const Positions here = base_shape(f);
     const double near =
         clearance_ + 2.0 * kRestsWithin * mean_side(base_.points, base_.mesh.face(f));
-    std::vector<int> others = reach_->near(widened(box_around(here), near));
-    std::sort(others.begin(), others.end());
-    for (const int g : others) {
+    for (const int g : panels_near(widened(box_around(here), near))) {
       if (g <= f || !may_meet(f, g)) continue;
       if (widest_gap(here, base_shape(g)).width() <= near) add_pair(f, g);
     }
@@ -103,10 +123,11 @@ void MeshKeepOuts::part_what_touches() {
 
 void MeshKeepOuts::forget_parted() {
   open();
-  if (reach_ == nullptr) return;
+  if (!parts_panels()) return;
   for (; pairs_.size() > base_pairs_; pairs_.pop_back()) {
     for (std::size_t which = 0; which < 2; ++which) {
       const int face = pairs_.back().panels[which];
+      if (is_wall(face)) break;
       rows_[at(face)].resize(pairs_.back().first_row[which]);
       pairs_of_[at(face)].pop_back();
     }
@@ -115,7 +136,7 @@ void MeshKeepOuts::forget_parted() {
 
 bool MeshKeepOuts::part_panels(std::span<const int> faces,
                                const std::function<Eigen::Vector3d(int)>& point) {
-  if (reach_ == nullptr) return false;
+  if (!parts_panels()) return false;
   const std::size_t known = pairs_.size();
   const std::vector<Touched> touched = touched_panels(faces, point);
   for (std::size_t k = 0; k < touched.size(); ++k) {
@@ -151,12 +172,10 @@ void MeshKeepOuts::part_from_all(const std::vector<Touched>& touched, std::size_
   const auto part = [&](int g, const PanelPath& other) {
     if (may_meet(one.face, g) && !are_parted(one.path, other, clearance_)) add_pair(one.face, g);
   };
-  for (std::size_t j = k + 1; j < touched.size(); ++j) {
+  for (std::size_t j = k + 1; j < touched.size() && reach_ != nullptr; ++j) {
     if (one.box.intersects(touched[j].box)) part(touched[j].face, touched[j].path);
   }
-  std::vector<int> others = reach_->near(one.box);
-  std::sort(others.begin(), others.end());
-  for (const int g : others) {
+  for (const int g : panels_near(one.box)) {
     const bool is_touched = std::any_of(touched.begin(), touched.end(),
                                         [&](const Touched& each) { return each.face == g; });
     if (!is_touched) part(g, {base_shape(g), base_shape(g)});
@@ -174,9 +193,11 @@ bool MeshKeepOuts::choose_plane(const Pair& pair,
   for (std::size_t which = 0; which < 2; ++which) {
     const int face = pair.panels[which];
     shapes[which] = shape(face, point);
+    room[which] = std::numeric_limits<double>::infinity();
+    side[which] = room[which];
+    if (is_wall(face)) break;
     side[which] = mean_side(base_.points, base_.mesh.face(face));
     moved[which] = shapes[which] != base_shape(face);
-    room[which] = std::numeric_limits<double>::infinity();
     for (const KeepOutRow& row : rows_of(pair, which)) {
       if (row.rests) return false;
       const double share = row.share(point(row.vertex));
@@ -188,7 +209,7 @@ bool MeshKeepOuts::choose_plane(const Pair& pair,
   const double least = std::min(pressed[0] ? room[0] : room[1], pressed[1] ? room[1] : room[0]);
   if (!(pressed[0] || pressed[1]) || least < -worth) return false;
   const PanelGap gap = widest_gap(shapes[0], shapes[1]);
-  const double part = part_of_first(moved[0], moved[1]), all = gap.width() - clearance_;
+  const double part = part_of_first(pair, moved), all = gap.width() - clearance_;
   const std::array<double, 2> next = {part * all, (1.0 - part) * all};
   const double then = std::min(pressed[0] ? next[0] : next[1], pressed[1] ? next[1] : next[0]);
   if (!(then > least + worth)) return false;

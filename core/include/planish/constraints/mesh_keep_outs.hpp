@@ -41,7 +41,8 @@ class MeshKeepOuts {
   void open();
 
   /// Planes between those of `faces` and what they may have gone through since the base: panels
-  /// with which they share no point, where the mesh is a keep-out itself. [KEE-4]
+  /// with which they share no point, where the mesh is a keep-out itself [KEE-4], and walls, which
+  /// are panels of other models [KEE-5].
   /// @returns whether a new one acts: the edit is then to be made again from the base
   bool part_panels(std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point);
   /// Without the planes that part_panels() made.
@@ -56,9 +57,10 @@ class MeshKeepOuts {
                                        const std::function<Eigen::Vector3d(int)>& point) const;
 
  private:
-  /// Two panels that share no point, and a plane between them. Each has a row a corner.
+  /// Two panels that share no point, and a plane between them. Each has a row a corner, but a wall:
+  /// it does not move, and the other has all the room.
   struct Pair {
-    std::array<int, 2> panels;
+    std::array<int, 2> panels;             ///< the second may be a wall, see is_wall()
     std::array<std::size_t, 2> first_row;  ///< among the rows of each
   };
 
@@ -74,6 +76,12 @@ class MeshKeepOuts {
   void turn_plane(const Pair& pair, const PanelGap& gap, double part,
                   const std::array<double, 2>& side);
   void take(int face, std::size_t row, const KeepOutRow& other);
+  void take_walls(const FreeSpace& free);
+  /// Walls are counted behind the faces of the mesh.
+  [[nodiscard]] bool is_wall(int panel) const { return panel >= base_.mesh.face_count(); }
+  [[nodiscard]] bool parts_panels() const { return reach_ != nullptr || wall_reach_ != nullptr; }
+  [[nodiscard]] std::vector<int> panels_near(const Eigen::AlignedBox3d& box) const;
+  [[nodiscard]] double part_of_first(const Pair& pair, const std::array<bool, 2>& moved) const;
   void part_what_touches();
   void add_pair(int first, int second);
   [[nodiscard]] bool may_meet(int first, int second) const;
@@ -96,8 +104,10 @@ class MeshKeepOuts {
   bool has_sides_;                             ///< half-spaces
   std::vector<KeptBox> boxes_;                 ///< in the unit of the points
   std::vector<BaseRow> changed_;
-  std::shared_ptr<const PanelBoxes> reach_;  ///< null: the mesh is no keep-out itself
-  double clearance_ = 0.0;                   ///< between panels; unit of the points
+  std::shared_ptr<const PanelBoxes> reach_;       ///< null: the mesh is no keep-out itself
+  Mesh walls_;                                    ///< in the unit and the place of the points
+  std::shared_ptr<const PanelBoxes> wall_reach_;  ///< null: there are none
+  double clearance_ = 0.0;                        ///< between panels; unit of the points
   std::vector<Pair> pairs_;
   std::vector<std::vector<int>> pairs_of_;  ///< of each panel, into `pairs_`
   std::size_t base_pairs_ = 0;              ///< that touch in the base
