@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { idle, obj, typeTarget } from "./support/page.ts";
+import { idle, obj, pickFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { press } from "./support/view.ts";
 
@@ -98,5 +98,27 @@ it("a box is moved by its arrows as one step, and a wrong corner is refused with
   await type(page, `${name}, from X`, `${before[0]}`);
   expect(await page.getByText(/^The first corner must be lower/).count()).toBe(0);
   expect(await numbers()).toEqual(before);
+  await page.context().close();
+});
+
+it("a model from a file is stood beside the structure, and edits stop at it", async () => {
+  const page = await site.open();
+  const { highest } = await heights(page);
+  const slab = highest + 0.2;
+  const corners = ["-99 -99", "99 -99", "99 99", "-99 99"].map((at) => `v ${at} ${slab}`);
+  await section(page).click();
+  await pickFile(page, "slab.obj", `${corners.join("\n")}\nf 1 2 3 4\n`, (shown) =>
+    shown.getByRole("button", { name: "Nothing may be through a model" }).click(),
+  );
+  await expect.poll(() => section(page).innerText()).toBe("Keep-outs (1)");
+  await idle(page);
+  await typeTarget(page, "+0.8");
+  const { highest: now } = await heights(page);
+  expect(now).toBeLessThanOrEqual(slab + 1e-9);
+  expect(now).toBeGreaterThan(highest + 0.05);
+  expect(await page.getByText(/^They hold \d+ points? of this edit back\.$/).count()).toBe(1);
+  await page.getByRole("button", { name: "Remove: No panel through a model" }).click();
+  await idle(page);
+  expect((await heights(page)).highest).toBeGreaterThan(slab);
   await page.context().close();
 });

@@ -5,9 +5,9 @@ import { DEFAULT_SETTINGS, type Point } from "../../web/src/design/design.ts";
 import { fromDesign } from "../../web/src/design/design-value.ts";
 import {
   firstKeepOut,
-  type KeepOutKind,
   keepOutMoved,
   keepOutText,
+  type PlainKind,
   readKeepOut,
 } from "../../web/src/design/keep-outs.ts";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
@@ -16,6 +16,7 @@ import { refuse } from "../../web/src/result/result.ts";
 import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import {
   addKeepOut,
+  addModel,
   changeKeepOut,
   heldByKeepOuts,
   keepClear,
@@ -34,6 +35,7 @@ import { openedPage, pageHere } from "./support/page-here.ts";
 
 /** The middle of the roof, of 21 by 21 points. */
 const MIDDLE = 220;
+const MODEL = "mesh=0,0,1;1,0,1;1,1,0.5;-1e-3,1,1/0,1,2;0,2,3";
 const ROOF = { sample: "roof", size: 21 };
 
 async function middle(): Promise<readonly [number, number, number]> {
@@ -91,7 +93,7 @@ it("edits go on with them, and another mesh begins without", async () => {
 it("a link and a saved design hold them", async () => {
   const settings = {
     ...DEFAULT_SETTINGS,
-    keepOuts: ["below=0", "plane=0,0.5,-1e-3,4", "box=-1,0,0.5,2,1,3.25", "self"],
+    keepOuts: ["below=0", "plane=0,0.5,-1e-3,4", "box=-1,0,0.5,2,1,3.25", "self", MODEL],
     clearance: 0.125,
     limits: ["fold=+5"],
     constraints: ["circular:1e-9"],
@@ -118,6 +120,7 @@ describe("keep-outs as text", () => {
       "plane=0,0.5,-0.001,4",
       "box=-1,0,0.5,2,1,3",
       "self",
+      "mesh=0,0,1;1,0,1;1,1,0.5;0,1,1/0,1,2;0,2,3",
     ])
       expect(keepOutText(readKeepOut(text) ?? { kind: "self", numbers: [] })).toBe(text);
     for (const text of [
@@ -129,6 +132,12 @@ describe("keep-outs as text", () => {
       "self=1",
       "above=x",
       "under=1",
+      "mesh",
+      "mesh=0,0,0;1,0,0;1,1,0",
+      "mesh=0,0,0;1,0,0;1,1,0/0,1",
+      "mesh=0,0,0;1,0,0;1,1,0/0,1,3",
+      "mesh=0,0;1,0;1,1/0,1,2",
+      "mesh=0,0,0;1,0,0;1,1,0/0,1,2/",
     ])
       expect(readKeepOut(text), text).toBeNull();
   });
@@ -142,11 +151,12 @@ describe("keep-outs as text", () => {
     expect(moved("plane=0,2,0,8", 1, 3, 9)).toBe("plane=0,2,0,14");
     expect(moved("box=0,0,0,1,2,3", 1, -1, 0.5)).toBe("box=1,-1,0.5,2,1,3.5");
     expect(moved("self", 1, 1, 1)).toBe("self");
+    expect(moved("mesh=0,0,1;1,0,1;1,1,1/0,1,2", 1, 0, -1)).toBe("mesh=1,0,0;2,0,0;2,1,0/0,1,2");
   });
 
   it("begin beside the structure, a plane through three chosen points", () => {
     const extent = { low: [0, 0, 0.12], high: [10, 8, 3.14] } as const;
-    const first = (kind: KeepOutKind, chosen: readonly Point[] = []): string =>
+    const first = (kind: PlainKind, chosen: readonly Point[] = []): string =>
       keepOutText(firstKeepOut(kind, { extent, chosen, step: 0.1 }));
     expect(first("below")).toBe("below=0.1");
     expect(first("above")).toBe("above=3.2");
@@ -166,6 +176,54 @@ describe("keep-outs as text", () => {
       ]),
     ).toBe("plane=1,0,0,10");
     expect(first("box", [[1, 1, 1]])).toBe("box=0,0,2,2,2,4");
+  });
+});
+
+/** A square slab over the middle of the roof, whose first point no panel has. */
+async function slab(name = "beam.obj"): Promise<{ file: File; level: number }> {
+  const [x, y, z] = await middle();
+  const level = z + 0.15;
+  const corners = [
+    [x - 9, y - 9],
+    [x + 9, y - 9],
+    [x + 9, y + 9],
+    [x - 9, y + 9],
+  ];
+  const points = corners.map((corner) => `v ${corner.join(" ")} ${level}`);
+  const text = ["v 0 0 0", ...points, "f 2 3 4 5", ""].join("\n");
+  return { file: new File([text], name), level };
+}
+
+describe("a model from a file", () => {
+  it("is kept out of, and makes no other base", async () => {
+    const page = await openedPage();
+    const base = page.mesh.value;
+    const { file, level } = await slab();
+    expect(await addModel(page, file)).toMatchObject({ ok: true });
+    expect(page.mesh.value).toBe(base);
+    expect(keepOuts(page).value).toHaveLength(1);
+    expect(keepOuts(page).value[0]?.panels).toEqual([[0, 1, 2, 3]]);
+    const [x, y, z] = await middle();
+    await setTarget(page, MIDDLE, [x, y, z + 0.6]);
+    expect(height(page)).toBeLessThanOrEqual(level + 1e-9);
+    expect(height(page)).toBeGreaterThan(z + 0.05);
+    expect(heldByKeepOuts(page)).toContain(MIDDLE);
+    await moveKeepOut(page, 0, [0, 0, 0.2]);
+    expect(height(page)).toBeGreaterThan(level);
+    expect(height(page)).toBeLessThanOrEqual(level + 0.2 + 1e-9);
+  });
+
+  it("that cannot be read is refused by its name, and nothing has changed", async () => {
+    const page = await openedPage();
+    const wrong = new File(["v 0 0 0\nf 1 2 3\n"], "broken.obj");
+    const reason = async (file: File): Promise<string> => {
+      const end = await addModel(page, file);
+      return end && !end.ok ? end.reason : "";
+    };
+    expect(await reason(wrong)).toMatch(/^broken\.obj: /);
+    expect(await reason(new File([""], "roof.dwg"))).toMatch(/^roof\.dwg cannot be read/);
+    expect(keepOuts(page).value).toEqual([]);
+    expect(page.mesh.value).not.toBeNull();
   });
 });
 

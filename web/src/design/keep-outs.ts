@@ -1,34 +1,80 @@
 // SPDX-License-Identifier: MIT
-// Where nothing of an edit may go, in the words of the command line: "below=0", "box=0,0,0,1,1,1", "self".
+// Where nothing of an edit may go, in the words of the command line: "below=0", "box=0,0,0,1,1,1", "self",
+// "mesh=0,0,0;1,0,0;1,1,0/0,1,2".
 import type { Extent } from "../mesh/extent.ts";
+import type { Model } from "../solver/protocol.ts";
 import type { Point } from "./design.ts";
 
 /** Of the numbers behind it: z; z; a, b, c, d of a·x + b·y + c·z > d; two corners; none. */
 const NUMBERS = { below: 1, above: 1, plane: 4, box: 6, self: 0 } as const;
 
-export type KeepOutKind = keyof typeof NUMBERS;
+/** One that a person asks for by its numbers. */
+export type PlainKind = keyof typeof NUMBERS;
+export type KeepOutKind = PlainKind | "mesh";
 
 /** Model units. */
 export interface KeepOut {
   readonly kind: KeepOutKind;
+  /** Of a model x, y, z of every point. */
   readonly numbers: readonly number[];
+  /** Of a model: points of every panel. */
+  readonly panels?: readonly (readonly number[])[];
 }
 
-const isKeepOutKind = (word: string): word is KeepOutKind => Object.hasOwn(NUMBERS, word);
+const isPlainKind = (word: string): word is PlainKind => Object.hasOwn(NUMBERS, word);
+
+/** The core's own limit. */
+const MOST_PANELS = 20_000;
+
+/** "0,0,0;1,0,0;1,1,0/0,1,2"; null if it is no model. */
+function readModel(text: string): KeepOut | null {
+  const [points = "", list = "", ...more] = text.split("/");
+  const triples = points.split(";").map((point) => point.split(",").map(Number));
+  const panels = list.split(";").map((panel) => panel.split(",").map(Number));
+  const whole = triples.every((p) => p.length === 3 && p.every(Number.isFinite));
+  const known = panels.every(
+    (panel) => panel.length > 2 && panel.every((v) => triples[v] !== undefined),
+  );
+  if (!whole || !known || more.length > 0 || panels.length > MOST_PANELS) return null;
+  return { kind: "mesh", numbers: triples.flat(), panels };
+}
+
+function modelText({ numbers, panels = [] }: KeepOut): string {
+  const points = Array.from({ length: numbers.length / 3 }, (_, k) =>
+    numbers.slice(3 * k, 3 * k + 3).join(","),
+  );
+  return `mesh=${points.join(";")}/${panels.map((panel) => panel.join(",")).join(";")}`;
+}
+
+/** The points that no panel has are left out. */
+export function keepOutOf({ points, offsets, vertices }: Model): KeepOut {
+  const places = new Map<number, number>();
+  for (const v of vertices) if (!places.has(v)) places.set(v, places.size);
+  const numbers = [...places.keys()].flatMap((v) => [...points.subarray(3 * v, 3 * v + 3)]);
+  const panels = Array.from({ length: offsets.length - 1 }, (_, f) =>
+    [...vertices.subarray(offsets[f], offsets[f + 1])].map((v) => places.get(v) ?? 0),
+  );
+  return { kind: "mesh", numbers, panels };
+}
 
 /** null if it is none. */
 export function readKeepOut(text: string): KeepOut | null {
   const [kind = "", list, ...more] = text.split("=");
+  if (kind === "mesh") return more.length === 0 ? readModel(list ?? "") : null;
   const numbers = list?.split(",").map((word) => (word === "" ? Number.NaN : Number(word))) ?? [];
-  if (!isKeepOutKind(kind) || more.length > 0 || numbers.length !== NUMBERS[kind]) return null;
+  if (!isPlainKind(kind) || more.length > 0 || numbers.length !== NUMBERS[kind]) return null;
   return numbers.every(Number.isFinite) ? { kind, numbers } : null;
 }
 
-export const keepOutText = ({ kind, numbers }: KeepOut): string =>
-  numbers.length > 0 ? `${kind}=${numbers.join(",")}` : kind;
+export function keepOutText(one: KeepOut): string {
+  if (one.kind === "mesh") return modelText(one);
+  return one.numbers.length > 0 ? `${one.kind}=${one.numbers.join(",")}` : one.kind;
+}
 
 /** Why it can be none, in a sentence; null where it can. The core has the same rules. */
-export function problemOf({ kind, numbers }: KeepOut): string | null {
+export function problemOf({ kind, numbers, panels = [] }: KeepOut): string | null {
+  if (kind === "mesh" && (panels.length === 0 || panels.length > MOST_PANELS))
+    return `A model needs panels, at most ${MOST_PANELS.toLocaleString("en")}.`;
   const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
   if (kind === "box" && !(a < d && b < e && c < f))
     return "The first corner must be lower than the second along X, Y and Z.";
@@ -37,11 +83,12 @@ export function problemOf({ kind, numbers }: KeepOut): string | null {
 }
 
 /** The same somewhere else. */
-export function keepOutMoved({ kind, numbers }: KeepOut, by: Point): KeepOut {
+export function keepOutMoved(one: KeepOut, by: Point): KeepOut {
+  const { kind, numbers } = one;
   const [a = 0, b = 0, c = 0, d = 0] = numbers;
   if (kind === "below" || kind === "above") return { kind, numbers: [a + by[2]] };
   if (kind === "plane") return { kind, numbers: [a, b, c, d + a * by[0] + b * by[1] + c * by[2]] };
-  return { kind, numbers: numbers.map((x, k) => x + (by[(k % 3) as 0 | 1 | 2] ?? 0)) };
+  return { ...one, numbers: numbers.map((x, k) => x + (by[(k % 3) as 0 | 1 | 2] ?? 0)) };
 }
 
 /** The plane through three points as a, b, c of length 1, upwards where it can be, and d; null where
@@ -67,7 +114,7 @@ export interface Surroundings {
 }
 
 /** One that a person has just asked for: it touches nothing yet, and is a little work away from right. */
-export function firstKeepOut(kind: KeepOutKind, { extent, chosen, step }: Surroundings): KeepOut {
+export function firstKeepOut(kind: PlainKind, { extent, chosen, step }: Surroundings): KeepOut {
   const { low, high } = extent;
   const down = (x: number): number => Number((Math.floor(x / step) * step).toPrecision(12));
   const up = (x: number): number => Number((Math.ceil(x / step) * step).toPrecision(12));

@@ -142,7 +142,8 @@ const isKind = (one: unknown): boolean => typeof one === "string" && !one.includ
 /** A keep-out or the clearance from all of them; the core knows what they say. */
 const isKeepOut = (one: unknown): one is string =>
   typeof one === "string" &&
-  /^(self|(below|above|plane|box|clearance)=[-+.,\de]{1,400})$/.test(one);
+  (/^(self|(below|above|plane|box|clearance)=[-+.,\de]{1,400})$/.test(one) ||
+    (one.length <= LONGEST && /^mesh=[-+.,;\de]+\/[,;\d]+$/.test(one)));
 
 const SYMMETRY = "symmetry=";
 

@@ -81,7 +81,7 @@ function slab(around: Surroundings, normal: Vector3, bound: number): Solid {
 
 function solidOf(around: Surroundings, { kind, numbers }: KeepOut): Solid | null {
   const [a = 0, b = 0, c = 0, d = 0] = numbers;
-  if (kind === "self") return null;
+  if (kind === "self" || kind === "mesh") return null;
   if (kind === "below") return slab(around, new Vector3(0, 0, -1), -a);
   if (kind === "above") return slab(around, new Vector3(0, 0, 1), a);
   if (kind === "plane") return slab(around, new Vector3(a, b, c), d);
@@ -126,6 +126,31 @@ const skinOf = (color: string, opacity: number): MeshStandardMaterial =>
     side: DoubleSide,
   });
 
+/** The panels of a model as fans, and their edges; around its middle, at which it stands. */
+function modelParts(around: Surroundings, { numbers, panels = [] }: KeepOut): BodyParts {
+  const display = placed(Float64Array.from(numbers), around.mesh.report);
+  const middle = new Box3().setFromArray(display).getCenter(new Vector3());
+  const points = Float32Array.from(display, (x, k) => x - middle.getComponent(k % 3));
+  const position = new BufferAttribute(points, 3);
+  const [sides, edges] = [new BufferGeometry(), new BufferGeometry()];
+  for (const part of [sides, edges]) part.setAttribute("position", position);
+  sides.setIndex(
+    panels.flatMap(([first = 0, ...rest]) =>
+      rest.slice(1).flatMap((v, k) => [first, rest[k] ?? 0, v]),
+    ),
+  );
+  edges.setIndex(panels.flatMap((panel) => panel.flatMap((v, k) => [v, panel.at(k - 1) ?? v])));
+  return { sides, edges, at: new Matrix4().setPosition(middle), own: true };
+}
+
+interface BodyParts {
+  readonly sides: BufferGeometry;
+  readonly edges: BufferGeometry;
+  readonly at: Matrix4;
+  /** Whether nothing else is drawn with its geometry. */
+  readonly own: boolean;
+}
+
 /** Adds them to the scene; dispose() takes them away. */
 export function drawKeepOuts(
   around: Surroundings,
@@ -136,20 +161,29 @@ export function drawKeepOuts(
   const [skin, film] = [skinOf(around.colour, OPACITY), skinOf(around.colour, SLAB_OPACITY)];
   const ink = new LineBasicMaterial({ color: around.colour, transparent: true, opacity: INK });
   const group = new Group();
+  const owned: BufferGeometry[] = [sides, edges];
+  const partsOf = (one: KeepOut): BodyParts | null => {
+    if (one.kind === "mesh") return modelParts(around, one);
+    const solid = solidOf(around, one);
+    if (!solid) return null;
+    const at = new Matrix4().makeBasis(...solid.halves).setPosition(solid.middle);
+    return { sides, edges, at, own: false };
+  };
   let arrows: KeepOutArrows | null = null;
   for (const [place, one] of all.entries()) {
-    const solid = solidOf(around, one);
-    if (!solid) continue;
+    const parts = partsOf(one);
+    if (!parts) continue;
+    if (parts.own) owned.push(parts.sides, parts.edges);
+    const level = one.kind === "below" || one.kind === "above";
     const body = new Group().add(
-      new Mesh(sides, one.kind === "box" ? skin : film),
-      new LineSegments(edges, ink),
+      new Mesh(parts.sides, level || one.kind === "plane" ? film : skin),
+      new LineSegments(parts.edges, ink),
     );
-    const { middle, halves } = solid;
-    body.applyMatrix4(new Matrix4().makeBasis(...halves).setPosition(middle));
+    body.applyMatrix4(parts.at);
     group.add(body);
     if (move?.place !== place) continue;
     const { page, stage, mesh } = around;
-    arrows = new KeepOutArrows(stage, body, one.kind !== "box" && one.kind !== "plane", (by) => {
+    arrows = new KeepOutArrows(stage, body, level, (by) => {
       const [x, y, z] = by.divideScalar(mesh.report.scale).toArray();
       void move.to(page, place, [x, y, z]);
     });
@@ -159,7 +193,7 @@ export function drawKeepOuts(
     dispose() {
       arrows?.dispose();
       group.removeFromParent();
-      for (const part of [sides, edges, skin, film, ink]) part.dispose();
+      for (const part of [...owned, skin, film, ink]) part.dispose();
     },
   };
 }

@@ -34,6 +34,7 @@ type Waited =
   | "export"
   | "shop"
   | "preview"
+  | "readModel"
   | "unpack"
   | "model"
   | "offset";
@@ -104,6 +105,7 @@ export class Dispatcher {
       else if (request.kind === "shop") await this.#shop(request);
       else if (request.kind === "preview") await this.#preview(request);
       else if (request.kind === "offset") await this.#offset(request);
+      else if (request.kind === "readModel") await this.#readModel(request);
       else if (request.kind === "unpack") await this.#unpack(request);
       else if (request.kind === "model") await this.#model(request);
       else this.#run(request);
@@ -176,6 +178,22 @@ export class Dispatcher {
   async #offset({ job, distance, form }: Extract<Request, { kind: "offset" }>): Promise<void> {
     const offset = await offsetOf(this.#session, distance, form);
     this.#post({ kind: "offset", job, offset }, []);
+  }
+
+  async #readModel(request: Extract<Request, { kind: "readModel" }>): Promise<void> {
+    const { job, file, name } = request;
+    const bytes = await readGiven(file, name, this.#onPiece);
+    const { mesh, format } =
+      request.format === "glb" ? await this.#files.openGlb(name, bytes) : asIs(bytes, request);
+    const session = new this.#module.Session();
+    try {
+      insistReadable(name, session.openFile(mesh, format));
+      const [offsets, vertices] = [session.faceOffsets(), session.faceVertices()];
+      const model = { points: session.basePositions(), offsets, vertices };
+      this.#post({ kind: "readModel", job, model }, []);
+    } finally {
+      session.delete();
+    }
   }
 
   async #unpack({ job, file, name }: Extract<Request, { kind: "unpack" }>): Promise<void> {

@@ -165,6 +165,8 @@ export type Request =
   | { kind: "shop"; job: number; order: ShopOrder } // → made
   /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
   | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
+  /** A mesh beside the one that is open, which stays. */
+  | { kind: "readModel"; job: number; file: Blob; name: string; format: FileFormat } // → readModel
   /** What a .3dm holds; the mesh that is open stays. */
   | { kind: "unpack"; job: number; file: Blob; name: string } // → unpacked
   /** The design shown as a .3dm. `design`: of the mesh that is open, whose hash is added. */
@@ -234,6 +236,15 @@ export interface OpenedMesh extends DisplayMesh {
   readonly positions: Float64Array;
   /** Under which its edits have images; null without one. */
   readonly symmetry: Reports.MeshSymmetry | null;
+}
+
+/** Panels of another model. */
+export interface Model {
+  /** x, y, z of every point, model units. */
+  readonly points: Float64Array;
+  /** Where the points of every panel begin in `vertices`, and their end. */
+  readonly offsets: Int32Array;
+  readonly vertices: Int32Array;
 }
 
 /** What a GLB held beside its mesh. */
@@ -309,6 +320,7 @@ export type Reply =
   | { kind: "made"; job: number; file: Blob; header: CuttingHeader | DrawnHeader }
   | { kind: "previewed"; job: number; preview: CuttingPreview }
   | { kind: "offset"; job: number; offset: MeshOffset }
+  | { kind: "readModel"; job: number; model: Model }
   | { kind: "unpacked"; job: number; model: OpenedModel }
   | { kind: "modelled"; job: number; model: WrittenModel }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */

@@ -6,18 +6,21 @@ import { FIRST_SETTINGS, type Point } from "../design/design.ts";
 import {
   firstKeepOut,
   type KeepOut,
-  type KeepOutKind,
   keepOutMoved,
+  keepOutOf,
   keepOutText,
+  type PlainKind,
   problemOf,
   readKeepOut,
 } from "../design/keep-outs.ts";
 import { extentOf } from "../mesh/extent.ts";
 import { niceStep } from "../quantity/units.ts";
 import { refuse } from "../result/result.ts";
+import type { FileFormat } from "../solver/protocol.ts";
+import { run } from "./connection.ts";
 import { commitSettings, shownPoint } from "./editing.ts";
 import { kept, type Page } from "./page.ts";
-import type { Outcome } from "./turns.ts";
+import { inTurn, type Outcome } from "./turns.ts";
 
 const textsOf = (page: Page): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).keepOuts;
 
@@ -52,7 +55,7 @@ const commitAll = (page: Page, all: readonly KeepOut[]): Outcome =>
   );
 
 /** Beside the design that is shown, or the points that are selected. */
-export function addKeepOut(page: Page, kind: KeepOutKind): Outcome {
+export function addKeepOut(page: Page, kind: PlainKind): Outcome {
   const mesh = page.mesh.value;
   if (!mesh) return Promise.resolve(undefined);
   const around = {
@@ -61,6 +64,25 @@ export function addKeepOut(page: Page, kind: KeepOutKind): Outcome {
     step: niceStep(mesh.report.meanEdge / 10),
   };
   return commitAll(page, [...keepOuts(page).value, firstKeepOut(kind, around)]);
+}
+
+const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
+
+/** A model from a file, where it stands there. */
+export async function addModel(page: Page, file: File): Outcome {
+  const { name } = file;
+  const format = FORMATS.find((f) => name.toLowerCase().endsWith(`.${f}`));
+  const question = format && ({ kind: "readModel", file, name, format } as const);
+  const read = await inTurn(page, async () =>
+    question
+      ? run(page, `reading ${name}`, question, "readModel")
+      : refuse(`${name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`),
+  );
+  if (!read?.ok) return read;
+  const one = keepOutOf(read.value.model);
+  const problem = problemOf(one);
+  if (problem) return inTurn(page, async () => refuse(`${name}: ${problem}`));
+  return commitAll(page, [...keepOuts(page).value, one]);
 }
 
 /** What cannot be is refused, and changes nothing. */

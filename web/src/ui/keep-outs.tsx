@@ -9,6 +9,7 @@ import { counted } from "../quantity/counted.ts";
 import { followKeepOuts } from "../scene/keep-out-follower.ts";
 import {
   addKeepOut,
+  addModel,
   changeKeepOut,
   clearanceOf,
   heldByKeepOuts,
@@ -18,14 +19,16 @@ import {
   removeKeepOut,
   removeKeepOuts,
 } from "../state/keep-outs.ts";
+import type { Page } from "../state/page.ts";
 import { Icon } from "./icon.tsx";
 import { LimitField } from "./limit-field.tsx";
 import { usePage } from "./page-context.ts";
+import { pickFile } from "./pick-file.ts";
 import { viewOf } from "./view-slot.ts";
 
 interface Words {
-  /** On the button that adds one. */
-  readonly add: string;
+  /** On the button that adds one; none where a file says what it is. */
+  readonly add?: string;
   readonly name: string;
   readonly about: string;
   /** A row each; without a unit where the numbers are a direction. */
@@ -75,9 +78,10 @@ const WORDS: Readonly<Record<KeepOutKind, Words>> = {
     about: "those that share no point do not touch",
     rows: [],
   },
+  mesh: { name: "No panel through a model", about: "it stays where it stands", rows: [] },
 };
 
-const KINDS = Object.keys(WORDS) as readonly KeepOutKind[];
+const KINDS = ["below", "above", "plane", "box", "self"] as const;
 
 /** Which of several alike. */
 function nameOf(all: readonly KeepOut[], place: number): string {
@@ -179,6 +183,11 @@ function Row({ place }: { place: number }) {
   );
 }
 
+async function pickModel(page: Page): Promise<void> {
+  const file = await pickFile(".obj,.off,.ply,.glb");
+  if (file) await addModel(page, file);
+}
+
 function Add() {
   const page = usePage();
   const all = keepOuts(page).value;
@@ -198,6 +207,16 @@ function Add() {
           {WORDS[kind].add}
         </button>
       ))}
+      <button
+        type="button"
+        class="tool"
+        title="From an OBJ, OFF, PLY or GLB file: no panel goes through one of its own"
+        aria-label="Nothing may be through a model"
+        disabled={!page.ready.value}
+        onClick={() => void pickModel(page)}
+      >
+        through a model…
+      </button>
     </fieldset>
   );
 }

@@ -4,7 +4,7 @@ import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
 
 /** Asks for one file; null if the user changes their mind. */
-function pickFile(accept: string): Promise<File | null> {
+export function pickFile(accept: string): Promise<File | null> {
   return new Promise((resolve) => {
     const input = document.createElement("input");
     input.type = "file";
