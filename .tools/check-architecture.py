@@ -86,6 +86,8 @@ FILE_GROUPS = {
     "problem_keep_outs": "problem",
     "symmetry_text": "symmetry",
     "area_vector": "mesh",
+    "panel_boxes": "mesh",
+    "context_mesh": "keep_out",  # a model beside the mesh, as text
     "sound_projection": "projection",
     "nearly_flat": "projection",
     "projector": "projection",
@@ -94,6 +96,8 @@ FILE_GROUPS = {
     "vertex_slides": "point_support",
     "resting_points": "point_support",
     "boundary_outline": "point_support",
+    "surface_feet": "point_support",
+    "reference_surface": "point_support",
     "crc32": "checksum",
     "mesh_hash": "checksum",
     "handle_edit_rules": "handle_edit",

@@ -92,8 +92,8 @@ std::vector<OptionRow> edit_option_rows() {
           {"--pin", "V,V,...", "vertices that stay where they are"},
           {"--support", "KIND:POINTS",
            "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
-           "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz or outline\n"
-           "(the boundary as it is drawn);\n"
+           "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz, outline\n"
+           "(the boundary as it is drawn), surface (MESH itself) or surface=FILE;\n"
            "POINTS is V,V,... or boundary or all (repeatable)"},
           {"--continuation", "N",
            "handles go to their targets in N equal steps, each solved from the\n"
@@ -292,10 +292,23 @@ std::vector<int> parse_pins(const Arguments& arguments, const Mesh& mesh) {
 
 namespace {
 
+/// As designs say it; a surface may also be a file.
+std::optional<PointSupport> to_support(const std::string& text) {
+  constexpr std::string_view kSurface = "surface=";
+  if (auto support = parse_point_support(text)) return support;
+  const std::size_t colon = text.rfind(':');
+  if (!text.starts_with(kSurface) || colon == std::string::npos) return std::nullopt;
+  auto support = parse_point_support("surface" + text.substr(colon));
+  if (!support) return std::nullopt;
+  const std::string path = text.substr(kSurface.size(), colon - kSurface.size());
+  support->surface = to_context(open_source(path).mesh);
+  return support;
+}
+
 std::vector<PointSupport> parse_supports(const Arguments& arguments) {
   std::vector<PointSupport> supports;
   for (const std::string& text : arguments.values("--support")) {
-    auto support = parse_point_support(text);
+    auto support = to_support(text);
     if (!support) {
       throw CommandError(kWrongUsage,
                          "--support: \"" + text + "\" is none of " + std::string(known_supports()));

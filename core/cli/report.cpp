@@ -221,7 +221,9 @@ Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base, const Positio
 void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
                   const Positions& after) {
   for (const PointSupport& support : supports) {
-    json["supports"].push_back({{"name", point_support_text(support)},
+    PointSupport named = support;
+    named.surface = {};  // its points are not what it is called
+    json["supports"].push_back({{"name", point_support_text(named)},
                                 {"distance_max", largest_distance(support, base, after)}});
   }
 }

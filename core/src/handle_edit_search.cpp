@@ -40,8 +40,8 @@ bool HandleEditSolver::State::turns(const ExactDesign& design) {
 /// is settled. [SUP-3] [KEE-2]
 void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const Progress& progress,
                                            SolveReport& report) {
-  const bool on_outline = slides_ != nullptr && slides_->has_outline();
-  if (!on_outline && !(has_keep_outs() && keep_outs_turn())) return;
+  const bool turning = slides_ != nullptr && slides_->has_turning_tracks();
+  if (!turning && !(has_keep_outs() && keep_outs_turn())) return;
   NewtonOptions step = options;
   step.first_smoothing = 1e-3;
   for (int round = 0; round < kMostOutlineTurns && report.status != SolveStatus::kCancelled;
@@ -115,7 +115,8 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
   if (report.status != SolveStatus::kCancelled && !spent) {
     EngineOutcome fine;
     ExactDesign design;
-    const int most = has_keep_outs() ? kMostRestTurns : kMostOutlineTurns;
+    const bool on_surface = slides_ != nullptr && slides_->has_feet();
+    const int most = has_keep_outs() || on_surface ? kMostRestTurns : kMostOutlineTurns;
     for (int round = 0;
          round == 0 || (round < most && (turns(design) || (has_keep_outs() && lets_go())));
          ++round) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "planish/io/number.hpp"
@@ -26,28 +25,11 @@ const KeepOutForm& form_of(const KeepOut& keep_out) {
   return kForms[static_cast<std::size_t>(keep_out.kind)];
 }
 
-Refusal find_problem(const ContextMesh& mesh) {
-  if (mesh.panels.empty()) return "keep_out: mesh: it has no panels";
-  const auto is_finite = [](const auto& point) {
-    return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
-  };
-  if (!std::all_of(mesh.points.begin(), mesh.points.end(), is_finite)) {
-    return "keep_out: mesh must be finite";
-  }
-  const int count = static_cast<int>(mesh.points.size());
-  for (const std::vector<int>& panel : mesh.panels) {
-    const bool known =
-        std::all_of(panel.begin(), panel.end(), [&](int v) { return v >= 0 && v < count; });
-    if (!known || panel.size() < 3) {
-      return "keep_out: mesh: a panel has three or more of its " + std::to_string(count) +
-             " points (from 0)";
-    }
-  }
-  return std::nullopt;
-}
-
 Refusal find_problem(const KeepOut& keep_out) {
-  if (keep_out.kind == KeepOut::Kind::kMesh) return find_problem(keep_out.mesh);
+  if (keep_out.kind == KeepOut::Kind::kMesh) {
+    auto problem = find_problem(keep_out.mesh);
+    return problem ? "keep_out: mesh" + *problem : std::optional<std::string>();
+  }
   const std::string name = "keep_out: " + std::string(form_of(keep_out).name);
   const auto& numbers = keep_out.numbers;
   if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) {
@@ -79,70 +61,6 @@ KeptBox box_of(const KeepOut& keep_out, double clearance) {
   return {0.5 * (low + high), Eigen::Vector3d(0.5 * (high - low)).asDiagonal(), clearance};
 }
 
-/// What stands between marks: calls `take` with each part, until it returns false.
-template <class Take>
-bool for_each_part(std::string_view text, char mark, const Take& take) {
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(mark, begin);
-    if (!take(text.substr(begin, end - begin))) return false;
-    if (end == std::string_view::npos) return true;
-    begin = end + 1;
-  }
-}
-
-bool parse_point(std::string_view text, std::array<double, 3>& point) {
-  std::size_t count = 0;
-  const bool read = for_each_part(text, ',', [&](std::string_view word) {
-    const auto number = parse_number(word);
-    if (!number || count == point.size()) return false;
-    point[count++] = *number;
-    return true;
-  });
-  return read && count == point.size();
-}
-
-bool parse_panel(std::string_view text, std::vector<int>& panel) {
-  return for_each_part(text, ',', [&](std::string_view word) {
-    const auto vertex = parse_integer(word);
-    if (!vertex || *vertex < 0 || *vertex > std::numeric_limits<int>::max()) return false;
-    panel.push_back(static_cast<int>(*vertex));
-    return true;
-  });
-}
-
-/// "x,y,z;x,y,z;x,y,z/0,1,2;0,2,3"
-std::optional<ContextMesh> parse_context(std::string_view text) {
-  ContextMesh mesh;
-  const std::size_t stroke = text.find('/');
-  if (stroke == std::string_view::npos) return std::nullopt;
-  const bool points = for_each_part(text.substr(0, stroke), ';', [&](std::string_view part) {
-    return parse_point(part, mesh.points.emplace_back());
-  });
-  const bool panels = points && for_each_part(text.substr(stroke + 1), ';', [&](auto part) {
-                        return parse_panel(part, mesh.panels.emplace_back());
-                      });
-  return panels ? std::optional(std::move(mesh)) : std::nullopt;
-}
-
-void append_context(std::string& text, const ContextMesh& mesh) {
-  char mark = '=';
-  for (const auto& point : mesh.points) {
-    for (const double x : point) {
-      append_exact(text += mark, x);
-      mark = ',';
-    }
-    mark = ';';
-  }
-  mark = '/';
-  for (const std::vector<int>& panel : mesh.panels) {
-    for (const int v : panel) {
-      (text += mark) += std::to_string(v);
-      mark = ',';
-    }
-    mark = ';';
-  }
-}
-
 /// Its panels, behind those that are there.
 void append_walls(const ContextMesh& mesh, std::vector<Eigen::Matrix3Xd>& walls) {
   for (const std::vector<int>& panel : mesh.panels) {
@@ -167,7 +85,7 @@ std::optional<KeepOut> parse_keep_out(std::string_view text) {
   keep_out.kind = static_cast<KeepOut::Kind>(form - kForms.begin());
   if (keep_out.kind == KeepOut::Kind::kMesh) {
     if (equals == std::string_view::npos) return std::nullopt;
-    auto mesh = parse_context(text.substr(equals + 1));
+    auto mesh = parse_context_mesh(text.substr(equals + 1));
     if (!mesh) return std::nullopt;
     keep_out.mesh = std::move(*mesh);
     return keep_out;
@@ -185,7 +103,7 @@ std::optional<KeepOut> parse_keep_out(std::string_view text) {
 
 std::string keep_out_text(const KeepOut& keep_out) {
   std::string text(form_of(keep_out).name);
-  if (keep_out.kind == KeepOut::Kind::kMesh) append_context(text, keep_out.mesh);
+  if (keep_out.kind == KeepOut::Kind::kMesh) append_context_mesh(keep_out.mesh, text += '=');
   char mark = '=';
   for (std::size_t k = 0; k < form_of(keep_out).numbers; ++k) {
     append_exact(text += mark, keep_out.numbers[k]);

@@ -2,6 +2,8 @@
 #include "planish/point_support.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -10,6 +12,7 @@
 #include "planish/adjacency.hpp"
 #include "planish/index.hpp"
 #include "planish/io/number.hpp"
+#include "reference_surface.hpp"
 
 namespace planish {
 namespace {
@@ -58,6 +61,7 @@ double distance_to_outline(const Mesh& base, const std::vector<std::pair<int, in
 
 /// "supports: plane=0,0,1,3" without its points, which may be thousands.
 std::string name_of(const PointSupport& support) {
+  if (support.kind == PointSupport::Kind::kSurface) return "supports: surface";
   const std::string text = point_support_text(support);
   return "supports: " + text.substr(0, text.find(':'));
 }
@@ -72,7 +76,57 @@ Refusal find_inside(const PointSupport& support, const Mesh& mesh) {
   return std::nullopt;
 }
 
-Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double most) {
+/// Of each of `points` above the surface, as the base has it and as `shape` does; model units.
+std::vector<std::array<double, 2>> heights_of(const PointSupport& support, const Mesh& base,
+                                              const std::vector<int>& points,
+                                              const Positions& shape) {
+  const ReferenceSurface surface(support.surface.points.empty() ? base : to_mesh(support.surface));
+  std::vector<std::array<double, 2>> heights;
+  for (const int v : points) {
+    const Eigen::Vector3d was = base.positions.col(v), is = shape.col(v);
+    const SurfaceFoot foot = surface.foot(was, surface.somewhere_near(was));
+    heights.push_back({foot.height, surface.foot(is, foot.place).height});
+  }
+  return heights;
+}
+
+Refusal find_far_from_surface(const PointSupport& support, const Mesh& mesh, double mean_edge) {
+  if (support.points == PointSupport::Points::kAll) {
+    return "supports: surface: all points at once have next to no way to move on it with flat "
+           "panels; name the boundary or some of them";
+  }
+  const std::vector<int> points = points_of(support, mesh);
+  const auto heights = heights_of(support, mesh, points, mesh.positions);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double height = std::abs(heights[k][0]);
+    if (height <= kSurfaceReach * mean_edge) continue;
+    return name_of(support) + ": vertex " + std::to_string(points[k]) + " is " +
+           three_digits(height) + " away from it, and mean edges are " + three_digits(mean_edge) +
+           "; a point slides on what it is near to already";
+  }
+  return std::nullopt;
+}
+
+/// A track has one thing at a time to follow.
+Refusal find_followed_twice(const std::vector<PointSupport>& supports, const Mesh& mesh) {
+  std::vector<const PointSupport*> followed(at(mesh.vertex_count()), nullptr);
+  for (const PointSupport& support : supports) {
+    const bool outline = support.kind == PointSupport::Kind::kOutline;
+    if (!outline && support.kind != PointSupport::Kind::kSurface) continue;
+    for (const int v : points_of(support, mesh)) {
+      const PointSupport*& other = followed[at(v)];
+      if (other != nullptr && (!outline || other->kind == PointSupport::Kind::kSurface)) {
+        return "supports: surface: vertex " + std::to_string(v) +
+               " stands on another surface or an outline as well";
+      }
+      other = &support;
+    }
+  }
+  return std::nullopt;
+}
+
+Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double mean_edge) {
+  const double most = kSupportReach * mean_edge;
   for (const int v : support.vertices) {
     if (v >= mesh.vertex_count()) {
       return name_of(support) + ": there is no vertex " + std::to_string(v) + "; the mesh has " +
@@ -80,6 +134,9 @@ Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double m
     }
   }
   if (support.kind == PointSupport::Kind::kOutline) return find_inside(support, mesh);
+  if (support.kind == PointSupport::Kind::kSurface) {
+    return find_far_from_surface(support, mesh, mean_edge);
+  }
   for (const int v : points_of(support, mesh)) {
     const Eigen::Vector3d point = mesh.positions.col(v);
     const double distance = way_off(support, point, point).norm();
@@ -96,11 +153,11 @@ Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double m
 Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh) {
   if (auto problem = find_problem(supports)) return problem;
   if (supports.empty()) return std::nullopt;
-  const double most = kSupportReach * mean_edge_length(mesh);
+  const double mean_edge = mean_edge_length(mesh);
   for (const PointSupport& support : supports) {
-    if (auto problem = find_unsupported(support, mesh, most)) return problem;
+    if (auto problem = find_unsupported(support, mesh, mean_edge)) return problem;
   }
-  return std::nullopt;
+  return find_followed_twice(supports, mesh);
 }
 
 std::vector<int> points_of(const PointSupport& support, const Mesh& mesh) {
@@ -121,6 +178,12 @@ double largest_distance(const PointSupport& support, const Mesh& base, const Pos
     const auto edges = boundary_edges(base);
     for (const int v : points_of(support, base)) {
       largest = std::max(largest, distance_to_outline(base, edges, shape.col(v)));
+    }
+    return largest;
+  }
+  if (support.kind == PointSupport::Kind::kSurface) {
+    for (const auto& [was, is] : heights_of(support, base, points_of(support, base), shape)) {
+      largest = std::max(largest, std::abs(is - was));
     }
     return largest;
   }

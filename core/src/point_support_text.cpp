@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "planish/io/number.hpp"
 #include "planish/point_support.hpp"
@@ -62,6 +63,13 @@ bool parse_form(std::string_view text, PointSupport& support) {
     support.kind = PointSupport::Kind::kOutline;
     return true;
   }
+  if (name == "surface") {
+    support.kind = PointSupport::Kind::kSurface;
+    if (bare) return true;
+    auto surface = parse_context_mesh(value);
+    if (surface) support.surface = std::move(*surface);
+    return surface.has_value();
+  }
   support.kind = name == "plane" ? PointSupport::Kind::kPlane : PointSupport::Kind::kLine;
   if (name == "plane") return parse_numbers(value, 4, support);
   return name == "line" && parse_numbers(value, 6, support);
@@ -72,6 +80,11 @@ std::string form_text(const PointSupport& support) {
     return std::string("level=") + kAxes[static_cast<std::size_t>(support.axis)];
   }
   if (support.kind == PointSupport::Kind::kOutline) return "outline";
+  if (support.kind == PointSupport::Kind::kSurface) {
+    std::string form = "surface";
+    if (!support.surface.points.empty()) append_context_mesh(support.surface, form += '=');
+    return form;
+  }
   std::string text = support.kind == PointSupport::Kind::kPlane ? "plane=" : "line=";
   for (std::size_t k = 0; k < support.numbers.size(); ++k) {
     if (k > 0) text += ',';
@@ -87,6 +100,10 @@ double direction_length(const PointSupport& support) {
 }
 
 Refusal find_problem(const PointSupport& support) {
+  if (!support.surface.points.empty()) {
+    auto problem = find_problem(support.surface);
+    return problem ? "supports: surface" + *problem : std::optional<std::string>();
+  }
   const std::string name = "supports: " + form_text(support);
   const auto& numbers = support.numbers;
   if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) {
@@ -102,7 +119,7 @@ Refusal find_problem(const PointSupport& support) {
 
 std::string_view known_supports() {
   return "level:POINTS, level=AXIS:POINTS, plane=a,b,c,d:POINTS, line=x,y,z,dx,dy,dz:POINTS, "
-         "outline:POINTS; "
+         "outline:POINTS, surface:POINTS, surface=FILE:POINTS; "
          "POINTS is V,V,... or boundary or all";
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -109,6 +110,10 @@ class ImageCollector {
       const Eigen::Vector3d turned = operation.turn * normal;
       image.numbers = {turned.x(), turned.y(), turned.z(), turned.dot(symmetry_.moved(k, foot))};
     }
+    for (auto& point : image.surface.points) {
+      Eigen::Map<Eigen::Vector3d> place(point.data());
+      place = symmetry_.moved(k, place);
+    }
     if (support.kind == PointSupport::Kind::kLine) {
       const Eigen::Map<const Eigen::Vector3d> point(support.numbers.data());
       const Eigen::Map<const Eigen::Vector3d> along(support.numbers.data() + 3);
@@ -139,10 +144,34 @@ class ImageCollector {
     all_.supports.push_back(support);
   }
 
+  /// Whether every point of the one has one of the other at its place; of models that images of one
+  /// another are that says enough.
+  [[nodiscard]] bool is_same_model(const ContextMesh& a, const ContextMesh& b) const {
+    const Eigen::Vector3d along(0.36, 0.48, 0.8);  // across no grid
+    using Point = std::array<double, 3>;
+    const auto place = [&](const Point& p) { return along.dot(Eigen::Vector3d(p.data())); };
+    std::vector<std::pair<double, const Point*>> known;
+    for (const Point& point : a.points) known.emplace_back(place(point), &point);
+    std::sort(known.begin(), known.end());
+    return a.points.size() == b.points.size() &&
+           std::all_of(b.points.begin(), b.points.end(), [&](const Point& point) {
+             auto one = std::lower_bound(
+                 known.begin(), known.end(), place(point) - same_,
+                 [](const auto& entry, double value) { return entry.first < value; });
+             for (; one != known.end() && one->first <= place(point) + same_; ++one) {
+               const Eigen::Vector3d way =
+                   Eigen::Vector3d(one->second->data()) - Eigen::Vector3d(point.data());
+               if (way.norm() <= same_) return true;
+             }
+             return false;
+           });
+  }
+
   [[nodiscard]] bool is_same_thing(const PointSupport& a, const PointSupport& b) const {
     constexpr double kParallel = 1e-9;
     if (a.kind != b.kind) return false;
     if (a.kind == PointSupport::Kind::kOutline) return true;
+    if (a.kind == PointSupport::Kind::kSurface) return is_same_model(a.surface, b.surface);
     if (a.kind == PointSupport::Kind::kLevel) return a.axis == b.axis;
     const bool plane = a.kind == PointSupport::Kind::kPlane;
     const Eigen::Vector3d first(a.numbers.data() + (plane ? 0 : 3));

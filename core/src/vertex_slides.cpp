@@ -57,6 +57,7 @@ VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& su
   std::vector<int> on_outline;
   for (const PointSupport& support : supports) {
     const std::vector<int> points = points_of(support, mesh);
+    if (support.kind == PointSupport::Kind::kSurface) continue;
     if (support.kind == PointSupport::Kind::kOutline) {
       on_outline.insert(on_outline.end(), points.begin(), points.end());
       continue;
@@ -66,6 +67,9 @@ VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& su
       SlideTrack& track = track_of(v);
       for (const Eigen::Vector3d& direction : directions) forbid(direction, track.along);
     }
+  }
+  for (const PointSupport& support : supports) {
+    if (support.kind == PointSupport::Kind::kSurface) add_feet(support, points_of(support, mesh));
   }
   if (on_outline.empty()) return;
   outline_ = std::make_unique<BoundaryOutline>(mesh);
@@ -133,6 +137,7 @@ void VertexSlides::take_side(int corner, int side, Runner& runner) {
 
 void VertexSlides::open() {
   for (Runner& runner : runners_) open(runner);
+  for (Foot& foot : feet_) open(foot);
   if (has_rests()) let_all_go();
 }
 
@@ -169,6 +174,12 @@ bool VertexSlides::follow(std::span<const int> vertices, const Eigen::Matrix3Xd&
     if (found == vertices.end() || *found != runner.vertex) continue;
     changed = follow(runner, displacement.col(found - vertices.begin())) || changed;
   }
+  for (std::size_t k = 0; k < vertices.size() && !feet_.empty(); ++k) {
+    const int foot = foot_of_[at(vertices[k])];
+    if (foot < 0) continue;
+    const Eigen::Vector3d d = displacement.col(static_cast<Eigen::Index>(k));
+    changed = follow(feet_[at(foot)], d) || changed;
+  }
   return changed;
 }
 
@@ -177,6 +188,7 @@ void VertexSlides::release_corners() {
     runner.turns = 0;
     if (runner.state == Runner::State::kCorner && runner.corner == runner.vertex) open(runner);
   }
+  for (Foot& foot : feet_) foot.turns = 0;
   if (has_rests()) forget_releases();
 }
 
@@ -191,6 +203,9 @@ bool VertexSlides::is_within_side(const Runner& runner, const Eigen::Vector3d& d
 bool VertexSlides::holds(int vertex, const Eigen::Vector3d& d) const {
   const int place = place_[at(vertex)];
   if (place < 0) return true;
+  if (!feet_.empty() && foot_of_[at(vertex)] >= 0) {
+    return is_at_height(feet_[at(foot_of_[at(vertex)])], d);
+  }
   if (!((d - tracks_[at(place)].nearest(d)).norm() <= kOnTrack)) return false;
   const int runner = at(place) < runner_of_.size() ? runner_of_[at(place)] : -1;
   return runner < 0 || is_within_side(runners_[at(runner)], d);

@@ -63,6 +63,13 @@ class EditSupports : public ::testing::TestWithParam<const char*> {
     return result;
   }
 
+  /// How far a vertex went.
+  [[nodiscard]] double way_of(const HandleEditResult& result, int vertex) const {
+    return (apply(mesh, result).col(vertex) - mesh.positions.col(vertex)).norm();
+  }
+
+  const Eigen::Vector3d kAlong{0.6, 0.7, 0.1};  ///< about a mean edge along most surfaces
+
   Mesh mesh;
   int handle;
 };
@@ -120,6 +127,92 @@ TEST_P(EditSupports, CostMoreThanFreedomAndLessThanPins) {
   EXPECT_LE(without, kOtherBasin * with);
   EXPECT_LE(with, kOtherBasin * solve(pinned).report.objective.total());
   EXPECT_GT(with, 1.01 * without) << "the supports are felt";
+}
+
+/// The boundary slides along the surface that the mesh stands for; so does a point amid others.
+TEST_P(EditSupports, ASurfaceKeepsHeights) {
+  constexpr double kRoundedAway = 1e-4, kNear = 0.02;
+  int certified = 0, exact = 0;
+  const double edge = mean_edge_length(mesh);
+  const int rim = boundary_vertices(mesh)[5];
+  for (const double length : {0.2, 0.5, 1.0}) {
+    for (const int vertex : {rim, handle}) {
+      std::string text = "surface:";
+      text += vertex == rim ? "boundary" : std::to_string(vertex);
+      const PointSupport surface = support(text);
+      EditTargets targets = testing::pull(mesh, vertex, length * edge * kAlong);
+      const double free = way_of(solve(targets), vertex);
+      targets.supports = {surface};
+      const HandleEditResult result = solve(targets);
+      const double off = largest_distance(surface, mesh, apply(mesh, result));
+      certified += result.report.status == SolveStatus::kConverged ? 1 : 0;
+      exact += off <= kRoundedAway * edge ? 1 : 0;
+      EXPECT_LE(off, kNear * edge) << vertex << " by " << length;
+      EXPECT_GT(way_of(result, vertex), 0.5 * free) << vertex << " by " << length;
+    }
+  }
+  std::printf("%s: %d certified, %d within what files round away, of 6\n", GetParam(), certified,
+              exact);
+  EXPECT_GE(certified, 5);
+  EXPECT_GE(exact, 5);
+}
+
+TEST_P(EditSupports, NoFrameOfADragLeavesASurface) {
+  constexpr double kNear = 0.02, kBudget = 10.0;
+  const int rim = boundary_vertices(mesh)[5];
+  const double edge = mean_edge_length(mesh);
+  const PointSupport surface = support("surface:boundary");
+  HandleEditSolver solver(mesh, {});
+  double way = 0.0;
+  for (int frame = 1; frame <= 20; ++frame) {
+    EditTargets targets = testing::pull(mesh, rim, 0.05 * frame * edge * kAlong);
+    targets.supports = {surface};
+    const HandleEditResult result = solver.drag(targets, kBudget);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
+    EXPECT_LE(largest_distance(surface, mesh, apply(mesh, result)), kNear * edge) << frame;
+    way = way_of(result, rim);
+  }
+  EXPECT_GT(way, 0.2 * edge);
+}
+
+/// The mesh as a surface in the words of a support, its panels cut into triangles.
+std::string model_of(const Mesh& mesh) {
+  std::string model = "surface=";
+  for (const auto point : mesh.positions.colwise()) {
+    if (model.back() != '=') model += ';';
+    model += numbers(point);
+  }
+  char mark = '/';
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      (model += mark) += std::to_string(face[0]);
+      model.append(",").append(std::to_string(face[k]));
+      model.append(",").append(std::to_string(face[k + 1]));
+      mark = ';';
+    }
+  }
+  return model;
+}
+
+TEST_P(EditSupports, AModelIsAsGoodASurfaceAsTheMesh) {
+  const int rim = boundary_vertices(mesh)[5];
+  EditTargets targets = testing::pull(mesh, rim, 0.5 * mean_edge_length(mesh) * kAlong);
+  targets.supports = {support("surface:boundary")};
+  const HandleEditResult own = solve(targets);
+  targets.supports = {support(model_of(mesh) + ":boundary")};
+  EXPECT_TRUE(testing::same_bits(apply(mesh, own), apply(mesh, solve(targets))));
+}
+
+TEST_P(EditSupports, ASurfaceRefusesWhatItCannotHold) {
+  const auto said = [&](const std::vector<PointSupport>& supports, const std::string& words) {
+    return find_problem(supports, mesh).value_or("").starts_with("supports: surface: " + words);
+  };
+  const std::string first = "vertex " + std::to_string(boundary_vertices(mesh)[0]) + " ";
+  const std::string far = "surface=0,0,900;1,0,900;1,1,900/0,1,2:boundary";
+  EXPECT_TRUE(said({support("surface:all")}, "all points at once"));
+  EXPECT_TRUE(said({support("surface:boundary"), support("outline:boundary")}, first));
+  EXPECT_TRUE(said({support(far)}, first));
 }
 
 TEST_P(EditSupports, ConvergedIsCertifiedAlongTheSupports) {

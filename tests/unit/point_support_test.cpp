@@ -14,8 +14,9 @@ namespace {
 TEST(PointSupports, AreReadAndWritten) {
   for (const std::string text :
        {"level=z:boundary", "level=x:all", "level=y:3,4,5", "plane=0,0,1,3:boundary",
-        "plane=0.10000000000000001,1e-30,-2,3.5:7", "line=0,0,0,1,0.25,0:1,2",
-        "outline:boundary"}) {
+        "plane=0.10000000000000001,1e-30,-2,3.5:7", "line=0,0,0,1,0.25,0:1,2", "outline:boundary",
+        "surface:boundary", "surface:3,4",
+        "surface=0,0,0;1,0,0.5;1,1,0;0,1,0/0,1,2;0,2,3:boundary"}) {
     const auto support = parse_point_support(text);
     ASSERT_TRUE(support.has_value()) << text;
     const auto again = parse_point_support(point_support_text(*support));
@@ -26,10 +27,27 @@ TEST(PointSupports, AreReadAndWritten) {
 }
 
 TEST(PointSupports, RefuseWhatIsNone) {
-  for (const std::string text :
-       {"", "level", "level:", "level=w:3", "level=:3", "level=xy:3", "level:-1", "level:3,",
-        "level:3.5", "level:99999999999", "plane=0,0,1:3", "plane=0,0,1,2,3:3", "plane=a,0,0,1:3",
-        "line=0,0,0,1,1:2", "sphere=1:2", ":3", "=:3"}) {
+  for (const std::string text : {"",
+                                 "level",
+                                 "level:",
+                                 "level=w:3",
+                                 "level=:3",
+                                 "level=xy:3",
+                                 "level:-1",
+                                 "level:3,",
+                                 "level:3.5",
+                                 "level:99999999999",
+                                 "plane=0,0,1:3",
+                                 "plane=0,0,1,2,3:3",
+                                 "plane=a,0,0,1:3",
+                                 "line=0,0,0,1,1:2",
+                                 "sphere=1:2",
+                                 ":3",
+                                 "=:3",
+                                 "surface=:3",
+                                 "surface=roof.obj:3",
+                                 "surface=0,0,0;1,0,0/0,1:",
+                                 "surface=0,0,0;1,0,0/0,1,x:3"}) {
     EXPECT_FALSE(parse_point_support(text).has_value()) << text;
   }
 }

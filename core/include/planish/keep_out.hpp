@@ -10,20 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/context_mesh.hpp"
 #include "planish/refusal.hpp"
 
 namespace planish {
-
-/// Panels of another model, which stay where they are.
-struct ContextMesh {
-  std::vector<std::array<double, 3>> points;  ///< model units
-  std::vector<std::vector<int>> panels;       ///< three points or more each
-
-  friend bool operator==(const ContextMesh&, const ContextMesh&) = default;
-};
-
-/// Most panels of all of them together.
-inline constexpr std::size_t kMostContextPanels = 20'000;
 
 /// One keep-out. What is inside in the base goes no deeper, and blocks nothing else.
 struct KeepOut {

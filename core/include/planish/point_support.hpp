@@ -7,32 +7,36 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/context_mesh.hpp"
 #include "planish/mesh.hpp"
 #include "planish/refusal.hpp"
 
 namespace planish {
 
-/// Points of a mesh and the level, plane or line that they are on in the base.
+/// Points of a mesh and the level, plane, line or surface that they are on in the base.
 struct PointSupport {
   enum class Kind {
     kLevel,    ///< one coordinate keeps its bits
     kPlane,    ///< a·x + b·y + c·z = d
     kLine,     ///< through x, y, z along dx, dy, dz
     kOutline,  ///< the polygon that the boundary is drawn as in the base
+    kSurface,  ///< at the distance that each has from a model in the base
   };
   enum class Points { kListed, kBoundary, kAll };
 
   Kind kind = Kind::kLevel;
   int axis = 2;                 ///< of a level: 0 to 2
   std::vector<double> numbers;  ///< of a plane: a, b, c, d; of a line: x, y, z, dx, dy, dz
+  ContextMesh surface = {};     ///< of kSurface; empty: the base itself
   Points points = Points::kListed;
   std::vector<int> vertices;  ///< where they are listed
 
   bool operator==(const PointSupport&) const = default;
 };
 
-/// "level:POINTS", "level=AXIS:POINTS", "plane=a,b,c,d:POINTS", "line=x,y,z,dx,dy,dz:POINTS" or
-/// "outline:POINTS";
+/// "level:POINTS", "level=AXIS:POINTS", "plane=a,b,c,d:POINTS", "line=x,y,z,dx,dy,dz:POINTS",
+/// "outline:POINTS", "surface:POINTS" (the base itself) or "surface=MODEL:POINTS", MODEL as
+/// parse_context_mesh() reads it;
 /// POINTS is "boundary", "all" or vertices, "V,V,...".
 /// @returns nullopt where the text is none of these; the rules are find_problem()'s
 [[nodiscard]] std::optional<PointSupport> parse_point_support(std::string_view text);
@@ -50,6 +54,9 @@ struct PointSupport {
 /// round away. It keeps that distance.
 inline constexpr double kSupportReach = 1e-4;
 
+/// The same from a surface: half a mean edge, a panel's sag and what rounding a design took.
+inline constexpr double kSurfaceReach = 0.5;
+
 /// The first rule that `supports` break on `mesh`: vertices that it does not have, points that are
 /// not on their plane or line. nullopt if none. O(points).
 [[nodiscard]] Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh);
@@ -57,7 +64,8 @@ inline constexpr double kSupportReach = 1e-4;
 /// The vertices that a support names, ascending.
 [[nodiscard]] std::vector<int> points_of(const PointSupport& support, const Mesh& mesh);
 
-/// Largest distance of its points from a support, model units; of a level: from their own.
+/// Largest distance of its points from a support, model units; of a level: from their own; of a
+/// surface: by which theirs differs from the base's.
 /// @param shape 3 × n, model units
 [[nodiscard]] double largest_distance(const PointSupport& support, const Mesh& base,
                                       const Positions& shape);

@@ -39,15 +39,17 @@ struct TrackForce {
 };
 
 class BoundaryOutline;
+class ReferenceSurface;
 
 /// How often a state is solved again for points that take another side of their outline.
 inline constexpr int kMostOutlineTurns = 8;
-/// The same where points may rest on keep-outs.
+/// The same where points may rest on keep-outs, or stand on a surface.
 inline constexpr int kMostRestTurns = 24;
 
 /// Of every vertex with supports, or held by a keep-out, the track that they all leave it. A vertex
 /// on its outline is on one side of the polygon at a time, or rests at one of its corners: a solve
-/// finds which, [SUP-3].
+/// finds which, [SUP-3]. One on a surface is on a plane that touches it, and the plane goes along
+/// with it, [SUP-4].
 class VertexSlides {
  public:
   /// O(points); with an outline O(n).
@@ -66,8 +68,11 @@ class VertexSlides {
   /// Whether `d` is where the vertex may go: on its track, and on an outline within the side.
   [[nodiscard]] bool holds(int vertex, const Eigen::Vector3d& d) const;
 
-  /// Whether any vertex slides along an outline.
-  [[nodiscard]] bool has_outline() const { return !runners_.empty(); }
+  /// Whether any track changes with where its vertex goes: along an outline, or on a surface.
+  [[nodiscard]] bool has_turning_tracks() const { return !runners_.empty() || !feet_.empty(); }
+
+  /// Whether any vertex stands on a surface.
+  [[nodiscard]] bool has_feet() const { return !feet_.empty(); }
 
   /// Whether any vertex may come to rest on a keep-out.
   [[nodiscard]] bool has_rests() const { return !rests_.empty(); }
@@ -75,11 +80,12 @@ class VertexSlides {
   /// Where a vertex may be that is nearest to `d`.
   [[nodiscard]] Eigen::Vector3d nearest(int vertex, const Eigen::Vector3d& d) const;
 
-  /// Every vertex of an outline back where it began: free to go either way. Nothing is held by a
-  /// keep-out.
+  /// Every vertex of an outline or a surface back where it began: free to go either way. Nothing is
+  /// held by a keep-out.
   void open();
 
-  /// Takes the vertices of an outline to the sides that a state sends them to.
+  /// Takes the vertices of an outline to the sides that a state sends them to, and the planes of
+  /// those on a surface to where they are.
   /// @param vertices ascending; those that moved @param displacement 3 × |vertices|
   /// @returns whether any track changed: the state is then to be solved again
   bool follow(std::span<const int> vertices, const Eigen::Matrix3Xd& displacement);
@@ -112,6 +118,19 @@ class VertexSlides {
     SlideTrack others;  ///< what other supports leave it
   };
 
+  /// A vertex on a surface.
+  struct Foot {
+    int vertex = 0;
+    int place = 0;  ///< of its track
+    std::shared_ptr<const ReferenceSurface> surface;
+    double height = 0.0;                                ///< above it, in the base; solver units
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();     ///< of the surface; model units
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();    ///< the same in the base
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< there, in the base
+    int turns = 0;                                      ///< since open()
+    SlideTrack others;                                  ///< what other supports leave it
+  };
+
   /// A point on one plane that may hold it.
   struct Rest {
     RestingPoint point;
@@ -131,6 +150,12 @@ class VertexSlides {
   void rest_at(int corner, Runner& runner);
   void take_side(int corner, int side, Runner& runner);
   bool follow(Runner& runner, const Eigen::Vector3d& d);
+  void add_feet(const PointSupport& support, const std::vector<int>& points);
+  void open(Foot& foot);
+  void touch(Foot& foot, const Eigen::Vector3d& normal, double bound);
+  bool follow(Foot& foot, const Eigen::Vector3d& d);
+  [[nodiscard]] bool is_at_height(const Foot& foot, const Eigen::Vector3d& d) const;
+  [[nodiscard]] Eigen::Vector3d place_of(int vertex, const Eigen::Vector3d& d) const;
   [[nodiscard]] bool is_within_side(const Runner& runner, const Eigen::Vector3d& d) const;
   [[nodiscard]] Eigen::Vector3d way(int from, int to) const;
 
@@ -141,8 +166,10 @@ class VertexSlides {
   std::vector<SlideTrack> tracks_;
   std::vector<Runner> runners_;
   std::vector<int> runner_of_;  ///< of each track; past its end or −1: none
-  std::vector<Rest> rests_;     ///< by vertex
-  std::vector<int> held_;       ///< rests that have been held since open()
+  std::vector<Foot> feet_;
+  std::vector<int> foot_of_;  ///< n; −1 where there is none; empty without any
+  std::vector<Rest> rests_;   ///< by vertex
+  std::vector<int> held_;     ///< rests that have been held since open()
 };
 
 }  // namespace planish

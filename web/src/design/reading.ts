@@ -120,7 +120,8 @@ function unpack(place: Place, given: unknown): Partial<EditSettings> | null {
 
 const NUMBER = String.raw`-?\d+(?:\.\d*)?(?:e[+-]?\d+)?`;
 const several = (count: number): string => Array.from({ length: count }, () => NUMBER).join(",");
-const FORM = `level=[xyz]|outline|plane=${several(4)}|line=${several(6)}`;
+const MODEL = String.raw`[-+.,;\de]+\/[,;\d]+`;
+const FORM = `level=[xyz]|outline|surface(?:=${MODEL})?|plane=${several(4)}|line=${several(6)}`;
 const SUPPORT = new RegExp(String.raw`^(?:${FORM}):(?:boundary|all|\d+(?:,\d+)*)$`);
 
 /** Of texts and of their characters: more is no design of anybody's. */

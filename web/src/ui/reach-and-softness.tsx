@@ -116,6 +116,7 @@ const SLIDES: readonly (readonly [string, string])[] = [
   ["", "moves freely"],
   ["level=z", "keeps its level"],
   ["outline", "stays on its outline"],
+  ["surface", "stays on the surface"],
 ];
 
 /** What boundary points do that move: those that are dragged, and all where the boundary is not kept. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/constraints/panel_boxes.hpp"
+#include "planish/panel_boxes.hpp"
 
 #include <algorithm>
 #include <numeric>
