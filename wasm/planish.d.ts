@@ -10,9 +10,11 @@ import type {
   VariationFamily,
 } from "./planish_designs.d.ts";
 import type { MeshReport, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
+import type { WholeModule } from "./planish_whole.d.ts";
 
 export type * from "./planish_designs.d.ts";
 export type * from "./planish_reports.d.ts";
+export type { MeshSymmetry } from "./planish_whole.d.ts";
 
 /** Opaque enumerator. */
 export interface EnumValue {
@@ -90,25 +92,6 @@ export interface Session {
   shapeReport(): ShapeReport;
   variationsReport(): VariationsReport;
   delete(): void;
-}
-
-/** What of a mesh is an image of what. */
-export interface MeshSymmetry {
-  /** As --symmetry says it, one each. */
-  readonly elements: readonly string[];
-  /** Of every vertex the least of those that it is an image of, itself included. */
-  readonly orbits: Int32Array;
-}
-
-/** What planish_whole has beside the rest, symmetry_bindings.cpp lists it. */
-interface WholeModule {
-  /** Edits of the mesh that is open have images from here on; its base is evened out to this
-   * tolerance, mm/m. */
-  setSymmetry(session: Session, text: string, tolerance: number): string;
-  /** null without one. */
-  symmetryOf(session: Session): MeshSymmetry | null;
-  /** `handles` with their targets on the mirror planes and axes that they are on. */
-  onFixedPoints(session: Session, handles: Float64Array): Float64Array;
 }
 
 export interface PlanishModule extends Partial<WholeModule> {

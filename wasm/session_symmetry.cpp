@@ -13,7 +13,7 @@ namespace planish {
 namespace {
 
 /// "symmetry: the mesh does not have x: …" as a sentence of the page.
-std::string as_sentence(std::string clause) {
+std::string sentence_about(std::string clause) {
   constexpr std::string_view kField = "symmetry: ";
   if (clause.compare(0, kField.size(), kField) == 0) clause.erase(0, kField.size());
   if (clause[0] >= 'a' && clause[0] <= 'z') clause[0] += 'A' - 'a';
@@ -29,7 +29,7 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
   Mesh opened = base_;
   opened.positions = as_opened();
   auto found = find_symmetry(opened, *stated);
-  if (auto* problem = std::get_if<std::string>(&found)) return as_sentence(std::move(*problem));
+  if (auto* problem = std::get_if<std::string>(&found)) return sentence_about(std::move(*problem));
   auto& symmetry = std::get<MeshSymmetry>(found);
   if (symmetry.operations.size() == 1) {
     return "This mesh has no mirror plane across x, y or z, and no turns about them.";
@@ -49,7 +49,7 @@ Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, doub
     return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
   }
   auto all = with_images(targets, base_, *symmetry_);
-  if (auto* problem = std::get_if<std::string>(&all)) return as_sentence(std::move(*problem));
+  if (auto* problem = std::get_if<std::string>(&all)) return sentence_about(std::move(*problem));
   const EditTargets& images = std::get<EditTargets>(all);
   result = mode == EditMode::kDrag ? solver_->drag(images, budget_seconds)
                                    : solver_->solve_symmetric(images, *symmetry_, progress_);
