@@ -2,7 +2,7 @@
 // An edit of one point edits its images in the page, until the symmetry is switched off.
 import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { idle, movedCount, obj, typeTarget } from "./support/page.ts";
+import { exportAs, idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 it("all that a roof has is found; what is typed for one point moves its images", async () => {
@@ -33,6 +33,14 @@ it("all that a roof has is found; what is typed for one point moves its images",
   }
   const together = await movedCount(page);
   expect(await page.locator(".marker.image").count()).toBeGreaterThan(0);
+  // A GLB of it opens with it.
+  await openFile(page, "roof.glb", await exportAs(page, "GLB"));
+  await page
+    .getByText(/^Verified: the same result/)
+    .first()
+    .waitFor();
+  expect(await section.innerText()).toBe("Symmetry (4 images)");
+  expect(await movedCount(page)).toBe(together);
   await page.getByRole("button", { name: "None", exact: true }).click();
   await expect.poll(() => section.innerText()).toBe("Symmetry");
   expect(await movedCount(page)).toBeLessThan(together);

@@ -6,6 +6,7 @@ import { type Design, toTargets } from "../design/design.ts";
 import { fromDesign } from "../design/design-value.ts";
 import * as steps from "../design/history.ts";
 import type { Steps } from "../design/recipe.ts";
+import { symmetryIn } from "../design/symmetry.ts";
 import type { Unit } from "../quantity/units.ts";
 import { type Refusal, type Result, refuse } from "../result/result.ts";
 import type { Context } from "../rhino/context.ts";
@@ -16,12 +17,12 @@ import type {
   Source,
   StoredDesign,
 } from "../solver/protocol.ts";
-import { run } from "./connection.ts";
+import { openQuestion, run } from "./connection.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
 import { adopt, freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { compute, differingIn, replayNow, sizeOf } from "./replaying.ts";
-import { takeMesh } from "./showing.ts";
+import { takeBack, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
 const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
@@ -68,7 +69,16 @@ async function reopen(
   // The base in the file is that of the design, whatever became of where it came from.
   const sample = text.value.source?.kind === "sample" ? text.value.source : null;
   const recipe: Steps = { ...text.value, source: sample ?? source, baseHash: null, camera: null };
-  const end = await compute(page, recipe, opened);
+  const symmetry = symmetryIn(recipe.settings);
+  let base = opened;
+  if (symmetry) {
+    // What was read has none yet; without it edits would have no images.
+    const question = openQuestion({ source, planarised: null, symmetry });
+    const again = await run(page, "opening the design", question, "opened");
+    if (!again.ok) return takeBack(page, again);
+    base = again.value.mesh;
+  }
+  const end = await compute(page, recipe, base);
   page.unit.value = recipe.unit;
   const off = end.ok ? distance(end.value.design.shape, stored.shape, opened.positions) : null;
   if (end.ok && off === 0) {
