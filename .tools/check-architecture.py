@@ -87,6 +87,7 @@ FILE_GROUPS = {
     "symmetry_text": "symmetry",
     "area_vector": "mesh",
     "panel_boxes": "mesh",
+    "mesh_repair": "mesh_check",
     "context_mesh": "keep_out",  # a model beside the mesh, as text
     "sound_projection": "projection",
     "nearly_flat": "projection",

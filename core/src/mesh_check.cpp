@@ -54,7 +54,7 @@ Refusal refuse_face(const Mesh& mesh, int f, const SourceLines& lines,
                     std::vector<int>& last_face_of) {
   const auto face = mesh.face(f);
   const auto refusal = [&](const std::string& what) {
-    return at_line(lines.faces, f) + name("face", f + lines.first) + " " + what;
+    return at_line(lines.faces, f) + name("face", lines.number_of_face(f)) + " " + what;
   };
   if (face.size() < 3) {
     return refusal("has " + count_text(face.size(), "vertex", "vertices") + "; it needs 3 or more");
@@ -89,9 +89,10 @@ Refusal refuse_edges(const std::vector<EdgeUse>& uses, const SourceLines& lines)
     k += edge.size();
     if (edge.size() <= 2) continue;
     const auto number = [&](int index) { return std::to_string(index + lines.first); };
+    const auto face_number = [&](int f) { return std::to_string(lines.number_of_face(f)); };
     return at_line(lines.faces, edge[2].face) + "the edge between vertices " + number(edge[0].low) +
            " and " + number(edge[0].high) + " is shared by " + std::to_string(edge.size()) +
-           " faces, among them " + number(edge[0].face) + " and " + number(edge[2].face) +
+           " faces, among them " + face_number(edge[0].face) + " and " + face_number(edge[2].face) +
            counting(lines) + "; an edge can have at most 2";
   }
   return std::nullopt;

@@ -16,6 +16,12 @@ struct SourceLines {
   std::vector<int> vertices;  ///< one a vertex, or empty
   std::vector<int> faces;     ///< one a face, or empty
   int first = 0;              ///< the number of the first vertex and of the first face, 0 or 1
+  /// One a face where some were left out, or empty: then they count on from `first`.
+  std::vector<int> face_numbers = {};
+
+  [[nodiscard]] int number_of_face(int f) const {
+    return face_numbers.empty() ? f + first : face_numbers[static_cast<std::size_t>(f)];
+  }
 };
 
 /// Accepts or refuses a mesh as read, in O(n log n). A refusal counts vertices and faces as the

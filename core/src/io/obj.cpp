@@ -10,7 +10,7 @@
 #include "io/sentence.hpp"
 #include "io/text_lines.hpp"
 #include "planish/io/number.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh_repair.hpp"
 
 namespace planish {
 namespace {
@@ -139,7 +139,7 @@ ReadResult read_obj(std::string_view bytes) {
   if (std::string problem = resolve_corners(draft); !problem.empty()) return ReadError{problem};
   Mesh mesh = to_mesh(draft);
   draft.lines.first = 1;
-  return check_mesh(std::move(mesh), draft.lines);
+  return repair_and_check(std::move(mesh), draft.lines);
 }
 
 std::string write_obj(const Mesh& mesh) {

@@ -12,7 +12,7 @@
 #include "io/text_lines.hpp"
 #include "io/text_rows.hpp"
 #include "planish/io/number.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh_repair.hpp"
 
 namespace planish {
 namespace {
@@ -136,7 +136,7 @@ ReadResult read_off(std::string_view bytes) {
   if (from_one) {
     for (int& v : draft.mesh.face_vertices) --v;
   }
-  ReadResult result = check_mesh(std::move(draft.mesh), draft.lines);
+  ReadResult result = repair_and_check(std::move(draft.mesh), draft.lines);
   if (auto* file = std::get_if<MeshFile>(&result); file && from_one) {
     file->warnings.insert(file->warnings.begin(),
                           "the faces count vertices from 1, OFF counts from 0; read as from 1");

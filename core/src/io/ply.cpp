@@ -12,7 +12,7 @@
 #include "io/text_lines.hpp"
 #include "io/text_rows.hpp"
 #include "planish/io/number.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh_repair.hpp"
 
 namespace planish {
 namespace {
@@ -270,7 +270,7 @@ ReadResult read_ply(std::string_view bytes) {
   }
   draft.mesh.positions = Eigen::Map<const Positions>(
       draft.coordinates.data(), 3, static_cast<Eigen::Index>(draft.coordinates.size() / 3));
-  return check_mesh(std::move(draft.mesh), draft.lines);
+  return repair_and_check(std::move(draft.mesh), draft.lines);
 }
 
 std::string write_ply(const Mesh& mesh, PlyEncoding encoding) {

@@ -12,7 +12,7 @@ namespace planish {
 
 /// Reads `v` and `f` (with or without /vt/vn, negative indices too) and keeps `g` and `o` as
 /// groups; colours after the coordinates and every other statement are passed over. Faces may
-/// stand before their vertices. The result has passed check_mesh(); an error names the line.
+/// stand before their vertices. The result has passed repair_and_check(); an error names the line.
 /// @param bytes the file, up to 2 GiB
 [[nodiscard]] ReadResult read_obj(std::string_view bytes);
 

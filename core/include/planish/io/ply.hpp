@@ -15,7 +15,7 @@ enum class PlyEncoding { kAscii, kBinaryLittleEndian, kBinaryBigEndian };
 
 /// Reads element `vertex` (x, y, z of any number type) and element `face` (vertex_indices or
 /// vertex_index); all other elements and properties are passed over. The result has passed
-/// check_mesh(); an error names the line (header, ASCII) or the element.
+/// repair_and_check(); an error names the line (header, ASCII) or the element.
 /// @param bytes the file, up to 2 GiB; its counts are checked against what is there
 [[nodiscard]] ReadResult read_ply(std::string_view bytes);
 
