@@ -9,7 +9,7 @@ import { imagesOf, mirrorsIn, mirrorsText, withoutImages } from "../../web/src/d
 import { setPinned, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { explore } from "../../web/src/state/exploring.ts";
 import { markOf } from "../../web/src/state/marking.ts";
-import { openSample } from "../../web/src/state/opening.ts";
+import { openSample, planarise } from "../../web/src/state/opening.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
 import { cancel } from "../../web/src/state/showing.ts";
@@ -61,6 +61,14 @@ it("all that a mesh has is found, and an edit of one point moves its images alik
   expect(shape?.moved.length).toBeGreaterThan(2);
   for (const image of page.images.value) expect(shape?.moved).toContain(image);
   expect(unevenness(page)).toBeLessThan(1e-13);
+});
+
+it("a mesh that is made flat anew has none, and the page says so", async () => {
+  const page = await symmetricPage();
+  expect(await planarise(page)).toMatchObject({ ok: true });
+  expect(mostImages(page).value).toBe(1);
+  expect(page.settings.value?.symmetry ?? []).toEqual([]);
+  expect(page.notice.value).toMatch(/^Edits follow no symmetry any more/);
 });
 
 it("turns about an axis are followed as well", async () => {

@@ -76,6 +76,9 @@ export const openSample = (page: Page, name: string): Outcome =>
 const NOT_FLAT =
   "Some panels cannot become flat and keep their shape. Fairer reaches further; the nearest flat mesh comes without “Panels keep their shape” under Advanced.";
 
+const SYMMETRY_OFF =
+  "Edits follow no symmetry any more: the flat mesh is another one. Choose it again under Symmetry.";
+
 /** What the mesh became is not what was asked for; "" where it is. */
 function missed(page: Page, asked: readonly string[], report: MeshReport): string {
   if (!page.baseFlat.value) return NOT_FLAT;
@@ -133,7 +136,8 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
   const met = Math.max(tolerance, how.flat);
   page.draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
   adopt(page, design.source, how, mesh);
-  const words = missed(page, constraints, mesh.report);
+  const asymmetric = settings.symmetry.length > 0 && !mesh.symmetry;
+  const words = missed(page, constraints, mesh.report) || (asymmetric ? SYMMETRY_OFF : "");
   if (words) page.notice.value = words;
   const again = handles.length > 0 && page.baseFlat.value;
   const edited = again && (await commitEdit(page, { ...page.draft.value, handles }, "solve"));
