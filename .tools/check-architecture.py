@@ -96,7 +96,7 @@ FILE_GROUPS = {
     "point_support_text": "point_support",
     "vertex_slides": "point_support",
     "resting_points": "point_support",
-    "boundary_outline": "point_support",
+    "guide_lines": "point_support",
     "surface_feet": "point_support",
     "reference_surface": "point_support",
     "crc32": "checksum",

@@ -48,8 +48,17 @@ std::vector<std::pair<int, int>> boundary_edges(const Mesh& mesh) {
   return edges;
 }
 
-double distance_to_outline(const Mesh& base, const std::vector<std::pair<int, int>>& edges,
-                           const Eigen::Vector3d& point) {
+std::vector<std::pair<int, int>> edges_of_line(const PointSupport& support, const Mesh& mesh) {
+  if (support.kind == PointSupport::Kind::kOutline) return boundary_edges(mesh);
+  std::vector<std::pair<int, int>> edges;
+  for (std::size_t k = 1; k < support.vertices.size(); ++k) {
+    edges.emplace_back(support.vertices[k - 1], support.vertices[k]);
+  }
+  return edges;
+}
+
+double distance_to_line(const Mesh& base, const std::vector<std::pair<int, int>>& edges,
+                        const Eigen::Vector3d& point) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : edges) {
     const Eigen::Vector3d start = base.positions.col(a), along = base.positions.col(b) - start;
@@ -72,6 +81,25 @@ Refusal find_inside(const PointSupport& support, const Mesh& mesh) {
     if (!std::binary_search(boundary.begin(), boundary.end(), v)) {
       return "supports: outline: vertex " + std::to_string(v) + " is not on the boundary";
     }
+  }
+  return std::nullopt;
+}
+
+/// A polyline's vertices come once, each a neighbour of the next.
+Refusal find_broken(const PointSupport& polyline, const Mesh& mesh) {
+  const std::vector<int>& line = polyline.vertices;
+  const bool closed = line.size() > 3 && line.front() == line.back();
+  if (line.size() < 2) return "supports: polyline: it needs 2 vertices or more";
+  if (points_of(polyline, mesh).size() + (closed ? 1 : 0) != line.size()) {
+    return "supports: polyline: a vertex comes twice; only the first may, at the end of a closed "
+           "one";
+  }
+  const Adjacency adjacency = build_adjacency(mesh);
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const auto around = adjacency.neighbours[line[k - 1]];
+    if (std::find(around.begin(), around.end(), line[k]) != around.end()) continue;
+    return "supports: polyline: no edge joins the vertices " + std::to_string(line[k - 1]) +
+           " and " + std::to_string(line[k]);
   }
   return std::nullopt;
 }
@@ -107,19 +135,31 @@ Refusal find_far_from_surface(const PointSupport& support, const Mesh& mesh, dou
   return std::nullopt;
 }
 
+/// Where a polyline only ends: what stands on another line as well rests there.
+bool is_end(const PointSupport& support, int v) {
+  const std::vector<int>& line = support.vertices;
+  return support.kind == PointSupport::Kind::kPolyline && line.front() != line.back() &&
+         (v == line.front() || v == line.back());
+}
+
 /// A track has one thing at a time to follow.
 Refusal find_followed_twice(const std::vector<PointSupport>& supports, const Mesh& mesh) {
+  using Kind = PointSupport::Kind;
   std::vector<const PointSupport*> followed(at(mesh.vertex_count()), nullptr);
   for (const PointSupport& support : supports) {
-    const bool outline = support.kind == PointSupport::Kind::kOutline;
-    if (!outline && support.kind != PointSupport::Kind::kSurface) continue;
+    if (!is_line_of_mesh(support) && support.kind != Kind::kSurface) continue;
     for (const int v : points_of(support, mesh)) {
-      const PointSupport*& other = followed[at(v)];
-      if (other != nullptr && (!outline || other->kind == PointSupport::Kind::kSurface)) {
-        return "supports: surface: vertex " + std::to_string(v) +
-               " stands on another surface or an outline as well";
+      const PointSupport* other = std::exchange(followed[at(v)], &support);
+      if (other == nullptr || (other->kind == Kind::kOutline && support.kind == Kind::kOutline)) {
+        continue;
       }
-      other = &support;
+      if (other->kind == Kind::kSurface || support.kind == Kind::kSurface) {
+        return "supports: surface: vertex " + std::to_string(v) +
+               " stands on another surface or a line of the mesh as well";
+      }
+      if (is_end(support, v) || is_end(*other, v)) continue;
+      return "supports: polyline: vertex " + std::to_string(v) +
+             " stands on another line as well; two may only share where one of them ends";
     }
   }
   return std::nullopt;
@@ -134,6 +174,7 @@ Refusal find_unsupported(const PointSupport& support, const Mesh& mesh, double m
     }
   }
   if (support.kind == PointSupport::Kind::kOutline) return find_inside(support, mesh);
+  if (support.kind == PointSupport::Kind::kPolyline) return find_broken(support, mesh);
   if (support.kind == PointSupport::Kind::kSurface) {
     return find_far_from_surface(support, mesh, mean_edge);
   }
@@ -160,6 +201,11 @@ Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh
   return find_followed_twice(supports, mesh);
 }
 
+bool is_line_of_mesh(const PointSupport& support) {
+  return support.kind == PointSupport::Kind::kOutline ||
+         support.kind == PointSupport::Kind::kPolyline;
+}
+
 std::vector<int> points_of(const PointSupport& support, const Mesh& mesh) {
   if (support.points == PointSupport::Points::kBoundary) return boundary_vertices(mesh);
   std::vector<int> vertices = support.vertices;
@@ -174,10 +220,10 @@ std::vector<int> points_of(const PointSupport& support, const Mesh& mesh) {
 
 double largest_distance(const PointSupport& support, const Mesh& base, const Positions& shape) {
   double largest = 0.0;
-  if (support.kind == PointSupport::Kind::kOutline) {
-    const auto edges = boundary_edges(base);
+  if (is_line_of_mesh(support)) {
+    const auto edges = edges_of_line(support, base);
     for (const int v : points_of(support, base)) {
-      largest = std::max(largest, distance_to_outline(base, edges, shape.col(v)));
+      largest = std::max(largest, distance_to_line(base, edges, shape.col(v)));
     }
     return largest;
   }

@@ -59,8 +59,8 @@ bool parse_form(std::string_view text, PointSupport& support) {
     support.axis = static_cast<int>(axis);
     return true;
   }
-  if (text == "outline") {
-    support.kind = PointSupport::Kind::kOutline;
+  if (text == "outline" || text == "polyline") {
+    support.kind = text == "outline" ? PointSupport::Kind::kOutline : PointSupport::Kind::kPolyline;
     return true;
   }
   if (name == "surface") {
@@ -80,6 +80,7 @@ std::string form_text(const PointSupport& support) {
     return std::string("level=") + kAxes[static_cast<std::size_t>(support.axis)];
   }
   if (support.kind == PointSupport::Kind::kOutline) return "outline";
+  if (support.kind == PointSupport::Kind::kPolyline) return "polyline";
   if (support.kind == PointSupport::Kind::kSurface) {
     std::string form = "surface";
     if (!support.surface.points.empty()) append_context_mesh(support.surface, form += '=');
@@ -119,7 +120,7 @@ Refusal find_problem(const PointSupport& support) {
 
 std::string_view known_supports() {
   return "level:POINTS, level=AXIS:POINTS, plane=a,b,c,d:POINTS, line=x,y,z,dx,dy,dz:POINTS, "
-         "outline:POINTS, surface:POINTS, surface=FILE:POINTS; "
+         "outline:POINTS, polyline:V,V,..., surface:POINTS, surface=FILE:POINTS; "
          "POINTS is V,V,... or boundary or all";
 }
 
@@ -128,7 +129,10 @@ std::optional<PointSupport> parse_point_support(std::string_view text) {
   if (colon == std::string_view::npos) return std::nullopt;
   PointSupport support;
   if (!parse_form(text.substr(0, colon), support)) return std::nullopt;
-  return parse_points(text.substr(colon + 1), support) ? std::optional(support) : std::nullopt;
+  if (!parse_points(text.substr(colon + 1), support)) return std::nullopt;
+  const bool is_listed = support.points == PointSupport::Points::kListed;
+  if (support.kind == PointSupport::Kind::kPolyline && !is_listed) return std::nullopt;
+  return support;
 }
 
 std::string point_support_text(const PointSupport& support) {

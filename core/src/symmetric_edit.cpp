@@ -135,6 +135,7 @@ class ImageCollector {
   void join(const PointSupport& support) {
     for (PointSupport& known : all_.supports) {
       if (known.points != support.points || !is_same_thing(known, support)) continue;
+      if (known.kind == PointSupport::Kind::kPolyline) return;  // the same points, all of them
       known.vertices.insert(known.vertices.end(), support.vertices.begin(), support.vertices.end());
       std::sort(known.vertices.begin(), known.vertices.end());
       known.vertices.erase(std::unique(known.vertices.begin(), known.vertices.end()),
@@ -171,6 +172,9 @@ class ImageCollector {
     constexpr double kParallel = 1e-9;
     if (a.kind != b.kind) return false;
     if (a.kind == PointSupport::Kind::kOutline) return true;
+    if (a.kind == PointSupport::Kind::kPolyline) {
+      return points_of(a, base_) == points_of(b, base_);
+    }
     if (a.kind == PointSupport::Kind::kSurface) return is_same_model(a.surface, b.surface);
     if (a.kind == PointSupport::Kind::kLevel) return a.axis == b.axis;
     const bool plane = a.kind == PointSupport::Kind::kPlane;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "boundary_outline.hpp"
+#include "guide_lines.hpp"
 #include "planish/index.hpp"
 
 namespace planish {
@@ -54,12 +54,12 @@ Eigen::Matrix3d line_within(const Eigen::Vector3d& direction, const SlideTrack& 
 
 VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& supports, double unit)
     : mesh_(mesh), unit_(unit), place_(at(mesh.vertex_count()), -1) {
-  std::vector<int> on_outline;
+  std::vector<int> on_lines;
   for (const PointSupport& support : supports) {
     const std::vector<int> points = points_of(support, mesh);
     if (support.kind == PointSupport::Kind::kSurface) continue;
-    if (support.kind == PointSupport::Kind::kOutline) {
-      on_outline.insert(on_outline.end(), points.begin(), points.end());
+    if (is_line_of_mesh(support)) {
+      on_lines.insert(on_lines.end(), points.begin(), points.end());
       continue;
     }
     const std::vector<Eigen::Vector3d> directions = forbidden(support);
@@ -71,11 +71,11 @@ VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& su
   for (const PointSupport& support : supports) {
     if (support.kind == PointSupport::Kind::kSurface) add_feet(support, points_of(support, mesh));
   }
-  if (on_outline.empty()) return;
-  outline_ = std::make_unique<BoundaryOutline>(mesh);
-  std::sort(on_outline.begin(), on_outline.end());
-  on_outline.erase(std::unique(on_outline.begin(), on_outline.end()), on_outline.end());
-  for (const int v : on_outline) add_runner(v);
+  if (on_lines.empty()) return;
+  lines_ = std::make_unique<GuideLines>(mesh, supports);
+  std::sort(on_lines.begin(), on_lines.end());
+  on_lines.erase(std::unique(on_lines.begin(), on_lines.end()), on_lines.end());
+  for (const int v : on_lines) add_runner(v);
 }
 
 VertexSlides::~VertexSlides() = default;
@@ -114,9 +114,9 @@ void VertexSlides::open(Runner& runner) {
   runner.turns = 0;
   runner.state = Runner::State::kOpen;
   runner.corner = runner.vertex;
-  if (outline_->is_corner(runner.vertex)) return rest_at(runner.vertex, runner);
-  const Eigen::Vector3d mean = way(outline_->beside(runner.vertex, 0), runner.vertex).normalized() +
-                               way(runner.vertex, outline_->beside(runner.vertex, 1)).normalized();
+  if (lines_->is_corner(runner.vertex)) return rest_at(runner.vertex, runner);
+  const Eigen::Vector3d mean = way(lines_->beside(runner.vertex, 0), runner.vertex).normalized() +
+                               way(runner.vertex, lines_->beside(runner.vertex, 1)).normalized();
   tracks_[at(runner.place)] = {line_within(mean, runner.others), Eigen::Vector3d::Zero()};
 }
 
@@ -127,7 +127,7 @@ void VertexSlides::rest_at(int corner, Runner& runner) {
 }
 
 void VertexSlides::take_side(int corner, int side, Runner& runner) {
-  const Eigen::Vector3d along = way(corner, outline_->beside(corner, side));
+  const Eigen::Vector3d along = way(corner, lines_->beside(corner, side));
   runner.state = Runner::State::kSide;
   runner.corner = corner;
   runner.side = side;
@@ -147,19 +147,19 @@ bool VertexSlides::follow(Runner& runner, const Eigen::Vector3d& d) {
   constexpr double kNothing = 1e-12;
   if (runner.state == Runner::State::kCorner) return false;
   if (runner.state == Runner::State::kOpen) {
-    const double forth = d.dot(way(runner.vertex, outline_->beside(runner.vertex, 1)));
+    const double forth = d.dot(way(runner.vertex, lines_->beside(runner.vertex, 1)));
     if (std::abs(forth) <= kNothing) return false;
     take_side(runner.vertex, forth > 0.0 ? 1 : 0, runner);
     return true;
   }
-  const int end = outline_->beside(runner.corner, runner.side);
+  const int end = lines_->beside(runner.corner, runner.side);
   const Eigen::Vector3d along = way(runner.corner, end) / runner.length;
   const double place = along.dot(d - way(runner.vertex, runner.corner));
   if (place >= 0.0 && place <= runner.length) return false;
   const int corner = place < 0.0 ? runner.corner : end;
   const int onward = place < 0.0 ? 1 - runner.side : runner.side;
   const bool came_from_there = place < 0.0 && runner.turns == 0;
-  if (came_from_there || ++runner.turns >= kMostTurns || outline_->is_corner(corner)) {
+  if (came_from_there || ++runner.turns >= kMostTurns || lines_->is_corner(corner)) {
     rest_at(corner, runner);
   } else {
     take_side(corner, onward, runner);
@@ -195,7 +195,7 @@ void VertexSlides::release_corners() {
 bool VertexSlides::is_within_side(const Runner& runner, const Eigen::Vector3d& d) const {
   if (runner.state == Runner::State::kCorner) return true;
   if (runner.state == Runner::State::kOpen) return d.norm() <= kOnTrack;
-  const Eigen::Vector3d along = way(runner.corner, outline_->beside(runner.corner, runner.side));
+  const Eigen::Vector3d along = way(runner.corner, lines_->beside(runner.corner, runner.side));
   const double place = along.dot(d - way(runner.vertex, runner.corner)) / runner.length;
   return place >= -kOnTrack && place <= runner.length + kOnTrack;
 }

@@ -84,3 +84,65 @@ it("a boundary that only goes up and down keeps every x and y, also after a relo
   for (const v of moved) expect(plan(after.lines[v])).toBe(plan(before.lines[v]));
   await page.context().close();
 });
+
+type Point = readonly number[];
+
+/** How far `point` is from the segments between points that follow each other. */
+function distanceTo(line: readonly Point[], point: Point): number {
+  const minus = (a: Point, b: Point): number[] => a.map((x, k) => x - (b[k] ?? 0));
+  const dot = (a: Point, b: Point): number => a.reduce((sum, x, k) => sum + x * (b[k] ?? 0), 0);
+  const distances = line.slice(1).map((end, k) => {
+    const [start = end] = line.slice(k);
+    const [along, way] = [minus(end, start), minus(point, start)];
+    const share = Math.min(Math.max(dot(along, way) / dot(along, along), 0), 1);
+    return Math.hypot(
+      ...minus(
+        way,
+        along.map((x) => share * x),
+      ),
+    );
+  });
+  return Math.min(...distances);
+}
+
+it("the points of a line stay on it, and the link says so", async () => {
+  const page = await site.openVault({ permissions: ["clipboard-read", "clipboard-write"] });
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  const select = page.getByRole("button", { name: /^Select point/ });
+  const handle = Number(await select.innerText());
+  const drawn = readObj(await obj(page)).points;
+  await select.click();
+  await supports(page).click();
+  const choice = page.getByRole("combobox", { name: /^Selected: / });
+  expect(await choice.getByRole("option", { name: "stay on their line" }).count()).toBe(0);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("Control+ArrowRight");
+  await page.getByRole("button", { name: "Line", exact: true }).click();
+  await stand(page, "stay on their line");
+  const count = Number(/\d+/.exec(await supports(page).innerText())?.[0]);
+  for (const [axis, by] of Object.entries({ X: "+40cm", Y: "+30cm", Z: "+20cm" }))
+    await type(page, axis, by);
+  expect(await movedCount(page)).toBeGreaterThan(1);
+  const held = readObj(await obj(page)).points;
+  // A line of the vault has one x or one y; which of both was selected is a matter of the view.
+  const off = [0, 1].map((across) => {
+    const of = (vertex: number): number => drawn[vertex]?.[across] ?? 0;
+    const line = [...drawn.keys()].filter((vertex) => Math.abs(of(vertex) - of(handle)) < 1e-9);
+    expect(line.length).toBe(count);
+    const polygon = line
+      .map((vertex) => drawn[vertex] ?? [])
+      .sort((a, b) => (a[1 - across] ?? 0) - (b[1 - across] ?? 0));
+    return Math.max(...line.map((vertex) => distanceTo(polygon, held[vertex] ?? [])));
+  });
+  expect(Math.min(...off)).toBeLessThan(1e-9);
+  expect(Math.max(...off)).toBeGreaterThan(1e-4);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const other = await site.open({}, new URL(link).hash);
+  await other.getByText(/^Verified:/).waitFor();
+  expect(readObj(await obj(other)).points).toEqual(held);
+  expect(await supports(other).innerText()).toBe(`Supports (${count} points)`);
+  await other.context().close();
+  await page.context().close();
+});

@@ -15,7 +15,7 @@ TEST(PointSupports, AreReadAndWritten) {
   for (const std::string text :
        {"level=z:boundary", "level=x:all", "level=y:3,4,5", "plane=0,0,1,3:boundary",
         "plane=0.10000000000000001,1e-30,-2,3.5:7", "line=0,0,0,1,0.25,0:1,2", "outline:boundary",
-        "surface:boundary", "surface:3,4",
+        "polyline:5,4,3", "polyline:5,4,3,5", "surface:boundary", "surface:3,4",
         "surface=0,0,0;1,0,0.5;1,1,0;0,1,0/0,1,2;0,2,3:boundary"}) {
     const auto support = parse_point_support(text);
     ASSERT_TRUE(support.has_value()) << text;
@@ -42,6 +42,10 @@ TEST(PointSupports, RefuseWhatIsNone) {
                                  "plane=a,0,0,1:3",
                                  "line=0,0,0,1,1:2",
                                  "sphere=1:2",
+                                 "polyline:boundary",
+                                 "polyline:all",
+                                 "polyline=3:4",
+                                 "polyline:",
                                  ":3",
                                  "=:3",
                                  "surface=:3",
@@ -64,8 +68,31 @@ TEST(PointSupports, NameTheRuleTheyBreak) {
   EXPECT_NE(problem("plane=0,0,inf,1:3").find("finite"), std::string::npos);
   EXPECT_NE(problem("level:16").find("no vertex 16"), std::string::npos);
   EXPECT_NE(problem("outline:5").find("vertex 5 is not on the boundary"), std::string::npos);
+  EXPECT_EQ(problem("polyline:5,6,10,9,5"), "");
+  EXPECT_NE(problem("polyline:5").find("2 vertices or more"), std::string::npos);
+  EXPECT_NE(problem("polyline:5,6,5").find("comes twice"), std::string::npos);
+  EXPECT_NE(problem("polyline:4,5,6,5").find("comes twice"), std::string::npos);
+  EXPECT_NE(problem("polyline:5,6,11").find("no edge joins the vertices 6 and 11"),
+            std::string::npos);
+  EXPECT_NE(problem("polyline:5,16").find("no vertex 16"), std::string::npos);
   const std::string off = problem("plane=0,0,1,0:3");
   EXPECT_NE(off.find("plane=0,0,1,0: vertex 3 is 3 away"), std::string::npos) << off;
+}
+
+TEST(PointSupports, LinesMeetOnlyWhereOneEnds) {
+  const Mesh mesh = testing::quad_grid(4, 4, [](double x, double) { return x; });
+  const auto problem = [&](const std::string& one, const std::string& other) {
+    return find_problem({*parse_point_support(one), *parse_point_support(other)}, mesh)
+        .value_or("");
+  };
+  EXPECT_EQ(problem("polyline:4,5,6,7", "outline:boundary"), "");
+  EXPECT_EQ(problem("outline:boundary", "polyline:4,5,6,7"), "");
+  EXPECT_EQ(problem("polyline:4,5,6", "polyline:2,6,10"), "");
+  EXPECT_NE(problem("polyline:4,5,6", "polyline:1,5,9").find("vertex 5 stands on another line"),
+            std::string::npos);
+  EXPECT_NE(problem("polyline:0,1,2", "outline:boundary").find("vertex 1"), std::string::npos);
+  EXPECT_NE(problem("polyline:5,6", "surface:6").find("supports: surface: vertex 6"),
+            std::string::npos);
 }
 
 TEST(PointSupports, MeasureTheDistanceAcross) {
@@ -84,6 +111,7 @@ TEST(PointSupports, MeasureTheDistanceAcross) {
   EXPECT_DOUBLE_EQ(distance("outline:boundary"), 0.0);
   shape.col(1) += Eigen::Vector3d(0.0, 0.3, 0.4);
   EXPECT_DOUBLE_EQ(distance("outline:boundary"), 0.5);
+  EXPECT_DOUBLE_EQ(distance("polyline:3,4,5"), std::hypot(0.4, 1.2));
 }
 
 }  // namespace

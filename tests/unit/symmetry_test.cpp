@@ -228,6 +228,8 @@ TEST_F(WithImages, TurnsSupports) {
   EXPECT_EQ(images("level=z:8", "x"), "level=z:8,12");
   EXPECT_EQ(images("level=x:boundary", "x"), "level=x:boundary");
   EXPECT_EQ(images("outline:0", "x,y"), "outline:0,6,28,34");
+  EXPECT_EQ(images("polyline:8,9", "x"), "polyline:8,9 polyline:12,11");
+  EXPECT_EQ(images("polyline:8,9,10,11,12", "x"), "polyline:8,9,10,11,12");
   EXPECT_EQ(images("plane=0,0,1,0:8", "axis:2"), "plane=0,0,1,0:8,26");
   EXPECT_EQ(images("plane=1,0,0,1:8", "x"), "plane=1,0,0,1:8 plane=-1,0,0,-5:12");
   EXPECT_EQ(images("line=1,0,0,0,1,0:8", "x"), "line=1,0,0,0,1,0:8 line=5,0,0,0,1,0:12");

@@ -31,3 +31,22 @@ it("the boundary stands on one thing, which goes with the settings to another me
   expect(withBoundary(GIVEN, "")).toEqual(GIVEN.slice(1));
   expect(ofAnyMesh(GIVEN)).toEqual(["outline:boundary"]);
 });
+
+it("lines of the mesh keep their order, and what is taken out of one leaves its pieces", () => {
+  const lined = withPoints(GIVEN, [9, 2, 8, 1, 6], ["polyline"]);
+  expect(lined).toEqual([...GIVEN, "polyline:9,2,8,1,6"]);
+  expect(formsOf(lined, 8)).toEqual(["polyline"]);
+  expect(withPoints(lined, [8], ["level=z"])).toEqual([
+    "outline:boundary",
+    "level=z:3,4,8",
+    "line=0,0,1,0,0,1:7",
+    "polyline:9,2",
+    "polyline:1,6",
+  ]);
+  expect(withPoints(lined, [2, 1], [])).toEqual(GIVEN);
+  const closed = withPoints([], [5, 3, 9, 7, 5], ["polyline"]);
+  expect(closed).toEqual(["polyline:5,3,9,7,5"]);
+  expect(formsOf(closed, 5)).toEqual(["polyline"]);
+  expect(withPoints(closed, [9], [])).toEqual(["polyline:7,5,3"]);
+  expect(withPoints(closed, [5], [])).toEqual(["polyline:3,9,7"]);
+});

@@ -6,6 +6,7 @@ import {
   neighboursOf,
   ringThrough,
 } from "../../web/src/mesh/mesh-lines.ts";
+import { polylineOf } from "../../web/src/mesh/polyline.ts";
 import { buildTopology } from "../../web/src/mesh/topology.ts";
 
 function meshOf(points: readonly (readonly number[])[], faces: readonly number[][]): LinedMesh {
@@ -129,4 +130,30 @@ it("on hexagons a line is an edge", () => {
     [2, 1, 6, 7, 8, 9],
   ]);
   expect(lineThrough(pair, [1, 2])).toEqual([1, 2]);
+});
+
+describe("points in the order of a line", () => {
+  it("are found from any order, open or closed", () => {
+    expect(polylineOf(grid.topology, [...rowOf(2)].reverse())).toEqual(rowOf(2));
+    expect(polylineOf(grid.topology, [at(1, 1), at(0, 0), at(0, 1)])).toEqual([
+      at(0, 0),
+      at(0, 1),
+      at(1, 1),
+    ]);
+    const square = [at(2, 1), at(1, 2), at(1, 1), at(2, 2)];
+    const closed = polylineOf(grid.topology, square);
+    expect(closed?.length).toBe(5);
+    expect(closed?.[0]).toBe(closed?.at(-1));
+    expect(sorted(closed?.slice(1) ?? [])).toEqual(sorted(square));
+  });
+
+  it("are none where they are single, in pieces or branch", () => {
+    expect(polylineOf(grid.topology, [])).toBeNull();
+    expect(polylineOf(grid.topology, [3])).toBeNull();
+    expect(polylineOf(grid.topology, [at(0, 0), at(1, 0), at(3, 0), at(4, 0)])).toBeNull();
+    expect(polylineOf(grid.topology, [...rowOf(2), at(2, 1)])).toBeNull();
+    const squares = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)];
+    const apart = [at(3, 2), at(4, 2), at(3, 3), at(4, 3)];
+    expect(polylineOf(grid.topology, [...squares, ...apart])).toBeNull();
+  });
 });

@@ -16,11 +16,12 @@ namespace planish {
 /// Points of a mesh and the level, plane, line or surface that they are on in the base.
 struct PointSupport {
   enum class Kind {
-    kLevel,    ///< one coordinate keeps its bits
-    kPlane,    ///< a·x + b·y + c·z = d
-    kLine,     ///< through x, y, z along dx, dy, dz
-    kOutline,  ///< the polygon that the boundary is drawn as in the base
-    kSurface,  ///< at the distance that each has from a model in the base
+    kLevel,     ///< one coordinate keeps its bits
+    kPlane,     ///< a·x + b·y + c·z = d
+    kLine,      ///< through x, y, z along dx, dy, dz
+    kOutline,   ///< the polygon that the boundary is drawn as in the base
+    kPolyline,  ///< the base's polygon through `vertices` in their order, along edges
+    kSurface,   ///< at the distance that each has from a model in the base
   };
   enum class Points { kListed, kBoundary, kAll };
 
@@ -29,15 +30,15 @@ struct PointSupport {
   std::vector<double> numbers;  ///< of a plane: a, b, c, d; of a line: x, y, z, dx, dy, dz
   ContextMesh surface = {};     ///< of kSurface; empty: the base itself
   Points points = Points::kListed;
-  std::vector<int> vertices;  ///< where they are listed
+  std::vector<int> vertices;  ///< where they are listed; a closed polyline repeats its first
 
   bool operator==(const PointSupport&) const = default;
 };
 
 /// "level:POINTS", "level=AXIS:POINTS", "plane=a,b,c,d:POINTS", "line=x,y,z,dx,dy,dz:POINTS",
-/// "outline:POINTS", "surface:POINTS" (the base itself) or "surface=MODEL:POINTS", MODEL as
-/// parse_context_mesh() reads it;
-/// POINTS is "boundary", "all" or vertices, "V,V,...".
+/// "outline:POINTS", "polyline:V,V,...", "surface:POINTS" (the base itself) or
+/// "surface=MODEL:POINTS", MODEL as parse_context_mesh() reads it; POINTS is "boundary", "all" or
+/// vertices, "V,V,...".
 /// @returns nullopt where the text is none of these; the rules are find_problem()'s
 [[nodiscard]] std::optional<PointSupport> parse_point_support(std::string_view text);
 
@@ -60,6 +61,9 @@ inline constexpr double kSurfaceReach = 0.5;
 /// The first rule that `supports` break on `mesh`: vertices that it does not have, points that are
 /// not on their plane or line. nullopt if none. O(points).
 [[nodiscard]] Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh);
+
+/// Whether it follows edges of the base: outlines and polylines.
+[[nodiscard]] bool is_line_of_mesh(const PointSupport& support);
 
 /// The vertices that a support names, ascending.
 [[nodiscard]] std::vector<int> points_of(const PointSupport& support, const Mesh& mesh);

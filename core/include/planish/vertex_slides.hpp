@@ -38,7 +38,7 @@ struct TrackForce {
   }
 };
 
-class BoundaryOutline;
+class GuideLines;
 class ReferenceSurface;
 
 /// How often a state is solved again for points that take another side of their outline.
@@ -112,7 +112,7 @@ class VertexSlides {
     int place = 0;  ///< of its track
     State state = State::kOpen;
     int corner = 0;  ///< where it is, or where its side begins
-    int side = 0;    ///< see BoundaryOutline::beside()
+    int side = 0;    ///< see GuideLines::beside()
     int turns = 0;   ///< since open()
     double length = 0.0;
     SlideTrack others;  ///< what other supports leave it
@@ -161,8 +161,8 @@ class VertexSlides {
 
   const Mesh& mesh_;
   double unit_;
-  std::unique_ptr<BoundaryOutline> outline_;  ///< null: nothing is on one
-  std::vector<int> place_;                    ///< n; −1 where there is none
+  std::unique_ptr<GuideLines> lines_;  ///< null: nothing is on one
+  std::vector<int> place_;             ///< n; −1 where there is none
   std::vector<SlideTrack> tracks_;
   std::vector<Runner> runners_;
   std::vector<int> runner_of_;  ///< of each track; past its end or −1: none

@@ -6,11 +6,14 @@ import { formOf, isListed, ofAnyMesh, whose } from "./supports.ts";
 export const pointsOf = (support: string): number[] =>
   isListed(support) ? whose(support).split(",").map(Number) : [];
 
+/** The form of a line of the mesh, whose points are listed in their order; the others' ascend. */
+export const POLYLINE = "polyline";
+
 /** What points are listed to stand on, by their numbers, in the order of the alphabet. */
 export function formsByPoint(supports: readonly string[]): ReadonlyMap<number, readonly string[]> {
   const forms = new Map<number, string[]>();
   for (const support of supports)
-    for (const vertex of pointsOf(support))
+    for (const vertex of new Set(pointsOf(support)))
       forms.set(vertex, [...(forms.get(vertex) ?? []), formOf(support)].sort());
   return forms;
 }
@@ -21,7 +24,21 @@ export const formsOf = (supports: readonly string[], vertex: number): readonly s
 
 const ascending = (points: Iterable<number>): number[] => [...points].sort((a, b) => a - b);
 
-/** `vertices` stand on `forms` and on nothing else that lists points; of one form all are one text. */
+/** The pieces that are left of a line without the `chosen` points; one point is no line. */
+function pieces(line: readonly number[], chosen: ReadonlySet<number>): number[][] {
+  const cut = line.findIndex((vertex) => chosen.has(vertex));
+  if (cut < 0) return [[...line]];
+  const closed = line.length > 1 && line[0] === line.at(-1);
+  const opened = closed ? [...line.slice(cut + 1), ...line.slice(1, cut + 1)] : line;
+  const found: number[][] = [[]];
+  for (const vertex of opened) chosen.has(vertex) ? found.push([]) : found.at(-1)?.push(vertex);
+  return found.filter((piece) => piece.length > 1);
+}
+
+/**
+ * `vertices` stand on `forms` and on nothing else that lists points; of one form all are one text, but
+ * every line of the mesh is one of its own, `vertices` in their order.
+ */
 export function withPoints(
   supports: readonly string[],
   vertices: readonly number[],
@@ -29,13 +46,25 @@ export function withPoints(
 ): readonly string[] {
   const chosen = new Set(vertices);
   const listed = new Map<string, number[]>();
+  const lines: (readonly number[])[] = [];
   for (const support of supports.filter(isListed)) {
-    const others = pointsOf(support).filter((vertex) => !chosen.has(vertex));
-    listed.set(formOf(support), [...(listed.get(formOf(support)) ?? []), ...others]);
+    const form = formOf(support);
+    if (form === POLYLINE) lines.push(...pieces(pointsOf(support), chosen));
+    else {
+      const others = pointsOf(support).filter((vertex) => !chosen.has(vertex));
+      listed.set(form, [...(listed.get(form) ?? []), ...others]);
+    }
   }
-  for (const form of forms) listed.set(form, [...(listed.get(form) ?? []), ...vertices]);
+  for (const form of forms) {
+    if (form === POLYLINE) lines.push(vertices);
+    else listed.set(form, [...(listed.get(form) ?? []), ...vertices]);
+  }
   const texts = [...listed].flatMap(([form, points]) =>
     points.length > 0 ? [`${form}:${ascending(new Set(points)).join(",")}`] : [],
   );
-  return [...ofAnyMesh(supports), ...texts];
+  return [
+    ...ofAnyMesh(supports),
+    ...texts,
+    ...lines.map((line) => `${POLYLINE}:${line.join(",")}`),
+  ];
 }

@@ -2,7 +2,8 @@
 // What points are listed to stand on, and to change it.
 import { effect } from "@preact/signals";
 import { FIRST_SETTINGS } from "../design/design.ts";
-import { formsByPoint, withPoints } from "../design/listed-supports.ts";
+import { formsByPoint, POLYLINE, withPoints } from "../design/listed-supports.ts";
+import { polylineOf } from "../mesh/polyline.ts";
 import { commitSettings } from "./editing.ts";
 import type { Page } from "./page.ts";
 import type { Outcome } from "./turns.ts";
@@ -27,11 +28,23 @@ export function isBoundarySelected(page: Page): boolean {
   return page.selection.value.every((vertex) => boundary?.[vertex] === 1);
 }
 
-/** @param stand forms, joined by spaces; "" to let them move freely */
-export const standOn = (page: Page, vertices: readonly number[], stand: string): Outcome =>
-  commitSettings(page, {
-    supports: withPoints(supportsOf(page), vertices, stand ? stand.split(" ") : []),
+function lineThrough(page: Page, vertices: readonly number[]): readonly number[] | null {
+  const topology = page.mesh.value?.topology;
+  return topology ? polylineOf(topology, vertices) : null;
+}
+
+/** Whether all selected points are one line of the mesh. */
+export const isLineSelected = (page: Page): boolean =>
+  lineThrough(page, page.selection.value) !== null;
+
+/** @param stand forms, joined by spaces; "" to let them move freely; a line needs points of one */
+export function standOn(page: Page, vertices: readonly number[], stand: string): Outcome {
+  const points = stand === POLYLINE ? lineThrough(page, vertices) : vertices;
+  const forms = stand ? stand.split(" ") : [];
+  return commitSettings(page, {
+    supports: withPoints(supportsOf(page), points ?? vertices, forms),
   });
+}
 
 /** Shows the marks of points that stand on something. */
 export const followSupports = (page: Page): (() => void) =>

@@ -2,10 +2,12 @@
 // What single points stand on: they slide along it and never leave it.
 import { useEffect } from "preact/hooks";
 import "./point-supports.css";
+import { POLYLINE } from "../design/listed-supports.ts";
 import { counted } from "../quantity/counted.ts";
 import {
   followSupports,
   isBoundarySelected,
+  isLineSelected,
   standing,
   standOfSelected,
   standOn,
@@ -26,10 +28,13 @@ const STANDS: readonly (readonly [string, string])[] = [
 /** The polygon that the boundary is drawn as; other points have none. */
 const OUTLINE = ["outline", "stay on the outline"] as const;
 
+/** The polygon of the mesh through the selected points, where they are one line. */
+const LINE = [POLYLINE, "stay on their line"] as const;
+
 const MIXED = ["mixed", "stand on different things"] as const;
 
 const wordsOf = (stand: string): string =>
-  [...STANDS, OUTLINE].find(([form]) => form === stand)?.[1] ?? `stay on ${stand}`;
+  [...STANDS, OUTLINE, LINE].find(([form]) => form === stand)?.[1] ?? `stay on ${stand}`;
 
 /** By what they stand on. */
 function groups(stands: ReadonlyMap<number, string>): Map<string, number[]> {
@@ -71,7 +76,11 @@ function StandOfSelected() {
   const page = usePage();
   const chosen = page.selection.value;
   const stand = standOfSelected(page);
-  const known = [...STANDS, ...(isBoundarySelected(page) ? [OUTLINE] : [])];
+  const known = [
+    ...STANDS,
+    ...(isBoundarySelected(page) ? [OUTLINE] : []),
+    ...(isLineSelected(page) ? [LINE] : []),
+  ];
   const other = stand === null ? MIXED : ([stand, wordsOf(stand)] as const);
   const words = known.some(([form]) => form === other[0]) ? known : [other, ...known];
   return (
