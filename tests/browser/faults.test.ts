@@ -192,13 +192,14 @@ describe("storage", () => {
     await page.context().close();
   });
 
-  it("of a file comes back with its edit, its unit, its snapshots and its name", async () => {
+  it("of a file comes back with its edit, its unit, its snapshots, its section and its name", async () => {
     const page = await site.openVault();
     await openFile(page, "my roof.obj", flatRoof(12));
     await page.getByRole("combobox", { name: "Unit of the file" }).selectOption("mm");
     await page.getByRole("button", { name: "Start editing" }).click();
     await typeTarget(page, "+3");
     await page.getByRole("button", { name: "Take snapshot" }).click();
+    await page.getByRole("combobox", { name: "Cut the view" }).selectOption("across Y");
     const before = await obj(page);
     const numbers = (await status(page)).replace(/ · \d+ ms$/, "");
     await kept(page);
@@ -207,6 +208,7 @@ describe("storage", () => {
     expect(await status(page)).toContain(numbers);
     expect(await page.getByRole("button", { name: "Adopt Snapshot 1" }).count()).toBe(1);
     expect(await page.getByTitle(/my roof\.obj · \d+ points/).count()).toBe(1);
+    await expect.poll(() => page.getByText(/^Cuts \d+ panels/).count()).toBe(1);
     await page.context().close();
   });
 });

@@ -3,7 +3,8 @@
 import { expect, it } from "vitest";
 import { cutPanels, sectionLength } from "../../web/src/mesh/plane-section.ts";
 import { setTarget } from "../../web/src/state/editing.ts";
-import { cutAcross, section, sectionPlane } from "../../web/src/state/section-plane.ts";
+import { cutAcross, section } from "../../web/src/state/section-plane.ts";
+import { sectionPlane } from "../../web/src/state/shown-section.ts";
 import { openedPage } from "./support/page-here.ts";
 
 /** A unit square, and a U of 3 × 2 whose notch is open at the top. */

@@ -19,7 +19,8 @@ describe("a saved record", () => {
     const present = { ...RECORD.present, report, settings };
     const [position, target] = [[0.1, -2, 3] as const, [0, 0, 0.25] as const];
     const views = [{ name: "From the street", camera: { position, target } }];
-    const record = { ...RECORD, figure: "figure-1", present, views };
+    const section = { axis: 2, at: 0.1, flipped: true } as const;
+    const record = { ...RECORD, figure: "figure-1", present, views, section };
     const read = decodeRecord(encodeRecord(record), files);
     expect(read).toEqual({ kind: "record", record });
     if (read.kind !== "record") return;

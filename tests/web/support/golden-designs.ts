@@ -86,5 +86,6 @@ export const RECORD: SavedRecord = {
   ],
   views: [],
   note: "",
+  section: null,
   steps: { past: [], future: [] },
 };

@@ -8,6 +8,7 @@ import { note } from "../state/note.ts";
 import { openFirst } from "../state/opening.ts";
 import type { Page } from "../state/page.ts";
 import { recoverFromDeath, show } from "../state/showing.ts";
+import { sectionPlane } from "../state/shown-section.ts";
 import { say } from "../state/telling.ts";
 import { inTurn } from "../state/turns.ts";
 import { followAddress, openAddress, openAddressOverKept } from "./address.ts";
@@ -37,6 +38,7 @@ async function openSaved(page: Page, saved: ReturnType<typeof restoreSaved>): Pr
   page.snapshots.value = record.snapshots;
   page.views.value = record.views;
   note(page).value = record.note;
+  sectionPlane(page).value = record.section;
   page.history.value = restored.history;
   page.unit.value = record.unit;
   placeCamera(page, record.camera);

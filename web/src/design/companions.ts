@@ -5,15 +5,8 @@
 import type { NamedView } from "./camera.ts";
 import type { MarkedSteps } from "./marked-steps.ts";
 import { readSteps, type StepsJson, writeSteps } from "./payload-steps.ts";
-import {
-  isName,
-  isNumbers,
-  isRecord,
-  type Json,
-  LONGEST_NAME,
-  readCamera,
-  writeCamera,
-} from "./reading.ts";
+import { isName, isRecord, type Json, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
+import { readSection, type SectionPlane, writeSection } from "./section-plane.ts";
 
 /** Characters. */
 export const LONGEST_NOTE = 2000;
@@ -23,14 +16,6 @@ export const MOST_VARIANTS = 20;
 export interface Variant {
   readonly name: string;
   readonly steps: MarkedSteps;
-}
-
-/** Cuts the view open; model units. */
-export interface SectionPlane {
-  readonly axis: 0 | 1 | 2;
-  readonly at: number;
-  /** Whether what is above it along the axis is shown, instead of what is below. */
-  readonly flipped: boolean;
 }
 
 export interface Companions {
@@ -73,7 +58,7 @@ export function writeCompanions({
         .slice(0, MOST_VARIANTS)
         .map(({ name, steps }) => ({ n: cut(name), ...writeSteps(steps) })),
     }),
-    ...(section && { p: [section.axis, section.at, section.flipped ? 1 : 0] }),
+    ...(section && { p: writeSection(section) }),
   };
   return Object.keys(json).length > 0 ? json : null;
 }
@@ -96,12 +81,6 @@ function readVariant(value: unknown): Variant | null {
   const { n: name } = value as Json;
   const steps = readSteps(value);
   return isName(name) && steps ? { name, steps } : null;
-}
-
-function readSection(value: unknown): SectionPlane | null {
-  if (!isNumbers(value, 3)) return null;
-  const [axis, at = 0, side] = value;
-  return axis === 0 || axis === 1 || axis === 2 ? { axis, at, flipped: side === 1 } : null;
 }
 
 /** Anything gives what can be read of it; undefined for nothing. */

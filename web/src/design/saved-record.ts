@@ -18,6 +18,7 @@ import {
 import { packBlock, unpackBlock } from "./saved-block.ts";
 import { type Files, fileKey, readDesign, writeDesign } from "./saved-design.ts";
 import { isStepKey, NO_STEPS, type StepKeys } from "./saved-steps.ts";
+import { readSection, type SectionPlane, writeSection } from "./section-plane.ts";
 
 export interface Snapshot {
   readonly id: string;
@@ -41,6 +42,8 @@ export interface SavedRecord {
   readonly views: readonly NamedView[];
   /** What its author says of the design; "" for nothing. */
   readonly note: string;
+  /** What cuts the view open; null for nothing. */
+  readonly section: SectionPlane | null;
   /** Undo and redo. */
   readonly steps: StepKeys;
 }
@@ -91,6 +94,7 @@ export function encodeRecord(record: SavedRecord): Uint8Array {
       camera: readableCamera(camera),
     })),
     note: record.note.slice(0, LONGEST_KEPT_NOTE),
+    section: record.section && writeSection(record.section),
     steps: record.steps,
   };
   return packBlock(MAGIC, VERSION, json, pool);
@@ -141,7 +145,8 @@ function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | nul
   const [views, steps] = [readViews(json.views), readStepKeys(json.steps)];
   // None in records from before it was kept.
   const note = typeof json.note === "string" ? json.note.slice(0, LONGEST_KEPT_NOTE) : "";
-  return { time, unit, camera, figure, present, snapshots: read, views, note, steps };
+  const section = readSection(json.section);
+  return { time, unit, camera, figure, present, snapshots: read, views, note, section, steps };
 }
 
 export type ReadRecord =

@@ -6,7 +6,7 @@ import type { Source } from "../solver/protocol.ts";
 import { readMark } from "../state/marking.ts";
 import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
-import { sectionPlane } from "../state/section-plane.ts";
+import { sectionPlane } from "../state/shown-section.ts";
 
 /** Which of it goes along. */
 export interface Taken {

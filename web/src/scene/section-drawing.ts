@@ -18,7 +18,7 @@ import fragment from "three/src/renderers/shaders/ShaderChunk/clipping_planes_fr
 import fragmentHead from "three/src/renderers/shaders/ShaderChunk/clipping_planes_pars_fragment.glsl.js";
 import vertexHead from "three/src/renderers/shaders/ShaderChunk/clipping_planes_pars_vertex.glsl.js";
 import vertex from "three/src/renderers/shaders/ShaderChunk/clipping_planes_vertex.glsl.js";
-import type { SectionPlane } from "../design/companions.ts";
+import type { SectionPlane } from "../design/section-plane.ts";
 import type { PlaneSection } from "../mesh/plane-section.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import type { Drawn } from "./drawing-follower.ts";

@@ -2,7 +2,8 @@
 import { hiddenPanels } from "../state/hidden-panels.ts";
 import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
-import { section, sectionPlane } from "../state/section-plane.ts";
+import { section } from "../state/section-plane.ts";
+import { sectionPlane } from "../state/shown-section.ts";
 import { followDrawing } from "./drawing-follower.ts";
 import { DARK, LIGHT } from "./palette.ts";
 import type { Viewport } from "./viewport.ts";

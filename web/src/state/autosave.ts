@@ -12,6 +12,7 @@ import { readCamera } from "./camera.ts";
 import { shownFigure } from "./figures.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
+import { sectionPlane } from "./shown-section.ts";
 import {
   claimNewSlot,
   claimSlot,
@@ -77,6 +78,7 @@ async function whatIsKept(page: Page, history: History<Design>) {
     snapshots,
     views: page.views.value,
     note: note(page).value,
+    section: sectionPlane(page).value,
     steps: keys,
   };
   const sources = filesOf([present, ...snapshots.map(({ design }) => design), ...designs]);
@@ -202,6 +204,7 @@ export function startAutosave(page: Page): () => void {
   const stop = effect(() => {
     const present = page.history.value?.present;
     page.unit.value;
+    sectionPlane(page).value;
     const named = page.snapshots.value.length + page.views.value.length + note(page).value.length;
     worth ||= present !== begun || named > 0;
     if (worth) saveSoon(page);

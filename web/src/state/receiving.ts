@@ -9,7 +9,7 @@ import type { Steps } from "../design/recipe.ts";
 import { counted } from "../quantity/counted.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
-import { sectionPlane } from "./section-plane.ts";
+import { sectionPlane } from "./shown-section.ts";
 import { newSnapshot } from "./snapshots.ts";
 
 /** The note that came with what is shown, until it is put aside; "" for none. */

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A plane that cuts the view open. It changes nothing of the design.
-import { computed, signal } from "@preact/signals";
-import type { SectionPlane } from "../design/companions.ts";
+// What the plane that cuts the view open cuts, and where it can be.
+import { computed } from "@preact/signals";
 import { NO_SHAPE } from "../design/design.ts";
 import { extentOf } from "../mesh/extent.ts";
 import { cutPanels, type PlaneSection } from "../mesh/plane-section.ts";
 import { kept, type Page } from "./page.ts";
-
-/** null: nothing is cut. */
-export const sectionPlane = kept(() => signal<SectionPlane | null>(null));
+import { sectionPlane } from "./shown-section.ts";
 
 /** The design shown, model units; three numbers a point. */
 const shownPoints = kept((page) =>
