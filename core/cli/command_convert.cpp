@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "files.hpp"
+#include "planish/triangle_pairs.hpp"
 
 namespace planish::cli {
 namespace {
@@ -10,14 +11,19 @@ ExitCode run_convert(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
   check_output_name(*output);
-  save_mesh(*output, load_mesh(input).mesh);
+  const Mesh mesh = load_mesh(input).mesh;
+  save_mesh(*output, arguments.has("--join-triangles") ? join_triangles(mesh) : mesh);
   return kDone;
 }
 
 }  // namespace
 
 Command convert_command() {
-  return {"convert", "IN -o OUT", "another format, the same bits", {kOutputRow}, run_convert};
+  return {"convert",
+          "IN -o OUT",
+          "another format, the same bits",
+          {kOutputRow, {"--join-triangles", "", "two by two into the quads that a program split"}},
+          run_convert};
 }
 
 }  // namespace planish::cli

@@ -31,6 +31,16 @@ TEST_F(Cli, ConvertsThroughEveryFormatToTheSameBits) {
   EXPECT_TRUE(testing::same_bits(load("a.obj"), *make_sample("trihex", 9)));
 }
 
+TEST_F(Cli, ConvertJoinsTrianglesIntoQuads) {
+  save("t.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 3 4\nf 2 5 3\n");
+  ASSERT_EQ(run("convert t.obj -o q.obj --join-triangles"), 0) << err();
+  const Mesh mesh = load("q.obj");
+  EXPECT_EQ(mesh.face_count(), 2);
+  EXPECT_EQ(mesh.face(0).size(), 4u);
+  ASSERT_EQ(run("convert t.obj -o same.obj"), 0);
+  EXPECT_EQ(load("same.obj").face_count(), 3);
+}
+
 /// A quad bent a little stays one; the nearest flat one to a zigzag as high as it is long crosses
 /// itself.
 TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {
