@@ -111,11 +111,21 @@ val assemble(const std::string& mesh, const val& base, const val& support, const
   }
 }
 
+/// No bytes where there is no memory.
+val join_triangles(const std::string& mesh) {
+  try {
+    return bytes_of(planish::join_triangles_of(mesh));
+  } catch (const std::exception&) {
+    return bytes_of("");
+  }
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("openGlb", &open);
   emscripten::function("assembleGlb", &assemble);
+  emscripten::function("joinTriangles", &join_triangles);
   emscripten::function("readDesign", &read_design);
   emscripten::function("writeDesign", &write_design);
   emscripten::function("defaults", &planish::defaults_value);

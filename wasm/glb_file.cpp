@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "planish/io/obj.hpp"
+#include "planish/triangle_pairs.hpp"
 
 namespace planish {
 
@@ -34,6 +35,12 @@ std::string assemble_glb(std::string_view mesh, const GlbContent& content) {
     if (points && points->cols() != file->mesh.positions.cols()) return "";
   }
   return write_glb(file->mesh, content);
+}
+
+std::string join_triangles_of(std::string_view mesh) {
+  const ReadResult read = read_obj(mesh);
+  const auto* file = std::get_if<MeshFile>(&read);
+  return file == nullptr ? "" : write_obj(join_triangles(file->mesh));
 }
 
 }  // namespace planish

@@ -30,4 +30,8 @@ struct OpenedGlb {
 /// @return the file, or "" if `mesh` cannot be read or does not fit `content`
 [[nodiscard]] std::string assemble_glb(std::string_view mesh, const GlbContent& content);
 
+/// @param mesh OBJ
+/// @return OBJ with its triangles joined into quads, or "" if `mesh` cannot be read
+[[nodiscard]] std::string join_triangles_of(std::string_view mesh);
+
 }  // namespace planish

@@ -30,6 +30,8 @@ export interface GlbModule {
     offset: Float64Array,
     design: DesignValue,
   ): Uint8Array;
+  /** OBJ, its triangles joined into quads; empty without memory. */
+  joinTriangles(mesh: Uint8Array): Uint8Array;
   /** Any text: a design, or one sentence that names the field. */
   readDesign(text: string): DesignReading;
   /** As docs/formats.md describes it; "" without memory. */

@@ -46,6 +46,27 @@ describe("a mesh opens", () => {
     await page.context().close();
   });
 
+  it("as quads again, where a program wrote triangles; undo has the triangles", async () => {
+    const page = await site.openVault();
+    const triangles = flatRoof(6).replace(
+      /^f (\d+) (\d+) (\d+) (\d+)$/gm,
+      "f $1 $2 $3\nf $1 $3 $4",
+    );
+    await openFile(page, "split.obj", triangles);
+    expect(await reportOf(page, "split.obj")).toMatch(/72 triangles/);
+    await page.getByRole("button", { name: "Join triangles into quads" }).click();
+    await expect.poll(() => reportOf(page, "split.obj")).toMatch(/Panels 36 quads/);
+    expect(await page.getByText("36 quads of two triangles each.").count()).toBe(1);
+    expect(await page.getByRole("button", { name: "Join triangles into quads" }).count()).toBe(0);
+    expect((await exportAs(page, "OBJ")).toString().match(/^f .*$/gm)).toEqual(
+      flatRoof(6).match(/^f .*$/gm),
+    );
+    await page.getByRole("button", { name: "Undo" }).click();
+    await idle(page);
+    expect((await exportAs(page, "OBJ")).toString().match(/^f .*$/gm)?.length).toBe(72);
+    await page.context().close();
+  });
+
   it("with a report of what it is, in the unit that its numbers are in", async () => {
     const page = await site.openVault();
     await openFile(page, "mixed.obj", MIXED);

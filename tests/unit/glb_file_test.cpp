@@ -57,6 +57,7 @@ TEST(GlbFile, SaysWhatIsWrong) {
   const auto opened = open_glb("no GLB");
   ASSERT_TRUE(std::holds_alternative<std::string>(opened));
   EXPECT_NE(std::get<std::string>(opened), "");
+  EXPECT_EQ(join_triangles_of("v 0 0"), "");
   EXPECT_EQ(assemble_glb("v 0 0", {}), "");
   EXPECT_EQ(assemble_glb(write_obj(*make_sample("hex", 5)), {Positions::Zero(3, 1), {}, ""}), "");
 }

@@ -41,6 +41,11 @@ export class DesignFiles {
     return { mesh, format: "obj", stored: { design: stored, shape, warnings } };
   }
 
+  /** OBJ in and out. */
+  async joinTriangles(mesh: Uint8Array): Promise<Uint8Array> {
+    return (await this.#module()).joinTriangles(mesh);
+  }
+
   async read(text: string): Promise<DesignReading> {
     return (await this.#module()).readDesign(text);
   }

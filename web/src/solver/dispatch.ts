@@ -30,6 +30,7 @@ type Job = Exclude<Request, { kind: "start" }>;
 type Waited =
   | "open"
   | "read"
+  | "join"
   | "readDesign"
   | "export"
   | "shop"
@@ -100,6 +101,7 @@ export class Dispatcher {
     try {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
+      else if (request.kind === "join") await this.#join(request);
       else if (request.kind === "export") await this.#export(request);
       else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
@@ -149,6 +151,12 @@ export class Dispatcher {
     const { mesh, stored } = await this.#files.openGlb(name, read.bytes);
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
+  }
+
+  async #join({ job, name }: Extract<Request, { kind: "join" }>): Promise<void> {
+    const mesh = await this.#files.joinTriangles(this.#session.write("obj"));
+    insist(this.#session.openFile(mesh, "obj"));
+    this.#postOpened(job, keepCopy(name, "obj", mesh), null);
   }
 
   async #export(request: Extract<Request, { kind: "export" }>): Promise<void> {

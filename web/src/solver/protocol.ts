@@ -107,6 +107,8 @@ export type Request =
     } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
+  /** The mesh shown, its triangles joined into quads, as a file of this name. */
+  | { kind: "join"; job: number; name: string } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */
   | {
       kind: "planarise";

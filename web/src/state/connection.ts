@@ -139,6 +139,7 @@ function account(page: Page, question: Question, answer: Answer | null): void {
     case "edit":
     case "replay":
     case "read":
+    case "join":
       if (done) solver.centre = solver.told = null;
   }
 }

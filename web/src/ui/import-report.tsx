@@ -9,6 +9,7 @@ import { planarisingWords } from "../design/planarising.ts";
 import { isUnit, UNITS, unitWord } from "../quantity/units.ts";
 import type { MeshReport } from "../solver/protocol.ts";
 import { damage, damageWords } from "../state/damage.ts";
+import { joinTriangles, mayHaveLostQuads } from "../state/joining.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
@@ -133,6 +134,18 @@ export function ImportReport() {
       {report && !page.baseFlat.value && <PlanariseStep live={true} />}
       <AcceptTolerance />
       {report && <Facts report={report} />}
+      {mayHaveLostQuads(page) && (
+        <p>
+          <button
+            type="button"
+            class="button"
+            disabled={!page.ready.value}
+            onClick={() => void joinTriangles(page)}
+          >
+            Join triangles into quads
+          </button>
+        </p>
+      )}
       {report?.warnings.map((warning) => (
         <p key={warning} class="quiet">
           {warning}
