@@ -88,6 +88,7 @@ FILE_GROUPS = {
     "area_vector": "mesh",
     "panel_boxes": "mesh",
     "mesh_repair": "mesh_check",
+    "separate_faces": "mesh",
     "triangle_pairs": "topology",
     "context_mesh": "keep_out",  # a model beside the mesh, as text
     "sound_projection": "projection",

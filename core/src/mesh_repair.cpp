@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "planish/mesh_repair.hpp"
 
-#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/sentence.hpp"
+#include "separate_faces.hpp"
 
 namespace planish {
 namespace {
@@ -68,22 +68,6 @@ std::vector<int> simple_corners(std::span<const int> face) {
   return corners;
 }
 
-/// The faces by themselves, so that one can lose a corner or be left out.
-struct FaceList {
-  std::vector<std::vector<int>> faces;
-  std::vector<char> left_out;
-};
-
-FaceList list_faces(const Mesh& mesh) {
-  FaceList list;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    list.faces.emplace_back(face.begin(), face.end());
-  }
-  list.left_out.resize(list.faces.size(), 0);
-  return list;
-}
-
 /// A corner that comes again after one or two steps. Faces written with fewer than 3 corners are
 /// no slip of an exporter; check_mesh() refuses them.
 bool names_twice(const Mesh& mesh, int f) {
@@ -102,16 +86,16 @@ bool any_names_twice(const Mesh& mesh) {
   return false;
 }
 
-void name_corners_once(const Mesh& mesh, const SourceLines& lines, FaceList& list,
+void name_corners_once(const Mesh& mesh, const SourceLines& lines, SeparateFaces& faces,
                        std::vector<std::string>& warnings) {
   Fault repeated, gone;
-  for (std::size_t f = 0; f < list.faces.size(); ++f) {
+  for (std::size_t f = 0; f < faces.corners.size(); ++f) {
     if (!names_twice(mesh, static_cast<int>(f))) continue;
-    std::vector<int>& face = list.faces[f];
+    std::vector<int>& face = faces.corners[f];
     std::vector<int> simple = simple_corners(face);
-    list.left_out[f] = simple.size() < 3 ? 1 : 0;
-    (list.left_out[f] ? gone : repeated).add(static_cast<int>(f), lines);
-    if (!list.left_out[f]) face = std::move(simple);
+    faces.left_out[f] = simple.size() < 3 ? 1 : 0;
+    (faces.left_out[f] ? gone : repeated).add(static_cast<int>(f), lines);
+    if (!faces.left_out[f]) face = std::move(simple);
   }
   repeated.warn("face names a corner twice", "faces name a corner twice", "it is read once",
                 warnings);
@@ -119,32 +103,11 @@ void name_corners_once(const Mesh& mesh, const SourceLines& lines, FaceList& lis
             "left out", warnings);
 }
 
-Mesh with_faces(Mesh mesh, const FaceList& list) {
-  std::vector<int> new_index;  // of each face; where it is left out, of the next one
-  mesh.face_offsets.assign(1, 0);
-  mesh.face_vertices.clear();
-  for (std::size_t f = 0; f < list.faces.size(); ++f) {
-    new_index.push_back(mesh.face_count());
-    if (list.left_out[f]) continue;
-    mesh.face_vertices.insert(mesh.face_vertices.end(), list.faces[f].begin(), list.faces[f].end());
-    mesh.face_offsets.push_back(static_cast<int>(mesh.face_vertices.size()));
-  }
-  new_index.push_back(mesh.face_count());
-  std::vector<FaceGroup> groups;
-  for (FaceGroup& group : mesh.groups) {
-    group.first_face = new_index[static_cast<std::size_t>(group.first_face)];
-    if (!groups.empty() && groups.back().first_face == group.first_face) groups.pop_back();
-    if (group.first_face < mesh.face_count()) groups.push_back(std::move(group));
-  }
-  mesh.groups = std::move(groups);
-  return mesh;
-}
-
 /// What is left of the lines, and the file's numbers of the faces.
-SourceLines kept_lines(SourceLines lines, const FaceList& list) {
+SourceLines kept_lines(SourceLines lines, const SeparateFaces& faces) {
   std::vector<int> numbers, kept;
-  for (std::size_t f = 0; f < list.left_out.size(); ++f) {
-    if (list.left_out[f]) continue;
+  for (std::size_t f = 0; f < faces.left_out.size(); ++f) {
+    if (faces.left_out[f]) continue;
     numbers.push_back(lines.number_of_face(static_cast<int>(f)));
     if (!lines.faces.empty()) kept.push_back(lines.faces[f]);
   }
@@ -158,10 +121,10 @@ SourceLines kept_lines(SourceLines lines, const FaceList& list) {
 ReadResult repair_and_check(Mesh mesh, SourceLines lines) {
   if (!any_names_twice(mesh)) return check_mesh(std::move(mesh), lines);
   std::vector<std::string> warnings;
-  FaceList list = list_faces(mesh);
-  name_corners_once(mesh, lines, list, warnings);
-  lines = kept_lines(std::move(lines), list);
-  ReadResult result = check_mesh(with_faces(std::move(mesh), list), lines);
+  SeparateFaces faces = separate_faces(mesh);
+  name_corners_once(mesh, lines, faces, warnings);
+  lines = kept_lines(std::move(lines), faces);
+  ReadResult result = check_mesh(with_faces(std::move(mesh), faces), lines);
   if (auto* file = std::get_if<MeshFile>(&result)) {
     file->warnings.insert(file->warnings.begin(), warnings.begin(), warnings.end());
   }

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "edge_table.hpp"
+#include "planish/area_vector.hpp"
 #include "planish/index.hpp"
+#include "separate_faces.hpp"
 
 namespace planish {
 namespace {
@@ -44,10 +46,7 @@ Quad quad_of(const Mesh& mesh, int first, int second, int edge_start) {
 double skew_of(const Mesh& mesh, const Pair& pair) {
   constexpr double kNone = 2.0, kLeastCosine = 0.5;  // of 60°
   const auto normal_of = [&](int f) {
-    const auto face = mesh.face(f);
-    const Eigen::Vector3d a = mesh.positions.col(face[0]);
-    const Eigen::Vector3d b = mesh.positions.col(face[1]), c = mesh.positions.col(face[2]);
-    return Eigen::Vector3d((b - a).cross(c - a).normalized());
+    return Eigen::Vector3d(area_vector(mesh.positions, mesh.face(f)).normalized());
   };
   const Eigen::Vector3d first = normal_of(pair.first), second = normal_of(pair.second);
   if (!(first.dot(second) >= kLeastCosine)) return kNone;
@@ -118,25 +117,12 @@ std::vector<Pair> best_pairs(const Mesh& mesh, std::vector<Pair> possible) {
 }
 
 Mesh with_quads(const Mesh& mesh, const std::vector<Pair>& pairs) {
-  std::vector<const Pair*> pair_of(at(mesh.face_count()), nullptr);
-  for (const Pair& pair : pairs) pair_of[at(pair.first)] = pair_of[at(pair.second)] = &pair;
-  Mesh joined;
-  joined.positions = mesh.positions;
-  std::vector<int> new_index;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    new_index.push_back(joined.face_count());
-    const Pair* pair = pair_of[at(f)];
-    if (pair != nullptr && pair->second == f) continue;
-    const auto face = mesh.face(f);
-    std::vector<int> corners(face.begin(), face.end());
-    if (pair != nullptr) corners.assign(pair->quad.begin(), pair->quad.end());
-    joined.face_vertices.insert(joined.face_vertices.end(), corners.begin(), corners.end());
-    joined.face_offsets.push_back(static_cast<int>(joined.face_vertices.size()));
+  SeparateFaces faces = separate_faces(mesh);
+  for (const Pair& pair : pairs) {
+    faces.corners[at(pair.first)].assign(pair.quad.begin(), pair.quad.end());
+    faces.left_out[at(pair.second)] = 1;
   }
-  for (const FaceGroup& group : mesh.groups) {
-    joined.groups.push_back({group.name, new_index[at(group.first_face)]});
-  }
-  return joined;
+  return with_faces(mesh, faces);
 }
 
 }  // namespace

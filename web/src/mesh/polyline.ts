@@ -12,9 +12,13 @@ export function polylineOf(topology: Topology, points: readonly number[]): numbe
   const beside = (vertex: number): number[] =>
     neighboursOf(topology, vertex).filter((other) => chosen.has(other));
   const ordered = [...chosen].sort((a, b) => a - b);
-  const ends = ordered.filter((vertex) => beside(vertex).length === 1);
-  const inner = ordered.filter((vertex) => beside(vertex).length === 2);
-  if (ordered.length < 2 || ends.length + inner.length !== ordered.length) return null;
+  const ends: number[] = [];
+  for (const vertex of ordered) {
+    const count = beside(vertex).length;
+    if (count < 1 || count > 2) return null;
+    if (count === 1) ends.push(vertex);
+  }
+  if (ordered.length < 2) return null;
   let at = ends[0] ?? ordered[0];
   const line: number[] = [];
   const passed = new Set<number>();
