@@ -153,6 +153,9 @@ it("mirrors stripes in the surface, and shows those panels first that fold most"
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Reflection lines");
   // Most of it is stripes, dark and light.
   await expect.poll(async () => Math.min(...(await shares()))).toBeGreaterThan(0.2);
+  // What lies behind glass shows through: no place is as dark as a stripe, and none is one colour.
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Glass");
+  await expect.poll(async () => (await shares())[0]).toBeLessThan(0.02);
   const folds = await table(page)
     .getByRole("row")
     .evaluateAll((rows) => rows.slice(1).map((row) => Number(row.lastElementChild?.textContent)));

@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
 import { idle, movedCount } from "./support/page.ts";
+import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { openPhone, slide } from "./support/touch.ts";
 import { handleRows, hintedPoint, type Place, press, viewBox } from "./support/view.ts";
@@ -265,5 +266,29 @@ it("Before and the key B show the base while held", async () => {
   expect(await before.getAttribute("aria-pressed")).toBe("true");
   await page.keyboard.up("Space");
   expect(await before.getAttribute("aria-pressed")).toBe("false");
+  await page.context().close();
+});
+
+it("at rest, without figures in its colours, the ground beside the model is shaded", async () => {
+  const page = await site.openVault();
+  const view = page.getByLabel("3D view");
+  const colour = page.getByRole("combobox", { name: "Colour by" });
+  const picture = async () => readPng(await view.screenshot());
+  await colour.selectOption("Planarity");
+  await page.waitForTimeout(500);
+  const plain = await picture();
+  const [paper] = plain.at(plain.width - 4, plain.height >> 1);
+  /** Pixels of bare paper that are darker now. */
+  const shaded = async (): Promise<number> => {
+    const now = await picture();
+    let count = 0;
+    for (let x = 0; x < now.width; ++x)
+      for (let y = 80; y < now.height; ++y)
+        if (plain.at(x, y)[0] === paper && now.at(x, y)[0] < paper - 6) ++count;
+    return count;
+  };
+  expect(await shaded()).toBeLessThan(20);
+  await colour.selectOption("Nothing");
+  await expect.poll(shaded).toBeGreaterThan(400);
   await page.context().close();
 });

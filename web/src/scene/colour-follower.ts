@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The panels' colours, or stripes in their place, follow what the state says they show.
+// The panels' colours, or what they wear in their place, follow what the state says they show.
 
 import { effect } from "@preact/signals";
 import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
 import type { ColourBy } from "../state/page-state.ts";
 import type { Sight } from "./sight.ts";
+import type { Skin } from "./skin.ts";
 
 /** What the colours show, where it is not how far points moved. */
 function figuresOf(page: Page, kind: ColourBy): Float32Array | null {
@@ -19,12 +20,39 @@ function figuresOf(page: Page, kind: ColourBy): Float32Array | null {
   return kind === "planarity" ? page.panelFigures.value : null;
 }
 
-async function dress(sight: Sight, striped: boolean): Promise<void> {
+/** What the panels wear in place of their colours. */
+const SKINS: Partial<Record<ColourBy, () => Promise<() => Skin>>> = {
+  zebra: () =>
+    import("./zebra.ts").then(
+      ({ Zebra }) =>
+        () =>
+          new Zebra(),
+    ),
+  glass: () =>
+    import("./glass.ts").then(
+      ({ Glass }) =>
+        () =>
+          new Glass(),
+    ),
+};
+
+async function dress(sight: Sight, kind: ColourBy): Promise<void> {
   const { page, shell, stage } = sight;
-  const part = striped ? await fetchPart(page, () => import("./zebra.ts")) : null;
-  if (shell !== sight.shell || striped !== (page.colourBy.peek() === "zebra")) return;
-  shell?.wear(part && new part.Zebra());
+  const skin = SKINS[kind];
+  const make = skin ? await fetchPart(page, skin) : null;
+  if (shell !== sight.shell || kind !== page.colourBy.peek()) return;
+  shell?.wear(make?.() ?? null);
   stage.invalidate();
+}
+
+/** Without figures in its colours the picture at rest is shaded by how much sky a place sees. */
+async function shade(sight: Sight, kind: ColourBy): Promise<void> {
+  const { page, shell, stage } = sight;
+  const part = kind === "none" ? await fetchPart(page, () => import("./occlusion.ts")) : null;
+  if (shell !== sight.shell || kind !== page.colourBy.peek()) return;
+  stage.finishBy(
+    part && shell ? new part.Occlusion(shell.panels, stage.ground, stage.camera) : null,
+  );
 }
 
 /** Returns how to stop. */
@@ -34,7 +62,8 @@ export function followColours(sight: Sight): () => void {
     const kind = page.colourBy.value;
     page.displayMesh.value;
     sight.shell?.colourBy(kind, figuresOf(page, kind));
-    void dress(sight, kind === "zebra");
+    void dress(sight, kind);
+    void shade(sight, kind);
     stage.invalidate();
   });
 }

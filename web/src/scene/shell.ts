@@ -42,7 +42,7 @@ export class Shell {
   readonly offsets: Int32Array;
   readonly vertices: Int32Array;
   readonly #moved = new Set<number>();
-  readonly #panels: Mesh<BufferGeometry, Material>;
+  readonly panels: Mesh<BufferGeometry, Material>;
   readonly #matt = mattMaterial();
   #skin: Skin | null = null;
   readonly #colours: PanelColours;
@@ -65,9 +65,9 @@ export class Shell {
     this.corners = mesh.corners.slice();
     this.#cuts = new PanelCuts(mesh);
     this.#colours = new PanelColours(mesh);
-    this.#panels = this.#makePanels();
+    this.panels = this.#makePanels();
     this.#lines = new ShellLines(mesh.topology, this.base);
-    this.group.add(this.#panels, this.#lines.group);
+    this.group.add(this.panels, this.#lines.group);
     this.setPalette(palette);
   }
 
@@ -152,8 +152,8 @@ export class Shell {
     if (!skin && !this.#skin) return;
     this.#skin?.dispose();
     this.#skin = skin;
-    this.#panels.material = skin?.material ?? this.#matt;
-    skin?.update(this.#panels.geometry, this.offsets, this.topology);
+    this.panels.material = skin?.material ?? this.#matt;
+    skin?.update(this.panels.geometry, this.offsets, this.topology);
   }
 
   /** Draws a line around one panel and gives its corners; null for none. */
@@ -211,15 +211,15 @@ export class Shell {
 
   /** True if it casts none yet. */
   get shadowToCome(): boolean {
-    return !this.#panels.castShadow;
+    return !this.panels.castShadow;
   }
 
   castShadow(): void {
-    this.#panels.castShadow = true;
+    this.panels.castShadow = true;
   }
 
   dispose(): void {
-    this.#panels.geometry.dispose();
+    this.panels.geometry.dispose();
     this.#matt.dispose();
     this.#skin?.dispose();
     this.#lines.dispose();
@@ -237,11 +237,11 @@ export class Shell {
   }
 
   #uploadPositions(): void {
-    const { attributes, index } = this.#panels.geometry;
+    const { attributes, index } = this.panels.geometry;
     const { position } = attributes;
     if (position instanceof BufferAttribute) this.#dirtyCorners.flush(position, 3);
     if (index) this.#cuts.flush(index);
-    this.#skin?.update(this.#panels.geometry, this.offsets, this.topology);
+    this.#skin?.update(this.panels.geometry, this.offsets, this.topology);
     this.#lines.upload();
   }
 

@@ -52,12 +52,18 @@ export interface DrawingSteps {
   after(): void;
 }
 
+/** Draws over the picture once it rests. */
+export interface Finish {
+  draw(renderer: WebGLRenderer): void;
+  dispose(): void;
+}
+
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(WIDE, 1, CLIP.near, CLIP.far);
   readonly orbit: OrbitControls;
   readonly renderer: WebGLRenderer;
-  readonly #ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
+  readonly ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
   readonly #key = new DirectionalLight("#FFF9F0", 2.15);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
   readonly #glide: Glide;
@@ -69,6 +75,8 @@ export class Stage {
   #pending = 0;
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
+  #restTimer: ReturnType<typeof setTimeout> | undefined;
+  #finish: Finish | null = null;
   #target: Object3D | null = null;
 
   constructor(canvas: HTMLCanvasElement, steps: DrawingSteps) {
@@ -106,8 +114,8 @@ export class Stage {
     shadow.radius = 4;
     shadow.bias = -0.008;
     Object.assign(shadow.camera, { left: -8, right: 8, top: 8, bottom: -8, near: 1, far: 40 });
-    this.#ground.receiveShadow = true;
-    this.scene.add(this.#sky, this.#key, this.#ground);
+    this.ground.receiveShadow = true;
+    this.scene.add(this.#sky, this.#key, this.ground);
   }
 
   setPalette(palette: Palette): void {
@@ -115,7 +123,7 @@ export class Stage {
     this.renderer.setClearColor(this.#paper);
     this.#sky.color.set(palette.sky);
     this.#sky.groundColor.set(palette.ground);
-    this.#ground.material.opacity = palette.shadow;
+    this.ground.material.opacity = palette.shadow;
     this.invalidate();
   }
 
@@ -124,7 +132,7 @@ export class Stage {
     if (this.#target) this.scene.remove(this.#target);
     this.#target = subject;
     this.scene.add(subject);
-    this.#ground.position.z = bounds.min.z - 0.05;
+    this.ground.position.z = bounds.min.z - 0.05;
     this.renderer.shadowMap.needsUpdate = true;
   }
 
@@ -270,12 +278,32 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
     this.#drawMilliseconds = performance.now() - begin;
     this.#steps.after();
+    clearTimeout(this.#restTimer);
+    if (this.#finish) this.#restTimer = setTimeout(() => this.drawFinished(), REST);
+  }
+
+  /** As it is at rest. */
+  drawFinished(): void {
+    this.draw();
+    clearTimeout(this.#restTimer);
+    this.#finish?.draw(this.renderer);
+  }
+
+  /** null for nothing. */
+  finishBy(finish: Finish | null): void {
+    if (!finish && !this.#finish) return;
+    this.#finish?.dispose();
+    this.#finish = finish;
+    this.invalidate();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.#pending);
     this.#glide.stop();
     clearTimeout(this.#shadowTimer);
+    clearTimeout(this.#restTimer);
+    this.#finish?.dispose();
+    this.#finish = null;
     this.orbit.dispose();
     this.renderer.dispose();
   }

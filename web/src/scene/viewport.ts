@@ -109,7 +109,7 @@ export class Viewport {
   }
 
   picture(): Promise<Blob | null> {
-    this.stage.draw();
+    this.stage.drawFinished();
     return new Promise((resolve) => this.#parts.canvas.toBlob(resolve, "image/png"));
   }
 

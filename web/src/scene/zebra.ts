@@ -11,11 +11,13 @@ const STRIPES = 10;
 const VERTEX = `
 varying vec3 vNormal;
 varying vec3 vView;
+#include <clipping_planes_pars_vertex>
 void main() {
-  vec4 at = modelViewMatrix * vec4(position, 1.0);
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
   vNormal = mat3(viewMatrix) * normal;
-  vView = -at.xyz;
-  gl_Position = projectionMatrix * at;
+  vView = -mvPosition.xyz;
+  gl_Position = projectionMatrix * mvPosition;
+  #include <clipping_planes_vertex>
 }`;
 
 // The stripes stand about the model, so that they run over it as the camera turns.
@@ -25,7 +27,9 @@ uniform vec3 dark;
 uniform float stripes;
 varying vec3 vNormal;
 varying vec3 vView;
+#include <clipping_planes_pars_fragment>
 void main() {
+  #include <clipping_planes_fragment>
   vec3 view = normalize(vView);
   vec3 normal = faceforward(normalize(vNormal), -view, normalize(vNormal));
   vec3 mirrored = reflect(-view, normal);
@@ -90,6 +94,7 @@ export class Zebra implements Skin {
       stripes: { value: STRIPES },
     },
     side: DoubleSide,
+    clipping: true,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

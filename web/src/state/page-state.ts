@@ -64,6 +64,7 @@ export type ColourBy =
   | "remake"
   | "mobility"
   | "zebra"
+  | "glass"
   | Kind
   | "none";
 

@@ -13,5 +13,6 @@ export const COLOURS: readonly (readonly [ColourBy, string])[] = [
   ["conical", "Conical"],
   ["mobility", "Mobility"],
   ["zebra", "Reflection lines"],
+  ["glass", "Glass"],
   ["none", "Nothing"],
 ];

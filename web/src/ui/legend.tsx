@@ -72,6 +72,8 @@ function Scale() {
   if (kind === "none") return null;
   if (kind === "zebra")
     return <p class="legend-note">Mirrored by the smooth surface through the points</p>;
+  if (kind === "glass")
+    return <p class="legend-note">Each panel mirrors the sky, or lets it through</p>;
   if (kind === "health") return <HealthScale />;
   if (kind === "remake") return <RemakeScale />;
   return (
