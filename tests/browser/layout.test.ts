@@ -59,7 +59,7 @@ describe.each(SIZES)("at %d × %d", (width, height) => {
       [
         page.getByRole("toolbar", { name: "Drag tools" }),
         page.getByRole("group", { name: "Views" }),
-        page.getByRole("combobox", { name: "Colour by" }),
+        page.getByRole("group", { name: "Legend" }),
       ].map(boxOf),
     );
     for (const [k, box] of over.entries()) {
