@@ -7,6 +7,7 @@ import { commitSettings } from "../state/editing.ts";
 import { planarise } from "../state/opening.ts";
 import type { Page } from "../state/page.ts";
 import { TOLERANCES } from "../state/tolerance.ts";
+import { Ask } from "./ask.tsx";
 import { Choice } from "./choice.tsx";
 import { KeptKinds } from "./kept-kinds.tsx";
 import { usePage } from "./page-context.ts";
@@ -102,6 +103,7 @@ export function Advanced() {
     <div class="disclosure">
       <details>
         <summary>Advanced</summary>
+        <Ask about="advanced" />
         <RawWeights />
         <Choice
           label="Fairness"

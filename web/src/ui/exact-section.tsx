@@ -8,6 +8,8 @@ import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 
+const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
+
 const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
 
 const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
@@ -25,6 +27,7 @@ export function ExactSection() {
       <h2 id="step-exact">
         <span class="step-number">3</span> Make exact
       </h2>
+      <Ask about="exact" />
       <Verdict />
       <div class="row">
         <CommandButton

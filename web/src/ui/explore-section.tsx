@@ -6,6 +6,8 @@ import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
+const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
+
 const VariationSliders = later(() =>
   import("./variation-sliders.tsx").then((part) => part.VariationSliders),
 );
@@ -30,6 +32,7 @@ export function ExploreSection() {
       <h2 id="step-explore">
         <span class="step-number">2</span> Explore
       </h2>
+      <Ask about="explore" />
       <p class="quiet">
         Variations of the edit that keep every panel flat, and circular or conical where the edit
         does. Most stay about it; some also move points elsewhere, as the colours show.

@@ -9,6 +9,8 @@ import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { ReachAndSoftness } from "./reach-and-softness.tsx";
 
+const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
+
 function NotFlatNote() {
   const page = usePage();
   const [report, chosen] = [page.mesh.value?.report, page.settings.value];
@@ -69,6 +71,7 @@ export function Inspector() {
         <h2 id="step-edit">
           <span class="step-number">1</span> Edit
         </h2>
+        <Ask about="edit" />
         <NotFlatNote />
         <HandlesTable />
         <StoppedNote />

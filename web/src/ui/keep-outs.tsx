@@ -20,6 +20,7 @@ import {
   removeKeepOuts,
 } from "../state/keep-outs.ts";
 import type { Page } from "../state/page.ts";
+import { Ask } from "./ask.tsx";
 import { Icon } from "./icon.tsx";
 import { LimitField } from "./limit-field.tsx";
 import { usePage } from "./page-context.ts";
@@ -277,6 +278,7 @@ export function KeepOuts() {
   return (
     <details class="surface-move">
       <summary>{some > 0 ? `Keep-outs (${some})` : "Keep-outs"}</summary>
+      <Ask about="keepOuts" />
       <Add />
       {some > 0 && <Kept />}
       <p class="quiet">

@@ -12,6 +12,7 @@ import { commitSettings } from "../state/editing.ts";
 import { stopped } from "../state/going-on.ts";
 import { showNextPanel } from "../state/selection.ts";
 import { gotWords } from "../state/way-on.ts";
+import { Ask } from "./ask.tsx";
 import { LimitField } from "./limit-field.tsx";
 
 interface Row {
@@ -202,6 +203,7 @@ export function Limits() {
         <summary>
           Limits <span class="quiet small limits-on">{count > 0 ? `${count} on` : "none"}</span>
         </summary>
+        <Ask about="limits" />
         {ROWS.map((row) => (
           <LimitRow key={row.head} row={row} />
         ))}

@@ -7,6 +7,7 @@ import { type Measure, measures } from "../mesh/measuring.ts";
 import { formatLength, type Unit } from "../quantity/units.ts";
 import { basePoint } from "../state/editing.ts";
 import type { Page } from "../state/page.ts";
+import { Ask } from "./ask.tsx";
 import { usePage } from "./page-context.ts";
 
 /** Where the selected points are now, in the order in which they were selected; model units. */
@@ -85,6 +86,7 @@ export function Measures() {
       }}
     >
       <summary>Measure</summary>
+      <Ask about="measure" />
       {open.value && <Values />}
     </details>
   );

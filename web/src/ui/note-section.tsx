@@ -4,6 +4,7 @@ import { LONGEST_NOTE } from "../design/companions.ts";
 import { note } from "../state/note.ts";
 import { usePage } from "./page-context.ts";
 import "./note.css";
+import { Ask } from "./ask.tsx";
 
 export function NoteSection() {
   const page = usePage();
@@ -11,6 +12,7 @@ export function NoteSection() {
   return (
     <section class="step" aria-labelledby="note">
       <h2 id="note">Note</h2>
+      <Ask about="note" />
       <textarea
         class="note-text"
         aria-labelledby="note"

@@ -12,6 +12,7 @@ import {
   standOfSelected,
   standOn,
 } from "../state/supports.ts";
+import { Ask } from "./ask.tsx";
 import { Choice } from "./choice.tsx";
 import { usePage } from "./page-context.ts";
 
@@ -107,6 +108,7 @@ export function PointSupports() {
           ? `Supports (${counted(page.supported.value.length, "point")})`
           : "Supports"}
       </summary>
+      <Ask about="supports" />
       {none ? <p class="quiet">Select a point first.</p> : <StandOfSelected />}
       <ul class="support-groups">
         {[...listed].map(([stand, points]) => (

@@ -11,6 +11,8 @@ import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
+const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
+
 const MOST_RINGS = 12;
 /** One step beyond the most rings. */
 const NO_LIMIT = MOST_RINGS + 1;
@@ -44,6 +46,7 @@ function Reach() {
   return (
     <Slider
       label="Reach"
+      aside={<Ask about="reach" />}
       value={reach === 0 ? NO_LIMIT : Math.min(reach, MOST_RINGS)}
       min={1}
       max={NO_LIMIT}
@@ -67,6 +70,7 @@ function Softness() {
   return (
     <Slider
       label="Softness"
+      aside={<Ask about="softness" />}
       value={Math.max(softness, HARDEST)}
       min={HARDEST}
       max={SOFTEST}
@@ -86,17 +90,20 @@ function KeepBoundary() {
   const { keepBoundary } = page.settings.value ?? FIRST_SETTINGS;
   return (
     <>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={keepBoundary}
-          disabled={!page.ready.value}
-          onChange={({ currentTarget }) =>
-            void commitSettings(page, { keepBoundary: currentTarget.checked })
-          }
-        />
-        <span>Keep boundary</span>
-      </label>
+      <div class="beside">
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={keepBoundary}
+            disabled={!page.ready.value}
+            onChange={({ currentTarget }) =>
+              void commitSettings(page, { keepBoundary: currentTarget.checked })
+            }
+          />
+          <span>Keep boundary</span>
+        </label>
+        <Ask about="boundary" />
+      </div>
       <p class="quiet small">The points that you drag move all the same.</p>
     </>
   );

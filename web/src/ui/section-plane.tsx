@@ -7,6 +7,7 @@ import { formatLength } from "../quantity/units.ts";
 import { followSection } from "../scene/section-follower.ts";
 import { cutAcross, rangeAlong, section } from "../state/section-plane.ts";
 import { sectionPlane } from "../state/shown-section.ts";
+import { Ask } from "./ask.tsx";
 import { Choice } from "./choice.tsx";
 import { LimitField } from "./limit-field.tsx";
 import { usePage } from "./page-context.ts";
@@ -83,6 +84,7 @@ export function SectionPlaneSection() {
   return (
     <section class="step" aria-labelledby="section-plane">
       <h2 id="section-plane">Section</h2>
+      <Ask about="section" />
       <Choice
         label="Cut the view"
         value={axis === undefined ? "" : String(axis)}

@@ -6,6 +6,7 @@ import type { Point } from "../design/design.ts";
 import { niceStep } from "../quantity/units.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import { moveTogether } from "../state/typed-moves.ts";
+import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import type { Command } from "./commands/command.ts";
 import { COMMANDS } from "./commands/commands.ts";
@@ -128,6 +129,7 @@ export function SelectionStrip() {
       title={page.baseFlat.value ? undefined : FLAT_FIRST}
     >
       <span class="strip-count">{length === 1 ? "1 point" : `${length} points`}</span>
+      <Ask about="several" />
       <Tools tools={DO} />
       <MoveFields disabled={cannotEdit(page) !== ""} />
       <FallOff />

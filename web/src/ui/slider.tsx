@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+import type { ComponentChild } from "preact";
 import { type Apply, useAhead } from "./ahead.ts";
 
 interface SliderProps {
   readonly label: string;
+  /** Beside the label. */
+  readonly aside?: ComponentChild;
   readonly value: number;
   readonly min: number;
   readonly max: number;
@@ -34,7 +37,10 @@ export function Slider(props: SliderProps) {
   const spoken = props.spoken ?? shown;
   return (
     <div class="slider">
-      <label for={id}>{label}</label>
+      <span class="beside">
+        <label for={id}>{label}</label>
+        {props.aside}
+      </span>
       <span class="slider-value" aria-hidden="true">
         {shown}
       </span>

@@ -15,6 +15,7 @@ import {
   providePictures,
   renameSnapshot,
 } from "../state/snapshots.ts";
+import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { MORE_COMMANDS } from "./commands/more-commands.ts";
 import { CompareDialog } from "./compare-dialog.tsx";
@@ -88,6 +89,7 @@ export function SnapshotsSection() {
   return (
     <section class="step" aria-labelledby="snapshots">
       <h2 id="snapshots">Snapshots</h2>
+      <Ask about="snapshots" />
       <CommandButton look="button wide" command={MORE_COMMANDS.takeSnapshot} />
       {page.snapshots.value.length > 0 && <CompareDialog />}
       {page.snapshots.value.length > 0 && (

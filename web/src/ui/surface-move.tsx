@@ -5,6 +5,7 @@ import { counted } from "../quantity/counted.ts";
 import { niceStep } from "../quantity/units.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import { moveInFrame } from "../state/typed-moves.ts";
+import { Ask } from "./ask.tsx";
 import { NumberField } from "./number-field.tsx";
 import { usePage } from "./page-context.ts";
 
@@ -22,6 +23,7 @@ export function SurfaceMove() {
   return (
     <details class="surface-move">
       <summary>Move along the surface</summary>
+      <Ask about="along" />
       <div class="move-fields">
         {DIRECTIONS.map(([label, about, [along, across, out]]) => (
           <div key={label} class="move-field" title={about}>

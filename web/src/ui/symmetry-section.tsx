@@ -4,6 +4,7 @@ import { findMirrors, mirrors, mostImages, noMirrors, setMirrors } from "../stat
 import { LimitField } from "./limit-field.tsx";
 import { usePage } from "./page-context.ts";
 import "./keep-outs.css";
+import { Ask } from "./ask.tsx";
 
 const AXES = ["x", "y", "z"] as const;
 
@@ -17,6 +18,7 @@ export function SymmetrySection() {
   return (
     <details class="surface-move">
       <summary>{images > 1 ? `Symmetry (${images} images)` : "Symmetry"}</summary>
+      <Ask about="symmetry" />
       <div class="keep-out-kinds">
         <button
           type="button"

@@ -7,6 +7,7 @@ import { KEEP_VIEW } from "./commands/view-commands.ts";
 import { Icon } from "./icon.tsx";
 import { usePage } from "./page-context.ts";
 import "./designs.css";
+import { Ask } from "./ask.tsx";
 
 function Row({ view }: { view: NamedView }) {
   const page = usePage();
@@ -49,6 +50,7 @@ export function ViewsSection() {
   return (
     <section class="step" aria-labelledby="named-views">
       <h2 id="named-views">Named views</h2>
+      <Ask about="views" />
       <CommandButton look="button wide" command={KEEP_VIEW} />
       {page.views.value.length > 0 && (
         <ul class="snapshots" aria-labelledby="named-views">

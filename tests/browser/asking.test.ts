@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The "?" beside controls: each opens a sentence with a moving picture, inside the window, and closes again.
+import type { Locator, Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { expectClean } from "./support/axe.ts";
+import { site } from "./support/site.ts";
+
+/** Those that can be pressed now: what is folded away has its own inside. */
+const asks = (page: Page): Locator => page.getByRole("button", { name: /^What is this\?/ });
+
+async function unfold(page: Page): Promise<void> {
+  for (const summary of await page.locator("#inspector summary").all()) await summary.click();
+}
+
+async function lookAtAll(page: Page, seen: (note: Locator) => Promise<void>): Promise<string[]> {
+  const names: string[] = [];
+  await asks(page).nth(3).waitFor({ state: "attached" });
+  for (const ask of await asks(page).all()) {
+    if (!(await ask.isVisible())) continue;
+    await ask.click();
+    const note = page.getByRole("note");
+    await seen(note);
+    const box = await note.boundingBox();
+    const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+    expect(box && box.x >= 0 && box.y >= 0).toBe(true);
+    expect(box && box.x + box.width <= width && box.y + box.height <= height).toBe(true);
+    await page.keyboard.press("Escape");
+    await note.waitFor({ state: "detached" });
+    names.push((await ask.getAttribute("aria-label")) ?? "");
+  }
+  return names;
+}
+
+it("every section has one that moves, by mouse and keys", async () => {
+  const page = await site.openVault({ reducedMotion: "no-preference" });
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Control+ArrowRight");
+  await unfold(page);
+  const names = await lookAtAll(page, async (note) => {
+    expect((await note.textContent())?.length).toBeGreaterThan(30);
+    expect(await note.locator("animate").count()).toBeGreaterThan(0);
+  });
+  expect(new Set(names).size).toBe(names.length);
+  expect(names.length).toBeGreaterThanOrEqual(16);
+  await asks(page).first().focus();
+  await page.keyboard.press("Enter");
+  await page.getByRole("note").waitFor();
+  await expectClean(page, "a note is open");
+  await page.context().close();
+});
+
+it("stands still where motion is not wanted, and fits a phone", async () => {
+  const page = await site.open({ viewport: { width: 320, height: 568 }, reducedMotion: "reduce" });
+  const names = await lookAtAll(page, async (note) => {
+    expect(await note.locator("animate").count()).toBe(0);
+    expect(await note.locator("polyline").count()).toBeGreaterThan(0);
+  });
+  expect(names.length).toBeGreaterThanOrEqual(4);
+  await page.context().close();
+});

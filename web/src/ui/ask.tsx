@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The small "?" beside a control: what it does, in a sentence and a moving picture.
+import { useSignal } from "@preact/signals";
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { HOW_PICTURES, type HowLine, type Subject } from "./how-pictures.ts";
+import "./ask.css";
+
+/** Seconds that a moment takes to turn into the next. */
+const PACE = 1.6;
+/** Pixels. */
+const GAP = 8;
+
+const stillPreferred = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+const written = (moment: HowLine["moments"][number]): string =>
+  moment.map((point) => point.map((x) => x.toFixed(1)).join(",")).join(" ");
+
+/** There and back. */
+const rounds = (values: readonly string[]): string =>
+  [...values, ...values.slice(0, -1).reverse()].join(";");
+
+function Animated({ name, values }: { name: string; values: readonly string[] }) {
+  if (values.length < 2 || stillPreferred()) return null;
+  const spans = 2 * (values.length - 1);
+  return (
+    <animate
+      attributeName={name}
+      values={rounds(values)}
+      dur={`${PACE * spans}s`}
+      calcMode="spline"
+      keySplines={Array.from({ length: spans }, () => "0.6 0 0.4 1").join(";")}
+      repeatCount="indefinite"
+    />
+  );
+}
+
+/** Without motion: the last moment. */
+function Line({ look, moments }: HowLine) {
+  const last = moments.at(-1) ?? [];
+  if (look !== "point")
+    return (
+      <polyline class={`how-${look}`} points={written(last)}>
+        <Animated name="points" values={moments.map(written)} />
+      </polyline>
+    );
+  const along = (axis: 0 | 1): string[] => moments.map((moment) => String(moment[0]?.[axis] ?? 0));
+  return (
+    <circle class="how-point" r="4" cx={along(0).at(-1)} cy={along(1).at(-1)}>
+      <Animated name="cx" values={along(0)} />
+      <Animated name="cy" values={along(1)} />
+    </circle>
+  );
+}
+
+/** Left of what the button stands in, or under the button; inside the window. */
+function place(note: HTMLElement, button: HTMLElement): void {
+  const [at, own] = [button.getBoundingClientRect(), note.getBoundingClientRect()];
+  const within = (wished: number, room: number): number => Math.max(GAP, Math.min(wished, room));
+  const panel = (button.closest("aside") ?? button).getBoundingClientRect();
+  const left = panel.left - own.width - GAP;
+  note.style.left = `${within(left > 0 ? left : at.right - own.width, innerWidth - own.width - GAP)}px`;
+  const top = left > 0 ? at.top - GAP : at.bottom + GAP;
+  note.style.top = `${within(top, innerHeight - own.height - GAP)}px`;
+}
+
+export function Ask({ about }: { about: Subject }) {
+  const open = useSignal(false);
+  const [button, note] = [useRef<HTMLButtonElement>(null), useRef<HTMLDivElement>(null)];
+  const { name, words, lines } = HOW_PICTURES[about];
+  const shown = open.value;
+  useLayoutEffect(() => {
+    if (!shown || !note.current || !button.current) return;
+    note.current.showPopover();
+    place(note.current, button.current);
+  }, [shown]);
+  return (
+    <>
+      <button
+        ref={button}
+        type="button"
+        class="ask"
+        aria-label={`What is this? (${name})`}
+        aria-expanded={shown}
+        onClick={() => {
+          open.value = !shown;
+        }}
+      >
+        ?
+      </button>
+      {shown && (
+        <div
+          ref={note}
+          class="how"
+          popover="auto"
+          role="note"
+          onToggle={({ newState }) => {
+            if (newState === "closed") open.value = false;
+          }}
+        >
+          <svg viewBox="0 0 240 96" aria-hidden="true">
+            <marker id="how-joint" viewBox="-2 -2 4 4" markerWidth="2.2" markerHeight="2.2">
+              <circle r="1.6" />
+            </marker>
+            {lines.map((line, k) => (
+              <Line key={k} {...line} />
+            ))}
+          </svg>
+          <p>{words}</p>
+        </div>
+      )}
+    </>
+  );
+}

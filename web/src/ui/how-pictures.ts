@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// What the moving pictures of the help show: lines of a structure seen from the side, a row of places
+// a moment, in a field of 240 × 96.
+
+type Point = readonly [x: number, y: number];
+type Moment = readonly Point[];
+
+export interface HowLine {
+  readonly look: "strip" | "still" | "wall" | "point";
+  readonly moments: readonly Moment[];
+}
+
+export interface HowPicture {
+  readonly name: string;
+  readonly words: string;
+  readonly lines: readonly HowLine[];
+}
+
+const COLUMNS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10];
+const MIDDLE = 5;
+
+const columnX = (k: number): number => 20 + 20 * k;
+
+const arch = (k: number): number => 72 - 0.9 * k * (10 - k);
+
+type Rise = (k: number) => number;
+
+const FLAT: Rise = () => 0;
+
+/** A bump `height` high over a place, `width` columns to each side. */
+const bump =
+  (height: number, width: number, at = MIDDLE): Rise =>
+  (k) => {
+    const away = Math.abs(k - at) / width;
+    return away < 1 ? (height * (1 + Math.cos(Math.PI * away))) / 2 : 0;
+  };
+
+const both =
+  (one: Rise, other: Rise): Rise =>
+  (k) =>
+    one(k) + other(k);
+
+const risen = (rise: Rise): Moment => COLUMNS.map((k) => [columnX(k), arch(k) - rise(k)] as const);
+
+const strip = (...rises: Rise[]): HowLine => ({ look: "strip", moments: rises.map(risen) });
+
+const before: HowLine = { look: "still", moments: [risen(FLAT)] };
+
+/** The mark of one point of a strip. */
+const pointAt = (k: number, ...rises: Rise[]): HowLine => ({
+  look: "point",
+  moments: rises.map((rise) => [[columnX(k), arch(k) - rise(k)] as const]),
+});
+
+const wall = (...moments: Moment[]): HowLine => ({ look: "wall", moments });
+
+const upright = (x: number): Moment => [
+  [x, 8],
+  [x, 88],
+];
+
+const level = (y: number): Moment => [
+  [8, y],
+  [232, y],
+];
+
+const raised = bump(30, 3);
+const sharp = bump(30, 1.6);
+const wide = bump(30, 5);
+const zigzag =
+  (size: number): Rise =>
+  (k) =>
+    size * (k % 2 === 0 ? 1 : -1);
+const mesa: Rise = (k) => (k >= 3 && k <= 7 ? 24 : 0);
+
+const onCircle = (angle: number): Point => [120 + 40 * Math.cos(angle), 48 + 40 * Math.sin(angle)];
+
+/** Four corners on the circle, closed. */
+const corners = (turn: number): Moment =>
+  [0.3, 1.7, 3.6, 5.2, 0.3].map((angle) => onCircle(angle + turn));
+
+const circle: Moment = Array.from({ length: 33 }, (_, k) => onCircle((2 * Math.PI * k) / 32));
+
+const seenFrom = (width: number, lift: number): Moment =>
+  COLUMNS.map((k) => [120 + (columnX(k) - 120) * width, arch(k) + lift * (k - 5)] as const);
+
+const slid = (by: number): Moment =>
+  COLUMNS.map((k) => {
+    const x = k + by * bump(1, 4)(k);
+    return [columnX(x), arch(x)] as const;
+  });
+
+export const HOW_PICTURES = {
+  edit: {
+    name: "moving points",
+    words:
+      "Drag a point. A few neighbours follow so that every panel stays flat; everything else keeps its place to the last bit.",
+    lines: [before, strip(FLAT, raised), pointAt(MIDDLE, FLAT, raised)],
+  },
+  reach: {
+    name: "reach",
+    words: "So many panels away points may follow. Beyond the line nothing moves.",
+    lines: [
+      strip(bump(30, 2), bump(30, 4)),
+      wall(upright(columnX(3)), upright(columnX(1))),
+      wall(upright(columnX(7)), upright(columnX(9))),
+    ],
+  },
+  softness: {
+    name: "softness",
+    words:
+      "Close and firm, or wide and gentle: the same pull bends few panels much or many a little.",
+    lines: [before, strip(sharp, wide), pointAt(MIDDLE, sharp, wide)],
+  },
+  boundary: {
+    name: "the boundary",
+    words:
+      "Kept, the boundary stays where it is drawn. Where it moves, it may keep its level, its outline or the surface.",
+    lines: [
+      before,
+      strip(
+        FLAT,
+        both(raised, (k) => 3 * (k - MIDDLE)),
+        raised,
+      ),
+      pointAt(0, FLAT, () => -15, FLAT),
+      pointAt(10, FLAT, () => 15, FLAT),
+    ],
+  },
+  limits: {
+    name: "limits",
+    words:
+      "Folds, angles and sizes that no panel may exceed. A drag goes as far as they let it; Shift goes through.",
+    lines: [before, strip(FLAT, sharp, bump(17, 3)), pointAt(MIDDLE, FLAT, sharp, bump(17, 3))],
+  },
+  circular: {
+    name: "circular panels",
+    words:
+      "The corners of every panel stay on a circle: beams of one height then meet in one axis at every point.",
+    lines: [
+      { look: "still", moments: [circle] },
+      { look: "strip", moments: [corners(0), corners(0.7)] },
+    ],
+  },
+  conical: {
+    name: "conical nodes",
+    words:
+      "The panels around every point touch one cone: a layer at a constant distance from them has flat panels, too.",
+    lines: [
+      strip(FLAT, raised),
+      strip(
+        (k) => 14 + FLAT(k),
+        (k) => 14 + raised(k),
+      ),
+    ],
+  },
+  advanced: {
+    name: "the weights",
+    words: "How much it costs to move many points, and how much to bend: the paper's own weights.",
+    lines: [strip(bump(26, 1.6), bump(26, 3), bump(26, 5))],
+  },
+  along: {
+    name: "moving along the surface",
+    words: "Points go along the surface, across it or out of it, not along x, y and z.",
+    lines: [
+      { look: "still", moments: [risen(FLAT)] },
+      { look: "strip", moments: [slid(0), slid(1)] },
+      {
+        look: "point",
+        moments: [slid(0), slid(1)].map((moment) => moment.slice(MIDDLE, MIDDLE + 1)),
+      },
+    ],
+  },
+  supports: {
+    name: "supports",
+    words:
+      "What a point stands on: it keeps its level, goes up and down only, or stays on its line. Its coordinates keep every digit.",
+    lines: [
+      strip(FLAT, (k) => (k === 0 || k === 10 ? 0 : raised(k))),
+      wall(level(72)),
+      pointAt(0, FLAT),
+      pointAt(10, FLAT),
+    ],
+  },
+  keepOuts: {
+    name: "keep-outs",
+    words: "Where nothing may go: the edit stops beside it, at its clearance.",
+    lines: [
+      wall([
+        [70, 24],
+        [170, 24],
+      ]),
+      strip(FLAT, bump(22, 3)),
+      pointAt(MIDDLE, FLAT, bump(22, 3)),
+    ],
+  },
+  symmetry: {
+    name: "symmetry",
+    words: "What is done to one point is done to all its images.",
+    lines: [
+      wall(upright(columnX(MIDDLE))),
+      strip(FLAT, both(bump(24, 2.5, 2), bump(24, 2.5, 8))),
+      pointAt(2, FLAT, bump(24, 2.5, 2)),
+      pointAt(8, FLAT, bump(24, 2.5, 8)),
+    ],
+  },
+  explore: {
+    name: "variations",
+    words:
+      "Other shapes with flat panels about the same edit: a slider for each way it can still move.",
+    lines: [
+      before,
+      strip(
+        both(raised, bump(12, 3, 2)),
+        both(raised, bump(-12, 3, 2)),
+        both(raised, bump(12, 3, 8)),
+      ),
+      pointAt(MIDDLE, raised, raised, raised),
+    ],
+  },
+  exact: {
+    name: "making exact",
+    words:
+      "A variation is flat nearly; made exact, every panel is flat to a millionth of a millimetre per metre.",
+    lines: [strip(both(raised, zigzag(4)), raised)],
+  },
+  section: {
+    name: "the section",
+    words: "A plane cuts the view open; the cut is a line that can be measured and exported.",
+    lines: [strip(raised), wall(upright(60), upright(180))],
+  },
+  snapshots: {
+    name: "snapshots",
+    words: "Keep a design to come back to, or two to four of them to compare side by side.",
+    lines: [
+      { look: "still", moments: [risen(wide)] },
+      { look: "still", moments: [risen(sharp)] },
+      strip(sharp, wide, raised),
+    ],
+  },
+  views: {
+    name: "named views",
+    words: "Keep where you look from, under a name. Links and saved designs carry it.",
+    lines: [{ look: "strip", moments: [seenFrom(1, 0), seenFrom(0.6, 3), seenFrom(0.8, -3)] }],
+  },
+  measure: {
+    name: "measuring",
+    words: "Distances, angles and sizes of what is selected, as values to copy.",
+    lines: [
+      strip(raised),
+      wall(
+        [
+          [columnX(2), arch(2) - 14],
+          [columnX(2), arch(2) - 14],
+        ],
+        [
+          [columnX(2), 14],
+          [columnX(8), 14],
+        ],
+      ),
+      pointAt(2, raised),
+      pointAt(8, raised),
+    ],
+  },
+  several: {
+    name: "several points",
+    words:
+      "A box, a loop, the boundary or a line selects many points, which move together. With fall-off they rise as a bump, not as a mesa.",
+    lines: [
+      before,
+      strip(FLAT, mesa, bump(24, 4)),
+      ...[3, 4, 5, 6, 7].map((k) => pointAt(k, FLAT, mesa, bump(24, 4))),
+    ],
+  },
+  note: {
+    name: "the note",
+    words: "A few words to whoever gets the design. They go along with links and saved designs.",
+    lines: [
+      {
+        look: "strip",
+        moments: [
+          [
+            [60, 40],
+            [62, 40],
+          ],
+          [
+            [60, 40],
+            [180, 40],
+          ],
+        ],
+      },
+      {
+        look: "strip",
+        moments: [
+          [
+            [60, 58],
+            [62, 58],
+          ],
+          [
+            [60, 58],
+            [140, 58],
+          ],
+        ],
+      },
+    ],
+  },
+} satisfies Readonly<Record<string, HowPicture>>;
+
+export type Subject = keyof typeof HOW_PICTURES;
