@@ -94,7 +94,8 @@ std::vector<OptionRow> edit_option_rows() {
            "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
            "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz, outline\n"
            "(the boundary as it is drawn), polyline (the line of MESH through V,V,...\n"
-           "in this order), surface (MESH itself) or surface=FILE;\n"
+           "in this order), surface (MESH itself) or surface=FILE; spring=STIFFNESS\n"
+           "leaves them free: above 1 they move less willingly, below 1 more;\n"
            "POINTS is V,V,... or boundary or all (repeatable)"},
           {"--continuation", "N",
            "handles go to their targets in N equal steps, each solved from the\n"

@@ -97,6 +97,7 @@ std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets
                                     const HandleEditOptions& options) {
   std::vector<int> held = held_vertices(mesh, targets, options);
   for (const PointSupport& support : targets.supports) {
+    if (is_spring(support)) continue;
     const std::vector<int> points = points_of(support, mesh);
     held.insert(held.end(), points.begin(), points.end());
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "planish/index.hpp"
-#include "softness.hpp"
 
 namespace planish {
 namespace {
@@ -72,10 +71,33 @@ void EditTerms::open_reach(const EditTargets& targets, const HandleEditOptions& 
   }
 }
 
-void EditTerms::add_handles(const EditTargets& targets, const HandleEditOptions& options,
+/// Once for the same supports: the boundary's points cost O(n).
+void EditTerms::list_springs(const std::vector<PointSupport>& supports, const Mesh& mesh) {
+  if (supports == supports_) return;
+  supports_ = supports;
+  springs_.clear();
+  for (const PointSupport& support : supports) {
+    if (!is_spring(support)) continue;
+    for (const int v : points_of(support, mesh)) springs_.emplace_back(v, support.numbers.front());
+  }
+}
+
+/// A stiff spring holds by the square of the way: a larger norm weight would stretch the unit that
+/// residuals are measured in. A soft one makes the first step cheaper. [SUP-5]
+void EditTerms::add_springs(const EditWeights& weights, EditProblem& problem) {
+  const double unit = weights.locality + weights.smoothness;
+  for (const auto& [v, stiffness] : springs_) {
+    VertexTerm term = problem.terms[at(v)];
+    if (term.fixed) continue;
+    term.norm_weight *= std::min(stiffness, 1.0);
+    term.square_weight += std::max(stiffness - 1.0, 0.0) * unit;
+    override_term(v, term, problem);
+  }
+}
+
+void EditTerms::add_handles(const EditTargets& targets, const EditWeights& weights, bool hard,
                             EditProblem& problem) {
   const MeshModel& model = *problem.model;
-  const EditWeights weights = edit_weights(options, largest_move(targets, model), model.unit());
   problem.fairness_weight = weights.smoothness;
   problem.handles.clear();
   for (const Handle& handle : targets.handles) {
@@ -83,7 +105,7 @@ void EditTerms::add_handles(const EditTargets& targets, const HandleEditOptions&
     term.square_weight = weights.attraction;
     term.target = (handle.target - model.mesh.positions.col(handle.vertex)) / model.unit();
     term.handle = true;
-    term.fixed = options.hard_handles;
+    term.fixed = hard;
     override_term(handle.vertex, term, problem);
     problem.handles.push_back(handle.vertex);
   }
@@ -97,7 +119,11 @@ void EditTerms::assign(const EditTargets& targets, const HandleEditOptions& opti
   }
   overridden_.clear();
   open_reach(targets, options, problem);
-  add_handles(targets, options, problem);
+  const MeshModel& model = *problem.model;
+  const EditWeights weights = edit_weights(options, largest_move(targets, model), model.unit());
+  list_springs(targets.supports, model.mesh);
+  add_springs(weights, problem);
+  add_handles(targets, weights, options.hard_handles, problem);
   for (const int v : targets.pins) override_term(v, fixed_term(), problem);
 }
 

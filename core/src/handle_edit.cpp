@@ -69,7 +69,7 @@ void HandleEditSolver::State::set_supports(const std::vector<PointSupport>& supp
 /// What the supports and the keep-outs leave the points that are on them.
 void HandleEditSolver::State::make_slides() {
   slides_.reset();
-  if (!supports_.empty())
+  if (!std::all_of(supports_.begin(), supports_.end(), is_spring))
     slides_ = std::make_unique<VertexSlides>(model_->mesh, supports_, model_->unit());
   if (has_keep_outs()) make_rests();
   problem_.slides = slides_.get();

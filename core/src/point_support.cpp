@@ -20,6 +20,7 @@ namespace {
 /// From the support to `point`, across it. @param base the same point in the base
 Eigen::Vector3d way_off(const PointSupport& support, const Eigen::Vector3d& base,
                         const Eigen::Vector3d& point) {
+  if (is_spring(support)) return point - base;
   if (support.kind == PointSupport::Kind::kLevel) {
     return (point - base).cwiseProduct(Eigen::Vector3d::Unit(support.axis));
   }

@@ -70,6 +70,10 @@ bool parse_form(std::string_view text, PointSupport& support) {
     if (surface) support.surface = std::move(*surface);
     return surface.has_value();
   }
+  if (name == "spring") {
+    support.kind = PointSupport::Kind::kSpring;
+    return parse_numbers(value, 1, support);
+  }
   support.kind = name == "plane" ? PointSupport::Kind::kPlane : PointSupport::Kind::kLine;
   if (name == "plane") return parse_numbers(value, 4, support);
   return name == "line" && parse_numbers(value, 6, support);
@@ -86,7 +90,9 @@ std::string form_text(const PointSupport& support) {
     if (!support.surface.points.empty()) append_context_mesh(support.surface, form += '=');
     return form;
   }
-  std::string text = support.kind == PointSupport::Kind::kPlane ? "plane=" : "line=";
+  std::string text = is_spring(support)                           ? "spring="
+                     : support.kind == PointSupport::Kind::kPlane ? "plane="
+                                                                  : "line=";
   for (std::size_t k = 0; k < support.numbers.size(); ++k) {
     if (k > 0) text += ',';
     append_exact(text, support.numbers[k]);
@@ -111,6 +117,11 @@ Refusal find_problem(const PointSupport& support) {
     return name + " must be finite";
   }
   if (support.numbers.empty()) return std::nullopt;
+  if (is_spring(support)) {
+    const bool in_range = numbers[0] >= kSoftestSpring && numbers[0] <= kStiffestSpring;
+    return in_range ? std::nullopt
+                    : std::optional(name + ": its stiffness must be from 0.01 to 1000");
+  }
   const double length = direction_length(support);
   if (!(length > 0.0) || !std::isfinite(length)) return name + ": its direction has no length";
   return std::nullopt;
@@ -120,7 +131,8 @@ Refusal find_problem(const PointSupport& support) {
 
 std::string_view known_supports() {
   return "level:POINTS, level=AXIS:POINTS, plane=a,b,c,d:POINTS, line=x,y,z,dx,dy,dz:POINTS, "
-         "outline:POINTS, polyline:V,V,..., surface:POINTS, surface=FILE:POINTS; "
+         "outline:POINTS, polyline:V,V,..., surface:POINTS, surface=FILE:POINTS, "
+         "spring=STIFFNESS:POINTS; "
          "POINTS is V,V,... or boundary or all";
 }
 

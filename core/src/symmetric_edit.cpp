@@ -177,6 +177,7 @@ class ImageCollector {
     }
     if (a.kind == PointSupport::Kind::kSurface) return is_same_model(a.surface, b.surface);
     if (a.kind == PointSupport::Kind::kLevel) return a.axis == b.axis;
+    if (is_spring(a)) return a.numbers == b.numbers;
     const bool plane = a.kind == PointSupport::Kind::kPlane;
     const Eigen::Vector3d first(a.numbers.data() + (plane ? 0 : 3));
     const Eigen::Vector3d other(b.numbers.data() + (plane ? 0 : 3));

@@ -56,8 +56,8 @@ VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& su
     : mesh_(mesh), unit_(unit), place_(at(mesh.vertex_count()), -1) {
   std::vector<int> on_lines;
   for (const PointSupport& support : supports) {
+    if (support.kind == PointSupport::Kind::kSurface || is_spring(support)) continue;
     const std::vector<int> points = points_of(support, mesh);
-    if (support.kind == PointSupport::Kind::kSurface) continue;
     if (is_line_of_mesh(support)) {
       on_lines.insert(on_lines.end(), points.begin(), points.end());
       continue;

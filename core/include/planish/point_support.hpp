@@ -22,12 +22,14 @@ struct PointSupport {
     kOutline,   ///< the polygon that the boundary is drawn as in the base
     kPolyline,  ///< the base's polygon through `vertices` in their order, along edges
     kSurface,   ///< at the distance that each has from a model in the base
+    kSpring,    ///< goes where it likes, less or more willingly than the others [SUP-5]
   };
   enum class Points { kListed, kBoundary, kAll };
 
   Kind kind = Kind::kLevel;
   int axis = 2;                 ///< of a level: 0 to 2
-  std::vector<double> numbers;  ///< of a plane: a, b, c, d; of a line: x, y, z, dx, dy, dz
+  std::vector<double> numbers;  ///< of a plane: a, b, c, d; of a line: x, y, z, dx, dy, dz;
+                                ///< of a spring: its stiffness
   ContextMesh surface = {};     ///< of kSurface; empty: the base itself
   Points points = Points::kListed;
   std::vector<int> vertices;  ///< where they are listed; a closed polyline repeats its first
@@ -36,9 +38,9 @@ struct PointSupport {
 };
 
 /// "level:POINTS", "level=AXIS:POINTS", "plane=a,b,c,d:POINTS", "line=x,y,z,dx,dy,dz:POINTS",
-/// "outline:POINTS", "polyline:V,V,...", "surface:POINTS" (the base itself) or
-/// "surface=MODEL:POINTS", MODEL as parse_context_mesh() reads it; POINTS is "boundary", "all" or
-/// vertices, "V,V,...".
+/// "outline:POINTS", "polyline:V,V,...", "surface:POINTS" (the base itself),
+/// "surface=MODEL:POINTS", MODEL as parse_context_mesh() reads it, or "spring=STIFFNESS:POINTS";
+/// POINTS is "boundary", "all" or vertices, "V,V,...".
 /// @returns nullopt where the text is none of these; the rules are find_problem()'s
 [[nodiscard]] std::optional<PointSupport> parse_point_support(std::string_view text);
 
@@ -62,6 +64,14 @@ inline constexpr double kSurfaceReach = 0.5;
 /// not on their plane or line. nullopt if none. O(points).
 [[nodiscard]] Refusal find_problem(const std::vector<PointSupport>& supports, const Mesh& mesh);
 
+/// The range of a spring's stiffness; 1 is what points without a spring have.
+inline constexpr double kSoftestSpring = 0.01, kStiffestSpring = 1000.0;
+
+/// Whether it leaves its points free.
+[[nodiscard]] inline bool is_spring(const PointSupport& support) {
+  return support.kind == PointSupport::Kind::kSpring;
+}
+
 /// Whether it follows edges of the base: outlines and polylines.
 [[nodiscard]] bool is_line_of_mesh(const PointSupport& support);
 
@@ -69,7 +79,7 @@ inline constexpr double kSurfaceReach = 0.5;
 [[nodiscard]] std::vector<int> points_of(const PointSupport& support, const Mesh& mesh);
 
 /// Largest distance of its points from a support, model units; of a level: from their own; of a
-/// surface: by which theirs differs from the base's.
+/// surface: by which theirs differs from the base's; of a spring: by which they moved.
 /// @param shape 3 × n, model units
 [[nodiscard]] double largest_distance(const PointSupport& support, const Mesh& base,
                                       const Positions& shape);
