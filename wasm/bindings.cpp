@@ -155,6 +155,11 @@ val write(const Session& s, const std::string& format) {
       .call<val>("slice");
 }
 
+std::string groups(const Session& s) { return s.groups(); }
+std::string set_groups(Session& s, const std::string& lines) {
+  return attempt([&] { return s.set_groups(lines); });
+}
+
 val variation_support(const Session& s) { return copy(s.variations().support); }
 /// 3 × |support| numbers for each variation.
 val variation_displacements(const Session& s) {
@@ -209,6 +214,8 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("makeExact", &make_exact)
       .function("onProgress", &on_progress)
       .function("write", &write)
+      .function("groups", &groups)
+      .function("setGroups", &set_groups)
       .function("variationSupport", &variation_support)
       .function("variationDisplacements", &variation_displacements)
       .function("basePositions", &base_positions)

@@ -74,6 +74,10 @@ export interface Session {
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
   write(format: "obj" | "off" | "ply"): Uint8Array;
+  /** Named runs of faces, one a line: first face, blank, name. */
+  groups(): string;
+  /** In their place, for write(). */
+  setGroups(lines: string): string;
   variationSupport(): Int32Array;
   variationDisplacements(): Float64Array;
   basePositions(): Float64Array;

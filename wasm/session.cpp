@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "planish/exact_variation.hpp"
+#include "planish/io/face_groups.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
@@ -325,6 +326,15 @@ std::optional<std::string> Session::write(const std::string& format) const {
   if (format == "obj") return write_obj(shown_mesh());
   if (format == "off") return write_off(shown_mesh());
   if (format == "ply") return write_ply(shown_mesh());
+  return std::nullopt;
+}
+
+std::string Session::groups() const { return face_groups_text(base_.groups); }
+
+Refusal Session::set_groups(const std::string& lines) {
+  auto groups = parse_face_groups(lines, base_.face_count());
+  if (!groups) return "Groups must name faces of the mesh in their order.";
+  base_.groups = std::move(*groups);
   return std::nullopt;
 }
 

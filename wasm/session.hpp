@@ -137,6 +137,10 @@ class Session {
   /// The design shown as a file: obj, off or ply. nullopt for any other format; a GLB is put
   /// together by assemble_glb() from the OBJ, the base and the variations.
   [[nodiscard]] std::optional<std::string> write(const std::string& format) const;
+  /// The named runs of faces of the base, as face_groups_text() writes them.
+  [[nodiscard]] std::string groups() const;
+  /// In their place, for write(): of the same text. The base itself stays.
+  [[nodiscard]] Refusal set_groups(const std::string& lines);
   /// What each slider does at value 1; nothing without variations.
   [[nodiscard]] GlbVariations variations() const;
 

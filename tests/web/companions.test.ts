@@ -144,6 +144,7 @@ describe("what travels beside a design", () => {
       views: [VIEW],
       variants: [{ name: "now", steps: stepsOf(design, mark.value) }],
       section: { axis: 2, at: 1.25, flipped: true },
+      groups: [{ name: "Ridge", of: "points", members: [4, 5, 90], colour: null }],
     };
     const text = '{"format": "planish-design",\n "x": 0.1000000000000000055511151231257827}\n';
     const saved = withBeside(text, { camera: CAMERA, companions });

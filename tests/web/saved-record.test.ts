@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
 import { fromBase64Url } from "../../web/src/bytes/base64url.ts";
+import type { Group } from "../../web/src/design/groups.ts";
 import { type Files, fileKey } from "../../web/src/design/saved-design.ts";
 import { decodeRecord, encodeRecord } from "../../web/src/design/saved-record.ts";
 import { FILE, RECORD } from "./support/golden-designs.ts";
@@ -20,7 +21,11 @@ describe("a saved record", () => {
     const [position, target] = [[0.1, -2, 3] as const, [0, 0, 0.25] as const];
     const views = [{ name: "From the street", camera: { position, target } }];
     const section = { axis: 2, at: 0.1, flipped: true } as const;
-    const record = { ...RECORD, figure: "figure-1", present, views, section };
+    const groups: readonly Group[] = [
+      { name: "Ridge", of: "points", members: [0, 3], colour: 1 },
+      { name: "Doors", of: "panels", members: [2], colour: null },
+    ];
+    const record = { ...RECORD, figure: "figure-1", present, views, section, groups };
     const read = decodeRecord(encodeRecord(record), files);
     expect(read).toEqual({ kind: "record", record });
     if (read.kind !== "record") return;

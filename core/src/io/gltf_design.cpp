@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/base64.hpp"
+#include "planish/io/face_groups.hpp"
 #include "planish/io/number.hpp"
 
 namespace planish {
@@ -68,33 +69,6 @@ std::optional<FaceList> unpack_faces(const tinygltf::Value& object, Eigen::Index
   return faces;
 }
 
-/// One group a line: first face, blank, name. Names may hold any bytes but line ends.
-std::string groups_text(const std::vector<FaceGroup>& groups) {
-  std::string text;
-  for (const FaceGroup& group : groups) {
-    text += std::to_string(group.first_face) + ' ' + group.name;
-    std::replace(text.end() - static_cast<std::ptrdiff_t>(group.name.size()), text.end(), '\n',
-                 ' ');
-    text += '\n';
-  }
-  return text;
-}
-
-std::vector<FaceGroup> groups_from(std::string_view text, int face_count) {
-  std::vector<FaceGroup> groups;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    const std::size_t blank = std::min(line.find(' '), line.size());
-    const std::optional<long long> first = parse_integer(line.substr(0, blank));
-    const int after = groups.empty() ? -1 : groups.back().first_face;
-    if (!first || *first <= after || *first >= face_count) return {};
-    groups.push_back(
-        {std::string(line.substr(std::min(blank + 1, line.size()))), static_cast<int>(*first)});
-  }
-  return groups;
-}
-
 /// JSON strings must be UTF-8: anything else is replaced.
 std::string as_utf8(const std::string& text) {
   const nlohmann::json value = text;
@@ -124,7 +98,7 @@ tinygltf::Value store_design(const Mesh& mesh, const GlbContent& content) {
   stored["faceSizes"] = pack(sizes.data(), sizes.size());
   stored["faceVertices"] = pack(mesh.face_vertices.data(), mesh.face_vertices.size());
   if (!mesh.groups.empty()) {
-    stored["groups"] = tinygltf::Value(encode_base64(groups_text(mesh.groups)));
+    stored["groups"] = tinygltf::Value(encode_base64(face_groups_text(mesh.groups)));
   }
   if (content.base) stored["base"] = pack_positions(*content.base);
   if (!content.design.empty()) stored["design"] = tinygltf::Value(as_utf8(content.design));
@@ -145,7 +119,8 @@ std::optional<StoredDesign> load_design(const tinygltf::Value& extras) {
   if (!faces) return std::nullopt;
   StoredDesign design{std::move(*positions), std::move(*faces), {}, std::nullopt, ""};
   const int face_count = static_cast<int>(design.faces.offsets.size()) - 1;
-  design.groups = groups_from(bytes_of(stored, "groups").value_or(""), face_count);
+  design.groups = parse_face_groups(bytes_of(stored, "groups").value_or(""), face_count)
+                      .value_or(std::vector<FaceGroup>());
   design.base = unpack_positions(stored, "base");
   if (design.base && design.base->cols() != design.positions.cols()) design.base.reset();
   if (stored.Has("design") && stored.Get("design").IsString()) {

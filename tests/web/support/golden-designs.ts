@@ -87,5 +87,6 @@ export const RECORD: SavedRecord = {
   views: [],
   note: "",
   section: null,
+  groups: null,
   steps: { past: [], future: [] },
 };

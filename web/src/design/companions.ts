@@ -3,6 +3,7 @@
 // and variants of the design on the same mesh. It makes no part of the design: whatever is wrong with
 // it is left out, and costs the design nothing.
 import type { NamedView } from "./camera.ts";
+import { type Group, type GroupJson, MOST_GROUPS, readGroups, writeGroup } from "./groups.ts";
 import type { MarkedSteps } from "./marked-steps.ts";
 import { readSteps, type StepsJson, writeSteps } from "./payload-steps.ts";
 import { isName, isRecord, type Json, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
@@ -26,6 +27,8 @@ export interface Companions {
   readonly variants: readonly Variant[];
   /** null: the view is not cut. */
   readonly section: SectionPlane | null;
+  /** Of the design's mesh. */
+  readonly groups: readonly Group[];
 }
 
 /** Short names: they are part of every link. */
@@ -38,6 +41,8 @@ export interface CompanionsJson {
   s?: ({ n: string } & StepsJson)[];
   /** The section: axis, place, whether the other side is shown. */
   p?: [0 | 1 | 2, number, 0 | 1];
+  /** Groups. */
+  g?: GroupJson[];
 }
 
 /** null where there is nothing to say. */
@@ -46,6 +51,7 @@ export function writeCompanions({
   views,
   variants,
   section,
+  groups,
 }: Companions): CompanionsJson | null {
   const cut = (name: string): string => name.slice(0, LONGEST_NAME);
   const json: CompanionsJson = {
@@ -59,6 +65,7 @@ export function writeCompanions({
         .map(({ name, steps }) => ({ n: cut(name), ...writeSteps(steps) })),
     }),
     ...(section && { p: writeSection(section) }),
+    ...(groups.length > 0 && { g: groups.slice(0, MOST_GROUPS).map(writeGroup) }),
   };
   return Object.keys(json).length > 0 ? json : null;
 }
@@ -85,11 +92,13 @@ function readVariant(value: unknown): Variant | null {
 
 /** Anything gives what can be read of it; undefined for nothing. */
 export function readCompanions(value: unknown): Companions | undefined {
-  const { n, v, s, p } = isRecord(value) ? value : {};
+  const { n, v, s, p, g } = isRecord(value) ? value : {};
   const note = typeof n === "string" ? n.slice(0, LONGEST_NOTE) : "";
   const views = readViews(v);
   const variants = listOf(s, MOST_VARIANTS).flatMap((one) => readVariant(one) ?? []);
   const section = readSection(p);
-  const some = note !== "" || views.length + variants.length > 0 || section !== null;
-  return some ? { note, views, variants, section } : undefined;
+  const groups = readGroups(g);
+  const lists = [views, variants, groups];
+  const some = note !== "" || section !== null || lists.some(({ length }) => length > 0);
+  return some ? { note, views, variants, section, groups } : undefined;
 }

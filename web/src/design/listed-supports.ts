@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Supports of points that are listed by their numbers, which are those of one mesh.
-import { formOf, isListed, ofAnyMesh, whose } from "./supports.ts";
+import { formOf, isListed, isSpring, ofAnyMesh, springForm, whose } from "./supports.ts";
 
 /** The numbers of the points that it lists; none of "boundary" and "all". */
 export const pointsOf = (support: string): number[] =>
@@ -9,10 +9,11 @@ export const pointsOf = (support: string): number[] =>
 /** The form of a line of the mesh, whose points are listed in their order; the others' ascend. */
 export const POLYLINE = "polyline";
 
-/** What points are listed to stand on, by their numbers, in the order of the alphabet. */
+/** What points are listed to stand on, by their numbers, in the order of the alphabet; springs hold
+ * nothing. */
 export function formsByPoint(supports: readonly string[]): ReadonlyMap<number, readonly string[]> {
   const forms = new Map<number, string[]>();
-  for (const support of supports)
+  for (const support of supports.filter((one) => !isSpring(one)))
     for (const vertex of new Set(pointsOf(support)))
       forms.set(vertex, [...(forms.get(vertex) ?? []), formOf(support)].sort());
   return forms;
@@ -37,7 +38,7 @@ function pieces(line: readonly number[], chosen: ReadonlySet<number>): number[][
 
 /**
  * `vertices` stand on `forms` and on nothing else that lists points; of one form all are one text, but
- * every line of the mesh is one of its own, `vertices` in their order.
+ * every line of the mesh is one of its own, `vertices` in their order. Springs stay.
  */
 export function withPoints(
   supports: readonly string[],
@@ -47,7 +48,8 @@ export function withPoints(
   const chosen = new Set(vertices);
   const listed = new Map<string, number[]>();
   const lines: (readonly number[])[] = [];
-  for (const support of supports.filter(isListed)) {
+  const springs = supports.filter((support) => isListed(support) && isSpring(support));
+  for (const support of supports.filter((one) => isListed(one) && !isSpring(one))) {
     const form = formOf(support);
     if (form === POLYLINE) lines.push(...pieces(pointsOf(support), chosen));
     else {
@@ -66,5 +68,37 @@ export function withPoints(
     ...ofAnyMesh(supports),
     ...texts,
     ...lines.map((line) => `${POLYLINE}:${line.join(",")}`),
+    ...springs,
+  ];
+}
+
+/** The stiffness that springs give `vertices`: "" for none, null where they differ. */
+export function springOf(supports: readonly string[], vertices: readonly number[]): string | null {
+  const found = new Map<number, string>();
+  for (const support of supports.filter(isSpring))
+    for (const vertex of pointsOf(support)) found.set(vertex, springForm(support));
+  const [first = "", ...others] = vertices.map((vertex) => found.get(vertex) ?? "");
+  return others.every((other) => other === first) ? first : null;
+}
+
+/** `vertices` have that spring and no other. @param stiffness "" for none */
+export function withSpring(
+  supports: readonly string[],
+  vertices: readonly number[],
+  stiffness: string,
+): readonly string[] {
+  const chosen = new Set(vertices);
+  const springs = new Map<string, number[]>();
+  for (const support of supports.filter((one) => isListed(one) && isSpring(one))) {
+    const others = pointsOf(support).filter((vertex) => !chosen.has(vertex));
+    const form = springForm(support);
+    springs.set(form, [...(springs.get(form) ?? []), ...others]);
+  }
+  if (stiffness) springs.set(stiffness, [...(springs.get(stiffness) ?? []), ...vertices]);
+  return [
+    ...supports.filter((support) => !isListed(support) || !isSpring(support)),
+    ...[...springs].flatMap(([form, points]) =>
+      points.length > 0 ? [`spring=${form}:${ascending(new Set(points)).join(",")}`] : [],
+    ),
   ];
 }

@@ -121,7 +121,7 @@ function unpack(place: Place, given: unknown): Partial<EditSettings> | null {
 const NUMBER = String.raw`-?\d+(?:\.\d*)?(?:e[+-]?\d+)?`;
 const several = (count: number): string => Array.from({ length: count }, () => NUMBER).join(",");
 const MODEL = String.raw`[-+.,;\de]+\/[,;\d]+`;
-const FORM = `level=[xyz]|outline|polyline|surface(?:=${MODEL})?|plane=${several(4)}|line=${several(6)}`;
+const FORM = `level=[xyz]|outline|polyline|surface(?:=${MODEL})?|spring=${NUMBER}|plane=${several(4)}|line=${several(6)}`;
 const SUPPORT = new RegExp(String.raw`^(?:${FORM}):(?:boundary|all|\d+(?:,\d+)*)$`);
 
 /** Of texts and of their characters: more is no design of anybody's. */

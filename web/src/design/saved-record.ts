@@ -6,6 +6,7 @@ import { type PoolReader, PoolWriter } from "../bytes/number-pool.ts";
 import { isUnit, type Unit } from "../quantity/units.ts";
 import type { Camera, NamedView } from "./camera.ts";
 import type { Design } from "./design.ts";
+import { type Group, readGroups, writeGroup } from "./groups.ts";
 import {
   isName,
   isNumber,
@@ -44,6 +45,8 @@ export interface SavedRecord {
   readonly note: string;
   /** What cuts the view open; null for nothing. */
   readonly section: SectionPlane | null;
+  /** Made or changed here, of the present mesh; null for those of its file. */
+  readonly groups: readonly Group[] | null;
   /** Undo and redo. */
   readonly steps: StepKeys;
 }
@@ -95,6 +98,7 @@ export function encodeRecord(record: SavedRecord): Uint8Array {
     })),
     note: record.note.slice(0, LONGEST_KEPT_NOTE),
     section: record.section && writeSection(record.section),
+    groups: record.groups?.map(writeGroup),
     steps: record.steps,
   };
   return packBlock(MAGIC, VERSION, json, pool);
@@ -146,7 +150,9 @@ function readJson(json: Json, pool: PoolReader, files: Files): SavedRecord | nul
   // None in records from before it was kept.
   const note = typeof json.note === "string" ? json.note.slice(0, LONGEST_KEPT_NOTE) : "";
   const section = readSection(json.section);
-  return { time, unit, camera, figure, present, snapshots: read, views, note, section, steps };
+  const groups = Array.isArray(json.groups) ? readGroups(json.groups) : null;
+  const beside = { views, note, section, groups, steps };
+  return { time, unit, camera, figure, present, snapshots: read, ...beside };
 }
 
 export type ReadRecord =

@@ -7,7 +7,18 @@ export const formOf = (support: string): string => support.slice(0, support.inde
 
 export const whose = (support: string): string => support.slice(support.indexOf(":") + 1);
 
+const SPRING = "spring=";
+
+/** Whether it holds nothing: its points only move less or more willingly. */
+export const isSpring = (support: string): boolean => support.startsWith(SPRING);
+
+/** "8" of "spring=8:3,4". */
+export const springForm = (support: string): string => formOf(support).slice(SPRING.length);
+
 const BOUNDARY = "boundary";
+
+const isOfBoundary = (support: string): boolean =>
+  whose(support) === BOUNDARY && !isSpring(support);
 
 /** Whether it speaks of points by their numbers, which are those of one mesh. */
 export const isListed = (support: string): boolean => /\d$/.test(support);
@@ -18,13 +29,10 @@ export const ofAnyMesh = (supports: readonly string[]): readonly string[] =>
 
 /** What the whole boundary stands on; "" where it moves freely. */
 export const boundaryForm = (supports: readonly string[]): string =>
-  supports
-    .filter((support) => whose(support) === BOUNDARY)
-    .map(formOf)
-    .join(" ");
+  supports.filter(isOfBoundary).map(formOf).join(" ");
 
 /** @param form "" to let it move freely */
 export const withBoundary = (supports: readonly string[], form: string): readonly string[] => [
   ...(form ? [`${form}:${BOUNDARY}`] : []),
-  ...supports.filter((support) => whose(support) !== BOUNDARY),
+  ...supports.filter((support) => !isOfBoundary(support)),
 ];

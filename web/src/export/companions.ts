@@ -2,7 +2,8 @@
 // What travels beside the design that is shown: what was written and kept under names here.
 import { type Companions, MOST_VARIANTS, type Variant } from "../design/companions.ts";
 import { stepsOf } from "../design/recipe.ts";
-import type { Source } from "../solver/protocol.ts";
+import { groups } from "../state/groups.ts";
+import { isSameSource } from "../state/kept-groups.ts";
 import { readMark } from "../state/marking.ts";
 import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
@@ -13,22 +14,18 @@ export interface Taken {
   readonly note: boolean;
   readonly views: boolean;
   readonly snapshots: boolean;
+  readonly groups: boolean;
 }
 
-export const EVERYTHING: Taken = { note: true, views: true, snapshots: true };
-export const NOTHING: Taken = { note: false, views: false, snapshots: false };
-
-const sameSource = (a: Source, b: Source): boolean => {
-  if (a.kind === "sample") return b.kind === "sample" && a.name === b.name && a.size === b.size;
-  return b.kind === "file" && a.crc === b.crc && a.bytes.size === b.bytes.size;
-};
+export const EVERYTHING: Taken = { note: true, views: true, snapshots: true, groups: true };
+export const NOTHING: Taken = { note: false, views: false, snapshots: false, groups: false };
 
 /** Snapshots of the mesh that is shown, the latest if there are too many: those of others would need
  * their meshes too. */
 export function snapshotsToSend(page: Page) {
   const source = page.history.value?.present.source;
   return page.snapshots.value
-    .filter(({ design }) => source && sameSource(design.source, source))
+    .filter(({ design }) => source && isSameSource(design.source, source))
     .slice(-MOST_VARIANTS);
 }
 
@@ -44,5 +41,6 @@ export async function companionsOf(page: Page, taken: Taken): Promise<Companions
     views: taken.views ? page.views.value : [],
     variants,
     section: taken.views ? sectionPlane(page).value : null,
+    groups: taken.groups ? groups(page).value : [],
   };
 }

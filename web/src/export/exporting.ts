@@ -49,12 +49,23 @@ async function designFile(page: Page, format: "glb" | "json"): Promise<Result<Qu
   return design.ok ? done({ kind: "export", format, design: design.value, offset }) : design;
 }
 
+/** Of the panels' groups OBJ has names. */
+async function meshFile(page: Page, format: "obj" | "off" | "ply"): Promise<Result<Question>> {
+  const parts = await loadPart(() =>
+    Promise.all([import("../design/face-runs.ts"), import("../state/groups.ts")]),
+  );
+  if (!parts.ok) return parts;
+  const [{ runsOfGroups }, { groups }] = parts.value;
+  const runs = runsOfGroups(groups(page).value, page.mesh.value?.report.faces ?? 0);
+  return done({ kind: "export", format, design: null, groups: runs });
+}
+
 /** The design as a file, within a turn. */
 async function fileNow(page: Page, format: FileFormat | "json"): Promise<Result<Blob>> {
   const question: Result<Question> =
     format === "glb" || format === "json"
       ? await designFile(page, format)
-      : done({ kind: "export", format, design: null });
+      : await meshFile(page, format);
   if (!question.ok) return question;
   const answer = await run(page, `writing ${format.toUpperCase()}`, question.value, "exported");
   if (!answer.ok) return answer;

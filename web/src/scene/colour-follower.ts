@@ -2,6 +2,7 @@
 // The panels' colours, or what they wear in their place, follow what the state says they show.
 
 import { effect } from "@preact/signals";
+import { groupFigures } from "../state/kept-groups.ts";
 import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
 import type { ColourBy } from "../state/page-state.ts";
@@ -12,6 +13,7 @@ import type { Skin } from "./skin.ts";
 function figuresOf(page: Page, kind: ColourBy): Float32Array | null {
   if (kind === "health") return page.panelTroubles.value;
   if (kind === "remake") return page.panelHealth.value;
+  if (kind === "groups") return groupFigures(page).value;
   if (kind === "fairness") return page.bending.value;
   if (kind === "fold") return page.panelFolds.value;
   if (kind === "mobility")

@@ -2,6 +2,7 @@
 // What the colours of the panels mean: how far points moved, how sharply the edit bends, how far
 // panels are out of flat, whether they can be made, or must be made again.
 import { BufferAttribute, DynamicDrawUsage } from "three";
+import { GROUP_COLOURS } from "../design/groups.ts";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { row } from "../mesh/topology.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
@@ -25,6 +26,7 @@ export class PanelColours {
   readonly #dirty = new DirtyRange();
   #ramp: Ramp = [];
   #panelRamp: Ramp = [];
+  #groupRamp: Ramp = [];
   #kind: ColourBy = "displacement";
   #figures: Float32Array | null = null;
 
@@ -37,6 +39,7 @@ export class PanelColours {
   setPalette(palette: Palette): void {
     this.#ramp = makeRamp(palette.displacement);
     this.#panelRamp = makeRamp(palette.planarity);
+    this.#groupRamp = makeRamp([palette.planarity[0] ?? "", ...GROUP_COLOURS]);
   }
 
   /**
@@ -91,10 +94,11 @@ export class PanelColours {
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
    * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: by the
-   * class, convex neutral, self-crossing at its end. What must be made again:
-   * see remakePlace().
+   * class, convex neutral, self-crossing at its end. Groups: neutral, then one colour after the
+   * other. What must be made again: see remakePlace().
    */
   #placeOf(figures: Float32Array): (panel: number) => number {
+    if (this.#kind === "groups") return (f) => (figures[f] ?? 0) / GROUP_COLOURS.length;
     if (this.#kind === "health") return (f) => (figures[f] ?? 0) / (TROUBLES.length - 1);
     if (this.#kind === "remake")
       return (f) => remakePlace(figures[PER_PANEL.health * f + CHANGE] ?? 0);
@@ -109,10 +113,11 @@ export class PanelColours {
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
     const place = this.#placeOf(figures);
+    const ramp = this.#kind === "groups" ? this.#groupRamp : this.#panelRamp;
     for (let f = 0; f + 1 < offsets.length; ++f) {
       const t = place(f);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {
-        writeRamp(this.#panelRamp, t, this.#colour, 3 * c);
+        writeRamp(ramp, t, this.#colour, 3 * c);
       }
     }
   }

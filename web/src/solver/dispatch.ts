@@ -49,6 +49,7 @@ function readMesh(
   return {
     report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
+    groups: session.groups(),
     symmetry: module.symmetryOf?.(session) ?? null,
     ...prepareDisplay({
       display: session.displayBase(),
@@ -161,6 +162,8 @@ export class Dispatcher {
 
   async #export(request: Extract<Request, { kind: "export" }>): Promise<void> {
     const { job, format } = request;
+    if (request.design === null && request.groups !== null)
+      insist(this.#session.setGroups(request.groups));
     const bytes =
       request.design === null
         ? this.#session.write(request.format)

@@ -152,7 +152,14 @@ export type Request =
   | { kind: "replay"; job: number; design: Reports.DesignValue } // → replayed
   | { kind: "mark"; job: number; shape: Shape } // → marked
   | { kind: "readDesign"; job: number; text: string } // → design
-  | { kind: "export"; job: number; format: Exclude<FileFormat, "glb">; design: null } // → exported
+  /** `groups`: runs of faces that an OBJ names; null for those of the file. */
+  | {
+      kind: "export";
+      job: number;
+      format: Exclude<FileFormat, "glb">;
+      design: null;
+      groups: string | null;
+    } // → exported
   /** `design`: of the mesh that is open, whose hash is added. `offset`: the points of a second layer
    * that a GLB shows beside it. */
   | {
@@ -234,6 +241,8 @@ export interface SliderRange {
 
 /** The base mesh as the worker read it. Display coordinates are (p − centre) · scale. */
 export interface OpenedMesh extends DisplayMesh {
+  /** Runs of faces that its file names: see Session.groups. */
+  readonly groups: string;
   readonly report: Reports.MeshReport;
   readonly positions: Float64Array;
   /** Under which its edits have images; null without one. */

@@ -5,6 +5,7 @@ import { continuedName } from "../design/continued-name.ts";
 import { sourceName } from "../design/design.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import { run } from "./connection.ts";
+import { isOf, keptGroups } from "./kept-groups.ts";
 import { adopt } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { takeBack } from "./showing.ts";
@@ -22,15 +23,19 @@ export const continueFromShape = (page: Page): Outcome =>
     const written = await run(
       page,
       label,
-      { kind: "export", format: "obj", design: null },
+      { kind: "export", format: "obj", design: null, groups: null },
       "exported",
     );
     if (!written.ok) return written;
     const file = new Blob([written.value.bytes as BlobPart]);
     const name = continuedName(sourceName(design.source));
     const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
-    if (!read.ok || !read.value.source) return takeBack(page, read.ok ? GIVEN_UP : read);
-    adopt(page, read.value.source, null, read.value.mesh);
+    const source = read.ok ? read.value.source : null;
+    if (!read.ok || !source) return takeBack(page, read.ok ? GIVEN_UP : read);
+    const groups = keptGroups(page);
+    if (groups.value && isOf(groups.value, design.source))
+      groups.value = { ...groups.value, sources: [...groups.value.sources, source] };
+    adopt(page, source, null, read.value.mesh);
     page.notice.value = SAID;
     return read;
   });

@@ -65,6 +65,7 @@ export type ColourBy =
   | "mobility"
   | "zebra"
   | "glass"
+  | "groups"
   | Kind
   | "none";
 

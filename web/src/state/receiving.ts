@@ -5,8 +5,10 @@ import { signal } from "@preact/signals";
 import type { NamedView } from "../design/camera.ts";
 import type { Companions } from "../design/companions.ts";
 import type { Design } from "../design/design.ts";
+import type { Group } from "../design/groups.ts";
 import type { Steps } from "../design/recipe.ts";
 import { counted } from "../quantity/counted.ts";
+import { keptGroups } from "./kept-groups.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
 import { sectionPlane } from "./shown-section.ts";
@@ -67,6 +69,12 @@ function keepViews(page: Page, views: readonly NamedView[]): void {
   }
 }
 
+/** With the mesh that came: those of the mesh that was open are its own. */
+function keepGroups(page: Page, came: readonly Group[]): void {
+  const source = page.history.value?.present.source;
+  if (source && came.length > 0) keptGroups(page).value = { sources: [source], list: came };
+}
+
 /** One's own note stays below the one that came. */
 function keepNote(page: Page, came: string): void {
   const own = note(page);
@@ -86,6 +94,7 @@ export function receive(
   if (!came) return "";
   keepNote(page, came.note);
   keepViews(page, came.views);
+  keepGroups(page, came.groups);
   if (came.section) sectionPlane(page).value = came.section;
   keepVariants(page, received);
   const words = [
@@ -93,6 +102,7 @@ export function receive(
     ...some(came.views.length, "view"),
     ...some(received.length, "snapshot"),
     ...(came.section ? ["a section"] : []),
+    ...some(came.groups.length, "group"),
   ];
   const others = received.filter(({ same }) => !same).map(({ name }) => name);
   const lost = came.variants.length - received.length;

@@ -14,5 +14,6 @@ export const COLOURS: readonly (readonly [ColourBy, string])[] = [
   ["mobility", "Mobility"],
   ["zebra", "Reflection lines"],
   ["glass", "Glass"],
+  ["groups", "Groups"],
   ["none", "Nothing"],
 ];

@@ -224,6 +224,16 @@ export const HOW_PICTURES = {
       "A variation is flat nearly; made exact, every panel is flat to a millionth of a millimetre per metre.",
     lines: [strip(both(raised, zigzag(4)), raised)],
   },
+  groups: {
+    name: "groups",
+    words:
+      "Points or panels under a name: to select, lock, hide or colour together, or to move less willingly than the others.",
+    lines: [
+      before,
+      strip(FLAT, bump(30, 4), (k) => bump(30, 4)(k) * (k < MIDDLE ? 0.25 : 1)),
+      pointAt(MIDDLE, FLAT, bump(30, 4), bump(30, 4)),
+    ],
+  },
   section: {
     name: "the section",
     words: "A plane cuts the view open; the cut is a line that can be measured and exported.",

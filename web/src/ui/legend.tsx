@@ -27,6 +27,8 @@ const MobilityScale = later(() =>
 
 const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
 
+const GroupsScale = later(() => import("./groups-scale.tsx").then((part) => part.GroupsScale));
+
 function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   return (
     <>
@@ -75,6 +77,7 @@ function Scale() {
   if (kind === "glass")
     return <p class="legend-note">Each panel mirrors the sky, or lets it through</p>;
   if (kind === "health") return <HealthScale />;
+  if (kind === "groups") return <GroupsScale />;
   if (kind === "remake") return <RemakeScale />;
   return (
     <>

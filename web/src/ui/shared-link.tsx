@@ -7,6 +7,7 @@ import { designLink } from "../export/design-link.ts";
 import { exportMesh } from "../export/exporting.ts";
 import { counted } from "../quantity/counted.ts";
 import { readCamera } from "../state/camera.ts";
+import { groups } from "../state/groups.ts";
 import { note } from "../state/note.ts";
 import type { Page } from "../state/page.ts";
 import { inTurn } from "../state/turns.ts";
@@ -54,10 +55,12 @@ interface SharedLinkProps {
 /** What there is to go along, by its words. */
 function companionsHere(page: Page): readonly (readonly [keyof Taken, string])[] {
   const [views, snapshots] = [page.views.value.length, snapshotsToSend(page).length];
+  const sets = groups(page).value.length;
   return [
     ...(note(page).value.trim() ? [["note", "Note"] as const] : []),
     ...(views > 0 ? [["views", counted(views, "named view")] as const] : []),
     ...(snapshots > 0 ? [["snapshots", counted(snapshots, "snapshot")] as const] : []),
+    ...(sets > 0 ? [["groups", counted(sets, "group")] as const] : []),
   ];
 }
 

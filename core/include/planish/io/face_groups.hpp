@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+/// The named runs of faces of a mesh, as text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planish/mesh.hpp"
+
+namespace planish {
+
+/// One group a line: first face, blank, name. Names may hold any bytes; line ends become blanks.
+[[nodiscard]] std::string face_groups_text(const std::vector<FaceGroup>& groups);
+
+/// What face_groups_text() writes; nullopt where a line has no face of the mesh, or none behind the
+/// one before.
+[[nodiscard]] std::optional<std::vector<FaceGroup>> parse_face_groups(std::string_view text,
+                                                                      int face_count);
+
+}  // namespace planish

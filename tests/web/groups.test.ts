@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+import { describe, expect, it } from "vitest";
+import { groupsOfRuns, runsOfGroups } from "../../web/src/design/face-runs.ts";
+import { type Group, readGroups, writeGroup } from "../../web/src/design/groups.ts";
+import {
+  formsByPoint,
+  springOf,
+  withPoints,
+  withSpring,
+} from "../../web/src/design/listed-supports.ts";
+import { readSupports } from "../../web/src/design/reading.ts";
+import { boundaryForm, withBoundary } from "../../web/src/design/supports.ts";
+import { prepareDisplay } from "../../web/src/mesh/display-mesh.ts";
+import { cornersOf, panelsOf } from "../../web/src/mesh/group-members.ts";
+
+const RIDGE: Group = { name: "Ridge", of: "points", members: [0, 4, 5, 90], colour: 2 };
+const GLASS: Group = { name: "Glass 1", of: "panels", members: [2, 3, 7], colour: null };
+const DOORS: Group = { name: "Doors", of: "panels", members: [3, 4], colour: 0 };
+
+describe("groups in links and records", () => {
+  it("come back as they were", () => {
+    expect(readGroups(JSON.parse(JSON.stringify([RIDGE, GLASS].map(writeGroup))))).toEqual([
+      RIDGE,
+      GLASS,
+    ]);
+  });
+
+  it("are left out where they are none", () => {
+    const good = writeGroup(RIDGE);
+    const odd = [null, 3, "g", [], ["a"], ["a", 0, 0], ["a", 2, 0, 1], ["a", 0, 0, -1]];
+    const worse = [
+      ["a", 0, 0, 1, 0],
+      ["a", 0, 0, 1.5],
+      ["", 0, 0, 1],
+      ["a", 0, 0, 1e12],
+    ];
+    expect(readGroups([...odd, ...worse, good, good])).toEqual([RIDGE]);
+    expect(readGroups("no")).toEqual([]);
+    expect(readGroups([["a", 0, 99, 1]])[0]?.colour).toBeNull();
+  });
+});
+
+describe("groups of panels in OBJ", () => {
+  it("are runs of faces, each of which may be of several", () => {
+    const runs = runsOfGroups([RIDGE, GLASS, DOORS], 9);
+    expect(runs).toBe("2 Glass_1\n3 Glass_1 Doors\n4 Doors\n5 \n7 Glass_1\n8 \n");
+    expect(groupsOfRuns(runs, 9)).toEqual([
+      { ...GLASS, name: "Glass_1" },
+      { ...DOORS, colour: null },
+    ]);
+  });
+
+  it("of a file end with the file", () => {
+    expect(groupsOfRuns("0 a\n2 b\n", 4).map(({ members }) => members)).toEqual([
+      [0, 1],
+      [2, 3],
+    ]);
+    expect(groupsOfRuns("", 4)).toEqual([]);
+    expect(runsOfGroups([], 4)).toBe("");
+  });
+});
+
+describe("a spring", () => {
+  it("is a support like others to who reads designs", () => {
+    expect(readSupports(["spring=0.25:3,4", "spring=30:boundary"])).toHaveLength(2);
+    expect(readSupports(["spring:3"])).toBeNull();
+  });
+
+  const SUPPORTS = ["level=z:boundary", "spring=2:boundary", "level=x:3,4", "spring=4:4,5"];
+
+  it("is given to some points and taken from them, and nothing else changes", () => {
+    const stiffer = withSpring(SUPPORTS, [5, 9], "30");
+    expect(stiffer).toEqual([...SUPPORTS.slice(0, 3), "spring=4:4", "spring=30:5,9"]);
+    expect(springOf(stiffer, [5, 9])).toBe("30");
+    expect(springOf(stiffer, [4, 5])).toBeNull();
+    expect(springOf(stiffer, [7])).toBe("");
+    expect(withSpring(stiffer, [4, 5, 9], "")).toEqual(SUPPORTS.slice(0, 3));
+  });
+
+  it("is nothing that a point stands on", () => {
+    expect([...formsByPoint(SUPPORTS).keys()]).toEqual([3, 4]);
+    expect(boundaryForm(SUPPORTS)).toBe("level=z");
+    expect(withBoundary(SUPPORTS, "")).toEqual(SUPPORTS.slice(1));
+    expect(withPoints(SUPPORTS, [4, 5], ["level=y"])).toContain("spring=4:4,5");
+  });
+});
+
+it("panels of points are those that have no other corner; without one, those at them", () => {
+  // Three quads in a row.
+  const mesh = prepareDisplay({
+    display: new Float32Array(24),
+    offsets: Int32Array.of(0, 4, 8, 12),
+    vertices: Int32Array.of(0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6),
+  });
+  expect(panelsOf(mesh, [0, 1, 4, 5, 2])).toEqual([0]);
+  expect(panelsOf(mesh, [1])).toEqual([0, 1]);
+  expect(cornersOf(mesh, [2, 1])).toEqual([1, 2, 3, 5, 6, 7]);
+});
