@@ -3,18 +3,9 @@
 // neighbours tell apart by what they mirror, as the panes of a roof do.
 import { Color, DoubleSide, ShaderMaterial } from "three";
 import type { Skin } from "./skin.ts";
+import { FLAT_NORMAL, VIEW_VERTEX } from "./view-shader.ts";
 
-const VERTEX = `
-varying vec3 vView;
-#include <clipping_planes_pars_vertex>
-void main() {
-  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
-  vView = -mvPosition.xyz;
-  gl_Position = projectionMatrix * mvPosition;
-  #include <clipping_planes_vertex>
-}`;
-
-// The normal is that of the triangle: a panel is flat. Schlick's approximation says how much is mirrored.
+// Schlick's approximation says how much is mirrored.
 const FRAGMENT = `
 uniform vec3 zenith;
 uniform vec3 horizon;
@@ -23,6 +14,7 @@ uniform vec3 tint;
 uniform vec3 sun;
 varying vec3 vView;
 #include <clipping_planes_pars_fragment>
+${FLAT_NORMAL}
 vec3 skyAt(vec3 towards) {
   float up = towards.z;
   vec3 sky = mix(horizon, zenith, pow(max(up, 0.0), 0.6));
@@ -32,8 +24,7 @@ vec3 skyAt(vec3 towards) {
 void main() {
   #include <clipping_planes_fragment>
   vec3 view = normalize(vView);
-  vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-  normal = faceforward(normal, -view, normal);
+  vec3 normal = flatNormal();
   float mirrored = 0.06 + 0.94 * pow(1.0 - clamp(dot(view, normal), 0.0, 1.0), 5.0);
   vec3 towards = (vec4(reflect(-view, normal), 0.0) * viewMatrix).xyz;
   float shine = min(1.0, 2.5 * mirrored);
@@ -45,7 +36,7 @@ void main() {
 
 export class Glass implements Skin {
   readonly material = new ShaderMaterial({
-    vertexShader: VERTEX,
+    vertexShader: VIEW_VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: {
       zenith: { value: new Color("#5F8FBF") },

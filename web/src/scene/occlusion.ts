@@ -20,6 +20,7 @@ import {
 } from "three";
 import { GTAOPass } from "three/addons/postprocessing/GTAOPass.js";
 import { FullScreenQuad } from "three/addons/postprocessing/Pass.js";
+import { FLAT_NORMAL, VIEW_VERTEX } from "./view-shader.ts";
 
 /** Display units, of which a structure is about ten long: how far away something still covers. */
 const RADIUS = 2.5;
@@ -41,29 +42,19 @@ void main() {
   gl_FragColor = vec4(vec3(mix(1.0, texture2D(figure, vAt).r, depth)), 1.0);
 }`;
 
-const NORMAL_VERTEX = `
-varying vec3 vView;
-#include <clipping_planes_pars_vertex>
-void main() {
-  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
-  vView = -mvPosition.xyz;
-  gl_Position = projectionMatrix * mvPosition;
-  #include <clipping_planes_vertex>
-}`;
-
 const NORMAL_FRAGMENT = `
 varying vec3 vView;
 #include <clipping_planes_pars_fragment>
+${FLAT_NORMAL}
 void main() {
   #include <clipping_planes_fragment>
-  vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-  gl_FragColor = vec4(faceforward(normal, -vView, normal) * 0.5 + 0.5, 1.0);
+  gl_FragColor = vec4(flatNormal() * 0.5 + 0.5, 1.0);
 }`;
 
 /** Normals of flat panels as colours; three.js's own shader for them is left out of the build. */
 const normals = (): ShaderMaterial =>
   new ShaderMaterial({
-    vertexShader: NORMAL_VERTEX,
+    vertexShader: VIEW_VERTEX,
     fragmentShader: NORMAL_FRAGMENT,
     side: DoubleSide,
     blending: NoBlending,

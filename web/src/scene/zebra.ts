@@ -4,21 +4,10 @@
 import { BufferAttribute, type BufferGeometry, Color, DoubleSide, ShaderMaterial } from "three";
 import { row, type Topology } from "../mesh/topology.ts";
 import type { Skin } from "./skin.ts";
+import { VIEW_VERTEX } from "./view-shader.ts";
 
 /** Stripes from the horizon to the zenith. */
 const STRIPES = 10;
-
-const VERTEX = `
-varying vec3 vNormal;
-varying vec3 vView;
-#include <clipping_planes_pars_vertex>
-void main() {
-  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
-  vNormal = mat3(viewMatrix) * normal;
-  vView = -mvPosition.xyz;
-  gl_Position = projectionMatrix * mvPosition;
-  #include <clipping_planes_vertex>
-}`;
 
 // The stripes stand about the model, so that they run over it as the camera turns.
 const FRAGMENT = `
@@ -86,13 +75,14 @@ function panelNormals(corners: Float32Array, offsets: Int32Array): Float32Array 
 
 export class Zebra implements Skin {
   readonly material = new ShaderMaterial({
-    vertexShader: VERTEX,
+    vertexShader: VIEW_VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: {
       light: { value: new Color("#F7F6F2") },
       dark: { value: new Color("#1C2024") },
       stripes: { value: STRIPES },
     },
+    defines: { SMOOTH_NORMALS: "" },
     side: DoubleSide,
     clipping: true,
     polygonOffset: true,
