@@ -14,9 +14,8 @@ namespace planish {
 
 /// Writes the terms of (3) into a problem: handles are drawn to their targets; pins, a kept
 /// boundary and what is outside the reach are fixed; the rest stays where it is by ω_s, and by its
-/// spring. Remembers
-/// which terms are not the default, so that new targets cost what they, the last ones and their
-/// reaches hold, not the mesh.
+/// spring. Remembers which terms are not the default, so that new targets cost what they, the last
+/// ones and their reaches hold, not the mesh.
 class EditTerms {
  public:
   explicit EditTerms(const MeshModel& model) : reach_(model.mesh, model.adjacency) {}

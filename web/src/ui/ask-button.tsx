@@ -63,7 +63,7 @@ function place(note: HTMLElement, button: HTMLElement): void {
   note.style.top = `${within(top, innerHeight - own.height - GAP)}px`;
 }
 
-export function Ask({ about }: { about: Subject }) {
+export function AskButton({ about }: { about: Subject }) {
   const open = useSignal(false);
   const [button, note] = [useRef<HTMLButtonElement>(null), useRef<HTMLDivElement>(null)];
   const { name, words, lines } = HOW_PICTURES[about];

@@ -2,13 +2,12 @@
 
 import { isFlat } from "../design/flatness.ts";
 import type { Page } from "../state/page.ts";
+import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { keyOf } from "./commands/command.ts";
 import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
-
-const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
 
 const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
 

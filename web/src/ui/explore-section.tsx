@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 
+import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
-
-const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
 
 const VariationSliders = later(() =>
   import("./variation-sliders.tsx").then((part) => part.VariationSliders),

@@ -20,9 +20,8 @@ import {
   stiffnessOf,
 } from "../state/groups.ts";
 import { Ask } from "./ask.tsx";
-import { Icon } from "./icon.tsx";
+import { DeleteButton, NameField } from "./name-field.tsx";
 import { usePage } from "./page-context.ts";
-import "./designs.css";
 import "./groups.css";
 
 const WILLS: readonly (readonly [string, string])[] = [
@@ -32,6 +31,9 @@ const WILLS: readonly (readonly [string, string])[] = [
 ];
 
 const MIXED = "mixed";
+
+const memberWords = (of: Group["of"], count: number): string =>
+  counted(count, of === "points" ? "point" : "panel");
 
 function Will({ group }: { group: Group }) {
   const page = usePage();
@@ -57,41 +59,48 @@ function Will({ group }: { group: Group }) {
   );
 }
 
+interface DoingProps {
+  readonly what: string;
+  readonly name: string;
+  readonly pressed?: boolean;
+  readonly title?: string;
+  readonly disabled?: boolean;
+  readonly onClick: () => void;
+}
+
+const Doing = ({ what, name, pressed, ...others }: DoingProps) => (
+  <button
+    type="button"
+    class="tool"
+    aria-label={`${what} ${name}`}
+    aria-pressed={pressed}
+    {...others}
+  >
+    {what}
+  </button>
+);
+
 function Doings({ group }: { group: Group }) {
   const page = usePage();
   const { name } = group;
   const usable = page.ready.value && page.baseFlat.value && !page.readOnly.value;
-  const [locked, gone] = [isLocked(page, group), isGroupHidden(page, group)];
   return (
     <div class="group-doings">
-      <button
-        type="button"
-        class="tool"
-        aria-label={`Select ${name}`}
-        onClick={() => selectGroup(page, group)}
-      >
-        Select
-      </button>
-      <button
-        type="button"
-        class="tool"
-        aria-label={`Lock ${name}`}
-        aria-pressed={locked}
+      <Doing what="Select" name={name} onClick={() => selectGroup(page, group)} />
+      <Doing
+        what="Lock"
+        name={name}
+        pressed={isLocked(page, group)}
         title="Its points do not move: they are pinned"
         disabled={!usable}
         onClick={() => void lockGroup(page, group)}
-      >
-        Lock
-      </button>
-      <button
-        type="button"
-        class="tool"
-        aria-label={`Hide ${name}`}
-        aria-pressed={gone}
+      />
+      <Doing
+        what="Hide"
+        name={name}
+        pressed={isGroupHidden(page, group)}
         onClick={() => hideGroup(page, group)}
-      >
-        Hide
-      </button>
+      />
       <Will group={group} />
     </div>
   );
@@ -113,28 +122,9 @@ function Row({ group }: { group: Group }) {
         >
           <span style={{ background }} />
         </button>
-        <input
-          type="text"
-          class="snapshot-name"
-          aria-label={`Name of ${name}`}
-          value={name}
-          maxLength={100}
-          onChange={({ currentTarget }) => {
-            renameGroup(page, group, currentTarget.value);
-            if (groups(page).value.includes(group)) currentTarget.value = name;
-          }}
-        />
-        <span class="quiet small">
-          {counted(members.length, of === "points" ? "point" : "panel")}
-        </span>
-        <button
-          type="button"
-          class="icon-button"
-          aria-label={`Delete ${name}`}
-          onClick={() => deleteGroup(page, group)}
-        >
-          <Icon name="close" />
-        </button>
+        <NameField name={name} onRename={(to) => renameGroup(page, group, to)} />
+        <span class="quiet small">{memberWords(of, members.length)}</span>
+        <DeleteButton name={name} onDelete={() => deleteGroup(page, group)} />
       </div>
       <Doings group={group} />
     </li>
@@ -149,11 +139,7 @@ function Add({ of, words }: { of: Group["of"]; words: string }) {
       type="button"
       class="button grow"
       disabled={length === 0}
-      title={
-        length === 0
-          ? "Select points or a panel first"
-          : `${counted(length, of === "points" ? "point" : "panel")}`
-      }
+      title={length === 0 ? "Select points or a panel first" : memberWords(of, length)}
       onClick={() => addGroup(page, of)}
     >
       {words}

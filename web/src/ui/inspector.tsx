@@ -2,14 +2,13 @@
 
 import { decimal } from "../design/flatness.ts";
 import { planarise } from "../state/opening.ts";
+import { Ask } from "./ask.tsx";
 import { ExactSection } from "./exact-section.tsx";
 import { ExploreSection } from "./explore-section.tsx";
 import { HandlesTable } from "./handles-table.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { ReachAndSoftness } from "./reach-and-softness.tsx";
-
-const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
 
 function NotFlatNote() {
   const page = usePage();

@@ -6,12 +6,11 @@ import { boundaryForm, withBoundary } from "../design/supports.ts";
 import { formatLength } from "../quantity/units.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
+import { Ask } from "./ask.tsx";
 import { Choice } from "./choice.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
-
-const Ask = later(() => import("./ask.tsx").then((part) => part.Ask));
 
 const MOST_RINGS = 12;
 /** One step beyond the most rings. */

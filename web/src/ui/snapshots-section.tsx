@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { Page } from "../state/page.ts";
+import { DeleteButton, NameField } from "./name-field.tsx";
 import { usePage } from "./page-context.ts";
 import "./designs.css";
 import { useEffect } from "preact/hooks";
@@ -19,7 +20,6 @@ import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { MORE_COMMANDS } from "./commands/more-commands.ts";
 import { CompareDialog } from "./compare-dialog.tsx";
-import { Icon } from "./icon.tsx";
 
 function figuresOf(page: Page, { design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;
@@ -57,27 +57,10 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
         {snapshot.picture && <img class="picture" src={snapshot.picture} alt="" />}
       </button>
       <div class="snapshot-words">
-        <input
-          type="text"
-          class="snapshot-name"
-          aria-label={`Name of ${name}`}
-          value={name}
-          maxLength={100}
-          onChange={({ currentTarget }) => {
-            renameSnapshot(page, id, currentTarget.value);
-            currentTarget.value = page.snapshots.value.find((one) => one.id === id)?.name ?? name;
-          }}
-        />
+        <NameField name={name} onRename={(to) => renameSnapshot(page, id, to)} />
         <Caption snapshot={snapshot} />
       </div>
-      <button
-        type="button"
-        class="icon-button"
-        aria-label={`Delete ${name}`}
-        onClick={() => deleteSnapshot(page, id)}
-      >
-        <Icon name="close" />
-      </button>
+      <DeleteButton name={name} onDelete={() => deleteSnapshot(page, id)} />
     </li>
   );
 }

@@ -2,29 +2,18 @@
 // Views kept under a name: to look from there again, to rename and to delete.
 import type { NamedView } from "../design/camera.ts";
 import { deleteView, renameView, showView } from "../state/named-views.ts";
+import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { KEEP_VIEW } from "./commands/view-commands.ts";
-import { Icon } from "./icon.tsx";
+import { DeleteButton, NameField } from "./name-field.tsx";
 import { usePage } from "./page-context.ts";
-import "./designs.css";
-import { Ask } from "./ask.tsx";
 
 function Row({ view }: { view: NamedView }) {
   const page = usePage();
   const { name } = view;
   return (
     <li class="named-view">
-      <input
-        type="text"
-        class="snapshot-name"
-        aria-label={`Name of ${name}`}
-        value={name}
-        maxLength={100}
-        onChange={({ currentTarget }) => {
-          renameView(page, view, currentTarget.value);
-          if (page.views.value.includes(view)) currentTarget.value = name;
-        }}
-      />
+      <NameField name={name} onRename={(to) => renameView(page, view, to)} />
       <button
         type="button"
         class="button small"
@@ -33,14 +22,7 @@ function Row({ view }: { view: NamedView }) {
       >
         Show
       </button>
-      <button
-        type="button"
-        class="icon-button"
-        aria-label={`Delete ${name}`}
-        onClick={() => deleteView(page, view)}
-      >
-        <Icon name="close" />
-      </button>
+      <DeleteButton name={name} onDelete={() => deleteView(page, view)} />
     </li>
   );
 }

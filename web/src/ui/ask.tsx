@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+import { later } from "./later.tsx";
+
+/** The "?" beside a control. */
+export const Ask = later(() => import("./ask-button.tsx").then((part) => part.AskButton));
