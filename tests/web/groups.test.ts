@@ -12,6 +12,10 @@ import { readSupports } from "../../web/src/design/reading.ts";
 import { boundaryForm, withBoundary } from "../../web/src/design/supports.ts";
 import { prepareDisplay } from "../../web/src/mesh/display-mesh.ts";
 import { cornersOf, panelsOf } from "../../web/src/mesh/group-members.ts";
+import { addGroup, groups, isLocked, lockGroup } from "../../web/src/state/groups.ts";
+import { openSample } from "../../web/src/state/opening.ts";
+import { receive } from "../../web/src/state/receiving.ts";
+import { openedPage } from "./support/page-here.ts";
 
 const RIDGE: Group = { name: "Ridge", of: "points", members: [0, 4, 5, 90], colour: 2 };
 const GLASS: Group = { name: "Glass 1", of: "panels", members: [2, 3, 7], colour: null };
@@ -95,4 +99,37 @@ it("panels of points are those that have no other corner; without one, those at 
   expect(panelsOf(mesh, [0, 1, 4, 5, 2])).toEqual([0]);
   expect(panelsOf(mesh, [1])).toEqual([0, 1]);
   expect(cornersOf(mesh, [2, 1])).toEqual([1, 2, 3, 5, 6, 7]);
+});
+
+describe("groups of the mesh that is open", () => {
+  it("are locked by pins, and no other mesh has them", async () => {
+    const page = await openedPage();
+    page.selection.value = [0];
+    addGroup(page, "points");
+    const [corner] = groups(page).value;
+    if (!corner) throw new Error("no group");
+    expect(isLocked(page, corner)).toBe(false);
+    await lockGroup(page, corner);
+    expect(isLocked(page, corner)).toBe(true);
+    expect(page.draft.value?.handles.map(({ vertex, pinned }) => [vertex, pinned])).toEqual([
+      [0, true],
+    ]);
+    await lockGroup(page, corner);
+    expect(isLocked(page, corner)).toBe(false);
+    await openSample(page, "vault");
+    expect(groups(page).value).toEqual([]);
+  });
+
+  it("come with a design only as far as its mesh has their members", async () => {
+    const page = await openedPage();
+    const { vertices = 0, faces = 0 } = page.mesh.value?.report ?? {};
+    const all: Group[] = [
+      { ...RIDGE, members: [0, vertices - 1] },
+      { ...GLASS, members: [1, faces] },
+      { ...DOORS, members: [faces - 1] },
+    ];
+    const came = { note: "", views: [], variants: [], section: null, groups: all };
+    expect(receive(page, came, [])).toBe("With it came 2 groups.");
+    expect(groups(page).value.map(({ name }) => name)).toEqual(["Ridge", "Doors"]);
+  });
 });

@@ -23,6 +23,8 @@ export function formsByPoint(supports: readonly string[]): ReadonlyMap<number, r
 export const formsOf = (supports: readonly string[], vertex: number): readonly string[] =>
   formsByPoint(supports).get(vertex) ?? [];
 
+const isListedSpring = (support: string): boolean => isListed(support) && isSpring(support);
+
 const ascending = (points: Iterable<number>): number[] => [...points].sort((a, b) => a - b);
 
 /** The pieces that are left of a line without the `chosen` points; one point is no line. */
@@ -48,7 +50,7 @@ export function withPoints(
   const chosen = new Set(vertices);
   const listed = new Map<string, number[]>();
   const lines: (readonly number[])[] = [];
-  const springs = supports.filter((support) => isListed(support) && isSpring(support));
+  const springs = supports.filter(isListedSpring);
   for (const support of supports.filter((one) => isListed(one) && !isSpring(one))) {
     const form = formOf(support);
     if (form === POLYLINE) lines.push(...pieces(pointsOf(support), chosen));
@@ -89,14 +91,14 @@ export function withSpring(
 ): readonly string[] {
   const chosen = new Set(vertices);
   const springs = new Map<string, number[]>();
-  for (const support of supports.filter((one) => isListed(one) && isSpring(one))) {
+  for (const support of supports.filter(isListedSpring)) {
     const others = pointsOf(support).filter((vertex) => !chosen.has(vertex));
     const form = springForm(support);
     springs.set(form, [...(springs.get(form) ?? []), ...others]);
   }
   if (stiffness) springs.set(stiffness, [...(springs.get(stiffness) ?? []), ...vertices]);
   return [
-    ...supports.filter((support) => !isListed(support) || !isSpring(support)),
+    ...supports.filter((support) => !isListedSpring(support)),
     ...[...springs].flatMap(([form, points]) =>
       points.length > 0 ? [`spring=${form}:${ascending(new Set(points)).join(",")}`] : [],
     ),

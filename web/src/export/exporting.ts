@@ -6,6 +6,7 @@ import type { Question } from "../solver/client.ts";
 import type { DesignValue, FileFormat } from "../solver/protocol.ts";
 import { readCamera } from "../state/camera.ts";
 import { run } from "../state/connection.ts";
+import { changedGroups } from "../state/kept-groups.ts";
 import { loadPart } from "../state/later.ts";
 import { readMark } from "../state/marking.ts";
 import type { Page } from "../state/page.ts";
@@ -49,15 +50,14 @@ async function designFile(page: Page, format: "glb" | "json"): Promise<Result<Qu
   return design.ok ? done({ kind: "export", format, design: design.value, offset }) : design;
 }
 
-/** Of the panels' groups OBJ has names. */
+/** Of the panels' groups OBJ has names: those of the file, as it has them, unless they were changed. */
 async function meshFile(page: Page, format: "obj" | "off" | "ply"): Promise<Result<Question>> {
-  const parts = await loadPart(() =>
-    Promise.all([import("../design/face-runs.ts"), import("../state/groups.ts")]),
-  );
-  if (!parts.ok) return parts;
-  const [{ runsOfGroups }, { groups }] = parts.value;
-  const runs = runsOfGroups(groups(page).value, page.mesh.value?.report.faces ?? 0);
-  return done({ kind: "export", format, design: null, groups: runs });
+  const changed = changedGroups(page);
+  if (!changed) return done({ kind: "export", format, design: null, groups: null });
+  const part = await loadPart(() => import("../design/face-runs.ts"));
+  if (!part.ok) return part;
+  const groups = part.value.runsOfGroups(changed, page.mesh.value?.report.faces ?? 0);
+  return done({ kind: "export", format, design: null, groups });
 }
 
 /** The design as a file, within a turn. */

@@ -10,7 +10,7 @@ import type { SavedRecord } from "../design/saved-record.ts";
 import type { StepFiles } from "../design/saved-steps.ts";
 import { readCamera } from "./camera.ts";
 import { shownFigure } from "./figures.ts";
-import { isOf, keptGroups } from "./kept-groups.ts";
+import { changedGroups, keptGroups } from "./kept-groups.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
 import { sectionPlane } from "./shown-section.ts";
@@ -69,7 +69,7 @@ async function whatIsKept(page: Page, history: History<Design>) {
   keeper.steps ??= new StepFiles();
   const { designs, keys, files } = keeper.steps.keep(history);
   const { present } = history;
-  const [snapshots, groups] = [page.snapshots.value, keptGroups(page).value];
+  const snapshots = page.snapshots.value;
   const record: SavedRecord = {
     time: Date.now(),
     unit: page.unit.value,
@@ -80,7 +80,7 @@ async function whatIsKept(page: Page, history: History<Design>) {
     views: page.views.value,
     note: note(page).value,
     section: sectionPlane(page).value,
-    groups: groups && isOf(groups, present.source) ? groups.list : null,
+    groups: changedGroups(page),
     steps: keys,
   };
   const sources = filesOf([present, ...snapshots.map(({ design }) => design), ...designs]);

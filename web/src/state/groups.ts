@@ -7,27 +7,29 @@ import { groupsOfRuns } from "../design/face-runs.ts";
 import { GROUP_COLOURS, type Group, MOST_GROUPS } from "../design/groups.ts";
 import { springOf, withSpring } from "../design/listed-supports.ts";
 import { LONGEST_NAME } from "../design/reading.ts";
+import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { cornersOf, panelsOf } from "../mesh/group-members.ts";
-import { commitSettings, freePins, handleOf, setPinned } from "./editing.ts";
+import { commitSettings, freePins, setPinned } from "./editing.ts";
 import { hidden, hiddenPanels } from "./hidden-panels.ts";
-import { groupFigures, isOf, keptGroups } from "./kept-groups.ts";
+import { changedGroups, groupFigures, isOf, keptGroups } from "./kept-groups.ts";
 import { kept, type Page } from "./page.ts";
 import type { Outcome } from "./turns.ts";
 
 const NONE: readonly Group[] = [];
 
-const sourceOf = (page: Page) => page.history.value?.present.source ?? null;
-
-export const groups = kept((page) =>
+const groupsOfFile = kept((page) =>
   computed((): readonly Group[] => {
-    const [own, source, mesh] = [keptGroups(page).value, sourceOf(page), page.mesh.value];
-    if (own && source && isOf(own, source)) return own.list;
+    const mesh = page.mesh.value;
     return mesh ? groupsOfRuns(mesh.groups, mesh.report.faces) : NONE;
   }),
 );
 
+export const groups = kept((page) =>
+  computed((): readonly Group[] => changedGroups(page) ?? groupsOfFile(page).value),
+);
+
 function change(page: Page, list: readonly Group[]): void {
-  const [own, source] = [keptGroups(page).value, sourceOf(page)];
+  const [own, source] = [keptGroups(page).value, page.history.value?.present.source];
   if (!source) return;
   const sources = own && isOf(own, source) ? own.sources : [source];
   keptGroups(page).value = { sources, list };
@@ -86,26 +88,53 @@ export function deleteGroup(page: Page, group: Group): void {
   );
 }
 
-export function pointsOfGroup(page: Page, { of, members }: Group): readonly number[] {
-  const mesh = page.displayMesh.value;
-  return of === "points" || !mesh ? members : cornersOf(mesh, members);
+interface Members {
+  readonly of: DisplayMesh;
+  readonly points: readonly number[];
+  readonly panels: readonly number[];
 }
 
-export function panelsOfGroup(page: Page, { of, members }: Group): readonly number[] {
-  const mesh = page.displayMesh.value;
-  return of === "panels" || !mesh ? members : panelsOf(mesh, members);
+const NOBODY = { points: [], panels: [] } as const;
+
+/** Found once for a group and a mesh: rows are drawn often. */
+const found = kept(() => new WeakMap<Group, Members>());
+
+function membersOf(page: Page, group: Group): Omit<Members, "of"> {
+  const [mesh, { of, members }] = [page.displayMesh.value, group];
+  if (!mesh) return NOBODY;
+  const known = found(page).get(group);
+  if (known?.of === mesh) return known;
+  const points = of === "points" ? members : cornersOf(mesh, members);
+  const panels = of === "panels" ? members : panelsOf(mesh, members);
+  const now = { of: mesh, points, panels };
+  found(page).set(group, now);
+  return now;
 }
+
+export const panelsOfGroup = (page: Page, group: Group): readonly number[] =>
+  membersOf(page, group).panels;
 
 export function selectGroup(page: Page, group: Group): void {
-  page.selection.value = pointsOfGroup(page, group);
+  page.selection.value = membersOf(page, group).points;
 }
 
+/** As a text, which frames of a drag leave as it is. */
+const pinned = kept((page) =>
+  computed(() =>
+    (page.draft.value?.handles ?? []).flatMap((row) => (row.pinned ? row.vertex : [])).join(),
+  ),
+);
+
+const pinnedPoints = kept((page) =>
+  computed(() => new Set(pinned(page).value.split(",").filter(Boolean).map(Number))),
+);
+
 export const isLocked = (page: Page, group: Group): boolean =>
-  pointsOfGroup(page, group).every((vertex) => handleOf(page, vertex)?.pinned);
+  membersOf(page, group).points.every((vertex) => pinnedPoints(page).value.has(vertex));
 
 /** Pins all its points, or frees them. */
 export function lockGroup(page: Page, group: Group): Outcome {
-  const points = pointsOfGroup(page, group);
+  const points = membersOf(page, group).points;
   return isLocked(page, group) ? freePins(page, points) : setPinned(page, points, true);
 }
 
@@ -128,22 +157,22 @@ const supportsOf = (page: Page): readonly string[] =>
 
 /** "" for that of all others; null where its points differ. */
 export const stiffnessOf = (page: Page, group: Group): string | null =>
-  springOf(supportsOf(page), pointsOfGroup(page, group));
+  springOf(supportsOf(page), membersOf(page, group).points);
 
 /** How unwillingly its points move. @param stiffness "" for that of all others */
 export const stiffen = (page: Page, group: Group, stiffness: string): Outcome =>
   commitSettings(page, {
-    supports: withSpring(supportsOf(page), pointsOfGroup(page, group), stiffness),
+    supports: withSpring(supportsOf(page), membersOf(page, group).points, stiffness),
   });
 
 /** The first group with a colour decides. */
 function figures(page: Page): Float32Array {
-  const found = new Float32Array(page.mesh.value?.report.faces ?? 0);
+  const colours = new Float32Array(page.mesh.value?.report.faces ?? 0);
   for (const group of groups(page)
     .value.filter(({ colour }) => colour !== null)
     .reverse())
-    for (const panel of panelsOfGroup(page, group)) found[panel] = (group.colour ?? 0) + 1;
-  return found;
+    for (const panel of panelsOfGroup(page, group)) colours[panel] = (group.colour ?? 0) + 1;
+  return colours;
 }
 
 /** Colours the panels while someone looks at that. */

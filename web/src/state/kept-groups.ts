@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import type { Group } from "../design/groups.ts";
 import type { Source } from "../solver/protocol.ts";
-import { kept } from "./page.ts";
+import { kept, type Page } from "./page.ts";
 
 export interface KeptGroups {
   /** Meshes with the same points and panels: what was continued from, too. */
@@ -24,3 +24,9 @@ export const isSameSource = (a: Source, b: Source): boolean => {
 
 export const isOf = ({ sources }: KeptGroups, source: Source): boolean =>
   sources.some((one) => isSameSource(one, source));
+
+/** Those of the mesh that is open; null where those of its file hold. */
+export function changedGroups(page: Page): readonly Group[] | null {
+  const [own, source] = [keptGroups(page).value, page.history.value?.present.source];
+  return own && source && isOf(own, source) ? own.list : null;
+}

@@ -8,6 +8,7 @@ import type { Design } from "../design/design.ts";
 import type { Group } from "../design/groups.ts";
 import type { Steps } from "../design/recipe.ts";
 import { counted } from "../quantity/counted.ts";
+import type { MeshReport } from "../solver/protocol.ts";
 import { keptGroups } from "./kept-groups.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
@@ -69,10 +70,16 @@ function keepViews(page: Page, views: readonly NamedView[]): void {
   }
 }
 
+/** Whether the mesh has all its members, which ascend. */
+const isOfMesh = ({ of, members }: Group, { vertices, faces }: MeshReport): boolean =>
+  (members.at(-1) ?? 0) < (of === "points" ? vertices : faces);
+
 /** With the mesh that came: those of the mesh that was open are its own. */
-function keepGroups(page: Page, came: readonly Group[]): void {
-  const source = page.history.value?.present.source;
-  if (source && came.length > 0) keptGroups(page).value = { sources: [source], list: came };
+function keepGroups(page: Page, came: readonly Group[]): readonly Group[] {
+  const [source, mesh] = [page.history.value?.present.source, page.mesh.value];
+  const list = mesh ? came.filter((group) => isOfMesh(group, mesh.report)) : [];
+  if (source && list.length > 0) keptGroups(page).value = { sources: [source], list };
+  return list;
 }
 
 /** One's own note stays below the one that came. */
@@ -94,7 +101,7 @@ export function receive(
   if (!came) return "";
   keepNote(page, came.note);
   keepViews(page, came.views);
-  keepGroups(page, came.groups);
+  const groups = keepGroups(page, came.groups);
   if (came.section) sectionPlane(page).value = came.section;
   keepVariants(page, received);
   const words = [
@@ -102,7 +109,7 @@ export function receive(
     ...some(came.views.length, "view"),
     ...some(received.length, "snapshot"),
     ...(came.section ? ["a section"] : []),
-    ...some(came.groups.length, "group"),
+    ...some(groups.length, "group"),
   ];
   const others = received.filter(({ same }) => !same).map(({ name }) => name);
   const lost = came.variants.length - received.length;
