@@ -33,7 +33,7 @@ ARROWS = {
     "energies": {"mesh", "adjacency"},
     "metrics": {"mesh", "constraints", "trigonometry"},
     "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
-    "point_support": {"mesh", "adjacency", "read_result", "keep_out"},
+    "point_support": {"mesh", "adjacency", "read_result", "keep_out", "constraints", "topology"},
     "edit_freedom": {"mesh", "adjacency", "constraints"},
     "mesh_standing": BASE | {"adjacency", "constraints"},
     "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
@@ -101,6 +101,7 @@ FILE_GROUPS = {
     "guide_lines": "point_support",
     "surface_feet": "point_support",
     "reference_surface": "point_support",
+    "surface_sites": "point_support",
     "crc32": "checksum",
     "mesh_hash": "checksum",
     "handle_edit_rules": "handle_edit",

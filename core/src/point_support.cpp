@@ -12,6 +12,7 @@
 #include "planish/adjacency.hpp"
 #include "planish/index.hpp"
 #include "planish/io/number.hpp"
+#include "planish/vertex_slides.hpp"
 #include "reference_surface.hpp"
 
 namespace planish {
@@ -105,32 +106,33 @@ Refusal find_broken(const PointSupport& polyline, const Mesh& mesh) {
   return std::nullopt;
 }
 
-/// Of each of `points` above the surface, as the base has it and as `shape` does; model units.
-std::vector<std::array<double, 2>> heights_of(const PointSupport& support, const Mesh& base,
-                                              const std::vector<int>& points,
-                                              const Positions& shape) {
+/// Of each of `points`, by how much it is farther above a side of the surface in `shape` than in
+/// the base, at most; model units.
+std::vector<double> ways_off_surface(const PointSupport& support, const Mesh& base,
+                                     const std::vector<int>& points, const Positions& shape) {
   const ReferenceSurface surface(support.surface.points.empty() ? base : to_mesh(support.surface));
-  std::vector<std::array<double, 2>> heights;
+  std::vector<double> ways;
   for (const int v : points) {
     const Eigen::Vector3d was = base.positions.col(v), is = shape.col(v);
-    const SurfaceFoot foot = surface.foot(was, surface.somewhere_near(was));
-    heights.push_back({foot.height, surface.foot(is, foot.place).height});
+    ways.push_back(0.0);
+    if (is == was) continue;
+    for (const int side : surface.sides_at(was, kMostSurfaceRows)) {
+      const SurfaceFoot foot = surface.foot(was, side, surface.somewhere_near(was, side));
+      const double height = surface.foot(is, side, foot.place).height.value;
+      ways.back() = std::max(ways.back(), std::abs(height - foot.height.value));
+    }
   }
-  return heights;
+  return ways;
 }
 
 Refusal find_far_from_surface(const PointSupport& support, const Mesh& mesh, double mean_edge) {
-  if (support.points == PointSupport::Points::kAll) {
-    return "supports: surface: all points at once have next to no way to move on it with flat "
-           "panels; name the boundary or some of them";
-  }
-  const std::vector<int> points = points_of(support, mesh);
-  const auto heights = heights_of(support, mesh, points, mesh.positions);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double height = std::abs(heights[k][0]);
-    if (height <= kSurfaceReach * mean_edge) continue;
-    return name_of(support) + ": vertex " + std::to_string(points[k]) + " is " +
-           three_digits(height) + " away from it, and mean edges are " + three_digits(mean_edge) +
+  if (support.surface.points.empty()) return std::nullopt;  // it is what it is on
+  const ReferenceSurface surface(to_mesh(support.surface));
+  for (const int v : points_of(support, mesh)) {
+    const double distance = surface.distance(mesh.positions.col(v));
+    if (distance <= kSurfaceReach * mean_edge) continue;
+    return name_of(support) + ": vertex " + std::to_string(v) + " is " + three_digits(distance) +
+           " away from it, and mean edges are " + three_digits(mean_edge) +
            "; a point slides on what it is near to already";
   }
   return std::nullopt;
@@ -229,8 +231,8 @@ double largest_distance(const PointSupport& support, const Mesh& base, const Pos
     return largest;
   }
   if (support.kind == PointSupport::Kind::kSurface) {
-    for (const auto& [was, is] : heights_of(support, base, points_of(support, base), shape)) {
-      largest = std::max(largest, std::abs(is - was));
+    for (const double way : ways_off_surface(support, base, points_of(support, base), shape)) {
+      largest = std::max(largest, way);
     }
     return largest;
   }

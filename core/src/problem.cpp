@@ -218,6 +218,22 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
     if (term.fixed) patch.displacement.col(k) = term.target;
     local_of_[at(v)] = -1;
   }
+  if (problem.slides != nullptr && problem.slides->has_feet()) add_surface_rows(problem, patch);
+}
+
+/// Of the free vertices that stand on a surface. Their multipliers have the numbers after all
+/// others.
+void PatchCutter::add_surface_rows(const EditProblem& problem, Patch& patch) {
+  for (int k = 0; k < patch.free_count; ++k) {
+    const int v = patch.vertices[at(k)];
+    int number = static_cast<int>(problem.model->equations.size()) + kMostSurfaceRows * v;
+    for (SurfaceRow row : problem.slides->surface_rows(v)) {
+      row.vertices = {k};
+      row.centre += patch.points.col(k);
+      patch.equations.of<SurfacePoint>().push_back(row);
+      patch.equation_ids.push_back(number++);
+    }
+  }
 }
 
 void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Patch& patch) {

@@ -23,41 +23,6 @@ Mesh fans_of(const Mesh& mesh) {
   return fans;
 }
 
-/// Twice the area vector of each triangle.
-Eigen::Matrix3Xd areas_of(const Mesh& triangles) {
-  Eigen::Matrix3Xd areas(3, triangles.face_count());
-  for (int f = 0; f < triangles.face_count(); ++f) {
-    const auto corner = triangles.face(f);
-    const Eigen::Vector3d a = triangles.positions.col(corner[0]);
-    const Eigen::Vector3d ab = triangles.positions.col(corner[1]) - a;
-    areas.col(f) = ab.cross(Eigen::Vector3d(triangles.positions.col(corner[2]) - a));
-  }
-  return areas;
-}
-
-/// Of the triangles around each corner that are no sharp edge away, by their areas.
-Eigen::Matrix3Xd corner_normals(const Mesh& triangles) {
-  constexpr double kLeastCosine = 0.866025403784438647;  // of 30°
-  const Eigen::Matrix3Xd areas = areas_of(triangles);
-  std::vector<std::vector<int>> around(at(triangles.vertex_count()));
-  for (int f = 0; f < triangles.face_count(); ++f) {
-    for (const int v : triangles.face(f)) around[at(v)].push_back(f);
-  }
-  Eigen::Matrix3Xd normals(3, 3 * triangles.face_count());
-  for (int f = 0; f < triangles.face_count(); ++f) {
-    const Eigen::Vector3d own = areas.col(f);
-    for (int k = 0; k < 3; ++k) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const int g : around[at(triangles.face(f)[at(k)])]) {
-        const Eigen::Vector3d other = areas.col(g);
-        if (own.dot(other) >= kLeastCosine * own.norm() * other.norm()) sum += other;
-      }
-      normals.col(3 * f + k) = sum.normalized();
-    }
-  }
-  return normals;
-}
-
 /// Weights of the corners at the place of a triangle that is nearest to `p`.
 Eigen::Vector3d nearest_weights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -110,51 +75,71 @@ Mesh to_mesh(const ContextMesh& context) {
 
 ReferenceSurface::ReferenceSurface(const Mesh& mesh)
     : triangles_(fans_of(mesh)),
-      normals_(corner_normals(triangles_)),
       boxes_(triangles_, triangles_.positions),
-      step_(mean_edge_length(mesh)) {}
+      sites_(mesh),
+      step_(mean_edge_length(mesh)) {
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    panel_of_.insert(panel_of_.end(), mesh.face(f).size() - 2, f);
+  }
+}
 
-Eigen::Vector3d ReferenceSurface::somewhere_near(const Eigen::Vector3d& point) const {
+bool ReferenceSurface::is_of(int facet, int side) const {
+  return side == kAnySide || sites_.side(panel_of_[at(facet)]) == side;
+}
+
+Eigen::Vector3d ReferenceSurface::nearest_place(int facet, const Eigen::Vector3d& point) const {
+  const auto corner = triangles_.face(facet);
+  const Eigen::Vector3d a = triangles_.positions.col(corner[0]),
+                        b = triangles_.positions.col(corner[1]),
+                        c = triangles_.positions.col(corner[2]);
+  const Eigen::Vector3d weights = nearest_weights(point, a, b, c);
+  return weights[0] * a + weights[1] * b + weights[2] * c;
+}
+
+Eigen::Vector3d ReferenceSurface::somewhere_near(const Eigen::Vector3d& point, int side) const {
   for (double reach = step_;; reach *= 2.0) {
-    const std::vector<int> near = boxes_.near(box_around(point, reach));
-    if (!near.empty()) return triangles_.positions.col(triangles_.face(near.front()).front());
+    for (const int f : boxes_.near(box_around(point, reach))) {
+      if (is_of(f, side)) return triangles_.positions.col(triangles_.face(f).front());
+    }
     if (!(reach < std::numeric_limits<double>::max())) return point;
   }
 }
 
-SurfaceFoot ReferenceSurface::foot(const Eigen::Vector3d& point,
+SurfaceFoot ReferenceSurface::foot(const Eigen::Vector3d& point, int side,
                                    const Eigen::Vector3d& near) const {
   constexpr double kRounding = 1.0 + 1e-9;
   SurfaceFoot best;
   int facet = -1;
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();
-  best.distance = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   const double reach = kRounding * (point - near).norm() + 1e-9 * step_;
   for (const int f : boxes_.near(box_around(point, reach))) {
-    const auto corner = triangles_.face(f);
-    const Eigen::Vector3d a = triangles_.positions.col(corner[0]),
-                          b = triangles_.positions.col(corner[1]),
-                          c = triangles_.positions.col(corner[2]);
-    const Eigen::Vector3d here = nearest_weights(point, a, b, c);
-    const Eigen::Vector3d place = here[0] * a + here[1] * b + here[2] * c;
+    if (!is_of(f, side)) continue;
+    const Eigen::Vector3d place = nearest_place(f, point);
     const double distance = (point - place).norm();
-    if (!(distance < best.distance)) continue;
-    best.distance = distance;
+    if (!(distance < least)) continue;
+    least = distance;
     best.place = place;
-    weights = here;
     facet = f;
   }
-  if (facet < 0) return best;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(), smooth = best.place;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d one = normals_.col(3 * facet + k);
-    const Eigen::Vector3d corner = triangles_.positions.col(triangles_.face(facet)[at(k)]);
-    normal += weights[k] * one;
-    smooth -= weights[k] * one.dot(best.place - corner) * one;
-  }
-  best.normal = normal.normalized();
-  best.height = best.normal.dot(point - smooth);
+  if (facet >= 0) best.height = sites_.height(panel_of_[at(facet)], point);
   return best;
+}
+
+double ReferenceSurface::distance(const Eigen::Vector3d& point) const {
+  return (foot(point, kAnySide, somewhere_near(point, kAnySide)).place - point).norm();
+}
+
+std::vector<int> ReferenceSurface::sides_at(const Eigen::Vector3d& point, std::size_t most) const {
+  const double reach = distance(point) + 1e-9 * step_;
+  std::vector<int> sides;
+  for (const int f : boxes_.near(box_around(point, reach))) {
+    const int side = sites_.side(panel_of_[at(f)]);
+    const bool is_new = std::find(sides.begin(), sides.end(), side) == sides.end();
+    if (is_new && (nearest_place(f, point) - point).norm() <= reach) sides.push_back(side);
+  }
+  std::sort(sides.begin(), sides.end());
+  sides.resize(std::min(sides.size(), most));
+  return sides;
 }
 
 }  // namespace planish

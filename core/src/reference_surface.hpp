@@ -8,35 +8,44 @@
 #include "planish/context_mesh.hpp"
 #include "planish/mesh.hpp"
 #include "planish/panel_boxes.hpp"
+#include "surface_sites.hpp"
 
 namespace planish {
 
-/// The place of the facets that is nearest to a point.
+/// The place of a side's facets that is nearest to a point.
 struct SurfaceFoot {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  double distance = 0.0;                              ///< of the point, from there
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length 1, mixed of those of corners
-  double height = 0.0;  ///< of the point along the normal, above the surface that is smooth
+  SurfaceHeight height;  ///< of the point, above the surface that is smooth
 };
 
-/// The smooth surface that facets stand for: flat panels that moved on the facets themselves could
-/// not move at all. Above a place of a facet it is at the mean of where the corners' tangent planes
-/// are (Phong tessellation, Boubekeur and Alexa 2008), their normals means of the facets around
-/// that are within 30°, so that what is flat stays flat and what is sharp stays sharp.
+/// A surface as its facets show it and as they mean it: on the facets themselves flat panels could
+/// not move at all.
 class ReferenceSurface {
  public:
   explicit ReferenceSurface(const Mesh& mesh);
 
-  /// @param near a place on the surface; the better, the sooner
-  [[nodiscard]] SurfaceFoot foot(const Eigen::Vector3d& point, const Eigen::Vector3d& near) const;
+  /// The sides that are nearest to a point: several along a sharp edge.
+  [[nodiscard]] std::vector<int> sides_at(const Eigen::Vector3d& point, std::size_t most) const;
 
-  /// A place on it near a point, for foot().
-  [[nodiscard]] Eigen::Vector3d somewhere_near(const Eigen::Vector3d& point) const;
+  /// On a side. @param near a place on it; the better, the sooner
+  [[nodiscard]] SurfaceFoot foot(const Eigen::Vector3d& point, int side,
+                                 const Eigen::Vector3d& near) const;
+
+  /// A place of a side near a point, for foot().
+  [[nodiscard]] Eigen::Vector3d somewhere_near(const Eigen::Vector3d& point, int side) const;
+
+  /// How far the facets are.
+  [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 
  private:
+  static constexpr int kAnySide = -1;
+  [[nodiscard]] bool is_of(int facet, int side) const;
+  [[nodiscard]] Eigen::Vector3d nearest_place(int facet, const Eigen::Vector3d& point) const;
+
   Mesh triangles_;
-  Eigen::Matrix3Xd normals_;  ///< of each corner of each triangle, of length 1
+  std::vector<int> panel_of_;  ///< of each triangle
   PanelBoxes boxes_;
+  SurfaceSites sites_;
   double step_;  ///< a mean side
 };
 

@@ -36,10 +36,6 @@ void VertexSlides::rest(std::vector<RestingPoint> points) {
       Runner& runner = runners_[at(runner_of_[place])];
       runner.others.along = within_plane(runner.others.along, point.normal);
       open(runner);
-    } else if (!feet_.empty() && foot_of_[at(point.vertex)] >= 0) {
-      Foot& foot = feet_[at(foot_of_[at(point.vertex)])];
-      foot.others.along = within_plane(foot.others.along, point.normal);
-      open(foot);
     } else {
       rests_.push_back({point, track.along});
     }

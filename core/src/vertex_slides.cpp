@@ -71,6 +71,7 @@ VertexSlides::VertexSlides(const Mesh& mesh, const std::vector<PointSupport>& su
   for (const PointSupport& support : supports) {
     if (support.kind == PointSupport::Kind::kSurface) add_feet(support, points_of(support, mesh));
   }
+  order_feet();
   if (on_lines.empty()) return;
   lines_ = std::make_unique<GuideLines>(mesh, supports);
   std::sort(on_lines.begin(), on_lines.end());
@@ -137,7 +138,7 @@ void VertexSlides::take_side(int corner, int side, Runner& runner) {
 
 void VertexSlides::open() {
   for (Runner& runner : runners_) open(runner);
-  for (Foot& foot : feet_) open(foot);
+  open_feet();
   if (has_rests()) let_all_go();
 }
 
@@ -175,10 +176,8 @@ bool VertexSlides::follow(std::span<const int> vertices, const Eigen::Matrix3Xd&
     changed = follow(runner, displacement.col(found - vertices.begin())) || changed;
   }
   for (std::size_t k = 0; k < vertices.size() && !feet_.empty(); ++k) {
-    const int foot = foot_of_[at(vertices[k])];
-    if (foot < 0) continue;
     const Eigen::Vector3d d = displacement.col(static_cast<Eigen::Index>(k));
-    changed = follow(feet_[at(foot)], d) || changed;
+    changed = follow_surfaces(vertices[k], d) || changed;
   }
   return changed;
 }
@@ -202,10 +201,8 @@ bool VertexSlides::is_within_side(const Runner& runner, const Eigen::Vector3d& d
 
 bool VertexSlides::holds(int vertex, const Eigen::Vector3d& d) const {
   const int place = place_[at(vertex)];
+  if (has_feet() && !is_at_heights(vertex, d)) return false;
   if (place < 0) return true;
-  if (!feet_.empty() && foot_of_[at(vertex)] >= 0) {
-    return is_at_height(feet_[at(foot_of_[at(vertex)])], d);
-  }
   if (!((d - tracks_[at(place)].nearest(d)).norm() <= kOnTrack)) return false;
   const int runner = at(place) < runner_of_.size() ? runner_of_[at(place)] : -1;
   return runner < 0 || is_within_side(runners_[at(runner)], d);

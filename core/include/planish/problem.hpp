@@ -114,7 +114,7 @@ struct Patch {
   std::vector<VertexTerm> terms;        ///< free_count
   std::vector<Slide> slides;            ///< ascending
   ConstraintRows equations;             ///< local vertices; each touches a free one
-  std::vector<int> equation_ids;        ///< the same in MeshModel::equations
+  std::vector<int> equation_ids;        ///< the same in MeshModel::equations; then of surface rows
   RaggedRows faces;                     ///< local vertices of the same faces
   std::vector<int> face_ids;            ///< mesh face of each row of `faces`
   std::vector<int> star_ids;            ///< mesh vertices whose stars have rows here
@@ -165,6 +165,7 @@ class PatchCutter {
   void add_stars(const MeshModel& model, int vertex, Patch& patch);
   void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
   void place(const EditProblem& problem, Patch& patch);
+  void add_surface_rows(const EditProblem& problem, Patch& patch);
   void cut_equations(const MeshModel& model, Patch& patch);
 
   std::vector<int> local_of_;  ///< −1 outside the patch being cut

@@ -8,11 +8,16 @@
 #include <span>
 #include <vector>
 
+#include "planish/constraints/surface_row.hpp"
 #include "planish/keep_out.hpp"
 #include "planish/mesh.hpp"
 #include "planish/point_support.hpp"
 
 namespace planish {
+
+class GuideLines;
+class ReferenceSurface;
+struct SurfaceFoot;
 
 /// What a vertex slides along, in solver units.
 struct SlideTrack {
@@ -38,18 +43,18 @@ struct TrackForce {
   }
 };
 
-class GuideLines;
-class ReferenceSurface;
-
 /// How often a state is solved again for points that take another side of their outline.
 inline constexpr int kMostOutlineTurns = 8;
 /// The same where points may rest on keep-outs, or stand on a surface.
 inline constexpr int kMostRestTurns = 24;
 
+/// Sides of a surface that a vertex may stand on at once.
+inline constexpr int kMostSurfaceRows = 3;
+
 /// Of every vertex with supports, or held by a keep-out, the track that they all leave it. A vertex
 /// on its outline is on one side of the polygon at a time, or rests at one of its corners: a solve
-/// finds which, [SUP-3]. One on a surface is on a plane that touches it, and the plane goes along
-/// with it, [SUP-4].
+/// finds which, [SUP-3]. One on a surface has no track of that but an equation, which is the
+/// surface where it was last, to second order, and goes along with it, [SUP-4].
 class VertexSlides {
  public:
   /// O(points); with an outline O(n).
@@ -73,6 +78,13 @@ class VertexSlides {
 
   /// Whether any vertex stands on a surface.
   [[nodiscard]] bool has_feet() const { return !feet_.empty(); }
+
+  /// Of a vertex, where has_feet(): an equation for each side of a surface that it stands on, three
+  /// at most, their centres displacements, solver units.
+  [[nodiscard]] std::span<const SurfaceRow> surface_rows(int vertex) const;
+
+  /// Where a vertex is on its surface that is nearest to `d`; `d` of others. Where has_feet().
+  [[nodiscard]] Eigen::Vector3d on_surface(int vertex, const Eigen::Vector3d& d) const;
 
   /// Whether any vertex may come to rest on a keep-out.
   [[nodiscard]] bool has_rests() const { return !rests_.empty(); }
@@ -118,17 +130,16 @@ class VertexSlides {
     SlideTrack others;  ///< what other supports leave it
   };
 
-  /// A vertex on a surface.
+  /// A vertex on a side of a surface.
   struct Foot {
     int vertex = 0;
-    int place = 0;  ///< of its track
     std::shared_ptr<const ReferenceSurface> surface;
-    double height = 0.0;                                ///< above it, in the base; solver units
-    Eigen::Vector3d last = Eigen::Vector3d::Zero();     ///< of the surface; model units
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();    ///< the same in the base
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< there, in the base
-    int turns = 0;                                      ///< since open()
-    SlideTrack others;                                  ///< what other supports leave it
+    int side = 0;
+    double height = 0.0;                              ///< above it, in the base; solver units
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< place of the side; model units
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();   ///< the same where it was last
+    SurfaceRow base;
+    int turns = 0;  ///< since open()
   };
 
   /// A point on one plane that may hold it.
@@ -151,10 +162,13 @@ class VertexSlides {
   void take_side(int corner, int side, Runner& runner);
   bool follow(Runner& runner, const Eigen::Vector3d& d);
   void add_feet(const PointSupport& support, const std::vector<int>& points);
-  void open(Foot& foot);
-  void touch(Foot& foot, const Eigen::Vector3d& normal, double bound);
-  bool follow(Foot& foot, const Eigen::Vector3d& d);
-  [[nodiscard]] bool is_at_height(const Foot& foot, const Eigen::Vector3d& d) const;
+  void order_feet();
+  void open_feet();
+  [[nodiscard]] SurfaceRow row_at(const SurfaceFoot& found, const Eigen::Vector3d& d,
+                                  double height) const;
+  bool follow(Foot& foot, const Eigen::Vector3d& d, SurfaceRow& row);
+  bool follow_surfaces(int vertex, const Eigen::Vector3d& d);
+  [[nodiscard]] bool is_at_heights(int vertex, const Eigen::Vector3d& d) const;
   [[nodiscard]] Eigen::Vector3d place_of(int vertex, const Eigen::Vector3d& d) const;
   [[nodiscard]] bool is_within_side(const Runner& runner, const Eigen::Vector3d& d) const;
   [[nodiscard]] Eigen::Vector3d way(int from, int to) const;
@@ -165,11 +179,12 @@ class VertexSlides {
   std::vector<int> place_;             ///< n; −1 where there is none
   std::vector<SlideTrack> tracks_;
   std::vector<Runner> runners_;
-  std::vector<int> runner_of_;  ///< of each track; past its end or −1: none
-  std::vector<Foot> feet_;
-  std::vector<int> foot_of_;  ///< n; −1 where there is none; empty without any
-  std::vector<Rest> rests_;   ///< by vertex
-  std::vector<int> held_;     ///< rests that have been held since open()
+  std::vector<int> runner_of_;            ///< of each track; past its end or −1: none
+  std::vector<Foot> feet_;                ///< by vertex
+  std::vector<int> first_foot_;           ///< n + 1; empty without any
+  std::vector<SurfaceRow> surface_rows_;  ///< of each foot, where it was last
+  std::vector<Rest> rests_;               ///< by vertex
+  std::vector<int> held_;                 ///< rests that have been held since open()
 };
 
 }  // namespace planish

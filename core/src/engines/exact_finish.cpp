@@ -15,13 +15,15 @@ namespace {
 
 constexpr int kMostPasses = 8;
 
-/// Where a held handle is: a keep-out may have come to hold it since the last step.
+/// Where a held handle is: a keep-out may have come to hold it since the last step, and a step ends
+/// near a surface.
 Eigen::Vector3d held_place(const EditProblem& problem, int vertex, const DisplacementField& field) {
   const VertexTerm& term = problem.terms[at(vertex)];
   if (term.fixed) return term.target;
   const Eigen::Vector3d d = field.displacement(vertex);
-  const bool rests = problem.slides != nullptr && problem.slides->has_rests();
-  return rests ? problem.slides->nearest(vertex, d) : d;
+  if (problem.slides == nullptr) return d;
+  if (problem.slides->has_feet()) return problem.slides->on_surface(vertex, d);
+  return problem.slides->has_rests() ? problem.slides->nearest(vertex, d) : d;
 }
 
 }  // namespace

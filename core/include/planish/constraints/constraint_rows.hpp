@@ -39,6 +39,10 @@ struct KindList {
   }
 
   using Batches = std::tuple<std::vector<typename Kinds::Row>...>;
+
+  /// The list with one more at its end.
+  template <class More>
+  using With = KindList<Kinds..., More>;
 };
 
 /// Rows of the kinds of a list. They are numbered through: batch after batch.

@@ -8,6 +8,7 @@
 #include "planish/constraints/conical_vertex.hpp"
 #include "planish/constraints/constraint_rows.hpp"
 #include "planish/constraints/planar_polygon.hpp"
+#include "planish/constraints/surface_row.hpp"
 
 namespace planish {
 
@@ -21,7 +22,10 @@ static_assert(ConstraintKinds::all([](auto tag) {
   return ConstraintKind<typename decltype(tag)::type>;
 }));
 
-/// The rows of a mesh or of a patch.
-using ConstraintRows = RowBatches<ConstraintKinds>;
+static_assert(ConstraintRow<SurfaceRow>);
+
+/// The rows of a mesh or of a patch, kind by kind; last, of a patch alone, those of points that
+/// stand on surfaces.
+using ConstraintRows = RowBatches<ConstraintKinds::With<SurfacePoint>>;
 
 }  // namespace planish
