@@ -146,3 +146,51 @@ it("the points of a line stay on it, and the link says so", async () => {
   await other.context().close();
   await page.context().close();
 });
+
+/** Through three points, at `x`. */
+function parabolaThrough(points: readonly (readonly [number, number])[], x: number): number {
+  return points.reduce((sum, [at, value]) => {
+    const others = points.filter(([other]) => other !== at);
+    return sum + others.reduce((part, [other]) => (part * (x - other)) / (at - other), value);
+  }, 0);
+}
+
+it("all points stay on the surface, and the link says so", async () => {
+  const page = await site.openVault({ permissions: ["clipboard-read", "clipboard-write"] });
+  const drawn = readObj(await obj(page)).points;
+  await supports(page).click();
+  await page.getByRole("checkbox", { name: "All points stay on the surface" }).check();
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  for (const [axis, by] of Object.entries({ X: "+40cm", Y: "+30cm" })) await type(page, axis, by);
+  const held = readObj(await obj(page)).points;
+  // The vault is z = f(x) + g(y): the points of two of its lines say what it is between them.
+  const height = ([x = 0, y = 0]: readonly number[]): number => {
+    const across = (axis: 0 | 1, value: number): number => {
+      const [first = []] = drawn;
+      const line = drawn.filter((point) => point[1 - axis] === first[1 - axis]);
+      const beside = line.sort(
+        (a, b) => Math.abs((a[axis] ?? 0) - value) - Math.abs((b[axis] ?? 0) - value),
+      );
+      return parabolaThrough(
+        beside.slice(0, 3).map((point) => [point[axis] ?? 0, point[2] ?? 0]),
+        value,
+      );
+    };
+    return across(0, x) + across(1, y) - (drawn[0]?.[2] ?? 0);
+  };
+  const moved = held.filter((point, k) => point.some((value, axis) => value !== drawn[k]?.[axis]));
+  expect(moved.length).toBeGreaterThan(9);
+  const off = moved.map((point) => Math.abs((point[2] ?? 0) - height(point)));
+  expect(Math.max(...off)).toBeLessThan(0.005);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const other = await site.open({}, new URL(link).hash);
+  await other.getByText(/^Verified:/).waitFor();
+  expect(readObj(await obj(other)).points).toEqual(held);
+  await supports(other).click();
+  const box = other.getByRole("checkbox", { name: "All points stay on the surface" });
+  expect(await box.isChecked()).toBe(true);
+  await other.context().close();
+  await page.context().close();
+});

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
 import { formsOf, pointsOf, withPoints } from "../../web/src/design/listed-supports.ts";
-import { boundaryForm, ofAnyMesh, withBoundary } from "../../web/src/design/supports.ts";
+import {
+  areAllOnSurface,
+  boundaryForm,
+  ofAnyMesh,
+  withAllOnSurface,
+  withBoundary,
+} from "../../web/src/design/supports.ts";
 
 const GIVEN = ["outline:boundary", "level=z:3,4", "line=0,0,1,0,0,1:7"];
 
@@ -49,4 +55,15 @@ it("lines of the mesh keep their order, and what is taken out of one leaves its 
   expect(formsOf(closed, 5)).toEqual(["polyline"]);
   expect(withPoints(closed, [9], [])).toEqual(["polyline:7,5,3"]);
   expect(withPoints(closed, [5], [])).toEqual(["polyline:3,9,7"]);
+});
+
+it("all points on the surface follow nothing else", () => {
+  const all = withAllOnSurface([...GIVEN, "polyline:1,2", "surface:5"], true);
+  expect(all).toEqual(["surface:all", ...GIVEN.slice(1)]);
+  expect(areAllOnSurface(all)).toBe(true);
+  expect(withAllOnSurface(all, false)).toEqual(GIVEN.slice(1));
+  expect(withBoundary(all, "outline")).toEqual(GIVEN);
+  expect(withBoundary(all, "level=z")).toEqual(["level=z:boundary", ...all]);
+  expect(withPoints(all, [1, 2], ["polyline"])).toEqual([...GIVEN.slice(1), "polyline:1,2"]);
+  expect(areAllOnSurface(withPoints(all, [1, 2], ["level=x"]))).toBe(true);
 });

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Supports of points that are listed by their numbers, which are those of one mesh.
-import { formOf, isListed, isSpring, ofAnyMesh, springForm, whose } from "./supports.ts";
+import {
+  formOf,
+  isListed,
+  isSpring,
+  ofAnyMesh,
+  springForm,
+  whose,
+  withoutAllOnSurface,
+} from "./supports.ts";
 
 /** The numbers of the points that it lists; none of "boundary" and "all". */
 export const pointsOf = (support: string): number[] =>
@@ -67,7 +75,7 @@ export function withPoints(
     points.length > 0 ? [`${form}:${ascending(new Set(points)).join(",")}`] : [],
   );
   return [
-    ...ofAnyMesh(supports),
+    ...withoutAllOnSurface(ofAnyMesh(supports), forms),
     ...texts,
     ...lines.map((line) => `${POLYLINE}:${line.join(",")}`),
     ...springs,

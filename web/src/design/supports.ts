@@ -31,8 +31,30 @@ export const ofAnyMesh = (supports: readonly string[]): readonly string[] =>
 export const boundaryForm = (supports: readonly string[]): string =>
   supports.filter(isOfBoundary).map(formOf).join(" ");
 
+/** Every point slides along the surface that the mesh stands for. */
+const ALL_ON_SURFACE = "surface:all";
+
+export const areAllOnSurface = (supports: readonly string[]): boolean =>
+  supports.includes(ALL_ON_SURFACE);
+
+/** Whether it takes a point along a line of the mesh or a surface: there is one such for a point. */
+const isFollowed = (support: string): boolean => /^(?:outline|polyline|surface)\b/.test(support);
+
+/** Makes way for forms that points follow. */
+export const withoutAllOnSurface = (
+  supports: readonly string[],
+  forms: readonly string[],
+): readonly string[] =>
+  forms.some(isFollowed) ? supports.filter((one) => one !== ALL_ON_SURFACE) : supports;
+
+/** All points on the surface, and on nothing else that they would follow; or no longer so. */
+export const withAllOnSurface = (supports: readonly string[], on: boolean): readonly string[] =>
+  on
+    ? [ALL_ON_SURFACE, ...supports.filter((one) => !isFollowed(one))]
+    : supports.filter((one) => one !== ALL_ON_SURFACE);
+
 /** @param form "" to let it move freely */
 export const withBoundary = (supports: readonly string[], form: string): readonly string[] => [
   ...(form ? [`${form}:${BOUNDARY}`] : []),
-  ...supports.filter((support) => !isOfBoundary(support)),
+  ...withoutAllOnSurface(supports, [form]).filter((support) => !isOfBoundary(support)),
 ];

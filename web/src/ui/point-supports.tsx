@@ -2,8 +2,11 @@
 // What single points stand on: they slide along it and never leave it.
 import { useEffect } from "preact/hooks";
 import "./point-supports.css";
+import { FIRST_SETTINGS } from "../design/design.ts";
 import { POLYLINE } from "../design/listed-supports.ts";
+import { areAllOnSurface, withAllOnSurface } from "../design/supports.ts";
 import { counted } from "../quantity/counted.ts";
+import { commitSettings } from "../state/editing.ts";
 import {
   followSupports,
   isBoundarySelected,
@@ -24,6 +27,7 @@ const STANDS: readonly (readonly [string, string])[] = [
   ["level=x level=z", "only go along y"],
   ["level=x", "keep their x"],
   ["level=y", "keep their y"],
+  ["surface", "stay on the surface"],
 ];
 
 /** The polygon that the boundary is drawn as; other points have none. */
@@ -96,6 +100,27 @@ function StandOfSelected() {
   );
 }
 
+/** The shape stays, and the joints between panels move along it. */
+function AllOnSurface() {
+  const page = usePage();
+  const { supports } = page.settings.value ?? FIRST_SETTINGS;
+  return (
+    <label class="check">
+      <input
+        type="checkbox"
+        checked={areAllOnSurface(supports)}
+        disabled={!page.ready.value}
+        onChange={({ currentTarget }) =>
+          void commitSettings(page, {
+            supports: withAllOnSurface(supports, currentTarget.checked),
+          })
+        }
+      />
+      <span>All points stay on the surface</span>
+    </label>
+  );
+}
+
 export function PointSupports() {
   const page = usePage();
   useEffect(() => followSupports(page), []);
@@ -109,6 +134,7 @@ export function PointSupports() {
           : "Supports"}
       </summary>
       <Ask about="supports" />
+      <AllOnSurface />
       {none ? <p class="quiet">Select a point first.</p> : <StandOfSelected />}
       <ul class="support-groups">
         {[...listed].map(([stand, points]) => (
