@@ -58,6 +58,9 @@ it("the palette has each of them, and keeps a view where there is one", () => {
   const { page, view } = looking();
   expect(refusalOf(pageAlone(), KEEP_VIEW)).toBe("There is no 3D view.");
   expect(refusalOf(page, KEEP_VIEW)).toBe("");
+  page.views.value = Array.from({ length: 50 }, (_, k) => ({ name: `${k}`, camera: from(k) }));
+  expect(refusalOf(page, KEEP_VIEW)).toBe("50 views are kept: delete one first.");
+  page.views.value = [];
   KEEP_VIEW.run(page, "");
   view.camera = from(5);
   const [command] = found("view 1", viewCommands(page));

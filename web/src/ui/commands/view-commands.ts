@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The views that were kept under a name.
+import { MOST_VIEWS } from "../../design/companions.ts";
 import { readCamera } from "../../state/camera.ts";
 import { keepView, showView } from "../../state/named-views.ts";
 import type { Page } from "../../state/page.ts";
@@ -7,7 +8,13 @@ import type { Command } from "./command.ts";
 
 export const KEEP_VIEW: Command = {
   label: "Keep this view",
-  refusal: (page) => (readCamera(page) ? "" : "There is no 3D view."),
+  refusal: (page) => {
+    if (!readCamera(page)) return "There is no 3D view.";
+    // More would be left out of links, files and what is kept for the next visit.
+    return page.views.value.length < MOST_VIEWS
+      ? ""
+      : `${MOST_VIEWS} views are kept: delete one first.`;
+  },
   run: keepView,
 };
 
