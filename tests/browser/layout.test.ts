@@ -49,7 +49,7 @@ const cutShort = (page: Page): Promise<string[]> =>
 describe.each(SIZES)("at %d × %d", (width, height) => {
   it("everything has its place", async () => {
     const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
-    await typeTarget(page, "-1.2345m");
+    await typeTarget(page, "+0.2345m");
     const view = await viewBox(page);
     const window = { x: 0, y: 0, width, height };
     expect(view.width * view.height).toBeGreaterThan(0.3 * width * height);
