@@ -2,8 +2,8 @@
 # The checks that a change needs before it is shown: npm test. With `rest`, those that take longer:
 # npm run check. With names, only those: format lint types architecture native wasm unit parity browser
 # browser_first browser_rest firefox python package doors tidy cppcheck sanitize fuzz sanitize_all wasm_all. sanitize runs
-# the unit and regression tests under ASan and UBSan, sanitize_all (half an hour) all of them; wasm leaves out
-# the longest surveys, wasm_all none. The last line counts.
+# the unit and regression tests under ASan and UBSan, sanitize_all (half an hour) all of them; so do wasm and
+# wasm_all as WebAssembly. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 bash .tools/setup.sh || exit 1
@@ -40,19 +40,15 @@ check_types() {
 }
 check_architecture() { python3 .tools/check-architecture.py && python3 .tools/check-web-layers.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
-# Surveys of many edits: half of the time, and nothing in them but the solver, whose bits the recipes
-# and `parity` compare with the native build's. wasm_all runs them too.
-long_in_wasm=(EditKeepOuts EditBoxes EditApart EditSymmetry EditTargets EditLimits LimitedVariations FarVariations)
-run_wasm() { # options of GoogleTest
-  ready wasm planish_tests && python3 .tools/wasm-loads.py &&
-    in_shards node --no-experimental-fetch build/wasm/tests/planish_tests.cjs "$@"
+# Surveys of many edits have nothing in them but the solver, whose bits `parity` and the recipes compare with
+# the native build's: with them, wasm_all takes four times as long.
+run_wasm() { # suite
+  ready wasm planish_wasm && ready wasm planish_whole_wasm && ready wasm "$1" &&
+    python3 .tools/wasm-loads.py &&
+    in_shards node --no-experimental-fetch "build/wasm/tests/$1.cjs"
 }
-check_wasm() {
-  local left_out
-  left_out=$(printf '*%s*:' "${long_in_wasm[@]}")
-  run_wasm --gtest_filter="-${left_out%:}"
-}
-check_wasm_all() { run_wasm; }
+check_wasm() { run_wasm planish_quick_tests; }
+check_wasm_all() { run_wasm planish_tests; }
 check_unit() {
   bash .tools/build.sh wasm && npx --no-install vitest run --config web/vitest.config.ts --dir tests/web
 }
