@@ -57,6 +57,15 @@ it("lines of the mesh keep their order, and what is taken out of one leaves its 
   expect(withPoints(closed, [5], [])).toEqual(["polyline:3,9,7"]);
 });
 
+it("a line may end on another, which keeps all its points", () => {
+  const one = withPoints([], [4, 5, 6], ["polyline"]);
+  expect(withPoints(one, [2, 6, 10], ["polyline"])).toEqual(["polyline:4,5,6", "polyline:2,6,10"]);
+  expect(withPoints(one, [5, 9, 13], ["polyline"])).toEqual(["polyline:4,5,6", "polyline:5,9,13"]);
+  expect(withPoints(one, [1, 5, 9], ["polyline"])).toEqual(["polyline:1,5,9"]);
+  expect(withPoints(one, [6, 5, 9], ["polyline"])).toEqual(["polyline:6,5,9"]);
+  expect(withPoints(one, [6], ["level=x"])).toEqual(["level=x:6", "polyline:4,5"]);
+});
+
 it("all points on the surface follow nothing else", () => {
   const all = withAllOnSurface([...GIVEN, "polyline:1,2", "surface:5"], true);
   expect(all).toEqual(["surface:all", ...GIVEN.slice(1)]);

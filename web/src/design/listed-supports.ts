@@ -46,9 +46,20 @@ function pieces(line: readonly number[], chosen: ReadonlySet<number>): number[][
   return found.filter((piece) => piece.length > 1);
 }
 
+const isEnd = (line: readonly number[], vertex: number): boolean =>
+  line[0] !== line.at(-1) && (line[0] === vertex || line.at(-1) === vertex);
+
+/** Whether two lines share one point, and one of them ends there: it rests. */
+function meetAtAnEnd(a: readonly number[], b: readonly number[]): boolean {
+  const [shared, ...more] = new Set(a.filter((vertex) => b.includes(vertex)));
+  if (shared === undefined || more.length > 0) return false;
+  return isEnd(a, shared) || isEnd(b, shared);
+}
+
 /**
  * `vertices` stand on `forms` and on nothing else that lists points; of one form all are one text, but
- * every line of the mesh is one of its own, `vertices` in their order. Springs stay.
+ * every line of the mesh is one of its own, `vertices` in their order, and may end on another. Springs
+ * stay.
  */
 export function withPoints(
   supports: readonly string[],
@@ -61,8 +72,11 @@ export function withPoints(
   const springs = supports.filter(isListedSpring);
   for (const support of supports.filter((one) => isListed(one) && !isSpring(one))) {
     const form = formOf(support);
-    if (form === POLYLINE) lines.push(...pieces(pointsOf(support), chosen));
-    else {
+    if (form === POLYLINE) {
+      const line = pointsOf(support);
+      const meets = forms.includes(POLYLINE) && meetAtAnEnd(line, vertices);
+      lines.push(...(meets ? [line] : pieces(line, chosen)));
+    } else {
       const others = pointsOf(support).filter((vertex) => !chosen.has(vertex));
       listed.set(form, [...(listed.get(form) ?? []), ...others]);
     }
