@@ -70,6 +70,7 @@ it("a boundary that only goes up and down keeps every x and y, also after a relo
   await supports(page).click();
   await stand(page, "only go up and down");
   const before = readObj(await obj(page));
+  await page.waitForTimeout(700); // longer than the page waits before it writes
   await page.reload();
   await usable(page);
   const boundary = boundaryOf(before);
