@@ -70,7 +70,7 @@ async function analysing(page: Page): Promise<void> {
   for (const label of await colours.locator("option").allTextContents()) {
     await colours.selectOption({ label });
     await idle(page);
-    await expectClean(page, `coloured by ${label}`);
+    await expectClean(page, `coloured by ${label}`, ".legend");
   }
   await page
     .getByRole("button", { name: /Show panel/ })

@@ -13,10 +13,14 @@ interface Violation {
   readonly nodes: readonly { readonly html: string; readonly failureSummary?: string }[];
 }
 
-/** Fails with what axe finds in the page as it is now. */
-export async function expectClean(page: Page, state: string): Promise<void> {
+/**
+ * Fails with what axe finds in the page as it is now.
+ * @param within a selector of the part that is looked at: the whole page takes a second
+ */
+export async function expectClean(page: Page, state: string, within = "html"): Promise<void> {
+  if (await page.evaluate(`!("axe" in window)`)) await page.evaluate(AXE);
   const violations = (await page.evaluate(
-    `${AXE}; axe.run(document, ${RULES}).then((result) => result.violations)`,
+    `axe.run(${JSON.stringify(within)}, ${RULES}).then((result) => result.violations)`,
   )) as Violation[];
   const told = violations.map(
     ({ id, nodes }) => `${state}: ${id}\n${nodes[0]?.failureSummary}\n${nodes[0]?.html}`,

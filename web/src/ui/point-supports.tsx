@@ -105,7 +105,7 @@ function AllOnSurface() {
   const page = usePage();
   const { supports } = page.settings.value ?? FIRST_SETTINGS;
   return (
-    <label class="check">
+    <label class="check all-on-surface">
       <input
         type="checkbox"
         checked={areAllOnSurface(supports)}
