@@ -111,13 +111,18 @@ it("one that dies whatever it is told is not started for ever", async () => {
 });
 
 it("Cancel is back at once, and the new solver knows the design before it is asked anything", async () => {
-  const page = await openedPage();
+  let endless = false;
+  const page = await openedPage("roof", ({ kind, job }) =>
+    endless && kind === "edit" ? { kind: "progress", job, step: 1, residual: 1 } : null,
+  );
   await lift(page, 0.2);
   const kept = page.history.value?.present;
+  endless = true;
   const edit = lift(page, 0.3);
   await new Promise((resolve) => setTimeout(resolve, 5));
   cancel(page);
   expect(page.draft.value).toBe(kept);
+  endless = false;
   await edit;
   expect(page.busy.value).toBe(false);
   await lift(page, 0.1);
