@@ -115,8 +115,7 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
   if (report.status != SolveStatus::kCancelled && !spent) {
     EngineOutcome fine;
     ExactDesign design;
-    const bool on_surface = slides_ != nullptr && slides_->has_feet();
-    const int most = has_keep_outs() || on_surface ? kMostRestTurns : kMostOutlineTurns;
+    const int most = has_keep_outs() ? kMostRestTurns : kMostOutlineTurns;
     for (int round = 0;
          round == 0 || (round < most && (turns(design) || (has_keep_outs() && lets_go())));
          ++round) {

@@ -43,9 +43,10 @@ struct TrackForce {
   }
 };
 
-/// How often a state is solved again for points that take another side of their outline.
+/// How often a state is solved again for points that take another side of their outline, or another
+/// place on a surface.
 inline constexpr int kMostOutlineTurns = 8;
-/// The same where points may rest on keep-outs, or stand on a surface.
+/// The same where points may rest on keep-outs.
 inline constexpr int kMostRestTurns = 24;
 
 /// Sides of a surface that a vertex may stand on at once.
