@@ -14,6 +14,8 @@ namespace planish {
 namespace {
 
 constexpr int kMostSteps = 8;  ///< onto all sides of a vertex
+constexpr double kLeastLeft =
+    1e-3;  ///< what is left of a normal that other supports forbid as well
 
 }  // namespace
 
@@ -34,7 +36,6 @@ SurfaceRow VertexSlides::row_at(const SurfaceFoot& found, const Eigen::Vector3d&
 }
 
 void VertexSlides::add_feet(const PointSupport& support, const std::vector<int>& points) {
-  constexpr double kSame = 1e-3;  // what other supports forbid as well
   const bool own = support.surface.points.empty();
   const auto surface =
       std::make_shared<const ReferenceSurface>(own ? mesh_ : to_mesh(support.surface));
@@ -44,7 +45,7 @@ void VertexSlides::add_feet(const PointSupport& support, const std::vector<int>&
     for (const int side : surface->sides_at(point, kMostSurfaceRows)) {
       const SurfaceFoot found = surface->foot(point, side, surface->somewhere_near(point, side));
       const Eigen::Vector3d& normal = found.height.gradient;
-      if (others != nullptr && (others->along * normal).norm() <= kSame) continue;
+      if (others != nullptr && (others->along * normal).norm() <= kLeastLeft) continue;
       Foot foot;
       foot.vertex = v;
       foot.surface = surface;
@@ -109,6 +110,7 @@ Eigen::Vector3d VertexSlides::on_surface(int vertex, const Eigen::Vector3d& d) c
     for (const SurfaceRow& row : surface_rows(vertex)) {
       Eigen::Vector3d way = gradient(row, place);
       if (others != nullptr) way = others->along * way;
+      if (way.norm() <= kLeastLeft) continue;  // a keep-out holds it
       place -= (residual(row, place) / way.squaredNorm()) * way;
     }
   }

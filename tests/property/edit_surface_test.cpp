@@ -116,6 +116,29 @@ TEST_P(EditSurface, AModelIsAsGoodAsTheMesh) {
             kHeld * mean_edge_length(mesh));
 }
 
+/// Points that rest on a plane and stand on a surface, or on none, beside each other.
+TEST_P(EditSurface, HoldsBesideAKeepOut) {
+  constexpr double kBudget = 10.0;  // seconds: time must not decide
+  const double edge = mean_edge_length(mesh), top = mesh.positions(2, handle);
+  const Eigen::Vector3d way = edge * Eigen::Vector3d(0.3, 0.2, 0.5);
+  for (const char* points : {"boundary", "all"}) {
+    char plane[40];
+    std::snprintf(plane, sizeof plane, "above=%.17g", top);
+    HandleEditOptions options;
+    options.keep_outs = {*parse_keep_out(plane)};
+    HandleEditSolver solver(mesh, options);
+    const PointSupport surface = support(std::string("surface:") + points);
+    for (int frame = 1; frame <= 8; ++frame) {
+      EditTargets targets = testing::pull(mesh, handle, (0.1 * frame) * way);
+      targets.supports = {surface};
+      const Positions shape = apply(mesh, solver.drag(targets, kBudget));
+      EXPECT_TRUE(shape.allFinite());
+      EXPECT_LE(shape(2, handle), top + 1e-9 * edge) << points << " frame " << frame;
+      EXPECT_LE(largest_distance(surface, mesh, shape), kHeld * edge) << points << " " << frame;
+    }
+  }
+}
+
 TEST_P(EditSurface, RefusesWhatItCannotHold) {
   const auto said = [&](const std::vector<PointSupport>& supports, const std::string& words) {
     return find_problem(supports, mesh).value_or("").starts_with("supports: surface: " + words);

@@ -84,7 +84,7 @@ class VertexSlides {
   /// at most, their centres displacements, solver units.
   [[nodiscard]] std::span<const SurfaceRow> surface_rows(int vertex) const;
 
-  /// Where a vertex is on its surface that is nearest to `d`; `d` of others. Where has_feet().
+  /// From `d` along the vertex's track onto its surface; `d` of vertices on none. Where has_feet().
   [[nodiscard]] Eigen::Vector3d on_surface(int vertex, const Eigen::Vector3d& d) const;
 
   /// Whether any vertex may come to rest on a keep-out.

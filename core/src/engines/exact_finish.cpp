@@ -20,10 +20,10 @@ constexpr int kMostPasses = 8;
 Eigen::Vector3d held_place(const EditProblem& problem, int vertex, const DisplacementField& field) {
   const VertexTerm& term = problem.terms[at(vertex)];
   if (term.fixed) return term.target;
-  const Eigen::Vector3d d = field.displacement(vertex);
+  Eigen::Vector3d d = field.displacement(vertex);
   if (problem.slides == nullptr) return d;
-  if (problem.slides->has_feet()) return problem.slides->on_surface(vertex, d);
-  return problem.slides->has_rests() ? problem.slides->nearest(vertex, d) : d;
+  if (problem.slides->has_rests()) d = problem.slides->nearest(vertex, d);
+  return problem.slides->has_feet() ? problem.slides->on_surface(vertex, d) : d;
 }
 
 }  // namespace
