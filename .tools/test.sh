@@ -41,7 +41,7 @@ check_types() {
 check_architecture() { python3 .tools/check-architecture.py && python3 .tools/check-web-layers.py; }
 check_native() { ready native planish && ready native planish_tests && ctest --preset native -j "$jobs"; }
 # Surveys of many edits have nothing in them but the solver, whose bits `parity` and the recipes compare with
-# the native build's: with them, wasm_all takes four times as long.
+# the native build's: wasm_all has them, too.
 run_wasm() { # suite
   ready wasm planish_wasm && ready wasm planish_whole_wasm && ready wasm "$1" &&
     python3 .tools/wasm-loads.py &&

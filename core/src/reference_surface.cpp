@@ -105,11 +105,10 @@ Eigen::Vector3d ReferenceSurface::somewhere_near(const Eigen::Vector3d& point, i
   }
 }
 
-SurfaceFoot ReferenceSurface::foot(const Eigen::Vector3d& point, int side,
-                                   const Eigen::Vector3d& near) const {
+ReferenceSurface::FacetPlace ReferenceSurface::nearest(const Eigen::Vector3d& point, int side,
+                                                       const Eigen::Vector3d& near) const {
   constexpr double kRounding = 1.0 + 1e-9;
-  SurfaceFoot best;
-  int facet = -1;
+  FacetPlace best;
   double least = std::numeric_limits<double>::infinity();
   const double reach = kRounding * (point - near).norm() + 1e-9 * step_;
   for (const int f : boxes_.near(box_around(point, reach))) {
@@ -118,15 +117,20 @@ SurfaceFoot ReferenceSurface::foot(const Eigen::Vector3d& point, int side,
     const double distance = (point - place).norm();
     if (!(distance < least)) continue;
     least = distance;
-    best.place = place;
-    facet = f;
+    best = {f, place};
   }
-  if (facet >= 0) best.height = sites_.height(panel_of_[at(facet)], point);
   return best;
 }
 
+SurfaceFoot ReferenceSurface::foot(const Eigen::Vector3d& point, int side,
+                                   const Eigen::Vector3d& near) const {
+  const auto [facet, place] = nearest(point, side, near);
+  if (facet < 0) return {};
+  return {place, sites_.height(panel_of_[at(facet)], point)};
+}
+
 double ReferenceSurface::distance(const Eigen::Vector3d& point) const {
-  return (foot(point, kAnySide, somewhere_near(point, kAnySide)).place - point).norm();
+  return (nearest(point, kAnySide, somewhere_near(point, kAnySide)).place - point).norm();
 }
 
 std::vector<int> ReferenceSurface::sides_at(const Eigen::Vector3d& point, std::size_t most) const {

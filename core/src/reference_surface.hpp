@@ -39,7 +39,14 @@ class ReferenceSurface {
 
  private:
   static constexpr int kAnySide = -1;
+  struct FacetPlace {
+    int facet = -1;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  };
+
   [[nodiscard]] bool is_of(int facet, int side) const;
+  [[nodiscard]] FacetPlace nearest(const Eigen::Vector3d& point, int side,
+                                   const Eigen::Vector3d& near) const;
   [[nodiscard]] Eigen::Vector3d nearest_place(int facet, const Eigen::Vector3d& point) const;
 
   Mesh triangles_;

@@ -17,12 +17,9 @@ namespace {
 
 /// Of each panel, a number that the panels of its side share: those across an edge, less than 30°
 /// away.
-std::vector<int> sides_of(const Mesh& mesh) {
+std::vector<int> sides_of(const Mesh& mesh, const Eigen::Matrix3Xd& areas) {
   constexpr double kLeastCosine = 0.866025403784438647;  // of 30°
-  Eigen::Matrix3Xd normals(3, mesh.face_count());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    normals.col(f) = area_vector(mesh.positions, mesh.face(f)).normalized();
-  }
+  const Eigen::Matrix3Xd normals = areas.colwise().normalized();
   DisjointSets sets(mesh.face_count());
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   for (std::size_t k = 1; k < uses.size(); ++k) {
@@ -35,6 +32,14 @@ std::vector<int> sides_of(const Mesh& mesh) {
   return sides;
 }
 
+Eigen::Matrix3Xd areas_of(const Mesh& mesh) {
+  Eigen::Matrix3Xd areas(3, mesh.face_count());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    areas.col(f) = area_vector(mesh.positions, mesh.face(f));
+  }
+  return areas;
+}
+
 }  // namespace
 
 /// Σ w q and Σ w of the sites around a place, with their derivatives.
@@ -44,13 +49,14 @@ struct SurfaceSites::Sum {
   Eigen::Matrix3d value_bend = Eigen::Matrix3d::Zero(), weight_bend = Eigen::Matrix3d::Zero();
 };
 
-SurfaceSites::SurfaceSites(const Mesh& mesh) : sides_(sides_of(mesh)) {
+SurfaceSites::SurfaceSites(const Mesh& mesh) {
+  const Eigen::Matrix3Xd areas = areas_of(mesh);
+  sides_ = sides_of(mesh, areas);
   place_sites(mesh);
   join_sites();
   std::vector<Eigen::Vector3d> normals(sites_.size(), Eigen::Vector3d::Zero());
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const Eigen::Vector3d area = area_vector(mesh.positions, mesh.face(f));
-    for (const int s : corners_[f]) normals[at(s)] += area;
+    for (const int s : corners_[f]) normals[at(s)] += areas.col(f);
   }
   for (std::size_t s = 0; s < sites_.size(); ++s) {
     fit(static_cast<int>(s), normals[s].normalized());

@@ -40,18 +40,17 @@ export const areAllOnSurface = (supports: readonly string[]): boolean =>
 /** Whether it takes a point along a line of the mesh or a surface: there is one such for a point. */
 const isFollowed = (support: string): boolean => /^(?:outline|polyline|surface)\b/.test(support);
 
-/** Makes way for forms that points follow. */
-export const withoutAllOnSurface = (
-  supports: readonly string[],
-  forms: readonly string[],
-): readonly string[] =>
-  forms.some(isFollowed) ? supports.filter((one) => one !== ALL_ON_SURFACE) : supports;
-
 /** All points on the surface, and on nothing else that they would follow; or no longer so. */
 export const withAllOnSurface = (supports: readonly string[], on: boolean): readonly string[] =>
   on
     ? [ALL_ON_SURFACE, ...supports.filter((one) => !isFollowed(one))]
     : supports.filter((one) => one !== ALL_ON_SURFACE);
+
+/** Makes way for forms that points follow. */
+export const withoutAllOnSurface = (
+  supports: readonly string[],
+  forms: readonly string[],
+): readonly string[] => (forms.some(isFollowed) ? withAllOnSurface(supports, false) : supports);
 
 /** @param form "" to let it move freely */
 export const withBoundary = (supports: readonly string[], form: string): readonly string[] => [
