@@ -47,7 +47,7 @@ ARROWS = {
     "engines": PROBLEM,
     "handle_edit": ENGINES | {"mesh_standing", "symmetry", "keep_out", "read_result"},
     "symmetric_edit": ENGINES | {"handle_edit", "planarising", "symmetry", "projection", "read_result"},
-    "subspace": ENGINES,
+    "subspace": ENGINES | {"handle_edit"},
     "projection": ENGINES | {"mesh_standing"},
     "exact_variation": ENGINES | {"folds", "handle_edit", "projection"},
     "slider_stops": GEOMETRY | {"subspace"},
@@ -84,6 +84,8 @@ FILE_GROUPS = {
     "symmetric_shape": "symmetry",
     "handle_edit_keep_outs": "handle_edit",
     "problem_keep_outs": "problem",
+    "shape_slides": "problem",  # its supports, seen from another shape
+    "kept_by_variations": "handle_edit",
     "symmetry_text": "symmetry",
     "area_vector": "mesh",
     "panel_boxes": "mesh",

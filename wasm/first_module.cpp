@@ -82,15 +82,14 @@ void HandleEditSolver::State::hold_back(const std::vector<int>&, ExactDesign&) {
 void hold_resting(const Mesh&, const HandleEditOptions&, std::vector<int>&) { is_not_here(); }
 
 Subspace compute_subspace(const Mesh&, const Positions&, const std::vector<int>&,
-                          const SubspaceOptions&, const std::vector<int>&, const KeptKinds&,
-                          const Progress&) {
+                          const SubspaceOptions&, const KeptByVariations&, const Progress&) {
   is_not_here();
 }
 void evaluate(const Subspace&, const Eigen::Ref<const Eigen::VectorXd>&, Positions&) {
   is_not_here();
 }
 ProjectionResult make_exact(const ShownVariation&, const HandleEditOptions&, double,
-                            const std::vector<int>&, const Progress&) {
+                            const KeptByVariations&, const Progress&) {
   is_not_here();
 }
 

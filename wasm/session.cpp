@@ -146,11 +146,10 @@ Refusal Session::explore(SubspaceOptions options) {
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
-  const std::vector<int> held = held_in_variations(base_, targets_, options_);
-  const KeptKinds kept = kept_kinds(options_.tolerance, options_.constraints);
-  if (!measure_standing(shown_mesh(), adjacency_, kept).failing.empty())
+  const KeptByVariations keeps = kept_by_variations(base_, targets_, options_);
+  if (!measure_standing(shown_mesh(), adjacency_, keeps.kinds).failing.empty())
     return "Make the design exact first.";
-  Subspace found = compute_subspace(base_, current_, close, options, held, kept, progress_);
+  Subspace found = compute_subspace(base_, current_, close, options, keeps, progress_);
   if (found.dimension() == 0) return "No variation was found around this edit.";
   take_subspace(std::move(found));
   variations_report_ = {.subspace = subspace_->report,
@@ -220,9 +219,9 @@ Positions Session::variations_centre() const {
 }
 
 Refusal Session::project(Positions& positions, SolveReport& report) const {
-  const std::vector<int> held = held_in_variations(base_, targets_, options_);
+  const KeptByVariations keeps = kept_by_variations(base_, targets_, options_);
   ProjectionResult result =
-      planish::make_exact({base_, variations_centre(), positions}, options_, 0.0, held, progress_);
+      planish::make_exact({base_, variations_centre(), positions}, options_, 0.0, keeps, progress_);
   report = std::move(result.report);
   if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;

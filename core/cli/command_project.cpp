@@ -25,7 +25,7 @@ ExitCode run_project(const Arguments& arguments) {
     content.base = mesh.positions;
     save_mesh(*output, flat, content);
   }
-  const Json json = projection_json(mesh, result, options.engine);
+  const Json json = projection_json(mesh, reference ? *reference : mesh, result, options);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(not_flat_sentence(result, options));
   print_sentence(confined_sentence(result));

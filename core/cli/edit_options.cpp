@@ -87,16 +87,20 @@ Handle parse_handle(std::string_view text, const Mesh& base) {
 
 }  // namespace
 
+OptionRow support_row() {
+  return {"--support", "KIND:POINTS",
+          "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
+          "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz, outline\n"
+          "(the boundary as it is drawn), polyline (the line of MESH through V,V,...\n"
+          "in this order), surface (MESH itself) or surface=FILE; spring=STIFFNESS\n"
+          "leaves them free: above 1 they move less willingly, below 1 more;\n"
+          "POINTS is V,V,... or boundary or all (repeatable)"};
+}
+
 std::vector<OptionRow> edit_option_rows() {
   return {{"--handle", "V=x,y,z", "move vertex V (from 0) there; V+=dx,dy,dz moves it by that"},
           {"--pin", "V,V,...", "vertices that stay where they are"},
-          {"--support", "KIND:POINTS",
-           "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
-           "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz, outline\n"
-           "(the boundary as it is drawn), polyline (the line of MESH through V,V,...\n"
-           "in this order), surface (MESH itself) or surface=FILE; spring=STIFFNESS\n"
-           "leaves them free: above 1 they move less willingly, below 1 more;\n"
-           "POINTS is V,V,... or boundary or all (repeatable)"},
+          support_row(),
           {"--continuation", "N",
            "handles go to their targets in N equal steps, each solved from the\n"
            "last, as in a drag: another minimum where there is more than one"},
@@ -307,6 +311,8 @@ std::optional<PointSupport> to_support(const std::string& text) {
   return support;
 }
 
+}  // namespace
+
 std::vector<PointSupport> parse_supports(const Arguments& arguments) {
   std::vector<PointSupport> supports;
   for (const std::string& text : arguments.values("--support")) {
@@ -319,8 +325,6 @@ std::vector<PointSupport> parse_supports(const Arguments& arguments) {
   }
   return supports;
 }
-
-}  // namespace
 
 EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
   EditTargets targets;

@@ -39,6 +39,13 @@ inline constexpr OptionRow kConstraintRow = {
     "add up to 180°) or conical (ω1 + ω3 = ω2 + ω4 around a point), to TOL\n"
     "degrees, default 1e-9; repeatable"};
 
+/// The row of --support.
+[[nodiscard]] OptionRow support_row();
+
+/// What --support asks for, in the order given; rules are find_problem()'s. Throws CommandError for
+/// a text that is no support.
+[[nodiscard]] std::vector<PointSupport> parse_supports(const Arguments& arguments);
+
 [[nodiscard]] FairnessKind parse_fairness(std::string_view text);
 [[nodiscard]] Engine parse_engine(std::string_view text);
 /// All of "V,V,...", in every place that the option is given. Throws CommandError.

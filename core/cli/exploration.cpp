@@ -105,11 +105,11 @@ Family find_family(const EditRun& run, const HandleEditOptions& edit,
                 .options = options,
                 .close = parse_vertices(arguments, "--close", run.base.mesh),
                 .exact_fairness = exact_fairness(arguments),
-                .held = held_in_variations(run.base.mesh, run.targets, edit),
+                .keeps = kept_by_variations(run.base.mesh, run.targets, edit),
                 .subspace = {}};
   const std::vector<int> close = family.close.empty() ? handle_vertices(run.targets) : family.close;
-  family.subspace = compute_subspace(run.base.mesh, run.edited, close, options, family.held,
-                                     kept_kinds(edit.tolerance, edit.constraints), progress);
+  family.subspace =
+      compute_subspace(run.base.mesh, run.edited, close, options, family.keeps, progress);
   return family;
 }
 
@@ -129,7 +129,7 @@ Variation with_sliders(const EditRun& run, const Family& family, const Eigen::Ve
 Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
   shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, family.edit,
-                                    family.exact_fairness, family.held, progress);
+                                    family.exact_fairness, family.keeps, progress);
   for (std::size_t k = 0; k < shown.exact->moved.size(); ++k) {
     shown.positions.col(shown.exact->moved[k]) =
         shown.exact->moved_positions.col(static_cast<Eigen::Index>(k));

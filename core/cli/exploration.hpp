@@ -32,7 +32,7 @@ struct Family {
   SubspaceOptions options;
   std::vector<int> close;       ///< Ψ: empty, the handles
   double exact_fairness = 0.0;  ///< α_f of the exact projection
-  std::vector<int> held;        ///< vertices that no variation moves
+  KeptByVariations keeps;
   Subspace subspace;
 };
 

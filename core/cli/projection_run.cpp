@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "projection_run.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "edit_options.hpp"
@@ -25,6 +26,7 @@ std::vector<OptionRow> projection_option_rows() {
           {"--keep-boundary", "", "boundary points stay"},
           {"--fairness", "KIND", "laplacian, second or third; default second"},
           kConstraintRow,
+          support_row(),
           {"--solver", "NAME", "newton or alm; default newton"},
           {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
 }
@@ -59,9 +61,22 @@ ProjectionOptions projection_options(const Arguments& arguments) {
     options.no_flatter = true;
   }
   options.constraints = parse_constraints(arguments, options.tolerance);
+  options.supports = parse_supports(arguments);
+  if (std::any_of(options.supports.begin(), options.supports.end(), is_spring)) {
+    throw CommandError(kWrongUsage, "--support: springs are for edits; project has --reference");
+  }
   if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
   return options;
 }
+
+namespace {
+
+void check_supports(const ProjectionOptions& options, const Mesh& base) {
+  const auto problem = find_problem(options.supports, base);
+  if (problem) throw CommandError(kWrongUsage, *problem);
+}
+
+}  // namespace
 
 ProjectionResult run_projection(const Mesh& mesh, const Arguments& arguments,
                                 const ProjectionOptions& options, const Mesh* reference,
@@ -71,13 +86,17 @@ ProjectionResult run_projection(const Mesh& mesh, const Arguments& arguments,
     const std::vector<int> boundary = boundary_vertices(mesh);
     pins.insert(pins.end(), boundary.begin(), boundary.end());
   }
-  if (!reference) return project_to_planar(mesh, options, pins, progress);
+  if (!reference) {
+    check_supports(options, mesh);
+    return project_to_planar(mesh, options, pins, progress);
+  }
   if (reference->vertex_count() != mesh.vertex_count() ||
       reference->face_offsets != mesh.face_offsets ||
       reference->face_vertices != mesh.face_vertices) {
     throw CommandError(kInvalidMesh, arguments.value("--reference").value_or("--reference") +
                                          ": the reference must have the faces of MESH");
   }
+  check_supports(options, *reference);
   return project_to_planar(mesh, reference->positions, options, pins, progress);
 }
 
@@ -89,10 +108,11 @@ Positions projected(const Mesh& mesh, const ProjectionResult& result) {
   return positions;
 }
 
-Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine engine) {
+Json projection_json(const Mesh& mesh, const Mesh& base, const ProjectionResult& result,
+                     const ProjectionOptions& options) {
   const Positions flat = projected(mesh, result);
   Json json = Json::object();
-  add_solve(json, result.report, engine);
+  add_solve(json, result.report, options.engine);
   json["mesh"] = mesh_json(mesh);
   json["planarity_mm_per_m"] = planarity_json(mesh, mesh.positions, flat);
   json["rms_move"] = result.rms_move;
@@ -101,6 +121,7 @@ Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine en
   json["spoilt_faces"] = damage_json(mesh, mesh.positions, flat);
   json["remake"] = remake_json(mesh, flat);
   json["smooth"] = result.fairness_weight;
+  add_supports(json, options.supports, base, flat);
   if (result.confined_because != ConfinedBecause::kNothing) {
     json["because"] = reason(result.confined_because);
   }

@@ -27,7 +27,10 @@ namespace planish::cli {
 /// `mesh` with what moved in place, 3 × n.
 [[nodiscard]] Positions projected(const Mesh& mesh, const ProjectionResult& result);
 
-[[nodiscard]] Json projection_json(const Mesh& mesh, const ProjectionResult& result, Engine engine);
+/// @param base what supports are about: the reference, or `mesh`
+[[nodiscard]] Json projection_json(const Mesh& mesh, const Mesh& base,
+                                   const ProjectionResult& result,
+                                   const ProjectionOptions& options);
 
 /// That another problem than (8) had to serve, and why; nullopt where it did not.
 [[nodiscard]] std::optional<std::string> confined_sentence(const ProjectionResult& result);

@@ -129,7 +129,8 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
   const ProjectionOptions options = cli::projection_options(arguments);
   const ProjectionResult result = cli::run_projection(
       mesh.mesh, arguments, options, reference ? &reference->mesh : nullptr, progress);
-  const cli::Json report = cli::projection_json(mesh.mesh, result, options.engine);
+  const cli::Json report = cli::projection_json(
+      mesh.mesh, reference != nullptr ? reference->mesh : mesh.mesh, result, options);
   Shape shape{mesh.mesh, cli::projected(mesh.mesh, result), report.dump(2), {}};
   add(shape.messages, cli::damage_sentence(report["spoilt_faces"]));
   add(shape.messages, cli::not_flat_sentence(result, options));

@@ -125,7 +125,7 @@ class Player {
         if (v >= result_.base.vertex_count()) return "variations: close names a vertex too many";
       }
     }
-    held_ = held_in_variations(result_.base, design_.targets, design_.options);
+    keeps_ = kept_by_variations(result_.base, design_.targets, design_.options);
     return std::nullopt;
   }
 
@@ -148,9 +148,8 @@ class Player {
     if (close.empty()) {
       for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
     }
-    const KeptKinds kept = kept_kinds(design_.options.tolerance, design_.options.constraints);
     Subspace found =
-        compute_subspace(result_.base, result_.shape, close, options, held_, kept, progress_);
+        compute_subspace(result_.base, result_.shape, close, options, keeps_, progress_);
     result_.directions.push_back(found.dimension());
     if (found.dimension() == 0) return false;
     result_.centre = result_.shape;
@@ -181,7 +180,7 @@ class Player {
   bool make_exact(double fairness_weight) {
     const ProjectionResult exact =
         planish::make_exact({result_.base, result_.centre, result_.shape}, design_.options,
-                            fairness_weight, held_, progress_);
+                            fairness_weight, keeps_, progress_);
     result_.exact = exact.report;
     if (!exact.report.usable()) {
       result_.report = exact.report;
@@ -193,7 +192,7 @@ class Player {
 
   const Design& design_;
   const Progress& progress_;
-  std::vector<int> held_;  ///< what neither the edit nor a variation moves
+  KeptByVariations keeps_;
   Replay result_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planish/index.hpp"
+#include "planish/kept_by_variations.hpp"
 
 namespace planish {
 
@@ -93,18 +94,13 @@ std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
   return held;
 }
 
-std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets,
+KeptByVariations kept_by_variations(const Mesh& mesh, const EditTargets& targets,
                                     const HandleEditOptions& options) {
   std::vector<int> held = held_vertices(mesh, targets, options);
-  for (const PointSupport& support : targets.supports) {
-    if (is_spring(support)) continue;
-    const std::vector<int> points = points_of(support, mesh);
-    held.insert(held.end(), points.begin(), points.end());
-  }
   if (!options.keep_outs.empty()) hold_resting(mesh, options, held);
   std::sort(held.begin(), held.end());
   held.erase(std::unique(held.begin(), held.end()), held.end());
-  return held;
+  return {std::move(held), kept_kinds(options.tolerance, options.constraints), targets.supports};
 }
 
 }  // namespace planish

@@ -13,6 +13,7 @@
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 #include "planish/problem.hpp"
+#include "shape_slides.hpp"
 #include "sound_projection.hpp"
 
 namespace planish {
@@ -111,7 +112,8 @@ class Judge {
   std::optional<LimitJudge> limits_;
 };
 
-ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight) {
+ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_weight,
+                                const std::vector<PointSupport>& supports) {
   ProjectionOptions options;
   options.fairness_weight = fairness_weight;
   options.fairness = edit.fairness;
@@ -119,7 +121,17 @@ ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_w
   options.tolerance = edit.tolerance;
   options.keep_shape = edit.keep_shape;
   options.constraints = edit.constraints;
+  options.supports = supports;
   return options;
+}
+
+/// What is shown, its points where they stand: vectors go along outlines' sides and surfaces to
+/// first order only. Levels, planes and lines have them there already.
+Positions on_supports(const ShownVariation& variation, const std::vector<PointSupport>& supports) {
+  if (!hold_points(supports)) return variation.shown;
+  const ShapeSlides slides(variation.base, variation.shown, supports,
+                           mean_edge_length(variation.base));
+  return slides.slides().has_turning_tracks() ? slides.shape_on_supports() : variation.shown;
 }
 
 /// `share` of the way from the edit; what the sliders do not move keeps its bits.
@@ -159,20 +171,24 @@ void record_moves(const Positions& shown, const Positions& shape, ProjectionResu
 }  // namespace
 
 ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOptions& options,
-                            double fairness_weight, const std::vector<int>& held,
+                            double fairness_weight, const KeptByVariations& keeps,
                             const Progress& progress) {
-  const ProjectionOptions exact = exact_options(options, fairness_weight);
+  const ProjectionOptions exact = exact_options(options, fairness_weight, keeps.supports);
   const auto project = [&](const Positions& shape) {
     Mesh mesh = variation.base;
     mesh.positions = shape;
-    return project_to_planar(mesh, variation.base.positions, exact, held, progress);
+    return project_to_planar(mesh, variation.base.positions, exact, keeps.held, progress);
   };
-  ProjectionResult result = project(variation.shown);
+  const Positions start = on_supports(variation, keeps.supports);
+  ProjectionResult result = project(start);
   if (!result.report.usable()) return result;
   const Judge judge(variation, options);
-  const Positions wanted = after(variation.shown, result);
+  const Positions wanted = after(start, result);
   const ConfinedBecause objection = judge.objection(wanted);
-  if (objection == ConfinedBecause::kNothing) return result;
+  if (objection == ConfinedBecause::kNothing) {
+    if (start != variation.shown) record_moves(variation.shown, wanted, result);
+    return result;
+  }
   Positions shape = variation.edited;
   double low = 0.0;
   double high = 1.0;

@@ -43,8 +43,7 @@ HandleEditSolver::State::State(const Mesh& mesh, const HandleEditOptions& option
 /// What depends on the options: the terms, and the engines' marks for the fairness rows.
 void HandleEditSolver::State::rebuild() {
   newton_ = std::make_unique<WorkingSetNewton>(*model_);
-  const int equations =
-      static_cast<int>(model_->equations.size()) + kMostSurfaceRows * model_->vertex_count();
+  const int equations = static_cast<int>(model_->equations.size());
   field_ = std::make_unique<DisplacementField>(model_->vertex_count(), equations);
   trial_ = std::make_unique<DisplacementField>(model_->vertex_count(), equations);
   finish_ = std::make_unique<ExactFinish>(*model_);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "engines/flatness_path.hpp"
@@ -10,6 +11,7 @@
 #include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
 #include "planish/stopwatch.hpp"
+#include "shape_slides.hpp"
 #include "sound_projection.hpp"
 
 namespace planish {
@@ -47,7 +49,12 @@ class PathWalker {
     problem_.terms.resize(at(model_.vertex_count()));
     for (VertexTerm& term : problem_.terms) term.square_weight = 2.0 * options.distance_weight;
     keeps_shape_ = options.keep_shape;
-    cutter_.cut(problem_, free, patch_);
+    if (hold_points(options.supports)) {
+      slides_.emplace(mesh, mesh.positions, options.supports, model_.unit());
+      slides_->hold(problem_);
+    }
+    free_ = free;
+    cutter_.cut(problem_, free_, patch_);
     path_.emplace(patch_);
     worst_ = planarity_summary(mesh).max;
   }
@@ -57,6 +64,9 @@ class PathWalker {
  private:
   [[nodiscard]] Station rest() const;
   [[nodiscard]] Station settle(double penalty, const Station& from, const Progress& progress);
+  [[nodiscard]] Eigen::Matrix3Xd settle_on_tracks(double penalty, Eigen::Matrix3Xd from,
+                                                  const Progress& progress);
+  void put_on_tracks(Eigen::Matrix3Xd& displacement) const;
   [[nodiscard]] bool cancelled() const {
     return path_->outcome().status == SolveStatus::kCancelled;
   }
@@ -68,6 +78,8 @@ class PathWalker {
   double worst_ = 0.0;  ///< mm/m, of the mesh as given
   PatchCutter cutter_;
   EditProblem problem_;
+  std::vector<int> free_;
+  std::optional<ShapeSlides> slides_;  ///< none: no supports
   Patch patch_;
   std::optional<FlatnessPath> path_;
 };
@@ -81,10 +93,33 @@ Station PathWalker::rest() const {
   return here;
 }
 
+void PathWalker::put_on_tracks(Eigen::Matrix3Xd& displacement) const {
+  for (const Slide& slide : patch_.slides) {
+    const Eigen::Vector3d d = displacement.col(slide.vertex);
+    displacement.col(slide.vertex) = slide.track.nearest(d);
+  }
+}
+
+/// Again for as long as points take other sides of their outlines.
+Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd from,
+                                              const Progress& progress) {
+  put_on_tracks(from);  // of a mesh whose points were on other sides
+  Eigen::Matrix3Xd displacement = path_->settle(penalty, from, progress);
+  for (int turn = 1; turn < kMostOutlineTurns && slides_ && !cancelled() &&
+                     slides_->follow(std::span(patch_.vertices).first(at(patch_.free_count)), displacement);
+       ++turn) {
+    cutter_.cut(problem_, free_, patch_);
+    path_->attach(patch_);
+    put_on_tracks(displacement);
+    displacement = path_->settle(penalty, displacement, progress);
+  }
+  return displacement;
+}
+
 Station PathWalker::settle(double penalty, const Station& from, const Progress& progress) {
   Station here;
   here.penalty = penalty;
-  here.displacement = path_->settle(penalty, from.displacement, progress);
+  here.displacement = settle_on_tracks(penalty, from.displacement, progress);
   here.positions = model_.mesh.positions;
   for (int k = 0; k < patch_.free_count; ++k) {
     const Eigen::Vector3d move = model_.unit() * here.displacement.col(k);

@@ -200,6 +200,18 @@ void PatchCutter::add_rows(const EditProblem& problem, int owners, Patch& patch)
   cut_equations(model, patch);
 }
 
+namespace {
+
+/// A track for displacements that begin where the model's points are.
+SlideTrack seen_from(const EditProblem& problem, int vertex, SlideTrack track) {
+  if (problem.slides_from == nullptr) return track;
+  const Eigen::Vector3d to_track = track.offset - problem.slides_from->col(vertex);
+  track.offset = to_track - track.along * to_track;
+  return track;
+}
+
+}  // namespace
+
 /// Points, terms and the constant displacement of the halo; forgets the local numbers.
 void PatchCutter::place(const EditProblem& problem, Patch& patch) {
   patch.points.resize(3, patch.local_count());
@@ -213,7 +225,7 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
     if (k < patch.free_count) {
       patch.terms[at(k)] = term;
       const SlideTrack* track = problem.slides ? problem.slides->track(v) : nullptr;
-      if (track != nullptr) patch.slides.push_back({k, *track});
+      if (track != nullptr) patch.slides.push_back({k, seen_from(problem, v, *track)});
     }
     if (term.fixed) patch.displacement.col(k) = term.target;
     local_of_[at(v)] = -1;
@@ -229,6 +241,7 @@ void PatchCutter::add_surface_rows(const EditProblem& problem, Patch& patch) {
     int number = static_cast<int>(problem.model->equations.size()) + kMostSurfaceRows * v;
     for (SurfaceRow row : problem.slides->surface_rows(v)) {
       row.vertices = {k};
+      if (problem.slides_from != nullptr) row.centre -= problem.slides_from->col(v);
       row.centre += patch.points.col(k);
       patch.equations.of<SurfacePoint>().push_back(row);
       patch.equation_ids.push_back(number++);
@@ -249,6 +262,14 @@ void PatchCutter::cut_open(const EditProblem& problem, std::span<const int> inne
   begin(problem, reached, patch);
   add_rows(problem, owners, patch);
   place(problem, patch);
+}
+
+Eigen::Matrix3Xd on_tracks(const Patch& patch) {
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  for (const Slide& slide : patch.slides) {
+    displacement.col(slide.vertex) = slide.track.nearest(Eigen::Vector3d::Zero());
+  }
+  return displacement;
 }
 
 ObjectiveTerms objective(const Patch& patch) {

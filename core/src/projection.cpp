@@ -12,6 +12,7 @@
 #include "planish/index.hpp"
 #include "planish/mesh_standing.hpp"
 #include "projector.hpp"
+#include "shape_slides.hpp"
 #include "sound_projection.hpp"
 
 namespace planish {
@@ -52,14 +53,16 @@ enum class Attempt { kNearest, kConfined, kWeighted, kWeightedInShape };
 
 /// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
 /// the vertices that carry a panel's plane collinear; the next round chooses them anew.
-ProjectionResult attempt(Mesh& current, MeshStanding& standing, Attempt kind, int rings,
-                         const Positions* reference, const Adjacency& adjacency,
+/// @param base what supports are about
+ProjectionResult attempt(const Mesh& base, Mesh& current, MeshStanding& standing, Attempt kind,
+                         int rings, const Positions* reference, const Adjacency& adjacency,
                          const ProjectionOptions& options, const std::vector<int>& pins,
                          const Progress& progress) {
   ProjectionResult result;
   const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
   for (int round = 0; round < kRounds && !standing.failing.empty(); ++round) {
     Projector projector(current, options, pins);
+    if (hold_points(options.supports)) projector.stand_on(base);
     if (kind == Attempt::kWeighted || kind == Attempt::kWeightedInShape) {
       projector.penalise_unmoved(*reference);
       if (kind == Attempt::kWeightedInShape) projector.keep_shape();
@@ -88,6 +91,7 @@ ProjectionResult attempt(Mesh& current, MeshStanding& standing, Attempt kind, in
 /// One projection: what was given, and how flat it was.
 struct Task {
   const Mesh& mesh;
+  const Mesh& base;            ///< of the history, or `mesh`: what supports are about
   const Positions* reference;  ///< null without a history
   const ProjectionOptions& options;
   const std::vector<int>& pins;
@@ -120,9 +124,9 @@ void say_if_confined(ProjectionResult& result) {
 Positions project_freely(const Task& task, const Progress& progress, ProjectionResult& result) {
   Mesh current = task.mesh;
   MeshStanding after = task.before;
-  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
+  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
   const Attempt first = reference != nullptr ? Attempt::kWeighted : Attempt::kNearest;
-  result = attempt(current, after, first, 0, reference, adjacency, options, pins, progress);
+  result = attempt(base, current, after, first, 0, reference, adjacency, options, pins, progress);
   // Where the weighted problem does not close, the nearest flat mesh in growing surroundings does,
   // and still leaves the rest alone.
   for (const int rings : {2, 4, 8, 16}) {
@@ -132,8 +136,8 @@ Positions project_freely(const Task& task, const Progress& progress, ProjectionR
     }
     Mesh again = mesh;
     MeshStanding left = before;
-    ProjectionResult next = attempt(again, left, Attempt::kConfined, rings, reference, adjacency,
-                                    options, pins, progress);
+    ProjectionResult next = attempt(base, again, left, Attempt::kConfined, rings, reference,
+                                    adjacency, options, pins, progress);
     if (left.failing.size() > after.failing.size()) continue;
     result = std::move(next);
     result.confined_because = ConfinedBecause::kNotExact;
@@ -149,10 +153,10 @@ Positions project_freely(const Task& task, const Progress& progress, ProjectionR
 /// The weighted distance with the bound on every panel's shape; nullopt where that does not end
 /// with panels that are all flat and sound.
 std::optional<ProjectionResult> project_in_shape(const Task& task, const Progress& progress) {
-  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
+  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
   Mesh current = mesh;
   MeshStanding after = before;
-  ProjectionResult result = attempt(current, after, Attempt::kWeightedInShape, 0, reference,
+  ProjectionResult result = attempt(base, current, after, Attempt::kWeightedInShape, 0, reference,
                                     adjacency, options, pins, progress);
   if (!after.failing.empty() || !result.report.usable()) return std::nullopt;
   if (!spoilt_faces(mesh, *reference, current.positions).empty()) return std::nullopt;
@@ -176,7 +180,7 @@ std::vector<int> surroundings(const Task& task, const MeshModel& model, int ring
 /// With every panel's shape kept, in growing surroundings of the panels that fail. With a history,
 /// what does not become flat stays as it is: a variation half made exact is of no use.
 ProjectionResult project_within_bounds(const Task& task, const Progress& progress) {
-  const auto& [mesh, reference, options, pins, kept, adjacency, before] = task;
+  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
   const MeshModel model(mesh, options.fairness);
   const int everything = mesh.vertex_count();
   std::vector<int> last;
@@ -184,8 +188,7 @@ ProjectionResult project_within_bounds(const Task& task, const Progress& progres
   for (const int rings : {8, 32, reference != nullptr ? 32 : everything}) {
     std::vector<int> free = surroundings(task, model, rings);
     if (free.size() == last.size()) continue;
-    SoundProjection next = project_soundly(mesh, reference != nullptr ? *reference : mesh.positions,
-                                           options, free, pins, progress);
+    SoundProjection next = project_soundly(mesh, base, options, free, pins, progress);
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
     if (cancelled || best.is_flat()) break;
@@ -236,8 +239,14 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
   const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
   const bool stars = kept.has_element(Element::kVertex);
   const Adjacency adjacency = stars ? build_adjacency(mesh) : Adjacency();
-  const Task task{
-      mesh, reference, options, pins, kept, adjacency, measure_standing(mesh, adjacency, kept)};
+  Mesh history;
+  if (reference != nullptr) {
+    history = mesh;
+    history.positions = *reference;
+  }
+  const Mesh& base = reference != nullptr ? history : mesh;
+  const Task task{mesh, base, reference, options,
+                  pins, kept, adjacency, measure_standing(mesh, adjacency, kept)};
   add_violations(kept, task.before.worst, task.before.worst, result.report);
   result.report.status = SolveStatus::kConverged;
   if (task.before.failing.empty()) return result;  // flat already: the same bits
@@ -247,9 +256,8 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
                     options.engine == Engine::kNewton;
   if (fair) return project_within_bounds(task, progress);
   const Positions after = project_freely(task, progress, result);
-  const Positions& shape_before = reference != nullptr ? *reference : mesh.positions;
   if (!options.keep_shape || result.report.status == SolveStatus::kCancelled ||
-      spoilt_faces(mesh, shape_before, after).empty()) {
+      spoilt_faces(mesh, base.positions, after).empty()) {
     return result;
   }
   if (reference != nullptr && options.engine == Engine::kNewton) {
@@ -290,6 +298,16 @@ Refusal find_problem(const ProjectionOptions& options) {
     return "tolerance must be a number greater than 0 (mm/m)";
   }
   if (auto problem = find_problem(options.constraints)) return problem;
+  if (auto problem = find_problem(options.supports)) return problem;
+  if (options.engine == Engine::kAugmentedLagrangian && hold_points(options.supports)) {
+    return "support: the solver alm knows none";
+  }
+  const bool on_surfaces =
+      std::any_of(options.supports.begin(), options.supports.end(),
+                  [](const PointSupport& one) { return one.kind == PointSupport::Kind::kSurface; });
+  if (on_surfaces && (options.within > 0.0 || options.no_flatter)) {
+    return "support: points on a surface take no within, and no panels that stay less flat";
+  }
   if (!std::isfinite(options.within) || options.within < 0.0) {
     return "within must be a length of at least 0";
   }

@@ -47,6 +47,11 @@ void Projector::penalise_unmoved(const Positions& reference) {
   }
 }
 
+void Projector::stand_on(const Mesh& base) {
+  slides_.emplace(base, model_.mesh.positions, options_.supports, model_.unit());
+  slides_->hold(problem_);
+}
+
 void Projector::confine(const std::vector<int>& failing, int rings) {
   WorkingSetGrower grower(model_);
   free_ = grower.grow(vertices_of(model_.mesh, failing), rings);
@@ -64,7 +69,7 @@ void Projector::solve_nearest(const Progress& progress) {
                      static_cast<int>(model_.fairness.rows()));
   Patch patch;
   cutter.cut(problem_, support_, patch);
-  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  Eigen::Matrix3Xd displacement = on_tracks(patch);
   EngineOutcome outcome = patch.free_count > kMostFactored
                               ? nearest_of_large(patch, progress, displacement)
                               : nearest_of_small(patch, progress, displacement);
@@ -145,8 +150,9 @@ void Projector::certify(const ExactDesign& design, PatchCutter& cutter) {
     cutter.cut(problem_, support_, patch);
     report_.optimality = fitted_optimality(patch, displacement_on(patch, design));
   }
-  if (report_.optimality && report_.status == SolveStatus::kConverged &&
-      !report_.optimality->met()) {
+  const bool met = !report_.optimality || report_.optimality->met();
+  const bool held = !slides_ || slides_->holds(design.vertices, design.displacement);
+  if (report_.status == SolveStatus::kConverged && !(met && held)) {
     report_.status = SolveStatus::kIterationLimit;
   }
 }
@@ -163,8 +169,7 @@ void Projector::solve_augmented_lagrangian(const Progress& progress) {
   report_.records = outcome.records;
 }
 
-ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
-  const Stopwatch watch;
+void Projector::solve(const std::vector<int>& failing, const Progress& progress) {
   if (options_.engine == Engine::kAugmentedLagrangian) {
     solve_augmented_lagrangian(progress);
   } else if (!problem_.seeks_support && problem_.fairness_weight == 0.0) {
@@ -174,15 +179,37 @@ ProjectionResult Projector::run(const std::vector<int>& failing, const Progress&
   } else {
     solve_newton(failing, progress);
   }
+}
+
+/// Solved again for as long as points take other sides of their outlines, or other places on
+/// surfaces.
+ExactDesign Projector::solve_on_tracks(const std::vector<int>& failing, const Progress& progress) {
   ExactFinish finish(model_);
-  ExactDesign design = finish.finish(problem_, support_, field_, kept_);
+  ExactDesign design;
+  SolveReport before;
+  for (int turn = 0; turn == 0 || (turn < kMostOutlineTurns && slides_ &&
+                                   slides_->follow(design.vertices, design.displacement));
+       ++turn) {
+    before = std::exchange(report_, {});
+    field_.clear();
+    solve(failing, progress);
+    design = finish.finish(problem_, support_, field_, kept_);
+    report_.iterations += before.iterations;
+    report_.factorizations += before.factorizations + design.factorizations;
+    if (report_.status == SolveStatus::kCancelled) break;
+  }
+  return design;
+}
+
+ProjectionResult Projector::run(const std::vector<int>& failing, const Progress& progress) {
+  const Stopwatch watch;
+  const ExactDesign design = solve_on_tracks(failing, progress);
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   certify(design, cutter);
   result.report = std::move(report_);
-  result.report.factorizations += design.factorizations;
   if (!design.positions.allFinite()) {
     result.report.status = SolveStatus::kNonFinite;
     return result;

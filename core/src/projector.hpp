@@ -10,6 +10,7 @@
 #include "engines/nearest_weighted.hpp"
 #include "planish/problem.hpp"
 #include "planish/projection.hpp"
+#include "shape_slides.hpp"
 
 namespace planish {
 
@@ -23,6 +24,8 @@ class Projector {
   /// α_d Σ w_i ‖t̃_i‖ with w_i = s / (s + ‖p̃_i − p⁰_i‖): 1 where nothing moved yet. [PRO-3]
   /// @param reference p⁰, 3 × n
   void penalise_unmoved(const Positions& reference);
+  /// Points keep to options.supports, which are about `base`. [SUP-6]
+  void stand_on(const Mesh& base);
   /// No panel loses its shape. [SHP-3]
   void keep_shape() { problem_.shape_weight = kShapeWeight; }
   /// Only vertices within `rings` face rings of the failing faces may move.
@@ -32,6 +35,9 @@ class Projector {
   [[nodiscard]] ProjectionResult run(const std::vector<int>& failing, const Progress& progress);
 
  private:
+  void solve(const std::vector<int>& failing, const Progress& progress);
+  [[nodiscard]] ExactDesign solve_on_tracks(const std::vector<int>& failing,
+                                            const Progress& progress);
   void solve_nearest(const Progress& progress);
   [[nodiscard]] EngineOutcome nearest_of_small(const Patch& patch, const Progress& progress,
                                                Eigen::Matrix3Xd& displacement) const;
@@ -48,6 +54,7 @@ class Projector {
   MeshModel model_;
   EditProblem problem_;
   DisplacementField field_;
+  std::optional<ShapeSlides> slides_;        ///< none: no supports
   std::optional<NearestWeighted> weighted_;  ///< once it has run
   std::vector<int> free_;                    ///< empty: every vertex
   std::vector<int> support_;

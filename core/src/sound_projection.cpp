@@ -2,6 +2,7 @@
 #include "sound_projection.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 #include "planish/stopwatch.hpp"
+#include "shape_slides.hpp"
 
 namespace planish {
 namespace {
@@ -25,10 +27,10 @@ constexpr double kHeldBack = 1.0;   ///< mm/m: a panel above it is held back by 
 /// The problem on one mesh, for one α_f after the other.
 class SoundProjector {
  public:
-  SoundProjector(const Mesh& mesh, const Positions& before, const ProjectionOptions& options,
+  SoundProjector(const Mesh& mesh, const Mesh& base, const ProjectionOptions& options,
                  const std::vector<int>& free, const std::vector<int>& pins)
       : options_(options),
-        before_(before),
+        base_(base),
         free_(free),
         pins_(pins),
         kept_(kept_kinds(options.tolerance, options.constraints)),
@@ -50,6 +52,10 @@ class SoundProjector {
   [[nodiscard]] EngineOutcome solve(const Patch& patch, double first_penalty,
                                     const Progress& progress, Eigen::Matrix3Xd& displacement) const;
   void release();
+  void open_tracks();
+  [[nodiscard]] ExactDesign solve_on_tracks(double first_penalty, const Progress& progress,
+                                            Patch& patch, DisplacementField& field,
+                                            SolveReport& report);
   void hold(const std::vector<int>& vertices, const DisplacementField& field);
   [[nodiscard]] Positions shape_of(const DisplacementField& field) const;
   [[nodiscard]] Positions positions_of(const ExactDesign& design, SolveReport& report) const;
@@ -57,7 +63,7 @@ class SoundProjector {
   void judge(Positions positions, SoundProjection& best) const;
 
   ProjectionOptions options_;
-  const Positions& before_;
+  const Mesh& base_;
   const std::vector<int>& free_;
   const std::vector<int>& pins_;
   KeptKinds kept_;
@@ -65,7 +71,15 @@ class SoundProjector {
   ExactFinish finish_;
   PatchCutter cutter_;
   EditProblem problem_;
+  std::optional<ShapeSlides> slides_;  ///< of one attempt; none: no supports
 };
+
+/// Supports where they begin: an attempt knows nothing of where the last one turned.
+void SoundProjector::open_tracks() {
+  if (!hold_points(options_.supports)) return;
+  slides_.emplace(base_, model_.mesh.positions, options_.supports, model_.unit());
+  slides_->hold(problem_);
+}
 
 void SoundProjector::release() {
   for (VertexTerm& term : problem_.terms) {
@@ -115,7 +129,7 @@ void SoundProjector::judge(Positions positions, SoundProjection& best) const {
   std::vector<int> failing = measure_standing(mesh, model_.adjacency, kept_).failing;
   const bool better = !best.found() || failing.size() < best.failing.size();
   if (!better || !none_is_worse(mesh, failing)) return;
-  if (!spoilt_faces(mesh, before_, mesh.positions).empty()) return;
+  if (!spoilt_faces(mesh, base_.positions, mesh.positions).empty()) return;
   best.positions = std::move(mesh.positions);
   best.failing = std::move(failing);
 }
@@ -143,28 +157,49 @@ EngineOutcome SoundProjector::solve(const Patch& patch, double first_penalty,
   return find_fair_flat(patch, newton, progress, displacement);
 }
 
+/// Solved again for as long as points take other sides of their outlines, or other places on
+/// surfaces.
+/// @param patch the last one solved on @param field what the engine left
+ExactDesign SoundProjector::solve_on_tracks(double first_penalty, const Progress& progress,
+                                            Patch& patch, DisplacementField& field,
+                                            SolveReport& report) {
+  open_tracks();
+  ExactDesign design;
+  for (int turn = 0; turn == 0 || (turn < kMostOutlineTurns && slides_ &&
+                                   slides_->follow(design.vertices, design.displacement));
+       ++turn) {
+    cutter_.cut(problem_, free_, patch);
+    Eigen::Matrix3Xd displacement = on_tracks(patch);
+    EngineOutcome outcome = solve(patch, first_penalty, progress, displacement);
+    field.clear();
+    for (int k = 0; k < patch.free_count; ++k) {
+      field.set_displacement(patch.vertices[at(k)], displacement.col(k));
+    }
+    report.status = outcome.status;
+    report.iterations += outcome.steps;
+    report.factorizations += outcome.factorizations;
+    report.records = std::move(outcome.records);
+    design = finish_.finish(problem_, free_, field, kept_);
+    if (outcome.status == SolveStatus::kCancelled) break;
+  }
+  return design;
+}
+
 SoundProjection SoundProjector::attempt(double fairness_weight, double first_penalty,
                                         const Progress& progress) {
   release();
   problem_.fairness_weight = 2.0 * fairness_weight;
   Patch patch;
-  cutter_.cut(problem_, free_, patch);
-  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  EngineOutcome outcome = solve(patch, first_penalty, progress, displacement);
   DisplacementField field(model_.vertex_count(), static_cast<int>(model_.equations.size()));
-  for (int k = 0; k < patch.free_count; ++k) {
-    field.set_displacement(patch.vertices[at(k)], displacement.col(k));
-  }
   SoundProjection result;
   result.fairness_weight = fairness_weight;
-  result.report.status = outcome.status;
-  result.report.iterations = outcome.steps;
-  result.report.factorizations = outcome.factorizations;
-  result.report.records = std::move(outcome.records);
-  const ExactDesign design = finish_.finish(problem_, free_, field, kept_);
+  const ExactDesign design = solve_on_tracks(first_penalty, progress, patch, field, result.report);
   judge(positions_of(design, result.report), result);
   if (result.is_flat()) {
     certify(design, patch, result.report);
+    if (slides_ && !slides_->holds(design.vertices, design.displacement)) {
+      result.report.status = SolveStatus::kIterationLimit;
+    }
     return result;
   }
   Mesh rough = model_.mesh;
@@ -193,11 +228,11 @@ std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const P
   return spoilt;
 }
 
-SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
+SoundProjection project_soundly(const Mesh& mesh, const Mesh& base,
                                 const ProjectionOptions& options, const std::vector<int>& free,
                                 const std::vector<int>& pins, const Progress& progress) {
   const Stopwatch watch;
-  SoundProjector projector(mesh, before, options, free, pins);
+  SoundProjector projector(mesh, base, options, free, pins);
   const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
   const std::pair<double, double> ladder[] = {{asked, kAtOnce},
                                               {asked, kGradually},

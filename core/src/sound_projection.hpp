@@ -33,11 +33,12 @@ struct SoundProjection {
 /// is farther away, but a smooth displacement seldom folds a panel. The first that is flat and
 /// sound ends the search; otherwise the sound one with the fewest panels above the tolerance is the
 /// result, none of them less flat than it was; without any, `positions` are empty.
-/// @param before 3 × n: the panels' shape is compared with this
+/// @param base of the history, or `mesh`: the panels' shape is compared with its, and supports are
+///             about it
 /// @param free ascending, no pins; the finish may take up to three face rings more where panels
 ///             cannot become flat otherwise
 /// @param pins vertices that stay, bit by bit
-[[nodiscard]] SoundProjection project_soundly(const Mesh& mesh, const Positions& before,
+[[nodiscard]] SoundProjection project_soundly(const Mesh& mesh, const Mesh& base,
                                               const ProjectionOptions& options,
                                               const std::vector<int>& free,
                                               const std::vector<int>& pins,

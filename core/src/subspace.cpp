@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <list>
+#include <optional>
 
 #include "engines/augmented_lagrangian.hpp"
 #include "engines/subspace_splitting.hpp"
@@ -14,6 +15,7 @@
 #include "planish/index.hpp"
 #include "planish/problem.hpp"
 #include "planish/stopwatch.hpp"
+#include "shape_slides.hpp"
 
 namespace planish {
 namespace {
@@ -46,13 +48,14 @@ struct Candidate {
 class SubspaceBuilder {
  public:
   SubspaceBuilder(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                  const std::vector<int>& pins, const SubspaceOptions& options,
-                  const KeptKinds& kept);
+                  const KeptByVariations& keeps, const SubspaceOptions& options);
 
   Subspace build(const Progress& progress);
 
  private:
-  void cut_patch(const std::vector<int>& close, const std::vector<int>& pins);
+  void stand_on(const Mesh& base, const std::vector<PointSupport>& supports);
+  void cut_patch(const std::vector<int>& close, const std::vector<int>& held);
+  void put_on_tracks(Eigen::Matrix3Xd& t) const;
   void set_weights();
   [[nodiscard]] std::vector<Eigen::Matrix3Xd> starts() const;
   void rank(std::list<Candidate>& candidates) const;
@@ -67,6 +70,7 @@ class SubspaceBuilder {
   MeshModel model_;
   Eigen::Matrix3Xd edit_;  ///< d, all vertices, solver units
   EditProblem problem_;
+  std::optional<ShapeSlides> slides_;  ///< none: no supports
   Patch patch_;
   Eigen::Matrix3Xd direction_;   ///< d̄ on the patch, unit
   Eigen::VectorXd correlation_;  ///< ‖d̄_i‖ + Σ_j ‖t^j_i‖ on the patch
@@ -83,16 +87,31 @@ Mesh with_positions(const Mesh& base, const Positions& positions) {
 }
 
 SubspaceBuilder::SubspaceBuilder(const Mesh& base, const Positions& edited,
-                                 const std::vector<int>& close, const std::vector<int>& pins,
-                                 const SubspaceOptions& options, const KeptKinds& kept)
+                                 const std::vector<int>& close, const KeptByVariations& keeps,
+                                 const SubspaceOptions& options)
     : options_(options),
       mesh_(with_positions(base, edited)),
-      model_(mesh_, options.fairness, kept),
+      model_(mesh_, options.fairness, keeps.kinds),
       edit_((edited - base.positions) / model_.unit()) {
-  cut_patch(close, pins);
+  if (hold_points(keeps.supports)) stand_on(base, keeps.supports);
+  cut_patch(close, keeps.held);
 }
 
-void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector<int>& pins) {
+/// As they are where the edit has their points; vectors have no offsets.
+void SubspaceBuilder::stand_on(const Mesh& base, const std::vector<PointSupport>& supports) {
+  slides_.emplace(base, mesh_.positions, supports, model_.unit());
+  slides_->hold(problem_);
+}
+
+/// A start's part along the tracks.
+void SubspaceBuilder::put_on_tracks(Eigen::Matrix3Xd& t) const {
+  for (const Slide& slide : patch_.slides) {
+    const Eigen::Vector3d whole = t.col(slide.vertex);
+    t.col(slide.vertex) = slide.track.along * whole;
+  }
+}
+
+void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector<int>& held) {
   problem_.model = &model_;
   problem_.fairness_weight = options_.fairness_weight;
   problem_.terms.resize(at(model_.vertex_count()));
@@ -103,9 +122,11 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector
   }
   WorkingSetGrower grower(model_);
   std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
-  std::vector<char> pinned(at(model_.vertex_count()), 0);
-  for (const int v : pins) pinned[at(v)] = 1;
-  std::erase_if(reach, [&](int v) { return pinned[at(v)] != 0; });
+  std::vector<char> stays(at(model_.vertex_count()), 0);
+  for (const int v : held) stays[at(v)] = 1;
+  std::erase_if(reach, [&](int v) {
+    return stays[at(v)] != 0 || (slides_ && slides_->slides().rests(v));
+  });
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   cutter.cut(problem_, reach, patch_);
@@ -173,6 +194,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
   constexpr int kTrialSteps = 3;
   std::list<Candidate> candidates;
   for (Eigen::Matrix3Xd& start : starts()) {
+    put_on_tracks(start);
     if (!solver.make_admissible(basis_, start)) continue;
     candidates.push_back({solver.objective(start), false, std::move(start)});
   }
@@ -197,6 +219,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
 
 bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
   for (Eigen::Matrix3Xd& start : starts()) {
+    put_on_tracks(start);
     if (!solver.make_admissible(basis_, start)) continue;
     SubspaceSplitting splitting(patch_, basis_, start);
     AlmOptions options;
@@ -322,10 +345,10 @@ double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
 }
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                          const SubspaceOptions& options, const std::vector<int>& pins,
-                          const KeptKinds& kept, const Progress& progress) {
+                          const SubspaceOptions& options, const KeptByVariations& keeps,
+                          const Progress& progress) {
   const Stopwatch watch;
-  Subspace result = SubspaceBuilder(base, edited, close, pins, options, kept).build(progress);
+  Subspace result = SubspaceBuilder(base, edited, close, keeps, options).build(progress);
   result.report.solve_seconds = watch.seconds();
   return result;
 }

@@ -90,6 +90,17 @@ bool VertexSlides::follow(Foot& foot, const Eigen::Vector3d& d, SurfaceRow& row)
   return true;
 }
 
+void VertexSlides::stand_on_surfaces(const Eigen::Matrix3Xd& displacement) {
+  for (std::size_t k = 0; k < feet_.size(); ++k) {
+    Foot& foot = feet_[k];
+    const Eigen::Vector3d d = displacement.col(foot.vertex);
+    if (d.isZero(0.0)) continue;
+    const SurfaceFoot found = foot.surface->foot(place_of(foot.vertex, d), foot.side, foot.last);
+    foot.last = found.place;
+    surface_rows_[k] = row_at(found, d, found.height.value / unit_ - foot.height);
+  }
+}
+
 std::span<const SurfaceRow> VertexSlides::surface_rows(int vertex) const {
   const int first = first_foot_[at(vertex)], end = first_foot_[at(vertex) + 1];
   return std::span(surface_rows_).subspan(at(first), at(end - first));

@@ -182,6 +182,15 @@ bool VertexSlides::follow(std::span<const int> vertices, const Eigen::Matrix3Xd&
   return changed;
 }
 
+void VertexSlides::stand(const Eigen::Matrix3Xd& displacement) {
+  for (Runner& runner : runners_) {
+    const Eigen::Vector3d d = displacement.col(runner.vertex);
+    while (follow(runner, d)) continue;
+    runner.turns = 0;
+  }
+  stand_on_surfaces(displacement);
+}
+
 void VertexSlides::release_corners() {
   for (Runner& runner : runners_) {
     runner.turns = 0;
@@ -197,6 +206,14 @@ bool VertexSlides::is_within_side(const Runner& runner, const Eigen::Vector3d& d
   const Eigen::Vector3d along = way(runner.corner, lines_->beside(runner.corner, runner.side));
   const double place = along.dot(d - way(runner.vertex, runner.corner)) / runner.length;
   return place >= -kOnTrack && place <= runner.length + kOnTrack;
+}
+
+bool VertexSlides::rests(int vertex) const {
+  const int place = place_[at(vertex)];
+  if (place < 0) return false;
+  const int runner = at(place) < runner_of_.size() ? runner_of_[at(place)] : -1;
+  if (runner >= 0) return runners_[at(runner)].state != Runner::State::kSide;
+  return tracks_[at(place)].along.isZero(0.0);
 }
 
 bool VertexSlides::holds(int vertex, const Eigen::Vector3d& d) const {

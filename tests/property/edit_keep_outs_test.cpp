@@ -249,8 +249,8 @@ TEST(KeptOutVariations, MadeExactKeepOut) {
     const Plane ceiling{{0.0, 0.0, 1.0}, top + 0.3 * std::max(0.1, wanted - top)};
     HandleEditOptions options;
     options.keep_outs = {*parse_keep_out(ceiling.text())};
-    const auto held = held_in_variations(mesh, targets, options);
-    const ProjectionResult exact = make_exact({mesh, edited, shown}, options, 0.0, held);
+    const auto keeps = kept_by_variations(mesh, targets, options);
+    const ProjectionResult exact = make_exact({mesh, edited, shown}, options, 0.0, keeps);
     Positions shape = shown;
     shape(Eigen::all, exact.moved) = exact.moved_positions;
     EXPECT_LE(shape.row(2).maxCoeff(), ceiling.most + kHeld) << slider;
@@ -269,9 +269,9 @@ TEST(KeptOutVariations, LeaveWhatRests) {
   const Mesh mesh = testing::quad_grid(9, 9);
   HandleEditOptions options;
   options.keep_outs = {*parse_keep_out("below=0"), *parse_keep_out("plane=1,0,0,7.5")};
-  EXPECT_EQ(held_in_variations(mesh, {}, options).size(), 81u);
+  EXPECT_EQ(kept_by_variations(mesh, {}, options).held.size(), 81u);
   options.keep_outs.erase(options.keep_outs.begin());
-  EXPECT_EQ(held_in_variations(mesh, {}, options).size(), 9u) << "the last column";
+  EXPECT_EQ(kept_by_variations(mesh, {}, options).held.size(), 9u) << "the last column";
 }
 
 }  // namespace

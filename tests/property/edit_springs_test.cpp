@@ -100,7 +100,7 @@ TEST(EditSpringRules, VariationsMoveItsPoints) {
   const Mesh mesh = testing::quad_grid(6, 6);
   EditTargets targets = testing::pull(mesh, 21, {0.0, 0.0, 0.5});
   targets.supports = {support("spring=3:14")};
-  EXPECT_TRUE(held_in_variations(mesh, targets, {}).empty());
+  EXPECT_TRUE(kept_by_variations(mesh, targets, {}).held.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, EditSprings, ::testing::Values("roof", "dome", "hex", "trihex"),

@@ -37,7 +37,7 @@ class KeptVariations : public ::testing::TestWithParam<const char*> {
   }
 
   [[nodiscard]] Subspace family(const KeptKinds& kept) const {
-    return compute_subspace(base, edited, {handle}, {.dimension = 3}, {}, kept);
+    return compute_subspace(base, edited, {handle}, {.dimension = 3}, {.kinds = kept});
   }
 
   /// The edit with slider `k` at `value`.

@@ -154,7 +154,7 @@ class Designer {
     SubspaceOptions options;
     options.dimension = 1 + static_cast<int>(pick(4));
     options.reach = static_cast<int>(pick(3));
-    const Subspace subspace = compute_subspace(base_, current_, close_, options, pins_);
+    const Subspace subspace = compute_subspace(base_, current_, close_, options, {.held = pins_});
     ASSERT_TRUE(is_valid_subspace(current_, subspace));
     if (subspace.dimension() == 0) return;
     Eigen::VectorXd coefficients(subspace.dimension());

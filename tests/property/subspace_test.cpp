@@ -81,7 +81,7 @@ TEST_P(SubspaceOn, TheSmoothestOfALargerFamilyAreSmoother) {
 TEST_P(SubspaceOn, MovesNoPin) {
   const std::vector<int> pins{edit.moved.front(), handle};
   const Subspace subspace =
-      compute_subspace(mesh, edited.positions, {handle}, {.dimension = 3}, pins);
+      compute_subspace(mesh, edited.positions, {handle}, {.dimension = 3}, {.held = pins});
   ASSERT_EQ(subspace.dimension(), 3) << status_name(subspace.report.status);
   for (const int pin : pins) {
     EXPECT_FALSE(std::binary_search(subspace.support.begin(), subspace.support.end(), pin)) << pin;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -40,7 +41,7 @@ TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
   }
 }
 
-TEST_F(Cli, VariationsLeaveSupportedPointsWhereTheEditPutThem) {
+TEST_F(Cli, VariationsMovePointsAlongTheirSupports) {
   const std::string explore =
       "explore sample:vault:12 --handle 66+=0,0,0.6 --support level=x:65,67 --dimension 2 --exact "
       "--coefficients ";
@@ -57,9 +58,39 @@ TEST_F(Cli, VariationsLeaveSupportedPointsWhereTheEditPutThem) {
   const auto edit = points("edit.obj"), variation = points("variation.obj");
   ASSERT_EQ(edit.size(), 144u);
   EXPECT_NE(edit, variation);
-  for (const std::size_t v : {65u, 67u}) EXPECT_EQ(edit[v], variation[v]);
+  const auto x_of = [](const std::string& line) { return line.substr(0, line.find(' ', 2)); };
+  for (const std::size_t v : {65u, 67u}) {
+    EXPECT_NE(edit[v], variation[v]) << "along its level";
+    EXPECT_EQ(x_of(edit[v]), x_of(variation[v]));
+  }
   ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
   EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
+}
+
+TEST_F(Cli, MakingFlatKeepsSupports) {
+  ASSERT_EQ(run("sample vault --size 9 -o flat.obj"), 0) << err();
+  std::istringstream text(contents(directory_ / "flat.obj"));
+  std::ofstream bent(directory_ / "bent.obj");
+  int point = 0;
+  for (std::string line; std::getline(text, line);) {
+    const bool moved = line.starts_with("v ") && ++point % 3 == 0;
+    bent << (moved ? "v " + line.substr(2, line.rfind(' ') - 2) + " 1.25" : line) << "\n";
+  }
+  bent.close();
+  ASSERT_EQ(run("project bent.obj --bound shape=off --support outline:boundary -o on.obj "
+                "--report r.json"),
+            0)
+      << err();
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(report["supports"][0]["name"], "outline:boundary");
+  EXPECT_LE(report["supports"][0]["distance_max"].get<double>(), 1e-9);
+  EXPECT_GT(report["max_move"].get<double>(), 0.0);
+  EXPECT_EQ(run("project bent.obj --support spring=3:4"), 2);
+  EXPECT_NE(err().find("springs are for edits"), std::string::npos) << err();
+  EXPECT_EQ(run("project bent.obj --support plane=0,0,1,99:boundary"), 2);
+  EXPECT_NE(err().find("away from it"), std::string::npos) << err();
+  EXPECT_EQ(run("project bent.obj --support level:boundary --solver alm"), 2);
+  EXPECT_NE(err().find("the solver alm knows none"), std::string::npos) << err();
 }
 
 TEST_F(Cli, ASupportThatIsNoneIsRefused) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planish/handle_edit.hpp"
+#include "planish/kept_by_variations.hpp"
 #include "planish/mesh.hpp"
 #include "planish/projection.hpp"
 #include "planish/solve_report.hpp"
@@ -25,11 +26,11 @@ struct ShownVariation {
 /// is kNearestConfined, because of kStatedLimits or kSpoiltByVariation, and the report names the
 /// panels that would have exceeded each limit, or would be spoilt. [PRO-9]
 /// @param fairness_weight α_f ≥ 0
-/// @param held see held_in_variations()
+/// The supports of `keeps` hold as they do in edits.
 /// @returns moves from `shown`
 [[nodiscard]] ProjectionResult make_exact(const ShownVariation& variation,
                                           const HandleEditOptions& options, double fairness_weight,
-                                          const std::vector<int>& held,
+                                          const KeptByVariations& keeps,
                                           const Progress& progress = {});
 
 }  // namespace planish

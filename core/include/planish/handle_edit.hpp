@@ -107,11 +107,6 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 [[nodiscard]] std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
                                              const HandleEditOptions& options);
 
-/// What a variation of the edit, and its way to exact flatness, leave where the edit put it: held
-/// vertices, points with supports, and points that rest on a keep-out in the base. Ascending; O(n).
-[[nodiscard]] std::vector<int> held_in_variations(const Mesh& mesh, const EditTargets& targets,
-                                                  const HandleEditOptions& options);
-
 /// Only what moved: everything else is the base mesh, bit for bit.
 struct HandleEditResult {
   std::vector<int> moved;     ///< ascending vertex indices

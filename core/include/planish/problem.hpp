@@ -82,6 +82,9 @@ struct EditProblem {
   const MeshLimits* limits = nullptr;       ///< of `model`, in solver units; null: none are stated
   double limit_weight = kFirstLimitWeight;  ///< t > 0 of the barrier on their rows
   const VertexSlides* slides = nullptr;     ///< null: every vertex may move anywhere
+  /// 3 × n, solver units: how far the model's points are from the mesh that `slides` are about;
+  /// null: they are that mesh's.
+  const Eigen::Matrix3Xd* slides_from = nullptr;
 };
 
 /// One row of E: what it adds up.
@@ -139,6 +142,9 @@ struct Patch {
     for (int r = 0; r < fairness_vertices.size(); ++r) visit(fairness_row(r));
   }
 };
+
+/// No displacement, or the nearest one on its track where that leads past it; 3 × free.
+[[nodiscard]] Eigen::Matrix3Xd on_tracks(const Patch& patch);
 
 /// Cuts patches out of a problem without touching the rest of the mesh. Keeps O(n) marks.
 class PatchCutter {

@@ -11,6 +11,7 @@
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
 #include "planish/mesh.hpp"
+#include "planish/point_support.hpp"
 #include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
 
@@ -36,6 +37,9 @@ struct ProjectionOptions {
   double within = 0.0;
   /// Kept beside planarity.
   std::vector<KeptConstraint> constraints = {};
+  /// What points stand on: as in edits, about the mesh as given, with a history about that. They
+  /// must pass find_problem() on it. kNewton only. [SUP-6]
+  std::vector<PointSupport> supports = {};
   int max_iterations = 0;  ///< 0 picks the engine's own limit
 };
 

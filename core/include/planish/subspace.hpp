@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "planish/constraints/kept_kinds.hpp"
 #include "planish/energies.hpp"
 #include "planish/engine.hpp"
+#include "planish/kept_by_variations.hpp"
 #include "planish/mesh.hpp"
 #include "planish/refusal.hpp"
 #include "planish/solve_report.hpp"
@@ -67,14 +67,11 @@ struct Subspace {
 };
 
 /// Computes the basis at `edited` = p⁰ + d, for the displacement d from `base`.
-/// Both meshes share faces; `edited` keeps the kinds of `kept`. `close` is Ψ, usually the handles.
-/// @param pins vertices that no vector moves
-/// @param kept the kinds whose rows the vectors keep to first order
+/// Both meshes share faces; `edited` keeps the kinds of `keeps`. `close` is Ψ, usually the handles.
 [[nodiscard]] Subspace compute_subspace(const Mesh& base, const Positions& edited,
                                         const std::vector<int>& close,
                                         const SubspaceOptions& options,
-                                        const std::vector<int>& pins = {},
-                                        const KeptKinds& kept = KeptKinds(),
+                                        const KeptByVariations& keeps = {},
                                         const Progress& progress = {});
 
 /// Positions of the support rows for coefficients x: origin + B (scale ∘ x). Touches nothing else.

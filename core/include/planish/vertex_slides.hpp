@@ -74,6 +74,10 @@ class VertexSlides {
   /// Whether `d` is where the vertex may go: on its track, and on an outline within the side.
   [[nodiscard]] bool holds(int vertex, const Eigen::Vector3d& d) const;
 
+  /// Whether a vertex cannot move along a track: at a corner, or at its place on an outline, which it
+  /// has not left.
+  [[nodiscard]] bool rests(int vertex) const;
+
   /// Whether any track changes with where its vertex goes: along an outline, or on a surface.
   [[nodiscard]] bool has_turning_tracks() const { return !runners_.empty() || !feet_.empty(); }
 
@@ -102,6 +106,11 @@ class VertexSlides {
   /// @param vertices ascending; those that moved @param displacement 3 × |vertices|
   /// @returns whether any track changed: the state is then to be solved again
   bool follow(std::span<const int> vertices, const Eigen::Matrix3Xd& displacement);
+
+  /// Each vertex to where a finished shape has it: on an outline to the side that it is on, on a
+  /// surface to its place there. One that has not left its corner may still go either way.
+  /// @param displacement 3 × n
+  void stand(const Eigen::Matrix3Xd& displacement);
 
   /// Lets what rests at a corner go either way again: for the next frame of a drag.
   void release_corners();
@@ -167,6 +176,7 @@ class VertexSlides {
   void open_feet();
   [[nodiscard]] SurfaceRow row_at(const SurfaceFoot& found, const Eigen::Vector3d& d,
                                   double height) const;
+  void stand_on_surfaces(const Eigen::Matrix3Xd& displacement);
   bool follow(Foot& foot, const Eigen::Vector3d& d, SurfaceRow& row);
   bool follow_surfaces(int vertex, const Eigen::Vector3d& d);
   [[nodiscard]] bool is_at_heights(int vertex, const Eigen::Vector3d& d) const;

@@ -21,9 +21,19 @@ void DisplacementField::touch_vertex(int vertex) {
 }
 
 void DisplacementField::touch_equation(int equation) {
+  if (equation >= multipliers_.size()) make_room();
   if (equation_touched_[at(equation)]) return;
   equation_touched_[at(equation)] = 1;
   equations_.push_back(equation);
+}
+
+/// For the multipliers of surface rows: few problems have any.
+void DisplacementField::make_room() {
+  const auto vertices = static_cast<Eigen::Index>(vertex_touched_.size());
+  const Eigen::Index before = multipliers_.size();
+  multipliers_.conservativeResize(before + kMostSurfaceRows * vertices);
+  multipliers_.tail(multipliers_.size() - before).setZero();
+  equation_touched_.resize(static_cast<std::size_t>(multipliers_.size()), 0);
 }
 
 void DisplacementField::clear() {
@@ -52,7 +62,9 @@ void DisplacementField::load(const Patch& patch, PatchState& state) const {
     state.displacement.col(slide.vertex) = slide.track.nearest(d);
   }
   for (std::size_t e = 0; e < patch.equation_ids.size(); ++e) {
-    state.multipliers[static_cast<Eigen::Index>(e)] = multipliers_[patch.equation_ids[e]];
+    const int id = patch.equation_ids[e];
+    state.multipliers[static_cast<Eigen::Index>(e)] =
+        id < multipliers_.size() ? multipliers_[id] : 0.0;
   }
 }
 

@@ -13,6 +13,8 @@ namespace planish {
 /// What a warm start needs. Untouched vertices and equations read as zero.
 class DisplacementField {
  public:
+  /// @param equation_count of the model; surface rows, whose numbers come after these, get room once
+  ///                       one of them is stored
   DisplacementField(int vertex_count, int equation_count);
 
   void clear();
@@ -41,6 +43,7 @@ class DisplacementField {
  private:
   void touch_vertex(int vertex);
   void touch_equation(int equation);
+  void make_room();
 
   Eigen::Matrix3Xd displacement_, norm_dual_;  ///< 3 × n
   Eigen::VectorXd multipliers_;

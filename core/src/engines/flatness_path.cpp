@@ -16,11 +16,15 @@ struct FlatnessPathTuning {
 
 FlatnessPath::FlatnessPath(const Patch& patch)
     : solver_(PatchNewton::Factors::kChords, PatchNewton::Rows::kSprings) {
+  attach(patch);
+  outcome_.status = SolveStatus::kConverged;
+}
+
+void FlatnessPath::attach(const Patch& patch) {
   const PatchState rest{Eigen::Matrix3Xd::Zero(3, patch.free_count),
                         Eigen::Matrix3Xd::Zero(3, patch.free_count),
                         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(patch.equations.size()))};
   solver_.attach(patch, rest);
-  outcome_.status = SolveStatus::kConverged;
 }
 
 Eigen::Matrix3Xd FlatnessPath::settle(double penalty, const Eigen::Matrix3Xd& from,

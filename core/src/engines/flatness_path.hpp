@@ -17,6 +17,9 @@ class FlatnessPath {
   /// @param patch fairness and square weights only; must outlive this
   explicit FlatnessPath(const Patch& patch);
 
+  /// The same patch with other tracks.
+  void attach(const Patch& patch);
+
   /// @param penalty μ > 0
   /// @param from 3 × free, within the bound; best the minimum of a μ nearby
   /// @return 3 × free

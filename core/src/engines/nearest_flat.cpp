@@ -36,6 +36,8 @@ class NearestFlat {
     linearised_ = residuals_ - linearised_;
     linear_.step(linearised_, delta_);  // −Jᵀ(JJᵀ)⁻¹(c − J t) = t⁺
     merit_weight_ = std::max(0.5 * merit_weight_, 2.0 * linear_.largest_multiplier());
+    // What supports hold is no unknown: t is that and the rest, which lies along the tracks.
+    for (const Slide& slide : patch_.slides) delta_.col(slide.vertex) += across(slide.track);
     delta_ -= t_;
     // Steps that keep shrinking follow a fixed-point law, and need no merit (Deuflhard's natural
     // monotonicity test).
@@ -62,6 +64,11 @@ class NearestFlat {
   }
 
  private:
+  /// The part of a track's offset that is not along it.
+  [[nodiscard]] static Eigen::Vector3d across(const SlideTrack& track) {
+    return track.offset - track.along * track.offset;
+  }
+
   [[nodiscard]] bool search_line() {
     constexpr int kMostHalvings = 12;
     constexpr double kHalved = 0.5;

@@ -34,13 +34,17 @@ Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<i
     result.points.col(static_cast<Eigen::Index>(k)) = patch.points.col(order[k]);
   }
   result.terms.resize(at(result.free_count));
-  ConstraintKinds::for_each([&](auto tag) {
+  ConstraintKinds::With<SurfacePoint>::for_each([&](auto tag) {
     using Kind = typename decltype(tag)::type;
     for (typename Kind::Row row : patch.equations.of<Kind>()) {
       if (localise(row.vertices, local, result.free_count))
         result.equations.of<Kind>().push_back(row);
     }
   });
+  for (Slide slide : patch.slides) {
+    slide.vertex = local[at(slide.vertex)];
+    if (slide.vertex < result.free_count) result.slides.push_back(slide);
+  }
   return result;
 }
 
