@@ -96,6 +96,7 @@ ProjectionResult make_exact(const ShownVariation&, const HandleEditOptions&, dou
 Refusal Session::solve_symmetric(EditMode, const EditTargets&, double, HandleEditResult&) {
   is_not_here();
 }
+KeptByVariations Session::kept_with_images() const { is_not_here(); }
 std::variant<Replay, std::string> Session::replay_symmetric(const Design&) const { is_not_here(); }
 
 }  // namespace planish

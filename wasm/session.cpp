@@ -136,17 +136,22 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
   return std::nullopt;
 }
 
+/// By variations of the edit shown.
+KeptByVariations Session::kept() const {
+  if (symmetry_) return kept_with_images();
+  return kept_by_variations(base_, targets_, options_);
+}
+
 Refusal Session::explore(SubspaceOptions options) {
   options.fairness = options_.fairness;
   options.engine = options_.engine;
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
-  if (symmetry_) return "Variations do not keep a symmetry: switch it off first.";
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   std::vector<int> close;
   for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
   const Stopwatch watch;
-  const KeptByVariations keeps = kept_by_variations(base_, targets_, options_);
+  const KeptByVariations keeps = kept();
   if (!measure_standing(shown_mesh(), adjacency_, keeps.kinds).failing.empty())
     return "Make the design exact first.";
   Subspace found = compute_subspace(base_, current_, close, options, keeps, progress_);
@@ -219,7 +224,7 @@ Positions Session::variations_centre() const {
 }
 
 Refusal Session::project(Positions& positions, SolveReport& report) const {
-  const KeptByVariations keeps = kept_by_variations(base_, targets_, options_);
+  const KeptByVariations keeps = kept();
   ProjectionResult result =
       planish::make_exact({base_, variations_centre(), positions}, options_, 0.0, keeps, progress_);
   report = std::move(result.report);

@@ -46,7 +46,7 @@ ExitCode run_explore(const Arguments& arguments) {
 }  // namespace
 
 Command explore_command() {
-  std::vector<OptionRow> rows = edit_option_rows();
+  std::vector<OptionRow> rows = edit_command_rows();
   for (const OptionRow& row : family_option_rows()) rows.push_back(row);
   rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
   return {"explore",

@@ -17,7 +17,7 @@ namespace planish::cli {
 /// Rows of the option table for handles, pins, weights, fairness and solver.
 [[nodiscard]] std::vector<OptionRow> edit_option_rows();
 
-/// The same and what `edit` alone knows: --symmetry.
+/// The same and what `edit` and `explore` know: --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);

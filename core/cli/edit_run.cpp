@@ -66,6 +66,16 @@ std::optional<std::string> evened_sentence(const EditRun& run) {
          three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
+std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run) {
+  if (!run.symmetry || run.symmetry->operations.size() < 2) return nullptr;
+  return std::make_shared<const MeshSymmetry>(*run.symmetry);
+}
+
+EditTargets targets_with_images(const EditRun& run) {
+  const auto symmetry = symmetry_of(run);
+  return symmetry == nullptr ? run.targets : all_images(run.targets, run.base.mesh, *symmetry);
+}
+
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
                  const std::string& name, const Progress& progress) {
   EditRun run;
@@ -114,9 +124,8 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
   }
   HandleEditSolver solver(run.base.mesh, options);
   const HandleEditResult result =
-      run.symmetry && run.symmetry->operations.size() > 1
-          ? solver.solve_symmetric(all_images(run.targets, run.base.mesh, *run.symmetry),
-                                   *run.symmetry, watched)
+      symmetry_of(run) != nullptr
+          ? solver.solve_symmetric(targets_with_images(run), *run.symmetry, watched)
           : solver.solve(run.targets, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;

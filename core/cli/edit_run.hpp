@@ -3,6 +3,7 @@
 /// report.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -43,6 +44,12 @@ struct EditRun {
   Positions edited;                      ///< 3 × n
   SolveReport report;
 };
+
+/// Of its targets, those with all images: without a symmetry the targets themselves.
+[[nodiscard]] EditTargets targets_with_images(const EditRun& run);
+
+/// Null without one, or where it has the identity alone.
+[[nodiscard]] std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run);
 
 /// Planarises if needed, and edits. A stop that `progress` asks for gives kCancelled and a valid
 /// design: before the edit, the mesh as given. Throws CommandError for wrong options or targets.

@@ -101,12 +101,13 @@ std::vector<int> handle_vertices(const EditTargets& targets) {
 Family find_family(const EditRun& run, const HandleEditOptions& edit,
                    const SubspaceOptions& options, const Arguments& arguments,
                    const Progress& progress) {
-  Family family{.edit = edit,
-                .options = options,
-                .close = parse_vertices(arguments, "--close", run.base.mesh),
-                .exact_fairness = exact_fairness(arguments),
-                .keeps = kept_by_variations(run.base.mesh, run.targets, edit),
-                .subspace = {}};
+  Family family{
+      .edit = edit,
+      .options = options,
+      .close = parse_vertices(arguments, "--close", run.base.mesh),
+      .exact_fairness = exact_fairness(arguments),
+      .keeps = kept_by_variations(run.base.mesh, targets_with_images(run), edit, symmetry_of(run)),
+      .subspace = {}};
   const std::vector<int> close = family.close.empty() ? handle_vertices(run.targets) : family.close;
   family.subspace =
       compute_subspace(run.base.mesh, run.edited, close, options, family.keeps, progress);

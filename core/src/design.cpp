@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -106,8 +107,10 @@ using SolveEdit = std::function<HandleEditResult(HandleEditSolver&)>;
 /// Replays the steps of one design on its base.
 class Player {
  public:
-  Player(Mesh base, const Design& design, const Progress& progress)
-      : design_(design), progress_(progress) {
+  /// @param targets of the design, with their images where there is a symmetry
+  Player(Mesh base, const Design& design, const EditTargets& targets,
+         std::shared_ptr<const MeshSymmetry> symmetry, const Progress& progress)
+      : design_(design), targets_(targets), symmetry_(std::move(symmetry)), progress_(progress) {
     result_.base = std::move(base);
     result_.shape = result_.base.positions;
   }
@@ -125,7 +128,7 @@ class Player {
         if (v >= result_.base.vertex_count()) return "variations: close names a vertex too many";
       }
     }
-    keeps_ = kept_by_variations(result_.base, design_.targets, design_.options);
+    keeps_ = kept_by_variations(result_.base, targets_, design_.options, symmetry_);
     return std::nullopt;
   }
 
@@ -191,6 +194,8 @@ class Player {
   }
 
   const Design& design_;
+  const EditTargets& targets_;
+  std::shared_ptr<const MeshSymmetry> symmetry_;  ///< null: none
   const Progress& progress_;
   KeptByVariations keeps_;
   Replay result_;
@@ -249,10 +254,8 @@ GlbVariations variations_of(const Subspace& subspace) {
 
 namespace {
 
-std::variant<Replay, std::string> play(Mesh base, const Design& design, const SolveEdit& solve,
-                                       const Progress& progress) {
-  if (auto problem = find_problem(design)) return std::move(*problem);
-  Player player(std::move(base), design, progress);
+std::variant<Replay, std::string> play(Player player, const Design& design,
+                                       const SolveEdit& solve) {
   if (auto problem = player.check()) return std::move(*problem);
   player.edit(solve);
   for (const DesignVariation& variation : design.variations) {
@@ -277,24 +280,29 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
 
 std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
                                             const Design& design, const Progress& progress) {
+  if (auto problem = find_problem(design)) return std::move(*problem);
   if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
   auto targets = with_images(design.targets, base, symmetry);
   if (auto* problem = std::get_if<std::string>(&targets)) return std::move(*problem);
+  const auto& images = std::get<EditTargets>(targets);
   const auto solve = [&](HandleEditSolver& solver) {
-    return solver.solve_symmetric(std::get<EditTargets>(targets), symmetry, progress);
+    return solver.solve_symmetric(images, symmetry, progress);
   };
-  auto played = play(std::move(base), design, solve, progress);
+  auto played = play(
+      {std::move(base), design, images, std::make_shared<const MeshSymmetry>(symmetry), progress},
+      design, solve);
   if (auto* done = std::get_if<Replay>(&played)) done->symmetry = symmetry;
   return played;
 }
 
 std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
                                             const Progress& progress) {
+  if (auto problem = find_problem(design)) return std::move(*problem);
   if (!design.symmetry.empty()) return "symmetry: this base is of a design without one";
   const auto solve = [&](HandleEditSolver& solver) {
     return solver.solve(design.targets, progress);
   };
-  return play(std::move(base), design, solve, progress);
+  return play({std::move(base), design, design.targets, nullptr, progress}, design, solve);
 }
 
 }  // namespace planish

@@ -33,7 +33,6 @@ Refusal find_symmetry_problem(const Design& design) {
   if (design.options.engine != Engine::kNewton) {
     return "symmetry: the engine alm knows none; it needs newton";
   }
-  if (!design.variations.empty()) return "symmetry: variations do not keep it";
   return std::nullopt;
 }
 

@@ -95,12 +95,14 @@ std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
 }
 
 KeptByVariations kept_by_variations(const Mesh& mesh, const EditTargets& targets,
-                                    const HandleEditOptions& options) {
+                                    const HandleEditOptions& options,
+                                    std::shared_ptr<const MeshSymmetry> symmetry) {
   std::vector<int> held = held_vertices(mesh, targets, options);
   if (!options.keep_outs.empty()) hold_resting(mesh, options, held);
   std::sort(held.begin(), held.end());
   held.erase(std::unique(held.begin(), held.end()), held.end());
-  return {std::move(held), kept_kinds(options.tolerance, options.constraints), targets.supports};
+  return {std::move(held), kept_kinds(options.tolerance, options.constraints), targets.supports,
+          std::move(symmetry)};
 }
 
 }  // namespace planish

@@ -7,12 +7,16 @@
 #include <string_view>
 #include <utility>
 
+#include "planish/adjacency.hpp"
 #include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/folds.hpp"
+#include "planish/index.hpp"
+#include "planish/mesh_standing.hpp"
 #include "planish/metrics.hpp"
 #include "planish/panel_health.hpp"
 #include "planish/problem.hpp"
+#include "planish/symmetry.hpp"
 #include "shape_slides.hpp"
 #include "sound_projection.hpp"
 
@@ -168,6 +172,50 @@ void record_moves(const Positions& shown, const Positions& shape, ProjectionResu
   result.report.max_displacement = result.max_move;
 }
 
+/// Vertices that `shape` has elsewhere than the base, with all their images.
+std::vector<int> moved_orbits(const ShownVariation& variation, const MeshSymmetry& symmetry,
+                              const Positions& shape) {
+  std::vector<int> orbits;
+  for (const int v : moved_vertices(variation.base.positions, shape)) {
+    for (const SymmetryOperation& one : symmetry.operations) orbits.push_back(one.image[at(v)]);
+  }
+  std::sort(orbits.begin(), orbits.end());
+  orbits.erase(std::unique(orbits.begin(), orbits.end()), orbits.end());
+  return orbits;
+}
+
+/// The same with every point and its images at their mean, and flat again: what that takes from
+/// flatness is of the second order, so a few rounds make both. Where they do not, kToleranceNotMet.
+/// [SYM-3]
+void make_even(const ShownVariation& variation, const ProjectionOptions& exact,
+               const KeptByVariations& keeps, const Positions& from, ProjectionResult& result) {
+  constexpr int kMostRounds = 4;
+  constexpr double kRounding = 1e-9;  // mean edges: a certificate is as good here as it was there
+  if (!result.report.usable()) return;
+  const KeptKinds kept = kept_kinds(exact.tolerance, exact.constraints);
+  Mesh mesh = variation.base;
+  mesh.positions = after(from, result);
+  const Positions found = mesh.positions;
+  const Adjacency adjacency = build_adjacency(mesh);
+  for (int round = 0;; ++round) {
+    even_out(*keeps.symmetry, moved_orbits(variation, *keeps.symmetry, mesh.positions),
+             mesh.positions);
+    result.failing_faces = measure_standing(mesh, adjacency, kept).failing;
+    if (result.failing_faces.empty() || round == kMostRounds) break;
+    const ProjectionResult again =
+        project_to_planar(mesh, variation.base.positions, exact, keeps.held);
+    mesh.positions(Eigen::all, again.moved) = again.moved_positions;
+  }
+  const double evened = (mesh.positions - found).colwise().norm().maxCoeff();
+  if (evened > kRounding * mean_edge_length(variation.base)) {
+    result.report.optimality.reset();
+    if (result.report.status == SolveStatus::kConverged)
+      result.report.status = SolveStatus::kIterationLimit;
+  }
+  if (!result.failing_faces.empty()) result.report.status = SolveStatus::kToleranceNotMet;
+  record_moves(from, mesh.positions, result);
+}
+
 }  // namespace
 
 ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOptions& options,
@@ -177,7 +225,10 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
   const auto project = [&](const Positions& shape) {
     Mesh mesh = variation.base;
     mesh.positions = shape;
-    return project_to_planar(mesh, variation.base.positions, exact, keeps.held, progress);
+    ProjectionResult flat =
+        project_to_planar(mesh, variation.base.positions, exact, keeps.held, progress);
+    if (keeps.symmetry != nullptr) make_even(variation, exact, keeps, shape, flat);
+    return flat;
   };
   const Positions start = on_supports(variation, keeps.supports);
   ProjectionResult result = project(start);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "planish/index.hpp"
@@ -100,6 +101,23 @@ void even_out(const MeshSymmetry& symmetry, std::span<const int> vertices, Posit
       }
     }
   }
+}
+
+void even_out_directions(const MeshSymmetry& symmetry, std::span<const int> vertices,
+                         Eigen::Matrix3Xd& displacement) {
+  std::unordered_map<int, Eigen::Index> place;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    place[vertices[k]] = static_cast<Eigen::Index>(k);
+  }
+  const Eigen::Matrix3Xd given = displacement;
+  displacement.setZero();
+  for (const SymmetryOperation& one : symmetry.operations) {
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const Eigen::Index image = place.at(one.image[at(vertices[k])]);
+      displacement.col(static_cast<Eigen::Index>(k)) += one.turn.transpose() * given.col(image);
+    }
+  }
+  displacement /= static_cast<double>(symmetry.operations.size());
 }
 
 }  // namespace planish

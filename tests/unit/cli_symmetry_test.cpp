@@ -68,8 +68,23 @@ TEST_F(Cli, ASymmetryThatIsNoneIsRefusedInWords) {
   EXPECT_NE(err().find("is the image of handle"), std::string::npos) << err();
   EXPECT_EQ(run(edit + "--symmetry x --solver alm"), 2);
   EXPECT_NE(err().find("symmetry: the engine alm knows none"), std::string::npos) << err();
-  EXPECT_EQ(run("explore sample:vault:13 --handle 20+=0,0,0.3 --dimension 2 --symmetry x"), 2);
-  EXPECT_NE(err().find("--symmetry"), std::string::npos) << err();
+}
+
+TEST_F(Cli, VariationsKeepASymmetryAndAreReplayed) {
+  const auto json = [&](const std::string& name) {
+    return nlohmann::json::parse(contents(directory_ / name));
+  };
+  ASSERT_EQ(run("explore sample:vault:13 --handle 20+=0.05,0,0.3 --pin 60 --dimension 2 "
+                "--symmetry x --coefficients 0.6,-0.4 --exact --report r.json --design d.json"),
+            0)
+      << err();
+  EXPECT_EQ(json("r.json")["symmetry"]["images"], 2);
+  EXPECT_LE(json("r.json")["symmetry"]["asymmetry_mean_edges"].get<double>(), 1e-9);
+  EXPECT_EQ(json("r.json")["exact"]["status"], "converged");
+  EXPECT_EQ(json("d.json")["symmetry"], (nlohmann::json{"x"}));
+  EXPECT_EQ(json("d.json")["pins"], (nlohmann::json{60})) << "without its image";
+  ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+  EXPECT_EQ(json("again.json")["verified"], true);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using testing::error_text;
 using testing::shared_mesh_bytes;
 using testing::warning_text;
 
-constexpr const char* kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+constexpr const char* kSquarePoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 Mesh off_mesh(const std::string& text) {
   ReadResult result = read_off(text);
@@ -31,13 +31,13 @@ TEST(Off, WritesWhatReadsBackToTheSameBits) {
 TEST(Off, ReadsEveryHeader) {
   for (const char* header : {"OFF\n4 1 0\n", "OFF 4 1 0\n", "# hi\n\nOFF # x\n# y\n4 1\n",
                              "COFF\r\n4 1 4\r\n", "STNOFF 4 1 0\n", "4 1 0\n"}) {
-    const Mesh mesh = off_mesh(header + std::string(kPoints) + "\n4 0 1 2 3 255 0 0");
+    const Mesh mesh = off_mesh(header + std::string(kSquarePoints) + "\n4 0 1 2 3 255 0 0");
     EXPECT_EQ(mesh.face_vertices, (std::vector<int>{0, 1, 2, 3})) << header;
   }
 }
 
 TEST(Off, RecognisesIndicesFromOne) {
-  const ReadResult result = read_off("OFF 4 1 0\n" + std::string(kPoints) + "4 1 2 3 4");
+  const ReadResult result = read_off("OFF 4 1 0\n" + std::string(kSquarePoints) + "4 1 2 3 4");
   EXPECT_EQ(warning_text(result),
             "the faces count vertices from 1, OFF counts from 0; read as from 1\n");
   EXPECT_EQ(std::get<MeshFile>(result).mesh.face_vertices, (std::vector<int>{0, 1, 2, 3}));
@@ -45,7 +45,7 @@ TEST(Off, RecognisesIndicesFromOne) {
 
 TEST(Off, EveryRefusalNamesThePlace) {
   const auto refusal = [](const std::string& text) { return error_text(read_off(text)); };
-  const std::string points = kPoints;
+  const std::string points = kSquarePoints;
   EXPECT_EQ(refusal(""), "the file is empty");
   EXPECT_EQ(refusal("hello world"),
             "line 1: here should be the numbers of vertices and faces (OFF)");

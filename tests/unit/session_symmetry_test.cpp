@@ -81,7 +81,19 @@ TEST(SessionSymmetry, WhatCannotBeIsRefusedInASentence) {
   EXPECT_EQ(first(session.edit(EditMode::kSolve, targets, 1.0)), "The paper's engine");
   ASSERT_EQ(session.set_options({}), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
-  EXPECT_EQ(first(session.explore({})), "Variations do not ");
+}
+
+TEST(SessionSymmetry, VariationsHaveIt) {
+  Session session = open_vault();
+  ASSERT_EQ(session.set_symmetry("x", 1e-6), std::nullopt);
+  ASSERT_EQ(session.edit(EditMode::kSolve, aside(session, 0.2), 1.0), std::nullopt);
+  ASSERT_EQ(session.explore({.dimension = 2}), std::nullopt);
+  const Positions edited = session.current();
+  ASSERT_EQ(session.vary(Eigen::Vector2d(0.5, -0.7)), std::nullopt);
+  EXPECT_FALSE(testing::same_bits(session.current(), edited));
+  EXPECT_LE(asymmetry(*session.symmetry(), session.base(), session.current()), 1e-9);
+  ASSERT_EQ(session.make_exact(), std::nullopt);
+  EXPECT_LE(asymmetry(*session.symmetry(), session.base(), session.current()), 1e-9);
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 /// What variations around an edit leave as the edit has it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/handle_edit.hpp"
 #include "planish/mesh.hpp"
 #include "planish/point_support.hpp"
+#include "planish/symmetry.hpp"
 
 namespace planish {
 
@@ -18,11 +20,15 @@ struct KeptByVariations {
   /// variation is exact. Those that have not left their place on an outline or polyline stay there.
   /// kNewton only. [SUP-6]
   std::vector<PointSupport> supports = {};
+  /// Of the base, the edit and all of the above: variations have it, too. Null: none. [SYM-3]
+  std::shared_ptr<const MeshSymmetry> symmetry = nullptr;
 };
 
 /// Of an edit of `mesh`: vertices that it holds, and points that rest on a keep-out in the base,
 /// stay where the edit put them. O(n).
-[[nodiscard]] KeptByVariations kept_by_variations(const Mesh& mesh, const EditTargets& targets,
-                                                  const HandleEditOptions& options);
+/// @param targets with all images, where there is a symmetry
+[[nodiscard]] KeptByVariations kept_by_variations(
+    const Mesh& mesh, const EditTargets& targets, const HandleEditOptions& options,
+    std::shared_ptr<const MeshSymmetry> symmetry = nullptr);
 
 }  // namespace planish

@@ -89,4 +89,9 @@ struct MeshSymmetry {
 /// columns of `shape` keep their bits. [SYM-2]
 void even_out(const MeshSymmetry& symmetry, std::span<const int> vertices, Positions& shape);
 
+/// The same of displacements: each becomes the mean over all motions, turned where it is.
+/// @param vertices with all their images @param displacement 3 × |vertices|
+void even_out_directions(const MeshSymmetry& symmetry, std::span<const int> vertices,
+                         Eigen::Matrix3Xd& displacement);
+
 }  // namespace planish

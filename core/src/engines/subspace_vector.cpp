@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planish/index.hpp"
 
@@ -50,7 +51,8 @@ Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<i
 
 }  // namespace
 
-SubspaceVectorSolver::SubspaceVectorSolver(Patch& patch) : patch_(patch) {
+SubspaceVectorSolver::SubspaceVectorSolver(Patch& patch, EvenPart even)
+    : patch_(patch), even_(std::move(even)) {
   system_.attach(patch, PatchSystem::Constraints::kLinearised);
   dual_ = correction_.attach(patch);
   if (dual_) {
@@ -105,6 +107,11 @@ bool SubspaceVectorSolver::project(ConstraintCorrection& correction, const Patch
 }
 
 bool SubspaceVectorSolver::make_admissible(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
+  if (even_) even_(t);
+  return admit(basis, t);
+}
+
+bool SubspaceVectorSolver::admit(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
   return dual_ && t.norm() > 0.0 && project(correction_, patch_, basis, t);
 }
 
@@ -137,6 +144,7 @@ bool SubspaceVectorSolver::newton_step(const Eigen::MatrixXd& basis, double smoo
   const Eigen::MatrixXd schur = normals.transpose() * solved;
   Eigen::Map<Eigen::VectorXd> step(delta.data(), delta.size());
   step -= solved * schur.ldlt().solve(normals.transpose() * Eigen::VectorXd(step));
+  if (even_) even_(delta);
   const double before = system_.lagrangian().energy(t, smoothing);
   double share = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
@@ -166,7 +174,7 @@ double SubspaceVectorSolver::improve(const Eigen::MatrixXd& basis,
     share = std::max(options.last_smoothing, options.smoothing_shrink * share);
   }
   t = state_.displacement;
-  (void)make_admissible(basis, t);
+  (void)admit(basis, t);
   return objective(t);
 }
 

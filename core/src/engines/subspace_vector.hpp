@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "engines/constraint_correction.hpp"
@@ -29,10 +30,15 @@ struct SubspaceVectorOptions {
 /// Finds vectors one after the other on the same patch; the patch's terms carry C^i and β_h.
 class SubspaceVectorSolver {
  public:
-  /// @param patch undisplaced, at p⁺; its norm weights may be changed between calls
-  explicit SubspaceVectorSolver(Patch& patch);
+  /// The part of 3 × free displacements that a symmetry of the problem keeps.
+  using EvenPart = std::function<void(Eigen::Matrix3Xd&)>;
 
-  /// Projects onto {J t = 0, Bᵀt = 0} and normalises. False when nothing of it is left.
+  /// @param patch undisplaced, at p⁺; its norm weights may be changed between calls
+  /// @param even every vector is even, and so every step; none: any vector will do [SYM-3]
+  explicit SubspaceVectorSolver(Patch& patch, EvenPart even = {});
+
+  /// Projects onto {J t = 0, Bᵀt = 0}, of a start's even part, and normalises. False when nothing
+  /// of it is left.
   /// @param basis 3·free × k, orthonormal and tangent
   [[nodiscard]] bool make_admissible(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t);
 
@@ -60,6 +66,7 @@ class SubspaceVectorSolver {
   [[nodiscard]] int steps() const { return steps_; }
 
  private:
+  [[nodiscard]] bool admit(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t);
   void to_tangent(ConstraintCorrection& correction, Eigen::Matrix3Xd& x) const;
   [[nodiscard]] Eigen::Matrix3Xd along_constraints(const Eigen::MatrixXd& basis,
                                                    const Eigen::Matrix3Xd& pulls);
@@ -72,6 +79,7 @@ class SubspaceVectorSolver {
                              const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) const;
 
   Patch& patch_;
+  EvenPart even_;
   PatchSystem system_;
   PatchState state_;
   ConstraintCorrection correction_;

@@ -117,13 +117,14 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
   Eigen::MatrixXd normals(t.size(), basis.cols() + 1);
   normals.col(0) = as_vector(t);
   normals.rightCols(basis.cols()) = basis;
-  const Eigen::VectorXd step = curved_step(normals, as_vector(left), sphere);
+  const Eigen::VectorXd way = curved_step(normals, as_vector(left), sphere);
+  Eigen::Matrix3Xd step = Eigen::Map<const Eigen::Matrix3Xd>(way.data(), 3, patch_.free_count);
+  if (even_) even_(step);
   const double before = system_.lagrangian().energy(t, smoothing);
   double share = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
-    Eigen::Matrix3Xd trial = t;
-    Eigen::Map<Eigen::VectorXd>(trial.data(), trial.size()) += share * step;
-    if (!make_admissible(basis, trial)) return false;
+    Eigen::Matrix3Xd trial = t + share * step;
+    if (!admit(basis, trial)) return false;
     if (!(system_.lagrangian().energy(trial, smoothing) <= before + kRounding * std::abs(before)))
       continue;
     t.swap(trial);
@@ -157,7 +158,7 @@ Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Mat
     for (int v = 0; v < patch_.free_count; ++v) {  // t/√(‖t‖² + ε²) then stays what it is
       if (trial.col(v).norm() <= VectorSettling::kAtRest * smoothing) trial.col(v) *= shrink;
     }
-    if (!make_admissible(basis, trial)) break;
+    if (!admit(basis, trial)) break;
     state_.displacement = trial;
     smoothing *= shrink;
   }

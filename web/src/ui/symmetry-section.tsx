@@ -63,7 +63,7 @@ export function SymmetrySection() {
         </div>
       ))}
       <p class="quiet">
-        What is done to one point is done to all its images. Variations do not keep it.
+        What is done to one point is done to all its images, in variations as well.
       </p>
     </details>
   );
