@@ -92,6 +92,10 @@ Json info_json(const MeshFile& file) {
                                 {"max_gap", planarity.max_gap},
                                 {"worst_face", planarity.worst_face},
                                 {"worst_gap", planarity.worst_gap}};
+  const auto found = find_symmetry(file.mesh, {.automatic = true, .elements = {}});
+  if (const auto* symmetry = std::get_if<MeshSymmetry>(&found)) {
+    json["symmetry"] = symmetry_json(*symmetry, file.mesh, file.mesh.positions);
+  }
   json["warnings"] = file.warnings;
   return json;
 }
