@@ -15,6 +15,7 @@ import type { Steps } from "../../web/src/design/recipe.ts";
 import { refuse } from "../../web/src/result/result.ts";
 import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import {
+  addContext,
   addKeepOut,
   addModel,
   changeKeepOut,
@@ -224,6 +225,54 @@ describe("a model from a file", () => {
     expect(await reason(new File([""], "roof.dwg"))).toMatch(/^roof\.dwg cannot be read/);
     expect(keepOuts(page).value).toEqual([]);
     expect(page.mesh.value).not.toBeNull();
+  });
+});
+
+describe("what lies beside the panels of a file", () => {
+  /** A square of two triangles and one without area, seen from the middle of the roof. */
+  function wallAt(z: number): Float64Array {
+    const [a, b, c, d] = [
+      [-50, -50, z],
+      [50, -50, z],
+      [50, 50, z],
+      [-50, 50, z],
+    ]; // prettier-ignore
+    return Float64Array.from([a, b, c, a, c, d, a, a, b].flatMap((corner) => corner ?? []));
+  }
+  async function pageWithContext(triangles: Float64Array): Promise<Page> {
+    const page = await openedPage();
+    const source = page.draft.value?.source;
+    if (!source) throw new Error("no design");
+    const empty = new Float64Array();
+    const context = { count: 1, lines: empty, triangles, points: empty };
+    page.contexts.value = new Map([[source, context]]);
+    return page;
+  }
+
+  it("becomes a keep-out, its corners joined, and holds an edit back", async () => {
+    const [x, y, z] = await middle();
+    const page = await pageWithContext(wallAt(z + 0.1));
+    expect(await addContext(page)).toMatchObject({ ok: true });
+    expect(keepOuts(page).value).toMatchObject([
+      {
+        kind: "mesh",
+        panels: [
+          [0, 1, 2],
+          [0, 2, 3],
+        ],
+      },
+    ]); // prettier-ignore
+    expect(keepOuts(page).value[0]?.numbers).toHaveLength(12);
+    await setTarget(page, MIDDLE, [x, y, z + 0.5]);
+    expect(shownPoint(page, MIDDLE)[2]).toBeLessThanOrEqual(z + 0.1 + 1e-9);
+    expect(page.figures.value.movedVertices).toBeGreaterThan(0);
+  });
+
+  it("without surfaces it is none, and that is said", async () => {
+    const page = await pageWithContext(new Float64Array());
+    expect(await addContext(page)).toMatchObject({ ok: false });
+    expect(keepOuts(page).value).toEqual([]);
+    expect(page.problem.value).toMatch(/^A model needs panels/);
   });
 });
 

@@ -57,6 +57,27 @@ export function keepOutOf({ points, offsets, vertices }: Model): KeepOut {
   return { kind: "mesh", numbers, panels };
 }
 
+/** Of three corners of each triangle, one after the other: corners at one place are one point, and
+ * what then has no three is left out. */
+export function keepOutOfTriangles(corners: Float64Array): KeepOut {
+  const places = new Map<string, number>();
+  const numbers: number[] = [];
+  const placeOf = (corner: readonly number[]): number => {
+    const key = corner.join();
+    const known = places.get(key);
+    if (known !== undefined) return known;
+    numbers.push(...corner);
+    places.set(key, places.size);
+    return places.size - 1;
+  };
+  const panels: number[][] = [];
+  for (let k = 0; k < corners.length; k += 9) {
+    const panel = [0, 3, 6].map((at) => placeOf([...corners.subarray(k + at, k + at + 3)]));
+    if (new Set(panel).size === 3) panels.push(panel);
+  }
+  return { kind: "mesh", numbers, panels };
+}
+
 /** null if it is none. */
 export function readKeepOut(text: string): KeepOut | null {
   const [kind = "", list, ...more] = text.split("=");

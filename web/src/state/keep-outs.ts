@@ -8,6 +8,7 @@ import {
   type KeepOut,
   keepOutMoved,
   keepOutOf,
+  keepOutOfTriangles,
   keepOutText,
   type PlainKind,
   problemOf,
@@ -82,6 +83,14 @@ export async function addModel(page: Page, file: File): Outcome {
   const one = keepOutOf(read.value.model);
   const problem = problemOf(one);
   if (problem) return inTurn(page, async () => refuse(`${name}: ${problem}`));
+  return commitAll(page, [...keepOuts(page).value, one]);
+}
+
+/** The surfaces that lie beside the panels of the file, where they stand. */
+export function addContext(page: Page): Outcome {
+  const one = keepOutOfTriangles(page.context.value?.triangles ?? new Float64Array());
+  const problem = problemOf(one);
+  if (problem) return inTurn(page, async () => refuse(problem));
   return commitAll(page, [...keepOuts(page).value, one]);
 }
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
+import { fetchPart } from "../state/later.ts";
 import { usePage } from "./page-context.ts";
-/** How many objects of a file lie beside its panels, and the way to hide them. */
+
+/** How many objects of a file lie beside its panels, the way to hide them, and to keep out of them. */
 export function ContextNote() {
   const page = usePage();
-  const count = page.context.value?.count ?? 0;
+  const { count = 0, triangles } = page.context.value ?? {};
   const hidden = page.contextHidden.value;
   const objects = `${count} other ${count === 1 ? "object" : "objects"}`;
+  const keepOut = async (): Promise<void> => {
+    const part = await fetchPart(page, () => import("../state/keep-outs.ts"));
+    await part?.addContext(page);
+  };
   return (
     <div class="notice">
       {`${objects} ${hidden ? "hidden" : "shown as context"}`}{" "}
@@ -18,6 +24,20 @@ export function ContextNote() {
       >
         {hidden ? "Show" : "Hide"}
       </button>
+      {triangles && triangles.length > 0 && (
+        <>
+          {" "}
+          <button
+            type="button"
+            class="text-button"
+            title="No panel goes through their surfaces; listed under Keep-outs"
+            disabled={!page.ready.value}
+            onClick={() => void keepOut()}
+          >
+            Keep out
+          </button>
+        </>
+      )}
     </div>
   );
 }
