@@ -97,15 +97,15 @@ it("warns of long links and offers a file instead of longer ones", async () => {
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("textbox", { name: "Link" }).waitFor();
   expect(await page.getByText(/Some programs cut links this long/).count()).toBe(1);
-  expect(await page.getByRole("button", { name: "Save as GLB" }).count()).toBe(0);
+  expect(await page.getByRole("button", { name: "Save design" }).count()).toBe(0);
   await page.keyboard.press("Escape");
   await openFile(page, "noise.obj", noise(400));
   await page.getByRole("button", { name: "Start editing" }).click();
   expect((await linkOf(page)).length).toBeGreaterThan(32_000);
   await page.getByRole("button", { name: "Share" }).click();
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save as GLB" }).click();
-  expect((await download).suggestedFilename()).toBe("noise.glb");
+  await page.getByRole("button", { name: "Save design" }).click();
+  expect((await download).suggestedFilename()).toBe("noise-design.json");
   await page.context().close();
 });
 

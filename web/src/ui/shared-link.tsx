@@ -4,7 +4,7 @@ import { useSignal } from "@preact/signals";
 import "./going-along.css";
 import { EVERYTHING, snapshotsToSend, type Taken } from "../export/companions.ts";
 import { designLink } from "../export/design-link.ts";
-import { exportMesh } from "../export/exporting.ts";
+import { exportDesign } from "../export/exporting.ts";
 import { counted } from "../quantity/counted.ts";
 import { readCamera } from "../state/camera.ts";
 import { groups } from "../state/groups.ts";
@@ -27,7 +27,7 @@ export interface Shared {
 function advice({ link, copied }: Shared): string {
   const what = `${copied ? "Copied" : "Copy this link"}: ${link.length} characters.`;
   if (link.length > TOO_LONG)
-    return `${what} That is too long for most programs: send the design as a file instead.`;
+    return `${what} That is too long for most programs: save the design and send the file; it holds all that a link does.`;
   if (link.length > LONG) return `${what} Some programs cut links this long.`;
   return `${what} It holds the whole design; nothing is stored anywhere else.`;
 }
@@ -126,10 +126,10 @@ export function SharedLink({ shared: first, onClose }: SharedLinkProps) {
             class="button primary"
             onClick={() => {
               onClose();
-              void exportMesh(page, "glb");
+              void exportDesign(page);
             }}
           >
-            Save as GLB
+            Save design
           </button>
         </div>
       )}

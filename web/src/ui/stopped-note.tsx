@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 
-import { FLAT } from "../design/flatness.ts";
 import { formatGap } from "../quantity/units.ts";
 import { goOn, stopped } from "../state/going-on.ts";
 import { settled } from "../state/shortfall.ts";
 import { gotWords, reasonWords, waysOn } from "../state/way-on.ts";
 import { HoldingPanels } from "./holding-panels.tsx";
 import { usePage } from "./page-context.ts";
+
+/** Mean edges: of less a figure in millimetres is all zeros. */
+const WORTH_SAYING = 1e-6;
 
 /** Where a point stops on its way to its target, why, and one press for each way on. */
 export function StoppedNote() {
@@ -24,7 +26,7 @@ export function StoppedNote() {
         {reasonWords(reason, growth)}
       </p>
       {reason === "panels" && <HoldingPanels />}
-      {status === "infeasible_handles" && left !== undefined && 1000 * left > FLAT && (
+      {status === "infeasible_handles" && left !== undefined && left > WORTH_SAYING && (
         <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, page.unit.value)} out of flat.`}</p>
       )}
       <fieldset class="ways-on" aria-label="Get further">
