@@ -105,8 +105,9 @@ Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd f
                                               const Progress& progress) {
   put_on_tracks(from);  // of a mesh whose points were on other sides
   Eigen::Matrix3Xd displacement = path_->settle(penalty, from, progress);
-  for (int turn = 1; turn < kMostOutlineTurns && slides_ && !cancelled() &&
-                     slides_->follow(std::span(patch_.vertices).first(at(patch_.free_count)), displacement);
+  for (int turn = 1;
+       turn < kMostOutlineTurns && slides_ && !cancelled() &&
+       slides_->follow(std::span(patch_.vertices).first(at(patch_.free_count)), displacement);
        ++turn) {
     cutter_.cut(problem_, free_, patch_);
     path_->attach(patch_);

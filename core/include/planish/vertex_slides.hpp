@@ -74,8 +74,8 @@ class VertexSlides {
   /// Whether `d` is where the vertex may go: on its track, and on an outline within the side.
   [[nodiscard]] bool holds(int vertex, const Eigen::Vector3d& d) const;
 
-  /// Whether a vertex cannot move along a track: at a corner, or at its place on an outline, which it
-  /// has not left.
+  /// Whether a vertex cannot move along a track: at a corner, or at its place on an outline, which
+  /// it has not left.
   [[nodiscard]] bool rests(int vertex) const;
 
   /// Whether any track changes with where its vertex goes: along an outline, or on a surface.

@@ -13,7 +13,8 @@ namespace planish {
 /// What a warm start needs. Untouched vertices and equations read as zero.
 class DisplacementField {
  public:
-  /// @param equation_count of the model; surface rows, whose numbers come after these, get room once
+  /// @param equation_count of the model; surface rows, whose numbers come after these, get room
+  /// once
   ///                       one of them is stored
   DisplacementField(int vertex_count, int equation_count);
 
