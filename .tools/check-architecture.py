@@ -102,6 +102,7 @@ FILE_GROUPS = {
     "resting_points": "point_support",
     "guide_lines": "point_support",
     "surface_feet": "point_support",
+    "surface_heights": "point_support",
     "reference_surface": "point_support",
     "surface_sites": "point_support",
     "crc32": "checksum",

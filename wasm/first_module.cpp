@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What the page's first module does without, so that a first visit transfers less: keep-outs,
-/// symmetry, exploring. Linked in place of the core's own files, whose functions these are;
-/// planish_whole has them. Keep-outs are refused by find_problem(), and the page asks no first
-/// module for the others, so that nothing else here is ever reached.
+/// surfaces to stand on, symmetry, exploring. Linked in place of the core's own files, whose
+/// functions these are; planish_whole has them. Keep-outs are refused by find_problem(), and the
+/// page asks no first module for the others, so that nothing else here is ever reached.
 #include "edit_reach.hpp"
 #include "engines/keep_out_terms.hpp"
 #include "engines/patch_system.hpp"
@@ -16,6 +16,7 @@
 #include "planish/subspace.hpp"
 #include "planish/vertex_slides.hpp"
 #include "session.hpp"
+#include "surface_heights.hpp"
 
 namespace planish {
 namespace {
@@ -58,6 +59,21 @@ void WorkingSetNewton::judge_rests(const EditProblem&, double, Optimality&) { is
 
 Eigen::Vector3d VertexSlides::nearest(int, const Eigen::Vector3d&) const { is_not_here(); }
 void VertexSlides::let_all_go() { is_not_here(); }
+void VertexSlides::add_feet(const PointSupport&, const std::vector<int>&) { is_not_here(); }
+void VertexSlides::order_feet() {}
+void VertexSlides::open_feet() {}
+void VertexSlides::stand_on_surfaces(const Eigen::Matrix3Xd&) {}
+std::span<const SurfaceRow> VertexSlides::surface_rows(int) const { is_not_here(); }
+bool VertexSlides::follow_surfaces(int, const Eigen::Vector3d&) { is_not_here(); }
+Eigen::Vector3d VertexSlides::on_surface(int, const Eigen::Vector3d&) const { is_not_here(); }
+bool VertexSlides::is_at_heights(int, const Eigen::Vector3d&) const { is_not_here(); }
+std::vector<double> ways_off_surface(const PointSupport&, const Mesh&, const std::vector<int>&,
+                                     const Positions&) {
+  is_not_here();
+}
+std::optional<FarPoint> far_from_surface(const PointSupport&, const Mesh&, double) {
+  is_not_here();
+}
 void VertexSlides::forget_releases() { is_not_here(); }
 
 void HandleEditSolver::State::keep_out() { is_not_here(); }

@@ -8,7 +8,6 @@ import { guide } from "./guide.ts";
 import { noCodeFromText } from "./no-code-from-text.ts";
 import { offline } from "./offline.ts";
 import { oneBeginning } from "./one-beginning.ts";
-import { smallShaders } from "./small-shaders.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const wasm = process.env.PLANISH_WASM_DIR ?? here("../build/wasm/wasm");
@@ -19,7 +18,7 @@ export default defineConfig({
   publicDir: here("public"),
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
-  plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), smallShaders(), guide(), offline()],
+  plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), guide(), offline()],
   worker: { format: "es", plugins: () => [noCodeFromText()] },
   build: {
     outDir: here("../dist"),

@@ -13,7 +13,7 @@
 #include "planish/index.hpp"
 #include "planish/io/number.hpp"
 #include "planish/vertex_slides.hpp"
-#include "reference_surface.hpp"
+#include "surface_heights.hpp"
 
 namespace planish {
 namespace {
@@ -106,36 +106,12 @@ Refusal find_broken(const PointSupport& polyline, const Mesh& mesh) {
   return std::nullopt;
 }
 
-/// Of each of `points`, by how much it is farther above a side of the surface in `shape` than in
-/// the base, at most; model units.
-std::vector<double> ways_off_surface(const PointSupport& support, const Mesh& base,
-                                     const std::vector<int>& points, const Positions& shape) {
-  const ReferenceSurface surface(support.surface.points.empty() ? base : to_mesh(support.surface));
-  std::vector<double> ways;
-  for (const int v : points) {
-    const Eigen::Vector3d was = base.positions.col(v), is = shape.col(v);
-    ways.push_back(0.0);
-    if (is == was) continue;
-    for (const int side : surface.sides_at(was, kMostSurfaceRows)) {
-      const SurfaceFoot foot = surface.foot(was, side, surface.somewhere_near(was, side));
-      const double height = surface.foot(is, side, foot.place).height.value;
-      ways.back() = std::max(ways.back(), std::abs(height - foot.height.value));
-    }
-  }
-  return ways;
-}
-
 Refusal find_far_from_surface(const PointSupport& support, const Mesh& mesh, double mean_edge) {
-  if (support.surface.points.empty()) return std::nullopt;  // it is what it is on
-  const ReferenceSurface surface(to_mesh(support.surface));
-  for (const int v : points_of(support, mesh)) {
-    const double distance = surface.distance(mesh.positions.col(v));
-    if (distance <= kSurfaceReach * mean_edge) continue;
-    return name_of(support) + ": vertex " + std::to_string(v) + " is " + three_digits(distance) +
-           " away from it, and mean edges are " + three_digits(mean_edge) +
-           "; a point slides on what it is near to already";
-  }
-  return std::nullopt;
+  const auto far = far_from_surface(support, mesh, kSurfaceReach * mean_edge);
+  if (!far) return std::nullopt;
+  return name_of(support) + ": vertex " + std::to_string(far->vertex) + " is " +
+         three_digits(far->distance) + " away from it, and mean edges are " +
+         three_digits(mean_edge) + "; a point slides on what it is near to already";
 }
 
 /// Where a polyline only ends: what stands on another line as well rests there.

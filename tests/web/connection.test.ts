@@ -8,12 +8,19 @@ import {
   run,
   solverIsThere,
 } from "../../web/src/state/connection.ts";
-import { editQuestion, setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import {
+  commitSettings,
+  editQuestion,
+  setTarget,
+  shownPoint,
+} from "../../web/src/state/editing.ts";
 import { Page } from "../../web/src/state/page.ts";
 import { cancel } from "../../web/src/state/showing.ts";
 import { type Fate, openedPage, pageHere } from "./support/page-here.ts";
 
 const MIDDLE = 220;
+/** Of the same roof, on its boundary. */
+const ON_RIM = 10;
 
 async function lift(page: Page, by: number): Promise<void> {
   const [x, y, z] = shownPoint(page, MIDDLE);
@@ -54,6 +61,20 @@ it("hands on what moves, vertex and place each", async () => {
   const before = moved.size;
   await lift(page, 0.1);
   expect(moved.size).toBe(before);
+});
+
+it("points on a surface are the whole solver's, which takes the edit over", async () => {
+  const page = await openedPage();
+  await lift(page, 0.2);
+  expect(await commitSettings(page, { supports: ["surface:boundary"] })).toMatchObject({
+    ok: true,
+  });
+  const [x, y, z] = shownPoint(page, ON_RIM);
+  await setTarget(page, ON_RIM, [x + 0.2, y, z]);
+  const { report, shape } = page.history.value?.present ?? {};
+  expect(report?.status).toBe("converged");
+  expect(shape?.moved).toContain(ON_RIM);
+  expect(shape?.moved).toContain(MIDDLE);
 });
 
 it("of frames that wait only the newest is asked", async () => {

@@ -27,9 +27,3 @@ declare module "virtual:core-defaults" {
   export const sliverAngle: Defaults["sliverAngle"];
   export const newSliver: Defaults["newSliver"];
 }
-
-/** Parts of shaders, which three.js has no types for. */
-declare module "three/src/renderers/shaders/ShaderChunk/*.glsl.js" {
-  const text: string;
-  export default text;
-}

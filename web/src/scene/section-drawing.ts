@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plane that cuts the structure open: what is beyond it is left out of the picture, and the cut is a
-// line. The build leaves three.js's shaders for this out of the first part of the page; here they are
-// put back, before a material asks for them.
+// line.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -11,28 +10,14 @@ import {
   Mesh,
   type Object3D,
   Plane,
-  ShaderChunk,
   Vector3,
 } from "three";
-import fragment from "three/src/renderers/shaders/ShaderChunk/clipping_planes_fragment.glsl.js";
-import fragmentHead from "three/src/renderers/shaders/ShaderChunk/clipping_planes_pars_fragment.glsl.js";
-import vertexHead from "three/src/renderers/shaders/ShaderChunk/clipping_planes_pars_vertex.glsl.js";
-import vertex from "three/src/renderers/shaders/ShaderChunk/clipping_planes_vertex.glsl.js";
 import type { SectionPlane } from "../design/section-plane.ts";
 import type { PlaneSection } from "../mesh/plane-section.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import type { Drawn } from "./drawing-follower.ts";
 import { placed } from "./placing.ts";
 import type { Stage } from "./stage.ts";
-
-function putShadersBack(): void {
-  Object.assign(ShaderChunk, {
-    clipping_planes_fragment: fragment,
-    clipping_planes_pars_fragment: fragmentHead,
-    clipping_planes_pars_vertex: vertexHead,
-    clipping_planes_vertex: vertex,
-  });
-}
 
 function clip(structure: Object3D, planes: Plane[] | null): void {
   structure.traverse((part) => {
@@ -70,7 +55,6 @@ export function drawSection(
   { axis, at, flipped }: SectionPlane,
   { pieces }: PlaneSection,
 ): Drawn {
-  putShadersBack();
   stage.renderer.localClippingEnabled = true;
   const height = (at - mesh.report.centre[axis]) * mesh.report.scale;
   // What is on the plane's own side is kept.

@@ -2,6 +2,7 @@
 // The one solver of the page, and what its answers do to the state.
 
 import { type Design, toTargets } from "../design/design.ts";
+import { anyOnSurface } from "../design/supports.ts";
 import { symmetryIn } from "../design/symmetry.ts";
 import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
@@ -156,11 +157,12 @@ const isAboutShape = ({ kind }: Question): boolean => kind === "explore" || kind
 
 /** Whether the solver that a visit begins with does not know it. */
 function needsWhole(question: Question): boolean {
-  if ("settings" in question) return question.settings.keepOuts.length > 0;
+  if ("settings" in question)
+    return question.settings.keepOuts.length > 0 || anyOnSurface(question.settings.supports);
   if (question.kind === "open") return question.symmetry !== null;
   if (question.kind !== "replay") return isAboutShape(question);
-  const { options, variations } = question.design;
-  return options.keepOuts.length > 0 || variations.length > 0;
+  const { options, variations, supports } = question.design;
+  return options.keepOuts.length > 0 || variations.length > 0 || anyOnSurface(supports);
 }
 
 /** Goes over to the solver that knows everything, with the mesh that is open. */
