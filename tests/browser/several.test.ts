@@ -135,6 +135,35 @@ it("the boundary is pinned and a line raised by an amount, in twelve actions; bo
   await page.context().close();
 });
 
+it("a point is moved by an amount in eight keys, along the axis of the lock", async () => {
+  const page = await site.openVault();
+  const base = readObj(await obj(page));
+  await page.getByLabel("3D view").focus();
+  const keys = async (...pressed: readonly string[]): Promise<void> => {
+    expect(pressed.length).toBeLessThanOrEqual(8);
+    for (const key of pressed) await page.keyboard.press(key);
+  };
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(async () => (await marked(page)).length).toBe(1);
+  await page.keyboard.press("m");
+  const up = strip(page).getByRole("spinbutton", { name: "Move by Z" });
+  await expect.poll(() => up.evaluate((field) => field === document.activeElement)).toBe(true);
+  await keys("3", "0", "0", "m", "m", "Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  const [row] = await handleRows(page);
+  const [x, y, z = 0] = base.points[row?.vertex ?? 0] ?? [];
+  expect(row?.target.slice(0, 2)).toEqual([x, y]);
+  expect(row?.target[2]).toBeCloseTo(z + 0.3, 12);
+  await page.getByLabel("3D view").focus();
+  await expect.poll(() => strip(page).count()).toBe(0);
+  await page.keyboard.press("x");
+  await page.keyboard.press("m");
+  const across = strip(page).getByRole("spinbutton", { name: "Move by X" });
+  await expect.poll(() => across.evaluate((field) => field === document.activeElement)).toBe(true);
+  await page.context().close();
+});
+
 /** How far up each point of the table was asked to go, model units, in the order of the points. */
 async function raised(page: Page, base: readonly (readonly number[])[]): Promise<number[]> {
   const rows = (await handleRows(page)).toSorted((a, b) => a.vertex - b.vertex);

@@ -86,8 +86,8 @@ TEST_F(Cli, InfoPrintsJson) {
   EXPECT_EQ(json["mesh"]["vertices"], 25);
   EXPECT_EQ(json["mesh"]["face_sizes"]["4"], 16);
   EXPECT_EQ(json["mesh"]["boundary_loops"], 1);
-  EXPECT_EQ(json["symmetry"]["elements"], (nlohmann::json{"x"}));
-  EXPECT_EQ(json["symmetry"]["images"], 2);
+  EXPECT_EQ(json["symmetry"]["elements"], (nlohmann::json{"x", "y", "axis:z:2"}));
+  EXPECT_EQ(json["symmetry"]["images"], 4);
   ASSERT_EQ(run("sample freeform --size 5 -o b.obj"), 0);
   ASSERT_EQ(run("info b.obj"), 0) << err();
   EXPECT_EQ(nlohmann::json::parse(out())["symmetry"]["elements"], nlohmann::json::array());

@@ -139,6 +139,8 @@ export class PageState {
   readonly snapStep = signal<number | null>(null);
   /** What a drag in the view draws around points instead; null: nothing. */
   readonly areaTool = signal<AreaTool | null>(null);
+  /** The field of typed moves that a key asked for, until the focus leaves it. */
+  readonly typedMove = signal<"X" | "Y" | "Z" | null>(null);
   /** Whether the arrows at a point follow its surface instead of X, Y and Z. */
   readonly localArrows = signal(false);
   readonly unit = signal<Unit>("m");

@@ -38,7 +38,7 @@ const HINTS: readonly Hint[] = [
   { how: "Click a panel", what: "shows its figure; close by is enough where it is narrow" },
   {
     how: "To move a point by keys",
-    what: "step to it, press Add handle, and type where it should go",
+    what: "step to it, press M (X, Y or Z first for another axis), and type by how much",
   },
   { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
 ];

@@ -58,7 +58,8 @@ const KeptSections = later(() => import("./kept-sections.tsx").then((part) => pa
 /** Where several points are selected, or about to be; beside the view, so that it covers none of them. */
 function Several() {
   const page = usePage();
-  return page.selection.value.length > 1 || page.areaTool.value ? <SelectionStrip /> : null;
+  const asked = page.areaTool.value ?? page.typedMove.value;
+  return page.selection.value.length > 1 || asked ? <SelectionStrip /> : null;
 }
 
 export function Inspector() {

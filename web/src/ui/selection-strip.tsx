@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several points are one thing: what can be done with all that are selected, and how to select more.
+import type { RefObject } from "preact";
+import { useEffect, useRef } from "preact/hooks";
 import { usePage } from "./page-context.ts";
 import "./selection-strip.css";
 import type { Point } from "../design/design.ts";
@@ -60,11 +62,24 @@ function Tools({ tools }: { tools: readonly Tool[] }) {
   );
 }
 
+/** The field that a key asked for has the focus, its number selected. */
+function useAskedField(): RefObject<HTMLSpanElement | null> {
+  const page = usePage();
+  const fields = useRef<HTMLSpanElement>(null);
+  const axis = page.typedMove.value;
+  useEffect(() => {
+    if (axis)
+      fields.current?.querySelector<HTMLInputElement>(`[aria-label="Move by ${axis}"]`)?.select();
+  }, [axis]);
+  return fields;
+}
+
 function MoveFields({ disabled }: { disabled: boolean }) {
   const page = usePage();
   const chosen = page.selection.value;
+  const fields = useAskedField();
   return (
-    <span class="strip-part">
+    <span class="strip-part" ref={fields}>
       <span class="strip-move">Move by</span>
       {AXES.map(([axis, [x, y, z]]) => (
         <span key={axis} class="strip-move">
@@ -127,6 +142,9 @@ export function SelectionStrip() {
       role="toolbar"
       aria-label="Selected points"
       title={page.baseFlat.value ? undefined : FLAT_FIRST}
+      onFocusOut={({ currentTarget, relatedTarget }) => {
+        if (!currentTarget.contains(relatedTarget as Node | null)) page.typedMove.value = null;
+      }}
     >
       <span class="strip-count">{length === 1 ? "1 point" : `${length} points`}</span>
       <Ask about="several" />

@@ -89,6 +89,8 @@ const lockTo = (axis: Lock["axis"], name: string, key: string, plane = false): C
   run: (page) => toggleLock(page, axis, plane),
 });
 
+const AXIS_NAMES = { x: "X", y: "Y", z: "Z" } as const;
+
 const door = (label: string, name: Door, more: Partial<Command> = {}): Command => ({
   label,
   run: (page) => openDoor(page, name),
@@ -186,6 +188,16 @@ export const COMMANDS = {
     heard: "view",
     refusal: cannotPin,
     run: togglePins,
+  },
+  moveBy: {
+    label: "Move by an amount",
+    keys: ["M"],
+    heard: "view",
+    refusal: cannotPin,
+    run: (page) => {
+      const { axis, plane } = page.lock.value ?? { axis: "z", plane: false };
+      page.typedMove.value = plane || axis === "normal" ? "Z" : AXIS_NAMES[axis];
+    },
   },
   lockX: lockTo("x", "X", "X"),
   lockY: lockTo("y", "Y", "Y"),
