@@ -164,6 +164,47 @@ it("a point is moved by an amount in eight keys, along the axis of the lock", as
   await page.context().close();
 });
 
+it("the boundary is pinned and a line raised by keys alone, in forty", async () => {
+  const page = await site.openVault();
+  const base = readObj(await obj(page));
+  await page.getByLabel("3D view").focus();
+  let pressed = 0;
+  const keys = async (...all: readonly string[]): Promise<void> => {
+    pressed += all.length;
+    for (const key of all) await page.keyboard.press(key);
+  };
+  const command = async (word: string): Promise<void> => {
+    await keys("Control+k");
+    await page.getByRole("dialog").waitFor();
+    await keys(...word, "Enter");
+    await expect.poll(() => page.getByRole("dialog").count()).toBe(0);
+  };
+  await command("boun");
+  await expectSelected(page, 4 * (SIDE - 1));
+  await keys("p");
+  await idle(page);
+  await page.getByLabel("3D view").focus();
+  await keys("Escape", "ArrowRight", "Control+ArrowRight");
+  await expectSelected(page, 2);
+  await command("line of");
+  await expectSelected(page, SIDE);
+  await keys("m");
+  const up = strip(page).getByRole("spinbutton", { name: "Move by Z" });
+  await expect.poll(() => up.evaluate((field) => field === document.activeElement)).toBe(true);
+  await keys(..."300mm", "Enter");
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  expect(pressed).toBeLessThanOrEqual(40);
+  const table = page.getByRole("table", { name: "Handles" });
+  await table.getByRole("button", { name: "List" }).first().click();
+  const lifted = (await handleRows(page)).filter(({ pinned, target, vertex }) => {
+    const z = base.points[vertex]?.[2] ?? 0;
+    return !pinned && Math.abs((target[2] ?? 0) - z - 0.3) < 1e-12;
+  });
+  expect(lifted.length).toBe(SIDE - 2);
+  await page.context().close();
+});
+
 /** How far up each point of the table was asked to go, model units, in the order of the points. */
 async function raised(page: Page, base: readonly (readonly number[])[]): Promise<number[]> {
   const rows = (await handleRows(page)).toSorted((a, b) => a.vertex - b.vertex);
