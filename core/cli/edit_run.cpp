@@ -66,14 +66,18 @@ std::optional<std::string> evened_sentence(const EditRun& run) {
          three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
+namespace {
+
+bool has_images(const EditRun& run) { return run.symmetry && run.symmetry->operations.size() > 1; }
+
+}  // namespace
+
 std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run) {
-  if (!run.symmetry || run.symmetry->operations.size() < 2) return nullptr;
-  return std::make_shared<const MeshSymmetry>(*run.symmetry);
+  return has_images(run) ? std::make_shared<const MeshSymmetry>(*run.symmetry) : nullptr;
 }
 
 EditTargets targets_with_images(const EditRun& run) {
-  const auto symmetry = symmetry_of(run);
-  return symmetry == nullptr ? run.targets : all_images(run.targets, run.base.mesh, *symmetry);
+  return has_images(run) ? all_images(run.targets, run.base.mesh, *run.symmetry) : run.targets;
 }
 
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
@@ -124,9 +128,8 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
   }
   HandleEditSolver solver(run.base.mesh, options);
   const HandleEditResult result =
-      symmetry_of(run) != nullptr
-          ? solver.solve_symmetric(targets_with_images(run), *run.symmetry, watched)
-          : solver.solve(run.targets, watched);
+      has_images(run) ? solver.solve_symmetric(targets_with_images(run), *run.symmetry, watched)
+                      : solver.solve(run.targets, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
