@@ -48,23 +48,32 @@ void add_violations(const KeptKinds& kept, const Violations& before, const Viola
   report.planarity_after = report.violations.front().after_max;
 }
 
+/// One projection: what was given, and how flat it was.
+struct Task {
+  const Mesh& mesh;
+  const Mesh& base;            ///< of the history, or `mesh`: what supports are about
+  const Positions* reference;  ///< null without a history
+  const ProjectionOptions& options;
+  const std::vector<int>& pins;
+  const KeptKinds& kept;
+  const Adjacency& adjacency;  ///< empty unless a kept kind hangs on stars
+  MeshStanding before;
+};
+
 /// How one attempt is made.
 enum class Attempt { kNearest, kConfined, kWeighted, kWeightedInShape };
 
 /// Attempts from `current` until no panel fails or the rounds are over. A large correction can make
 /// the vertices that carry a panel's plane collinear; the next round chooses them anew.
-/// @param base what supports are about
-ProjectionResult attempt(const Mesh& base, Mesh& current, MeshStanding& standing, Attempt kind,
-                         int rings, const Positions* reference, const Adjacency& adjacency,
-                         const ProjectionOptions& options, const std::vector<int>& pins,
-                         const Progress& progress) {
+/// @param rings about the panels that fail, where confined
+ProjectionResult attempt(const Task& task, Attempt kind, int rings, Mesh& current,
+                         MeshStanding& standing, const Progress& progress) {
   ProjectionResult result;
-  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
   for (int round = 0; round < kRounds && !standing.failing.empty(); ++round) {
-    Projector projector(current, options, pins);
-    if (hold_points(options.supports)) projector.stand_on(base);
+    Projector projector(current, task.options, task.pins);
+    if (hold_points(task.options.supports)) projector.stand_on(task.base);
     if (kind == Attempt::kWeighted || kind == Attempt::kWeightedInShape) {
-      projector.penalise_unmoved(*reference);
+      projector.penalise_unmoved(*task.reference);
       if (kind == Attempt::kWeightedInShape) projector.keep_shape();
     } else {
       projector.penalise_squares();
@@ -74,7 +83,7 @@ ProjectionResult attempt(const Mesh& base, Mesh& current, MeshStanding& standing
     for (std::size_t k = 0; k < step.moved.size(); ++k) {
       current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
     }
-    standing = measure_standing(current, adjacency, kept);
+    standing = measure_standing(current, task.adjacency, task.kept);
     step.report.iterations += result.report.iterations;
     step.report.factorizations += result.report.factorizations;
     step.report.solve_seconds += result.report.solve_seconds;
@@ -87,18 +96,6 @@ ProjectionResult attempt(const Mesh& base, Mesh& current, MeshStanding& standing
   }
   return result;
 }
-
-/// One projection: what was given, and how flat it was.
-struct Task {
-  const Mesh& mesh;
-  const Mesh& base;            ///< of the history, or `mesh`: what supports are about
-  const Positions* reference;  ///< null without a history
-  const ProjectionOptions& options;
-  const std::vector<int>& pins;
-  const KeptKinds& kept;
-  const Adjacency& adjacency;  ///< empty unless a kept kind hangs on stars
-  MeshStanding before;
-};
 
 /// What a projection came to; `positions` are 3 × n.
 void conclude(const Task& task, const Positions& positions, MeshStanding after,
@@ -124,27 +121,25 @@ void say_if_confined(ProjectionResult& result) {
 Positions project_freely(const Task& task, const Progress& progress, ProjectionResult& result) {
   Mesh current = task.mesh;
   MeshStanding after = task.before;
-  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
-  const Attempt first = reference != nullptr ? Attempt::kWeighted : Attempt::kNearest;
-  result = attempt(base, current, after, first, 0, reference, adjacency, options, pins, progress);
+  const bool has_history = task.reference != nullptr;
+  result = attempt(task, has_history ? Attempt::kWeighted : Attempt::kNearest, 0, current, after,
+                   progress);
   // Where the weighted problem does not close, the nearest flat mesh in growing surroundings does,
   // and still leaves the rest alone.
   for (const int rings : {2, 4, 8, 16}) {
-    if (after.failing.empty() || reference == nullptr ||
-        result.report.status == SolveStatus::kCancelled) {
+    if (after.failing.empty() || !has_history || result.report.status == SolveStatus::kCancelled) {
       break;
     }
-    Mesh again = mesh;
-    MeshStanding left = before;
-    ProjectionResult next = attempt(base, again, left, Attempt::kConfined, rings, reference,
-                                    adjacency, options, pins, progress);
+    Mesh again = task.mesh;
+    MeshStanding left = task.before;
+    ProjectionResult next = attempt(task, Attempt::kConfined, rings, again, left, progress);
     if (left.failing.size() > after.failing.size()) continue;
     result = std::move(next);
     result.confined_because = ConfinedBecause::kNotExact;
     current = std::move(again);
     after = std::move(left);
   }
-  result.fairness_weight = options.fairness_weight;
+  result.fairness_weight = task.options.fairness_weight;
   conclude(task, current.positions, std::move(after), result);
   say_if_confined(result);
   return std::move(current.positions);
@@ -153,14 +148,12 @@ Positions project_freely(const Task& task, const Progress& progress, ProjectionR
 /// The weighted distance with the bound on every panel's shape; nullopt where that does not end
 /// with panels that are all flat and sound.
 std::optional<ProjectionResult> project_in_shape(const Task& task, const Progress& progress) {
-  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
-  Mesh current = mesh;
-  MeshStanding after = before;
-  ProjectionResult result = attempt(base, current, after, Attempt::kWeightedInShape, 0, reference,
-                                    adjacency, options, pins, progress);
+  Mesh current = task.mesh;
+  MeshStanding after = task.before;
+  ProjectionResult result = attempt(task, Attempt::kWeightedInShape, 0, current, after, progress);
   if (!after.failing.empty() || !result.report.usable()) return std::nullopt;
-  if (!spoilt_faces(mesh, *reference, current.positions).empty()) return std::nullopt;
-  result.fairness_weight = options.fairness_weight;
+  if (!spoilt_faces(task.mesh, *task.reference, current.positions).empty()) return std::nullopt;
+  result.fairness_weight = task.options.fairness_weight;
   conclude(task, current.positions, std::move(after), result);
   return result;
 }
