@@ -66,7 +66,6 @@ class PathWalker {
   [[nodiscard]] Station settle(double penalty, const Station& from, const Progress& progress);
   [[nodiscard]] Eigen::Matrix3Xd settle_on_tracks(double penalty, Eigen::Matrix3Xd from,
                                                   const Progress& progress);
-  void put_on_tracks(Eigen::Matrix3Xd& displacement) const;
   [[nodiscard]] bool cancelled() const {
     return path_->outcome().status == SolveStatus::kCancelled;
   }
@@ -93,17 +92,10 @@ Station PathWalker::rest() const {
   return here;
 }
 
-void PathWalker::put_on_tracks(Eigen::Matrix3Xd& displacement) const {
-  for (const Slide& slide : patch_.slides) {
-    const Eigen::Vector3d d = displacement.col(slide.vertex);
-    displacement.col(slide.vertex) = slide.track.nearest(d);
-  }
-}
-
 /// Again for as long as points take other sides of their outlines.
 Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd from,
                                               const Progress& progress) {
-  put_on_tracks(from);  // of a mesh whose points were on other sides
+  put_on_tracks(patch_, from);  // of a mesh whose points were on other sides
   Eigen::Matrix3Xd displacement = path_->settle(penalty, from, progress);
   for (int turn = 1;
        turn < kMostOutlineTurns && slides_ && !cancelled() &&
@@ -111,7 +103,7 @@ Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd f
        ++turn) {
     cutter_.cut(problem_, free_, patch_);
     path_->attach(patch_);
-    put_on_tracks(displacement);
+    put_on_tracks(patch_, displacement);
     displacement = path_->settle(penalty, displacement, progress);
   }
   return displacement;

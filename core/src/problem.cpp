@@ -264,11 +264,16 @@ void PatchCutter::cut_open(const EditProblem& problem, std::span<const int> inne
   place(problem, patch);
 }
 
+void put_on_tracks(const Patch& patch, Eigen::Matrix3Xd& displacement) {
+  for (const Slide& slide : patch.slides) {
+    const Eigen::Vector3d d = displacement.col(slide.vertex);
+    displacement.col(slide.vertex) = slide.track.nearest(d);
+  }
+}
+
 Eigen::Matrix3Xd on_tracks(const Patch& patch) {
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
-  for (const Slide& slide : patch.slides) {
-    displacement.col(slide.vertex) = slide.track.nearest(Eigen::Vector3d::Zero());
-  }
+  put_on_tracks(patch, displacement);
   return displacement;
 }
 

@@ -143,6 +143,10 @@ struct Patch {
   }
 };
 
+/// The nearest displacement on its track for every free vertex that has one.
+/// @param displacement 3 × at least free_count
+void put_on_tracks(const Patch& patch, Eigen::Matrix3Xd& displacement);
+
 /// No displacement, or the nearest one on its track where that leads past it; 3 × free.
 [[nodiscard]] Eigen::Matrix3Xd on_tracks(const Patch& patch);
 

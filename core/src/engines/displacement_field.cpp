@@ -57,10 +57,7 @@ void DisplacementField::load(const Patch& patch, PatchState& state) const {
     state.displacement.col(k) = displacement_.col(patch.vertices[at(k)]);
     state.norm_dual.col(k) = norm_dual_.col(patch.vertices[at(k)]);
   }
-  for (const Slide& slide : patch.slides) {  // its track may be new
-    const Eigen::Vector3d d = state.displacement.col(slide.vertex);
-    state.displacement.col(slide.vertex) = slide.track.nearest(d);
-  }
+  put_on_tracks(patch, state.displacement);  // they may be new
   for (std::size_t e = 0; e < patch.equation_ids.size(); ++e) {
     const int id = patch.equation_ids[e];
     state.multipliers[static_cast<Eigen::Index>(e)] =

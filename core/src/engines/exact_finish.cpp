@@ -55,10 +55,7 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
   for (int k = 0; k < patch_.free_count; ++k) {
     displacement.col(k) = field.displacement(patch_.vertices[at(k)]);
   }
-  for (const Slide& slide : patch_.slides) {
-    const Eigen::Vector3d d = displacement.col(slide.vertex);
-    displacement.col(slide.vertex) = slide.track.nearest(d);
-  }
+  put_on_tracks(patch_, displacement);
   ExactDesign design;
   (void)correct_constraints(patch_, kMostPasses, displacement, design.factorizations);
   std::vector<std::pair<int, Eigen::Vector3d>> moved;
