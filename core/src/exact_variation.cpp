@@ -188,7 +188,8 @@ std::vector<int> moved_orbits(const ShownVariation& variation, const MeshSymmetr
 /// flatness is of the second order, so a few rounds make both. Where they do not, kToleranceNotMet.
 /// [SYM-3]
 void make_even(const ShownVariation& variation, const ProjectionOptions& exact,
-               const KeptByVariations& keeps, const Positions& from, ProjectionResult& result) {
+               const KeptByVariations& keeps, const Positions& from, const Progress& progress,
+               ProjectionResult& result) {
   constexpr int kMostRounds = 4;
   constexpr double kRounding = 1e-9;  // mean edges: a certificate is as good here as it was there
   if (!result.report.usable()) return;
@@ -203,7 +204,11 @@ void make_even(const ShownVariation& variation, const ProjectionOptions& exact,
     result.failing_faces = measure_standing(mesh, adjacency, kept).failing;
     if (result.failing_faces.empty() || round == kMostRounds) break;
     const ProjectionResult again =
-        project_to_planar(mesh, variation.base.positions, exact, keeps.held);
+        project_to_planar(mesh, variation.base.positions, exact, keeps.held, progress);
+    if (again.report.status == SolveStatus::kCancelled) {
+      result.report.status = SolveStatus::kCancelled;
+      return;
+    }
     mesh.positions(Eigen::all, again.moved) = again.moved_positions;
   }
   const double evened = (mesh.positions - found).colwise().norm().maxCoeff();
@@ -227,7 +232,7 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
     mesh.positions = shape;
     ProjectionResult flat =
         project_to_planar(mesh, variation.base.positions, exact, keeps.held, progress);
-    if (keeps.symmetry != nullptr) make_even(variation, exact, keeps, shape, flat);
+    if (keeps.symmetry != nullptr) make_even(variation, exact, keeps, shape, progress, flat);
     return flat;
   };
   const Positions start = on_supports(variation, keeps.supports);
