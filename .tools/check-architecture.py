@@ -84,6 +84,7 @@ FILE_GROUPS = {
     "symmetric_shape": "symmetry",
     "handle_edit_keep_outs": "handle_edit",
     "problem_keep_outs": "problem",
+    "allowed_motions": "subspace",
     "shape_slides": "problem",  # its supports, seen from another shape
     "kept_by_variations": "handle_edit",
     "symmetry_text": "symmetry",

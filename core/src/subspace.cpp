@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "allowed_motions.hpp"
 #include "engines/augmented_lagrangian.hpp"
 #include "engines/subspace_splitting.hpp"
 #include "engines/subspace_vector.hpp"
@@ -18,8 +19,6 @@
 #include "planish/index.hpp"
 #include "planish/problem.hpp"
 #include "planish/stopwatch.hpp"
-#include "planish/symmetry.hpp"
-#include "shape_slides.hpp"
 
 namespace planish {
 namespace {
@@ -57,13 +56,7 @@ class SubspaceBuilder {
   Subspace build(const Progress& progress);
 
  private:
-  void stand_on(const Mesh& base, const std::vector<PointSupport>& supports);
   void cut_patch(const std::vector<int>& close, const std::vector<int>& held);
-  void keep_with_images(std::vector<int>& vertices) const;
-  void put_on_tracks(Eigen::Matrix3Xd& t) const;
-  [[nodiscard]] Eigen::RowVectorXd first_image(Eigen::RowVectorXd footprint) const;
-  void even_out(Eigen::Matrix3Xd& t) const;
-  [[nodiscard]] bool even_out_found(Eigen::Matrix3Xd& t) const;
   void set_weights();
   [[nodiscard]] std::vector<Eigen::Matrix3Xd> starts() const;
   void rank(std::list<Candidate>& candidates) const;
@@ -76,10 +69,9 @@ class SubspaceBuilder {
   SubspaceOptions options_;
   Mesh mesh_;  ///< faces of the base, positions p⁺
   MeshModel model_;
-  Eigen::Matrix3Xd edit_;                         ///< d, all vertices, solver units
-  std::shared_ptr<const MeshSymmetry> symmetry_;  ///< null: none
+  Eigen::Matrix3Xd edit_;  ///< d, all vertices, solver units
+  AllowedMotions allowed_;
   EditProblem problem_;
-  std::optional<ShapeSlides> slides_;  ///< none: no supports
   Patch patch_;
   Eigen::Matrix3Xd direction_;   ///< d̄ on the patch, unit
   Eigen::VectorXd correlation_;  ///< ‖d̄_i‖ + Σ_j ‖t^j_i‖ on the patch
@@ -102,51 +94,9 @@ SubspaceBuilder::SubspaceBuilder(const Mesh& base, const Positions& edited,
       mesh_(with_positions(base, edited)),
       model_(mesh_, options.fairness, keeps.kinds),
       edit_((edited - base.positions) / model_.unit()),
-      symmetry_(keeps.symmetry) {
-  if (hold_points(keeps.supports)) stand_on(base, keeps.supports);
+      allowed_(base, mesh_.positions, keeps, model_.unit()) {
+  allowed_.hold(problem_);
   cut_patch(close, keeps.held);
-}
-
-/// As they are where the edit has their points; vectors have no offsets.
-void SubspaceBuilder::stand_on(const Mesh& base, const std::vector<PointSupport>& supports) {
-  slides_.emplace(base, mesh_.positions, supports, model_.unit());
-  slides_->hold(problem_);
-}
-
-/// A start's part along the tracks.
-void SubspaceBuilder::put_on_tracks(Eigen::Matrix3Xd& t) const {
-  for (const Slide& slide : patch_.slides) {
-    const Eigen::Vector3d whole = t.col(slide.vertex);
-    t.col(slide.vertex) = slide.track.along * whole;
-  }
-}
-
-/// Without a symmetry nothing.
-void SubspaceBuilder::even_out(Eigen::Matrix3Xd& t) const {
-  if (symmetry_ == nullptr) return;
-  even_out_directions(*symmetry_, std::span(patch_.vertices).first(at(patch_.free_count)), t);
-}
-
-/// Takes out what rounding left uneven. False where that was more: the vector's certificate is not
-/// that of what is left. [SYM-3]
-bool SubspaceBuilder::even_out_found(Eigen::Matrix3Xd& t) const {
-  constexpr double kRounding = 1e-8;
-  const Eigen::Matrix3Xd found = t;
-  even_out(t);
-  if (symmetry_ != nullptr) t /= t.norm();
-  return (t - found).cwiseAbs().maxCoeff() <= kRounding;
-}
-
-/// Leaves out what the patch has no image of.
-void SubspaceBuilder::keep_with_images(std::vector<int>& vertices) const {
-  if (symmetry_ == nullptr) return;
-  const std::vector<int> all = vertices;
-  std::erase_if(vertices, [&](int v) {
-    return std::any_of(symmetry_->operations.begin(), symmetry_->operations.end(),
-                       [&](const SymmetryOperation& one) {
-                         return !std::binary_search(all.begin(), all.end(), one.image[at(v)]);
-                       });
-  });
 }
 
 void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector<int>& held) {
@@ -154,11 +104,8 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector
   problem_.fairness_weight = options_.fairness_weight;
   problem_.terms.resize(at(model_.vertex_count()));
   for (const int v : close) {
-    problem_.terms[at(v)].square_weight = options_.closeness_weight;
-    if (symmetry_ == nullptr) continue;
-    for (const SymmetryOperation& one : symmetry_->operations) {
-      problem_.terms[at(one.image[at(v)])].square_weight = options_.closeness_weight;
-    }
+    allowed_.for_each_image(
+        v, [&](int image) { problem_.terms[at(image)].square_weight = options_.closeness_weight; });
   }
   std::vector<int> moved;
   for (int v = 0; v < model_.vertex_count(); ++v) {
@@ -166,11 +113,7 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector
   }
   WorkingSetGrower grower(model_);
   std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
-  std::vector<char> stays(at(model_.vertex_count()), 0);
-  for (const int v : held) stays[at(v)] = 1;
-  std::erase_if(
-      reach, [&](int v) { return stays[at(v)] != 0 || (slides_ && slides_->slides().rests(v)); });
-  keep_with_images(reach);
+  allowed_.leave_out_held(held, reach);
   PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
                      static_cast<int>(model_.fairness.rows()));
   cutter.cut(problem_, reach, patch_);
@@ -194,30 +137,11 @@ void SubspaceBuilder::set_weights() {
   }
 }
 
-/// Of a footprint, what is nearest to the image of the edit that moves most: evened out, each of
-/// its motions is one of all images, while those of the whole would mostly cancel. Without a
-/// symmetry all of it.
-Eigen::RowVectorXd SubspaceBuilder::first_image(Eigen::RowVectorXd footprint) const {
-  if (symmetry_ == nullptr) return footprint;
-  Eigen::Index middle = 0;
-  direction_.colwise().norm().maxCoeff(&middle);
-  const std::vector<int>& vertices = patch_.vertices;
-  const auto point = [&](int v) { return model_.points.col(v); };
-  for (Eigen::Index k = 0; k < footprint.size(); ++k) {
-    const int v = vertices[at(k)];
-    const double own = (point(v) - point(vertices[at(middle)])).norm();
-    for (const SymmetryOperation& one : symmetry_->operations) {
-      const int image = one.image[at(vertices[at(middle)])];
-      if ((point(v) - point(image)).norm() < own) footprint[k] = 0.0;
-    }
-  }
-  return footprint;
-}
-
 /// Start vectors: the edit itself, and its footprint moved and tilted as a whole along each axis.
 std::vector<Eigen::Matrix3Xd> SubspaceBuilder::starts() const {
   std::vector<Eigen::Matrix3Xd> result{direction_};
-  const Eigen::RowVectorXd footprint = first_image(correlation_.transpose());
+  const Eigen::RowVectorXd footprint =
+      allowed_.first_image(patch_, model_.points, direction_, correlation_.transpose());
   const Eigen::Vector3d centre =
       (patch_.points.leftCols(patch_.free_count).array().rowwise() * footprint.array())
           .rowwise()
@@ -258,7 +182,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
   constexpr int kTrialSteps = 3;
   std::list<Candidate> candidates;
   for (Eigen::Matrix3Xd& start : starts()) {
-    put_on_tracks(start);
+    put_along_tracks(patch_, start);
     if (!solver.make_admissible(basis_, start)) continue;
     candidates.push_back({solver.objective(start), false, std::move(start)});
   }
@@ -276,7 +200,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
   if (candidates.empty()) return false;
   rank(candidates);
   certificates_.push_back(solver.settle(basis_, candidates.front().vector));
-  const bool even = even_out_found(candidates.front().vector);
+  const bool even = allowed_.even_out_found(patch_, candidates.front().vector);
   all_converged_ = all_converged_ && certificates_.back().met() && even;
   accept(candidates.front().vector);
   return true;
@@ -284,7 +208,7 @@ bool SubspaceBuilder::add_newton_vector(SubspaceVectorSolver& solver) {
 
 bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
   for (Eigen::Matrix3Xd& start : starts()) {
-    put_on_tracks(start);
+    put_along_tracks(patch_, start);
     if (!solver.make_admissible(basis_, start)) continue;
     SubspaceSplitting splitting(patch_, basis_, start);
     AlmOptions options;
@@ -380,7 +304,7 @@ Subspace SubspaceBuilder::build(const Progress& progress) {
     return result;
   }
   SubspaceVectorSolver::EvenPart even;
-  if (symmetry_ != nullptr) even = [&](Eigen::Matrix3Xd& t) { even_out(t); };
+  if (allowed_.are_symmetric()) even = [&](Eigen::Matrix3Xd& t) { allowed_.even_out(patch_, t); };
   SubspaceVectorSolver solver(patch_, std::move(even));
   result.report.status = SolveStatus::kConverged;
   const int family = std::max(options_.dimension, options_.family);
