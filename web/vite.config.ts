@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { partOfControls } from "./chunks.ts";
 import { coreDefaults } from "./core-defaults.ts";
 import { firstMesh } from "./first-mesh.ts";
 import { smallFont } from "./font.ts";
 import { guide } from "./guide.ts";
 import { noCodeFromText } from "./no-code-from-text.ts";
 import { offline } from "./offline.ts";
-import { oneBeginning } from "./one-beginning.ts";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const wasm = process.env.PLANISH_WASM_DIR ?? here("../build/wasm/wasm");
@@ -27,7 +27,16 @@ export default defineConfig({
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1200,
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: oneBeginning, debugName: "page" }] } },
+      output: {
+        codeSplitting: {
+          // What two parts share stays apart: a drag needs some of it.
+          includeDependenciesRecursively: false,
+          groups: [
+            { name: "page", tags: ["$initial"] },
+            { name: partOfControls, debugName: "controls" },
+          ],
+        },
+      },
     },
   },
 });

@@ -11,8 +11,7 @@ import { site } from "./support/site.ts";
 const LIMIT = 600_000;
 
 /** Parts that come by themselves later; a drag must not wait for any of them. */
-const LATER =
-  /(analysis|glb|advanced|limits|kept-kinds|last-solve|panels-table|histogram|help-text|offered|link|files|snapshots?-[a-z]+|exploring|more-commands|stopped-note|going-on|holding-panels|patch-picture|variation-gallery|gallery|slider-stops|import-report|point-figure|moves|panel-picking|panel-figure|surface-move|shared-link|designs|variation-sliders|continue-button|announcement|meet-targets|verdict|mesh-hash|damage[a-z-]*|panel-rows|health-scale|planarity-scale|legend-scales|tolerance|exporting|saved-[a-z]+|reading|patch-drawing|limit-field|measured-panels|remake-note|lower-solution|point-supports|view-notes|offset|hiding|beside-point|kept-sections|keep-out[a-z-]*|received-note|drawing-follower|counted|extent|section-[a-z]+|symmetry[a-z-]*|note|receiving|companions|beside-text|view-commands|ask|glass|occlusion|groups[a-z-]*|group-members|face-runs)-/;
+const LATER = /(planish_analysis|controls|saved-[a-z]+|offered|occlusion|glass)-/;
 
 it("is at most 600 KB for everything that a drag needs", async () => {
   const sizes: (readonly [string, Promise<number>])[] = [];
@@ -40,5 +39,21 @@ it("is at most 600 KB for everything that a drag needs", async () => {
   const total = needed.reduce((sum, [, size]) => sum + size, 0);
   expect(total, JSON.stringify(needed)).toBeLessThan(LIMIT);
   console.info(`transfer up to the first drag: ${total} bytes of at most ${LIMIT}`);
+  await page.context().close();
+});
+
+it("comes in a few files until the page is at rest, the controls in one", async () => {
+  const scripts: string[] = [];
+  const page = await site.open({ serviceWorkers: "block" }, "", async (context) => {
+    context.on("request", (request) => {
+      const name = new URL(request.url()).pathname.split("/").at(-1) ?? "";
+      if (name.endsWith(".js")) scripts.push(name);
+    });
+  });
+  await page.getByRole("button", { name: "What is this? (the drag tools)" }).waitFor();
+  await page.waitForLoadState("networkidle");
+  expect(scripts.filter((name) => name.startsWith("controls-"))).toHaveLength(1);
+  // The page, its worker and what measures; what it keeps, shares and begins with; its controls.
+  expect(scripts.length, scripts.join(" ")).toBeLessThanOrEqual(12);
   await page.context().close();
 });
