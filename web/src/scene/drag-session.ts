@@ -40,6 +40,16 @@ export interface HeldDrag {
   readonly free: boolean;
   /** The limit on folds. */
   readonly through: boolean;
+  /** How far, model units, whatever the pointer says; null: it says so. */
+  readonly typed: number | null;
+}
+
+/** The way that the pointer went, to the last bit along the line that it was held to. */
+function ofLength(length: number, held: Held | null, way: Vector3 | null): Point {
+  const line = held && !held.plane ? held.direction.clone() : null;
+  const direction = line?.multiplyScalar(way && way.dot(line) < 0 ? -1 : 1) ?? way?.normalize();
+  const { x, y, z } = direction ?? { x: 0, y: 0, z: 0 };
+  return [length * x, length * y, length * z];
 }
 
 export class DragSession {
@@ -57,20 +67,18 @@ export class DragSession {
   }
 
   /** The pointer moved, or (without a ray) the lock or the snapping changed. */
-  move({ lock, snap, free, through }: HeldDrag, ray: Ray = this.#ray): void {
+  move({ lock, snap, free, through, typed }: HeldDrag, ray: Ray = this.#ray): void {
     this.#ray = ray;
     const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, this.#at.view);
     const held = lock ? this.#heldBy(lock) : (this.#at.arrow ?? usual);
     const { start, press, view } = this.#at;
     const to = meet(ray, start, held, view);
     const from = meet(press, start, held, view);
-    if (!to || !from) {
-      this.#drag.endOn();
-      return;
-    }
-    const offset = to.sub(from);
-    // A step is asked for by name: no fold takes it back.
-    if (snap) this.#drag.by(this.#toModel(this.#snapped(offset, held, snap)), true);
+    const offset = to && from && to.sub(from);
+    // A length or a step is asked for by name: no fold takes it back.
+    if (typed !== null) this.#drag.by(ofLength(typed, held, offset), true);
+    else if (!offset) this.#drag.endOn();
+    else if (snap) this.#drag.by(this.#toModel(this.#snapped(offset, held, snap)), true);
     else this.#drag.by(this.#toModel(offset), through);
   }
 

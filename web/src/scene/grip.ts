@@ -4,6 +4,7 @@
 import { type Ray, Vector3 } from "three";
 import { askedPoint, beginDrag, frameAt } from "../state/dragging.ts";
 import { selectOnly } from "../state/selection.ts";
+import { typedPull } from "../state/typed-pull.ts";
 import { displayPlace } from "./display-place.ts";
 import { DragSession, type HeldDrag } from "./drag-session.ts";
 import type { DragKeys, Hold } from "./pointer.ts";
@@ -37,5 +38,5 @@ export function holdOf({ page, stage }: Sight, { snap, free, through }: DragKeys
     page.snapping.value === snap
       ? null
       : { step: page.snapDistance.value, reach: HOME * stage.pixel() };
-  return { lock: page.lock.value, snap: steps, free, through };
+  return { lock: page.lock.value, snap: steps, free, through, typed: typedPull(page) };
 }

@@ -110,9 +110,11 @@ export class Overlay {
   }
 
   #placePoint(element: HTMLElement, points: Float32Array, view: View): void {
-    const hovered = this.#page.visited.value !== null;
+    const leading = this.#page.pull.value?.vertex ?? null;
+    const hovered = (leading ?? this.#page.visited.value) !== null;
     // Of several that are chosen it would only be in the way of the others.
     const seen =
+      leading ??
       this.#page.visited.value ??
       (this.#page.selection.value.length === 1 ? this.#page.selected.value : null);
     const place = seen === null ? null : project(points, seen, view);

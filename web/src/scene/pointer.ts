@@ -5,6 +5,7 @@ import type { Ray } from "three";
 import type { Page } from "../state/page.ts";
 import type { AreaTool } from "../state/page-state.ts";
 import type { Outcome } from "../state/turns.ts";
+import { typePull } from "../state/typed-pull.ts";
 import type { Held } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";
 import { boxAround, extended, type Outline } from "./outline.ts";
@@ -107,6 +108,8 @@ export class PointerTool {
     canvas.addEventListener("pointermove", (e) => this.#move(e), { signal });
     canvas.addEventListener("pointerup", (e) => this.#up(e), { signal });
     canvas.addEventListener("pointercancel", () => this.abandon(), { signal });
+    // Before the shortcuts, which have digits for views.
+    window.addEventListener("keydown", (e) => this.#type(e), { capture: true, signal });
     canvas.addEventListener("pointerleave", () => this.#events.hover(null), { signal });
   }
 
@@ -128,6 +131,21 @@ export class PointerTool {
 
   dispose(): void {
     this.#off.abort();
+  }
+
+  /** Digits during a drag are its length, Enter ends it there. */
+  #type(event: KeyboardEvent): void {
+    const session = this.#press?.session;
+    if (!session || event.ctrlKey || event.metaKey || event.altKey) return;
+    const done = event.key === "Enter" && this.#page.pull.value?.typed;
+    if (!done && !typePull(this.#page, event.key)) return;
+    event.preventDefault();
+    if (!done) {
+      this.refresh();
+      return;
+    }
+    this.#finish();
+    void session.end();
   }
 
   #finish(): void {

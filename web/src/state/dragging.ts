@@ -125,6 +125,7 @@ export class Drag {
       return { vertex, from: askedPoint(page, vertex), weight: weights[k] ?? 1 };
     });
     this.#limit = pullLimit(this.#page, this.#grips);
+    page.pull.value = { vertex: this.#grips.at(-1)?.vertex ?? -1, typed: "" };
   }
 
   /** `through` the limit on folds. */
@@ -194,10 +195,15 @@ export class Drag {
     this.#page.notice.value = END_ON;
   }
 
-  end(): Outcome {
+  #finish(): void {
     this.#over = true;
+    this.#page.pull.value = null;
     this.#page.lock.value = this.#lock;
     client(this.#page).dropStreams();
+  }
+
+  end(): Outcome {
+    this.#finish();
     return inTurn(this.#page, async () => {
       const design = this.#page.draft.value;
       if (!design || design === this.#page.history.value?.present) return;
@@ -215,11 +221,9 @@ export class Drag {
 
   /** Escape: the design goes back to where it was. */
   abandon(): Outcome {
-    this.#over = true;
     if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
     this.#letGo();
-    this.#page.lock.value = this.#lock;
-    client(this.#page).dropStreams();
+    this.#finish();
     return inTurn(this.#page, () => showPresent(this.#page));
   }
 }

@@ -33,6 +33,14 @@ export interface Activity {
   readonly read?: { readonly done: number; readonly total: number };
 }
 
+/** A drag as it is shown. */
+export interface Pull {
+  /** The point that leads. */
+  readonly vertex: number;
+  /** The length typed for it, as typed; "" while the pointer says how far. */
+  readonly typed: string;
+}
+
 /** Along the axis, or across it in the plane at right angles. "normal" is the surface's. */
 export interface Lock {
   readonly axis: "x" | "y" | "z" | "normal";
@@ -129,6 +137,8 @@ export class PageState {
   readonly selection = signal<readonly number[]>([]);
   /** The point that the pointer rests on. */
   readonly visited = signal<number | null>(null);
+  /** The drag that is going on; null between drags. */
+  readonly pull = signal<Pull | null>(null);
   /** Holds a drag to a line or a plane; null while it is free. */
   readonly lock = signal<Lock | null>(null);
   /** The outer share of a group over which a move of it falls off; 0: all of it moves alike. */

@@ -25,6 +25,10 @@ const HINTS: readonly Hint[] = [
     how: "[Shift] while dragging",
     what: "goes through where folds hold the drag back",
   },
+  {
+    how: "[0] to [9] while dragging",
+    what: "say how far it goes, a minus the other way; [Enter] ends it there",
+  },
   { how: "[Ctrl] while dragging", what: "goes in steps, and back to where the point was" },
   {
     how: "[Ctrl] click, [Shift] drag, [Shift] [Alt] drag",

@@ -17,14 +17,16 @@ export function meaning(page: Page, vertex: number): string {
   return length ? `moved ${formatLength(length, page.unit.value)}` : "untouched";
 }
 
-/** The figure of the point that the pointer rests on, else of the one chosen last. */
+/** The figure of the point that is dragged, else that the pointer rests on, else chosen last. */
 export function PointFigure() {
   const page = usePage();
-  const vertex = page.visited.value ?? page.selected.value;
+  const pull = page.pull.value;
+  const vertex = pull?.vertex ?? page.visited.value ?? page.selected.value;
   if (vertex === null) return null;
   return (
     <span>
       <strong>Point {vertex}</strong> {meaning(page, vertex)}
+      {pull?.typed && ` · typed ${pull.typed} ${page.unit.value}`}
     </span>
   );
 }
