@@ -42,7 +42,7 @@ it("every section has one that moves, by mouse and keys", async () => {
     expect(await note.locator("animate").count()).toBeGreaterThan(0);
   });
   expect(new Set(names).size).toBe(names.length);
-  expect(names.length).toBeGreaterThanOrEqual(16);
+  expect(names.length).toBeGreaterThanOrEqual(18);
   await asks(page).first().focus();
   await page.keyboard.press("Enter");
   await page.getByRole("note").waitFor();

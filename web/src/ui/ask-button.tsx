@@ -52,14 +52,15 @@ function Line({ look, moments }: HowLine) {
   );
 }
 
-/** Left of what the button stands in, or under the button; inside the window. */
+/** Left of the inspector where the button is in it, else under the button, or above it where there is more room; inside the window. */
 function place(note: HTMLElement, button: HTMLElement): void {
   const [at, own] = [button.getBoundingClientRect(), note.getBoundingClientRect()];
   const within = (wished: number, room: number): number => Math.max(GAP, Math.min(wished, room));
-  const panel = (button.closest("aside") ?? button).getBoundingClientRect();
-  const left = panel.left - own.width - GAP;
+  const left = (button.closest("aside")?.getBoundingClientRect().left ?? 0) - own.width - GAP;
+  const under = at.bottom + own.height + GAP < innerHeight || at.top < innerHeight / 2;
   note.style.left = `${within(left > 0 ? left : at.right - own.width, innerWidth - own.width - GAP)}px`;
-  const top = left > 0 ? at.top - GAP : at.bottom + GAP;
+  const beside = under ? at.bottom + GAP : at.top - own.height - GAP;
+  const top = left > 0 ? at.top - GAP : beside;
   note.style.top = `${within(top, innerHeight - own.height - GAP)}px`;
 }
 

@@ -4,6 +4,7 @@
 import type { ComponentChildren } from "preact";
 import { allPinned, FLAT_FIRST, toggleLock, togglePins } from "../state/dragging.ts";
 import type { AreaTool, Lock } from "../state/page-state.ts";
+import { Ask } from "./ask.tsx";
 import { type Command, keyOf, refusalOf } from "./commands/command.ts";
 import { COMMANDS } from "./commands/commands.ts";
 import { Icon, type IconName } from "./icon.tsx";
@@ -177,6 +178,7 @@ export function DragTools() {
       <span class="tool-gap" />
       <SnapTools />
       <SightTools />
+      <Ask about="tools" />
     </div>
   );
 }

@@ -272,6 +272,59 @@ export const HOW_PICTURES = {
       pointAt(8, raised),
     ],
   },
+  position: {
+    name: "the position",
+    words:
+      "Where the point is, in the file, from a point of your own, and from where it was. Coordinates take +50, too: so much more.",
+    lines: [
+      before,
+      strip(FLAT, raised),
+      pointAt(MIDDLE, FLAT, raised),
+      wall(
+        [
+          [columnX(0), arch(0)],
+          [columnX(MIDDLE), arch(0)],
+          [columnX(MIDDLE), arch(MIDDLE)],
+        ],
+        [
+          [columnX(0), arch(0)],
+          [columnX(MIDDLE), arch(0)],
+          [columnX(MIDDLE), arch(MIDDLE) - 30],
+        ],
+      ),
+    ],
+  },
+  colours: {
+    name: "the colours",
+    words:
+      "What the colours stand for: how far points moved, how flat panels are, how sharply they fold. A class of the scale leads to its panels.",
+    lines: [
+      before,
+      strip(FLAT, raised),
+      ...[3, 4, 5, 6, 7].map((k) => pointAt(k, FLAT, raised)),
+      wall(
+        [
+          [20, 88],
+          [20, 88],
+        ],
+        [
+          [20, 88],
+          [220, 88],
+        ],
+      ),
+    ],
+  },
+  tools: {
+    name: "the drag tools",
+    words:
+      "Select in a box or a loop, pin, hold drags to an axis or to the normal, go in steps. While you drag, type a number: so far it goes.",
+    lines: [
+      before,
+      strip(FLAT, bump(14, 3), bump(28, 3)),
+      pointAt(MIDDLE, FLAT, bump(14, 3), bump(28, 3)),
+      wall(upright(columnX(MIDDLE))),
+    ],
+  },
   several: {
     name: "several points",
     words:

@@ -9,6 +9,7 @@ import { formatDegrees } from "../state/fold.ts";
 import type { Page } from "../state/page.ts";
 import type { ColourBy } from "../state/page-state.ts";
 import { defectEnd, foldEnd, largest } from "../state/ramp-ends.ts";
+import { Ask } from "./ask.tsx";
 import { COLOURS } from "./colours.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
@@ -133,6 +134,7 @@ export function Legend({ element }: { element: RefObject<HTMLFieldSetElement | n
           ))}
         </select>
       </label>
+      <Ask about="colours" />
       <Scale />
     </fieldset>
   );
