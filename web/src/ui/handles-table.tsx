@@ -39,6 +39,8 @@ const LowerSolution = later(() =>
   import("./lower-solution.tsx").then((part) => part.LowerSolution),
 );
 
+const Position = later(() => import("./position.tsx").then((part) => part.Position));
+
 const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part.MeetTargets));
 
 /** How far the point is from its target; kept in place while something moves. */
@@ -241,6 +243,7 @@ export function HandlesTable() {
       </div>
       {bent && <p class="quiet small">{FLAT_FIRST}</p>}
       <SurfaceMove />
+      <Position />
     </>
   );
 }

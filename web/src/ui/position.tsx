@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Where the point chosen last is: in the file, from a point of one's own, and from where it was.
+import { useSignal } from "@preact/signals";
+import { NO_SHAPE, type Point } from "../design/design.ts";
+import { add } from "../mesh/point-frame.ts";
+import { formatCoordinate } from "../quantity/units.ts";
+import { basePoint, shownPoint } from "../state/editing.ts";
+import { localOrigin, setLocalOrigin } from "../state/local-origin.ts";
+import type { Page } from "../state/page.ts";
+import { settled } from "../state/shortfall.ts";
+import { Ask } from "./ask.tsx";
+import { usePage } from "./page-context.ts";
+import "./position.css";
+
+type Line = readonly [name: string, place: Point];
+
+function lines(page: Page, vertex: number): readonly Line[] {
+  const shape = page.draft.value?.shape ?? NO_SHAPE;
+  const place = shownPoint(page, vertex, shape);
+  const origin = localOrigin(page).value;
+  const from: Line[] =
+    origin === null
+      ? []
+      : [[`From point ${origin}`, add(place, shownPoint(page, origin, shape), -1)]];
+  return [["In the file", place], ...from, ["Moved by", add(place, basePoint(page, vertex), -1)]];
+}
+
+function Places({ vertex }: { vertex: number }) {
+  const page = usePage();
+  return (
+    <table class={settled(page).value ? "" : "stale"} aria-label={`Position of point ${vertex}`}>
+      <thead>
+        <tr>
+          <th scope="col">Point {vertex}</th>
+          {["X", "Y", "Z"].map((axis) => (
+            <th key={axis} scope="col">
+              {axis} <span class="unit">{page.unit.value}</span>
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {lines(page, vertex).map(([name, place]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            {place.map((x, axis) => (
+              <td key={axis}>{formatCoordinate(x)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Origin({ vertex }: { vertex: number }) {
+  const page = usePage();
+  const origin = localOrigin(page).value;
+  return (
+    <div class="row">
+      <button
+        type="button"
+        class="button small"
+        title="Gives the places of other points from this one"
+        disabled={origin === vertex}
+        onClick={() => setLocalOrigin(page, vertex)}
+      >
+        Origin here
+      </button>
+      {origin !== null && (
+        <button type="button" class="button small" onClick={() => setLocalOrigin(page, null)}>
+          Origin of the file
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** Followed only while it is unfolded. */
+export function Position() {
+  const page = usePage();
+  const open = useSignal(false);
+  const vertex = page.selected.value;
+  return (
+    <details
+      class="surface-move position"
+      onToggle={({ currentTarget }) => {
+        open.value = currentTarget.open;
+      }}
+    >
+      <summary>Position</summary>
+      <Ask about="position" />
+      {open.value && vertex === null && <p class="quiet">Select a point first.</p>}
+      {open.value && vertex !== null && (
+        <>
+          <Places vertex={vertex} />
+          <Origin vertex={vertex} />
+        </>
+      )}
+    </details>
+  );
+}
