@@ -95,6 +95,25 @@ it("dialogs and menus fit a small screen", async () => {
   await page.context().close();
 });
 
+it.each([
+  [390, 844],
+  [740, 360],
+])("the controls fold away at %d × %d, and come back", async (width, height) => {
+  const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
+  const before = await viewBox(page);
+  const fold = page.getByRole("button", { name: "Controls", exact: true });
+  expect(await fold.getAttribute("aria-expanded")).toBe("true");
+  await fold.click();
+  await expect
+    .poll(async () => (await viewBox(page)).width * (await viewBox(page)).height)
+    .toBeGreaterThan(1.3 * before.width * before.height);
+  expect(inside(await boxOf(fold), { x: 0, y: 0, width, height })).toBe(true);
+  expect(await page.getByRole("button", { name: "Add handle" }).isVisible()).toBe(false);
+  await fold.click();
+  await expect.poll(() => viewBox(page)).toEqual(before);
+  await page.context().close();
+});
+
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
 
 it.each([

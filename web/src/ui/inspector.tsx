@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import { type Signal, useSignal } from "@preact/signals";
 import { decimal } from "../design/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { Ask } from "./ask.tsx";
@@ -62,9 +63,31 @@ function Several() {
   return page.selection.value.length > 1 || asked ? <SelectionStrip /> : null;
 }
 
-export function Inspector() {
+/** On a telephone the controls are a sheet under the view: folded, they leave it all the room. */
+function SheetFold({ folded }: { folded: Signal<boolean> }) {
   return (
-    <aside id="inspector" class="inspector" aria-label="Inspector">
+    <button
+      type="button"
+      class="sheet-fold"
+      aria-expanded={!folded.value}
+      onClick={() => {
+        folded.value = !folded.value;
+      }}
+    >
+      Controls
+    </button>
+  );
+}
+
+export function Inspector() {
+  const folded = useSignal(false);
+  return (
+    <aside
+      id="inspector"
+      class={folded.value ? "inspector folded" : "inspector"}
+      aria-label="Inspector"
+    >
+      <SheetFold folded={folded} />
       <Several />
       <ImportReport />
       <section class="step edit-step" aria-labelledby="step-edit">
