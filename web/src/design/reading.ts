@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What a stranger's JSON may say. Every reader gives a value of the right kind or null.
 import { words as WORDS } from "virtual:core-defaults";
-import type { EditSettings, FileFormat, VariationWeights } from "../solver/protocol.ts";
+import {
+  type EditSettings,
+  FILE_FORMATS,
+  type FileFormat,
+  type VariationWeights,
+} from "../solver/protocol.ts";
 import type { Camera } from "./camera.ts";
 import { DEFAULT_SETTINGS, type Family, type HandleRow } from "./design.ts";
 import { readKept } from "./kept-kind.ts";
 import { readLimits } from "./stated-limit.ts";
 import { isSymmetry } from "./symmetry.ts";
-
-const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
 /** The solver's own limit. */
 export const MOST_DIRECTIONS = 24;
@@ -34,7 +37,7 @@ export const isName = (value: unknown): value is string =>
   typeof value === "string" && value.length <= LONGEST_NAME;
 
 export const readFormat = (value: unknown): FileFormat | null =>
-  FORMATS.find((format) => format === value) ?? null;
+  FILE_FORMATS.find((format) => format === value) ?? null;
 
 function readHandle(value: unknown): HandleRow | null {
   if (!isNumbers(value, 5)) return null;

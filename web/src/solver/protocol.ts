@@ -15,6 +15,7 @@ import type {
   ShopOrder,
 } from "@wasm/planish_shop.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
+import type { UpAxis } from "../mesh/up-axis.ts";
 import type { Unit } from "../quantity/units.ts";
 import type { Context } from "../rhino/context.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
@@ -45,7 +46,9 @@ export type {
   ShopOrder,
 } from "@wasm/planish_shop.mjs";
 
-export type FileFormat = "obj" | "off" | "ply" | "glb";
+/** Of meshes that the core reads, as names of files end. */
+export const FILE_FORMATS = ["obj", "off", "ply", "glb"] as const;
+export type FileFormat = (typeof FILE_FORMATS)[number];
 export type Fairness = Reports.EditOptions["fairness"];
 export type EditMode = "drag" | "release" | "solve";
 
@@ -109,6 +112,8 @@ export type Request =
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** The mesh shown, its triangles joined into quads, as a file of this name. */
   | { kind: "join"; job: number; name: string } // → opened
+  /** The mesh shown, which was turned for another axis to go up, as a file of this name. */
+  | { kind: "turn"; job: number; name: string; from: UpAxis; to: UpAxis } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */
   | {
       kind: "planarise";

@@ -10,12 +10,12 @@ import { symmetryIn } from "../design/symmetry.ts";
 import type { Unit } from "../quantity/units.ts";
 import { type Refusal, type Result, refuse } from "../result/result.ts";
 import type { Context } from "../rhino/context.ts";
-import type {
-  DesignReading,
-  FileFormat,
-  OpenedMesh,
-  Source,
-  StoredDesign,
+import {
+  type DesignReading,
+  FILE_FORMATS,
+  type OpenedMesh,
+  type Source,
+  type StoredDesign,
 } from "../solver/protocol.ts";
 import { openQuestion, run } from "./connection.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
@@ -24,8 +24,6 @@ import type { Page } from "./page.ts";
 import { compute, differingIn, replayNow, sizeOf } from "./replaying.ts";
 import { takeBack, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
-
-const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
 
 function finish(page: Page, design: Design, said: string): void {
   page.draft.value = design;
@@ -156,7 +154,7 @@ async function openNow(page: Page, file: File): Outcome {
   const extension = extensionOf(name);
   if (extension === "json") return openDesign(page, file);
   if (extension === "3dm") return openModel(page, file);
-  const format = FORMATS.find((f) => f === extension);
+  const format = FILE_FORMATS.find((f) => f === extension);
   if (!format)
     return refuse(
       `${name} cannot be read. Use an OBJ, OFF, PLY, GLB or 3DM file, or a design (JSON).`,

@@ -17,7 +17,7 @@ import {
 import { extentOf } from "../mesh/extent.ts";
 import { niceStep } from "../quantity/units.ts";
 import { refuse } from "../result/result.ts";
-import type { FileFormat } from "../solver/protocol.ts";
+import { FILE_FORMATS } from "../solver/protocol.ts";
 import { run } from "./connection.ts";
 import { commitSettings, shownPoint } from "./editing.ts";
 import { kept, type Page } from "./page.ts";
@@ -67,12 +67,10 @@ export function addKeepOut(page: Page, kind: PlainKind): Outcome {
   return commitAll(page, [...keepOuts(page).value, firstKeepOut(kind, around)]);
 }
 
-const FORMATS: readonly FileFormat[] = ["obj", "off", "ply", "glb"];
-
 /** A model from a file, where it stands there. */
 export async function addModel(page: Page, file: File): Outcome {
   const { name } = file;
-  const format = FORMATS.find((f) => name.toLowerCase().endsWith(`.${f}`));
+  const format = FILE_FORMATS.find((f) => name.toLowerCase().endsWith(`.${f}`));
   const question = format && ({ kind: "readModel", file, name, format } as const);
   const read = await inTurn(page, async () =>
     question
