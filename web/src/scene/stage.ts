@@ -77,6 +77,7 @@ export class Stage {
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
   #finish: Finish | null = null;
+  readonly #drawn = new Set<() => void>();
   #target: Object3D | null = null;
 
   constructor(canvas: HTMLCanvasElement, steps: DrawingSteps) {
@@ -278,8 +279,15 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
     this.#drawMilliseconds = performance.now() - begin;
     this.#steps.after();
+    for (const drawn of this.#drawn) drawn();
     clearTimeout(this.#restTimer);
     if (this.#finish) this.#restTimer = setTimeout(() => this.drawFinished(), REST);
+  }
+
+  /** Calls `drawn` after every picture. Returns how to stop. */
+  onDrawn(drawn: () => void): () => void {
+    this.#drawn.add(drawn);
+    return () => this.#drawn.delete(drawn);
   }
 
   /** As it is at rest. */

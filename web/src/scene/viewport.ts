@@ -40,7 +40,7 @@ export class Viewport {
   readonly stage: Stage;
   readonly #page: Page;
   readonly #parts: ViewportParts;
-  readonly #sight: Sight;
+  readonly sight: Sight;
   readonly #gizmo: Gizmo;
   readonly #choice: PointerChoice;
   readonly #pointer: PointerTool;
@@ -55,33 +55,33 @@ export class Viewport {
     this.#parts = parts;
     this.#overlay = new Overlay(page, parts);
     this.stage = new Stage(parts.canvas, {
-      before: (pixel) => this.#sight.shell?.inkEdges(pixel),
+      before: (pixel) => this.sight.shell?.inkEdges(pixel),
       after: () => {
         this.#placeOverlay();
         this.#finger.draw();
       },
     });
-    this.#sight = new Sight(page, parts.canvas, this.stage);
+    this.sight = new Sight(page, parts.canvas, this.stage);
     this.#gizmo = new Gizmo(this.stage);
-    this.#reach = new ReachFollower(this.#sight, parts.knob);
-    this.#finger = new FingerFollower(this.#sight);
-    this.#choice = new PointerChoice(this.#sight, this.#gizmo);
+    this.#reach = new ReachFollower(this.sight, parts.knob);
+    this.#finger = new FingerFollower(this.sight);
+    this.#choice = new PointerChoice(this.sight, this.#gizmo);
     this.#pointer = this.#makePointer();
     this.#follow();
   }
 
   /** The group of the structure on the stage; null before there is one. */
-  readonly structure = (): Object3D | null => this.#sight.shell?.group ?? null;
+  readonly structure = (): Object3D | null => this.sight.shell?.group ?? null;
 
   view(name: ViewName): void {
-    const { shell } = this.#sight;
+    const { shell } = this.sight;
     if (shell) this.stage.view(name, wholeOf(shell), this.#over(), false);
   }
 
   /** Brings what is selected, or the whole design, into view without turning the camera. */
   async fit(all: boolean): Promise<void> {
     const part = all ? null : await fetchPart(this.#page, () => import("./chosen-subject.ts"));
-    const { shell } = this.#sight;
+    const { shell } = this.sight;
     if (!shell) return;
     const chosen = part?.chosenOf(this.#page, shell);
     this.stage.fit(chosen ?? wholeOf(shell), this.#over());
@@ -96,7 +96,7 @@ export class Viewport {
   }
 
   turn(right: number, down: number): void {
-    this.stage.turn(right * 0.12, down * 0.12, this.#sight.leader());
+    this.stage.turn(right * 0.12, down * 0.12, this.sight.leader());
   }
 
   zoom(factor: number): void {
@@ -118,8 +118,8 @@ export class Viewport {
     this.#pointer.dispose();
     this.#finger.dispose();
     this.#gizmo.dispose();
-    this.#sight.shell?.dispose();
-    this.#sight.shell = null; // its shadow may still be to come
+    this.sight.shell?.dispose();
+    this.sight.shell = null; // its shadow may still be to come
     this.stage.dispose();
   }
 
@@ -128,7 +128,7 @@ export class Viewport {
   }
 
   #makePointer(): PointerTool {
-    const [choice, sight] = [this.#choice, this.#sight];
+    const [choice, sight] = [this.#choice, this.sight];
     return new PointerTool(this.#page, this.#parts.canvas, this.stage, {
       find: (x, y, coarse) => choice.find(x, y, coarse),
       area: () => this.#page.areaTool.value,
@@ -158,7 +158,7 @@ export class Viewport {
   #recolour(): void {
     const palette = this.#palette();
     this.stage.setPalette(palette);
-    this.#sight.shell?.setPalette(palette);
+    this.sight.shell?.setPalette(palette);
     this.#reach.setColour(palette.ghost);
   }
 
@@ -167,7 +167,7 @@ export class Viewport {
     const palette = (): Palette => this.#palette();
     this.#stop.push(
       this.#watchWindow(),
-      followStructure(this.#sight, palette, {
+      followStructure(this.sight, palette, {
         making: () => this.#beginAnew(),
         made: (shown, kept) => {
           const subject = { points: shown.display, edges: shown.topology.edges };
@@ -175,9 +175,9 @@ export class Viewport {
         },
         moved: () => this.#showMoved(),
       }),
-      followColours(this.#sight),
-      followHiding(this.#sight),
-      followOffset(this.#sight, palette),
+      followColours(this.sight),
+      followHiding(this.sight),
+      followOffset(this.sight, palette),
       this.#reach.follow(),
       followContext(this.#page, this.stage, this.#dark),
       this.#followPanels(),
@@ -204,11 +204,11 @@ export class Viewport {
     const stops = [
       effect(() => this.#outline(this.#page.selectedPanel.value)),
       effect(() => {
-        this.#sight.shell?.markLimits(panelsAtLimit(this.#page).value);
+        this.sight.shell?.markLimits(panelsAtLimit(this.#page).value);
         this.stage.invalidate();
       }),
       effect(() => {
-        this.#sight.shell?.showBase(this.#page.showBefore.value);
+        this.sight.shell?.showBase(this.#page.showBefore.value);
         this.#overlay.showPulls(!this.#page.showBefore.value);
         this.stage.moved();
       }),
@@ -239,7 +239,7 @@ export class Viewport {
   }
 
   #outline(panel: number | null): void {
-    const { shell } = this.#sight;
+    const { shell } = this.sight;
     const corners = shell?.outlinePanel(panel) ?? null;
     this.#overlay.setPanel(corners);
     if (corners && !this.#choice.choosing) void this.#lookAt(corners);
@@ -263,7 +263,7 @@ export class Viewport {
 
   #showMoved(): void {
     const panel = this.#page.selectedPanel.peek();
-    if (panel !== null) this.#overlay.setPanel(this.#sight.shell?.outlinePanel(panel) ?? null);
+    if (panel !== null) this.#overlay.setPanel(this.sight.shell?.outlinePanel(panel) ?? null);
     this.#placeGizmo();
     this.stage.moved();
   }
@@ -271,14 +271,14 @@ export class Viewport {
   #resize(): void {
     const { width, height } = this.#parts.canvas.getBoundingClientRect();
     this.stage.resize(width, height);
-    this.#sight.shell?.setSize(width, height);
+    this.sight.shell?.setSize(width, height);
     this.#reach.setSize(width, height);
     this.#gizmo.resize(height);
   }
 
   /** Arrows stand at the point chosen last, unless it is pinned. */
   #placeGizmo(): void {
-    const [vertex, { shell }, page] = [this.#page.selected.value, this.#sight, this.#page];
+    const [vertex, { shell }, page] = [this.#page.selected.value, this.sight, this.#page];
     const usable = page.ready.value && page.draft.value;
     if (vertex === null || !shell || !usable || handleOf(page, vertex)?.pinned) {
       this.#gizmo.detach();
@@ -290,9 +290,9 @@ export class Viewport {
   }
 
   #placeOverlay(): void {
-    const { shell } = this.#sight;
+    const { shell } = this.sight;
     if (!shell) return;
-    this.#overlay.place(shell.current, shell.base, this.#sight.view());
+    this.#overlay.place(shell.current, shell.base, this.sight.view());
     this.#reach.placeKnob();
   }
 }

@@ -325,6 +325,12 @@ export const HOW_PICTURES = {
       wall(upright(columnX(MIDDLE))),
     ],
   },
+  numbers: {
+    name: "the numbers",
+    words:
+      "Of panels and points, as tables, reports and the command line give them: on those in sight, where there is room.",
+    lines: [strip(raised, wide), ...[1, 3, 5, 7, 9].map((k) => pointAt(k, raised, wide))],
+  },
   several: {
     name: "several points",
     words:

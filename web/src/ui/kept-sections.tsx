@@ -2,6 +2,7 @@
 // What is kept under names, at the end of the inspector.
 import { GroupsSection } from "./groups-section.tsx";
 import { NoteSection } from "./note-section.tsx";
+import { NumbersSection } from "./numbers-section.tsx";
 import { SectionPlaneSection } from "./section-plane.tsx";
 import { SnapshotsSection } from "./snapshots-section.tsx";
 import { ViewsSection } from "./views-section.tsx";
@@ -12,6 +13,7 @@ export const KeptSections = () => (
     <SnapshotsSection />
     <ViewsSection />
     <SectionPlaneSection />
+    <NumbersSection />
     <NoteSection />
   </>
 );

@@ -11,7 +11,7 @@ import { COMMANDS } from "./commands.ts";
 import { EXPORT_COMMANDS } from "./export-commands.ts";
 import { MORE_COMMANDS } from "./more-commands.ts";
 import { SELECTION_COMMANDS } from "./selection-commands.ts";
-import { KEEP_VIEW } from "./view-commands.ts";
+import { KEEP_VIEW, NUMBER_COMMANDS } from "./view-commands.ts";
 
 function colourBy(kind: ColourBy, label: string): Command {
   const missing = (page: Page): boolean =>
@@ -31,6 +31,7 @@ export const ALL_COMMANDS: readonly Command[] = [
   ...Object.values(MORE_COMMANDS),
   ...Object.values(SELECTION_COMMANDS),
   KEEP_VIEW,
+  ...NUMBER_COMMANDS,
   ...Object.values(EXPORT_COMMANDS),
   ...COLOURS.map(([kind, label]) => colourBy(kind, label)),
   ...SAMPLES.map(

@@ -3,6 +3,7 @@
 import { MOST_VIEWS } from "../../design/companions.ts";
 import { readCamera } from "../../state/camera.ts";
 import { keepView, showView } from "../../state/named-views.ts";
+import { toggleNumbers } from "../../state/numbering.ts";
 import type { Page } from "../../state/page.ts";
 import type { Command } from "./command.ts";
 
@@ -24,3 +25,13 @@ export const viewCommands = (page: Page): Command[] =>
     label: `View: ${view.name}`,
     run: (on) => showView(on, view),
   }));
+
+export const NUMBERS = [
+  ["panels", "Number the panels"],
+  ["points", "Number the points"],
+] as const;
+
+export const NUMBER_COMMANDS: readonly Command[] = NUMBERS.map(([of, label]) => ({
+  label,
+  run: (page) => toggleNumbers(page, of),
+}));
