@@ -113,6 +113,28 @@ describe("a mesh opens", () => {
   });
 });
 
+it("a mesh with Y up, which is said to be likely, is turned to the bit, as one step", async () => {
+  const page = await site.openVault();
+  const lying = flatRoof(6);
+  const standing = lying.replace(
+    /^v (\S+) (\S+) (\S+)$/gm,
+    (_, x, y, z) => `v ${x} ${z} ${Number(y) === 0 ? y : `-${y}`}`,
+  );
+  await openFile(page, "standing.obj", standing);
+  expect(await reportOf(page, "standing.obj")).toMatch(/Most panels face along Y/);
+  const file = (await exportAs(page, "OBJ")).toString().match(/^v .*$/gm);
+  await page.getByLabel("Up in the file").selectOption("y");
+  await expect.poll(() => reportOf(page, "standing.obj")).not.toMatch(/Most panels face/);
+  const own = (await exportAs(page, "OBJ")).toString().match(/^v .*$/gm);
+  expect(own?.map((line) => line.split(" ").slice(1).map(Number))).toEqual(
+    lying.match(/^v .*$/gm)?.map((line) => line.split(" ").slice(1).map(Number)),
+  );
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect((await exportAs(page, "OBJ")).toString().match(/^v .*$/gm)).toEqual(file);
+  await page.context().close();
+});
+
 it("the picture out of the page is the view, in its own size", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+60cm");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the worker does with each request; testable without a worker.
+
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
+import { turnedObj } from "../mesh/up-axis.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { DesignFiles } from "./design-files.ts";
 import { type Edited, Edits } from "./edits.ts";
@@ -31,6 +33,7 @@ type Waited =
   | "open"
   | "read"
   | "join"
+  | "turn"
   | "readDesign"
   | "export"
   | "shop"
@@ -103,6 +106,7 @@ export class Dispatcher {
       if (request.kind === "open") await this.#open(request);
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "join") await this.#join(request);
+      else if (request.kind === "turn") this.#turn(request);
       else if (request.kind === "export") await this.#export(request);
       else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
@@ -156,6 +160,13 @@ export class Dispatcher {
 
   async #join({ job, name }: Extract<Request, { kind: "join" }>): Promise<void> {
     const mesh = await this.#files.joinTriangles(this.#session.write("obj"));
+    insist(this.#session.openFile(mesh, "obj"));
+    this.#postOpened(job, keepCopy(name, "obj", mesh), null);
+  }
+
+  #turn({ job, name, from, to }: Extract<Request, { kind: "turn" }>): void {
+    const text = new TextDecoder().decode(this.#session.write("obj"));
+    const mesh = new TextEncoder().encode(turnedObj(text, from, to));
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), null);
   }

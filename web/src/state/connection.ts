@@ -141,6 +141,7 @@ function account(page: Page, question: Question, answer: Answer | null): void {
     case "replay":
     case "read":
     case "join":
+    case "turn":
       if (done) solver.centre = solver.told = null;
   }
 }

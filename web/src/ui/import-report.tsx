@@ -6,12 +6,14 @@ import { useEffect, useRef } from "preact/hooks";
 import { flatnessWords } from "../design/flatness.ts";
 import { isKeptBy, isMeant, KINDS, type Kind } from "../design/kept-kind.ts";
 import { planarisingWords } from "../design/planarising.ts";
+import type { UpAxis } from "../mesh/up-axis.ts";
 import { isUnit, UNITS, unitWord } from "../quantity/units.ts";
 import type { MeshReport } from "../solver/protocol.ts";
 import { damage, damageWords } from "../state/damage.ts";
 import { joinTriangles, mayHaveLostQuads } from "../state/joining.ts";
 import { planarise } from "../state/opening.ts";
 import { countHealth } from "../state/panel-rows.ts";
+import { canTurn, guessedUp, turnUp, upAxis } from "../state/up-axis.ts";
 import { AcceptTolerance } from "./accept-tolerance.tsx";
 import { later } from "./later.tsx";
 
@@ -112,6 +114,41 @@ function UnitChooser() {
   );
 }
 
+const UPS: readonly UpAxis[] = ["z", "y", "x"];
+
+function UpChooser() {
+  const page = usePage();
+  if (!canTurn(page)) return null;
+  const guess = guessedUp(page).value?.toUpperCase();
+  return (
+    <>
+      <label class="field">
+        <span>Up in the file</span>
+        <select
+          class="select"
+          value={upAxis(page).value}
+          disabled={!page.ready.value}
+          onChange={({ currentTarget }) => {
+            const up = UPS.find((axis) => axis === currentTarget.value);
+            if (up) void turnUp(page, up);
+          }}
+        >
+          {UPS.map((axis) => (
+            <option key={axis} value={axis}>
+              {axis.toUpperCase()}
+            </option>
+          ))}
+        </select>
+      </label>
+      {guess && (
+        <p class="quiet small">
+          Most panels face along {guess}: a roof has {guess} up then, a facade has not.
+        </p>
+      )}
+    </>
+  );
+}
+
 /** What was found in an opened file, and what to do if it is not flat. */
 export function ImportReport() {
   const page = usePage();
@@ -152,6 +189,7 @@ export function ImportReport() {
         </p>
       ))}
       <UnitChooser />
+      <UpChooser />
       <div class="dialog-actions">
         {report && !page.baseFlat.value ? (
           <>
