@@ -262,6 +262,7 @@ ProjectionResult make_exact(const ShownVariation& variation, const HandleEditOpt
   }
   if (result.report.status == SolveStatus::kCancelled) return result;
   if (low == 0.0) result = project(variation.edited);
+  if (result.report.status == SolveStatus::kCancelled) return result;
   record_moves(variation.shown, shape, result);
   result.failing_faces.clear();
   result.report.optimality.reset();

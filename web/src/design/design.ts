@@ -163,3 +163,7 @@ export function withHandle(rows: readonly HandleRow[], given: HandleRow): Handle
 
 export const withoutHandle = (rows: readonly HandleRow[], vertex: number): HandleRow[] =>
   rows.filter((row) => row.vertex !== vertex);
+
+/** Whether nothing has been done since the mesh was opened. */
+export const isAsOpened = ({ planarised, handles, shape }: Design): boolean =>
+  planarised === null && handles.length === 0 && shape.moved.length === 0;

@@ -12,11 +12,19 @@ export class Cover {
   readonly #triangles: Uint32Array;
   readonly #squares = new Map<number, number[]>();
 
-  constructor({ corners, triangles }: Triangles, view: View) {
+  /** @param isCut whether a corner is left out of the picture: so is a triangle without another */
+  constructor({ corners, triangles }: Triangles, view: View, isCut: (corner: number) => boolean) {
     this.#triangles = triangles;
     this.#at = new Float64Array(corners.length).fill(Number.NaN);
-    eachOnScreen(corners, view, (c, x, y, depth) => this.#at.set([x, y, depth], 3 * c));
-    for (let t = 0; t < triangles.length; t += 3) this.#sort(t, view);
+    eachOnScreen(corners, view, (c, x, y, depth) => {
+      this.#at[3 * c] = x;
+      this.#at[3 * c + 1] = y;
+      this.#at[3 * c + 2] = depth;
+    });
+    for (let t = 0; t < triangles.length; t += 3) {
+      const cut = isCut(triangles[t] ?? 0) && isCut(triangles[t + 1] ?? 0);
+      if (!cut || !isCut(triangles[t + 2] ?? 0)) this.#sort(t, view);
+    }
   }
 
   /** Whether something lies at a pixel in front of a depth, that of eachOnScreen(). */
@@ -26,17 +34,14 @@ export class Cover {
   }
 
   #sort(t: number, { width, height }: View): void {
-    const range = (axis: 0 | 1, size: number): readonly [number, number] => {
-      const all = [0, 1, 2].map((k) => this.#part(t, k, axis));
-      return [
-        Math.floor(Math.max(0, Math.min(...all)) / SQUARE),
-        Math.floor(Math.min(size, Math.max(...all)) / SQUARE),
-      ];
-    };
-    const [[left, right], [top, bottom]] = [range(0, width), range(1, height)];
+    const [ax, bx, cx] = [this.#part(t, 0, 0), this.#part(t, 1, 0), this.#part(t, 2, 0)];
+    const [ay, by, cy] = [this.#part(t, 0, 1), this.#part(t, 1, 1), this.#part(t, 2, 1)];
+    const right = Math.floor(Math.min(width, Math.max(ax, bx, cx)) / SQUARE);
+    const bottom = Math.floor(Math.min(height, Math.max(ay, by, cy)) / SQUARE);
+    const [left, top] = [Math.min(ax, bx, cx), Math.min(ay, by, cy)];
     // Behind the camera, one of them is no number: no square then.
-    for (let column = left; column <= right; ++column) {
-      for (let line = top; line <= bottom; ++line) {
+    for (let column = Math.floor(Math.max(0, left) / SQUARE); column <= right; ++column) {
+      for (let line = Math.floor(Math.max(0, top) / SQUARE); line <= bottom; ++line) {
         const square = squareOf(column, line);
         const there = this.#squares.get(square);
         if (there) there.push(t);
@@ -51,10 +56,9 @@ export class Cover {
 
   /** Of the triangle at a pixel; Infinity beside it. */
   #depth(t: number, x: number, y: number): number {
-    const [ax, ay, bx, by, cx, cy] = [0, 1, 2].flatMap((k) => [
-      this.#part(t, k, 0) - x,
-      this.#part(t, k, 1) - y,
-    ]) as [number, number, number, number, number, number];
+    const [ax, ay] = [this.#part(t, 0, 0) - x, this.#part(t, 0, 1) - y];
+    const [bx, by] = [this.#part(t, 1, 0) - x, this.#part(t, 1, 1) - y];
+    const [cx, cy] = [this.#part(t, 2, 0) - x, this.#part(t, 2, 1) - y];
     const [a, b, c] = [bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx];
     const sum = a + b + c;
     if (sum === 0 || a * sum < 0 || b * sum < 0 || c * sum < 0) return Number.POSITIVE_INFINITY;

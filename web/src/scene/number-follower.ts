@@ -4,17 +4,34 @@ import { effect } from "@preact/signals";
 import { hiddenPanels } from "../state/hidden-panels.ts";
 import { numbered } from "../state/numbering.ts";
 import type { Page } from "../state/page.ts";
-import { NumberLabels } from "./number-labels.ts";
+import { sectionPlane } from "../state/shown-section.ts";
+import { type Cut, NumberLabels } from "./number-labels.ts";
+import type { View } from "./picking.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Milliseconds without a picture after which others are chosen. */
+/** Milliseconds without a turn of the camera after which others are chosen. */
 const REST = 120;
+
+/** What the section takes out of the picture. */
+function cutOf(page: Page): Cut {
+  const [plane, mesh] = [sectionPlane(page).peek(), page.mesh.peek()];
+  if (!plane || !mesh) return null;
+  const { axis, at, flipped } = plane;
+  const height = (at - mesh.report.centre[axis]) * mesh.report.scale;
+  return (place) =>
+    flipped ? place.getComponent(axis) < height : place.getComponent(axis) > height;
+}
+
+const from = ({ camera, width, height }: View): string =>
+  [width, height, ...camera.matrixWorld.elements, ...camera.projectionMatrix.elements].join(" ");
 
 class NumberFollower {
   readonly #page: Page;
   readonly #view: Viewport;
   #labels: NumberLabels | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** From where those that are shown were chosen. */
+  #chosenFrom = "";
 
   constructor(page: Page, view: Viewport) {
     this.#page = page;
@@ -25,7 +42,9 @@ class NumberFollower {
   update(): void {
     const { panels, points } = numbered(this.#page).value;
     hiddenPanels(this.#page).value;
+    sectionPlane(this.#page).value;
     this.#page.displayMesh.value;
+    this.#page.history.value;
     if (panels || points) {
       this.#labels ??= new NumberLabels(this.#page, this.#view.stage.renderer.domElement);
       this.#choose();
@@ -36,7 +55,9 @@ class NumberFollower {
   draw(): void {
     const { shell } = this.#view.sight;
     if (!this.#labels || !shell) return;
-    this.#labels.place(shell, this.#view.sight.view());
+    const view = this.#view.sight.view();
+    this.#labels.place(shell, view);
+    if (from(view) === this.#chosenFrom) return;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#choose(), REST);
   }
@@ -49,7 +70,10 @@ class NumberFollower {
 
   #choose(): void {
     const { sight } = this.#view;
-    if (sight.shell) this.#labels?.choose(sight.shell, sight.view(), numbered(this.#page).peek());
+    if (!sight.shell) return;
+    const view = sight.view();
+    this.#chosenFrom = from(view);
+    this.#labels?.choose(sight.shell, view, numbered(this.#page).peek(), cutOf(this.#page));
   }
 }
 

@@ -28,13 +28,18 @@ interface Label {
   readonly number: number;
 }
 
-/** Where it would stand, pixels, and how far from the middle of the view. */
+/** Where it would stand, pixels, how deep what it names is, and how far from the middle of the view. */
 interface Candidate extends Label, Place {
+  readonly at: Place;
+  readonly depth: number;
   readonly away: number;
 }
 
-/** Those of them, in their order, that touch none before. */
-function apart(candidates: readonly Candidate[]): Candidate[] {
+/** Whether a place, display coordinates, is cut away; null: nothing is. */
+export type Cut = ((at: Vector3) => boolean) | null;
+
+/** Those of them, in their order, that are in sight and touch none before. */
+function apart(candidates: readonly Candidate[], cover: Cover): Candidate[] {
   const kept: Candidate[] = [];
   const width = ({ number }: Label): number => DIGIT * String(number).length;
   for (const one of candidates) {
@@ -44,7 +49,7 @@ function apart(candidates: readonly Candidate[]): Candidate[] {
         Math.abs(other.y - one.y) < LINE &&
         2 * Math.abs(other.x - one.x) < width(other) + width(one),
     );
-    if (!touches) kept.push(one);
+    if (!touches && !cover.hides(one.at, one.depth)) kept.push(one);
   }
   return kept;
 }
@@ -79,24 +84,11 @@ export class NumberLabels {
   }
 
   /** Which are shown; those nearest to the middle of the view if there are too many. */
-  choose(shell: Shell, view: View, { panels, points }: Numbered): void {
-    const cover = new Cover(shell, view);
-    const found: Candidate[] = [];
-    const add = (label: Label, size: number): void => {
-      const at = this.#seen(size, cover, view);
-      if (!at) return;
-      const away = Math.hypot(at.x - view.width / 2, at.y - view.height / 2);
-      found.push({ ...label, x: at.x, y: at.y + (label.kind === "point" ? DOWN : 0), away });
-    };
-    const hidden = hiddenPanels(this.#page).value;
-    for (let f = 0; panels && f + 1 < shell.offsets.length; ++f) {
-      if (!hidden.has(f)) add({ kind: "panel", number: f }, panelAt(shell, f));
-    }
-    for (let v = 0; points && v < shell.current.length / 3; ++v) {
-      if (shell.isShown(v)) add({ kind: "point", number: v }, pointAt(shell, v));
-    }
+  choose(shell: Shell, view: View, of: Numbered, cut: Cut): void {
+    const found = this.#candidates(shell, view, of, cut);
     found.sort((a, b) => a.away - b.away);
-    this.#labels = apart(found);
+    const isCut = (k: number): boolean => cut?.(corner.fromArray(shell.corners, 3 * k)) ?? false;
+    this.#labels = found.length > 0 ? apart(found, new Cover(shell, view, isCut)) : [];
     this.#pool.resize(this.#labels.length);
     this.#labels.forEach(({ kind, number }, k) => {
       const element = this.#pool.at(k);
@@ -123,19 +115,42 @@ export class NumberLabels {
     this.#layer.remove();
   }
 
-  /** Of what is at `middle` and so large; null where it is too small, out of view or behind others. */
-  #seen(size: number, cover: Cover, view: View): Place | null {
-    const away = view.camera.getWorldPosition(corner).sub(middle);
-    const distance = away.length();
-    const front = middle.clone().addScaledVector(away, (IN_FRONT * size) / distance);
-    const beside = new Vector3().setFromMatrixColumn(view.camera.matrixWorld, 0);
-    const rim = front.clone().addScaledVector(beside, size);
-    const both = Float32Array.from([...front.toArray(), ...rim.toArray()]);
-    const [at, end] = [project(both, 0, view), project(both, 1, view)];
-    if (!at || !end || 2 * Math.hypot(end.x - at.x, end.y - at.y) < ROOM) return null;
-    const inside = at.x >= 0 && at.y >= 0 && at.x <= view.width && at.y <= view.height;
-    return inside && !cover.hides(at, at.depth) ? at : null;
+  /** Those that are large enough and in view, whether or not something is in front of them. */
+  #candidates(shell: Shell, view: View, { panels, points }: Numbered, cut: Cut): Candidate[] {
+    const found: Candidate[] = [];
+    const add = (label: Label, size: number): void => {
+      const at = cut?.(middle) ? null : standing(size, view);
+      if (!at) return;
+      const away = Math.hypot(at.x - view.width / 2, at.y - view.height / 2);
+      const down = label.kind === "point" ? DOWN : 0;
+      found.push({ ...label, x: at.x, y: at.y + down, at, depth: at.depth, away });
+    };
+    const hidden = hiddenPanels(this.#page).peek();
+    for (let f = 0; panels && f + 1 < shell.offsets.length; ++f) {
+      if (!hidden.has(f)) add({ kind: "panel", number: f }, panelAt(shell, f));
+    }
+    for (let v = 0; points && v < shell.current.length / 3; ++v) {
+      if (shell.isShown(v)) add({ kind: "point", number: v }, pointAt(shell, v));
+    }
+    return found;
   }
+}
+
+const [eye, sideways] = [new Vector3(), new Vector3()];
+const ends = new Float32Array(6);
+
+/** Where what is at `middle` and so large is on screen, and a little in front of it how deep; null
+ * where it is too small or out of view. */
+function standing(size: number, view: View): (Place & { readonly depth: number }) | null {
+  view.camera.getWorldPosition(eye).sub(middle);
+  const front = corner.copy(middle).addScaledVector(eye, (IN_FRONT * size) / eye.length());
+  sideways.setFromMatrixColumn(view.camera.matrixWorld, 0);
+  front.toArray(ends, 0);
+  front.addScaledVector(sideways, size).toArray(ends, 3);
+  const [at, end] = [project(ends, 0, view), project(ends, 1, view)];
+  if (!at || !end || 2 * Math.hypot(end.x - at.x, end.y - at.y) < ROOM) return null;
+  const inside = at.x >= 0 && at.y >= 0 && at.x <= view.width && at.y <= view.height;
+  return inside ? at : null;
 }
 
 /** Leaves where a point is in `middle`; half the mean length of its edges. */

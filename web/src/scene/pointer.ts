@@ -136,9 +136,9 @@ export class PointerTool {
   /** Digits during a drag are its length, Enter ends it there. */
   #type(event: KeyboardEvent): void {
     const session = this.#press?.session;
-    if (!session || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!session || event.ctrlKey || event.metaKey) return;
     const done = event.key === "Enter" && this.#page.pull.value?.typed;
-    if (!done && !typePull(this.#page, event.key)) return;
+    if (!done && !typePull(this.#page, figureOf(event))) return;
     event.preventDefault();
     if (!done) {
       this.refresh();
@@ -248,6 +248,19 @@ export class PointerTool {
     const { width, height } = this.#canvas.getBoundingClientRect();
     return this.#stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
   }
+}
+
+const MARKS: Readonly<Record<string, string>> = {
+  Period: ".",
+  NumpadDecimal: ".",
+  Minus: "-",
+  NumpadSubtract: "-",
+};
+
+/** The key, also where Alt, which a free drag holds, makes another character of it. */
+function figureOf({ altKey, code, key }: KeyboardEvent): string {
+  const digit = /^(?:Digit|Numpad)([0-9])$/.exec(code)?.[1];
+  return altKey ? (digit ?? MARKS[code] ?? key) : key;
 }
 
 const addsTo = ({ ctrlKey, metaKey, shiftKey }: MouseEvent): boolean =>

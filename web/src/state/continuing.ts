@@ -5,7 +5,7 @@ import { continuedName } from "../design/continued-name.ts";
 import { sourceName } from "../design/design.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import { run } from "./connection.ts";
-import { isOf, keptGroups } from "./kept-groups.ts";
+import { holdAlsoFor } from "./kept-groups.ts";
 import { adopt } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { takeBack } from "./showing.ts";
@@ -32,9 +32,7 @@ export const continueFromShape = (page: Page): Outcome =>
     const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
     const source = read.ok ? read.value.source : null;
     if (!read.ok || !source) return takeBack(page, read.ok ? GIVEN_UP : read);
-    const groups = keptGroups(page);
-    if (groups.value && isOf(groups.value, design.source))
-      groups.value = { ...groups.value, sources: [...groups.value.sources, source] };
+    holdAlsoFor(page, design.source, source);
     adopt(page, source, null, read.value.mesh);
     page.notice.value = SAID;
     return read;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The quads of a mesh that a program wrote as triangles.
+import { isAsOpened } from "../design/design.ts";
 import { run } from "./connection.ts";
 import { adopt } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { inTurn, type Outcome } from "./turns.ts";
+import { keepUp } from "./up-axis.ts";
 
 const NO_QUADS = "No two triangles make a quad.";
 
@@ -12,11 +14,13 @@ export const joinTriangles = (page: Page): Outcome =>
   inTurn(page, async () => {
     const { source } = page.draft.value ?? {};
     const before = page.mesh.value?.report.faces ?? 0;
-    if (source?.kind !== "file") return;
+    // A turn before this one may have made it flat.
+    if (source?.kind !== "file" || !mayHaveLostQuads(page)) return;
     const question = { kind: "join", name: source.name } as const;
     const answer = await run(page, "joining triangles", question, "opened");
     if (!answer.ok || !answer.value.source) return answer;
     const { mesh } = answer.value;
+    keepUp(page, source, answer.value.source);
     adopt(page, answer.value.source, null, mesh);
     page.importReport.value = true;
     const quads = before - mesh.report.faces;
@@ -28,6 +32,6 @@ export const joinTriangles = (page: Page): Outcome =>
 export function mayHaveLostQuads(page: Page): boolean {
   const design = page.draft.value;
   const { faces = 0, faceSizes = {} } = page.mesh.value?.report ?? {};
-  const untouched = design?.planarised === null && design.handles.length === 0;
-  return design?.source.kind === "file" && untouched && 2 * (faceSizes[3] ?? 0) > faces;
+  if (design?.source.kind !== "file" || !isAsOpened(design)) return false;
+  return 2 * (faceSizes[3] ?? 0) > faces;
 }

@@ -25,6 +25,13 @@ export const isSameSource = (a: Source, b: Source): boolean => {
 export const isOf = ({ sources }: KeptGroups, source: Source): boolean =>
   sources.some((one) => isSameSource(one, source));
 
+/** Those of a mesh hold for another with the same points and panels, too. */
+export function holdAlsoFor(page: Page, source: Source, next: Source): void {
+  const groups = keptGroups(page);
+  if (groups.value && isOf(groups.value, source))
+    groups.value = { ...groups.value, sources: [...groups.value.sources, next] };
+}
+
 /** Those of the mesh that is open; null where those of its file hold. */
 export function changedGroups(page: Page): readonly Group[] | null {
   const [own, source] = [keptGroups(page).value, page.history.value?.present.source];

@@ -4,17 +4,17 @@ import { computed, signal } from "@preact/signals";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import { kept, type Page } from "./page.ts";
 
-const chosen = kept(() => signal<{ opened: OpenedMesh; vertex: number } | null>(null));
+const chosen = kept(() => signal<{ opened: WeakRef<OpenedMesh>; vertex: number } | null>(null));
 
 /** The point, of the mesh that is open, that places are given from; null: the origin of the file. */
 export const localOrigin = kept((page: Page) =>
   computed(() => {
     const origin = chosen(page).value;
-    return origin && origin.opened === page.mesh.value ? origin.vertex : null;
+    return origin && origin.opened.deref() === page.mesh.value ? origin.vertex : null;
   }),
 );
 
 export function setLocalOrigin(page: Page, vertex: number | null): void {
   const opened = page.mesh.value;
-  chosen(page).value = opened && vertex !== null ? { opened, vertex } : null;
+  chosen(page).value = opened && vertex !== null ? { opened: new WeakRef(opened), vertex } : null;
 }

@@ -151,6 +151,8 @@ export class PageState {
   readonly areaTool = signal<AreaTool | null>(null);
   /** The field of typed moves that a key asked for, until the focus leaves it. */
   readonly typedMove = signal<"X" | "Y" | "Z" | null>(null);
+  /** Whether the controls are folded away, where they are a sheet under the view. */
+  readonly sheetFolded = signal(false);
   /** Whether the arrows at a point follow its surface instead of X, Y and Z. */
   readonly localArrows = signal(false);
   readonly unit = signal<Unit>("m");

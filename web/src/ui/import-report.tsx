@@ -127,7 +127,7 @@ function UpChooser() {
         <select
           class="select"
           value={upAxis(page).value}
-          disabled={!page.ready.value}
+          disabled={!page.ready.value || page.turnsLeft.value > 0}
           onChange={({ currentTarget }) => {
             const up = UPS.find((axis) => axis === currentTarget.value);
             if (up) void turnUp(page, up);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-import { type Signal, useSignal } from "@preact/signals";
+import { useSignalEffect } from "@preact/signals";
 import { decimal } from "../design/flatness.ts";
 import { planarise } from "../state/opening.ts";
 import { Ask } from "./ask.tsx";
@@ -64,7 +64,13 @@ function Several() {
 }
 
 /** On a telephone the controls are a sheet under the view: folded, they leave it all the room. */
-function SheetFold({ folded }: { folded: Signal<boolean> }) {
+function SheetFold() {
+  const page = usePage();
+  const folded = page.sheetFolded;
+  // What asks for attention is in there.
+  useSignalEffect(() => {
+    if (page.importReport.value || page.typedMove.value) folded.value = false;
+  });
   return (
     <button
       type="button"
@@ -80,14 +86,14 @@ function SheetFold({ folded }: { folded: Signal<boolean> }) {
 }
 
 export function Inspector() {
-  const folded = useSignal(false);
+  const page = usePage();
   return (
     <aside
       id="inspector"
-      class={folded.value ? "inspector folded" : "inspector"}
+      class={page.sheetFolded.value ? "inspector folded" : "inspector"}
       aria-label="Inspector"
     >
-      <SheetFold folded={folded} />
+      <SheetFold />
       <Several />
       <ImportReport />
       <section class="step edit-step" aria-labelledby="step-edit">

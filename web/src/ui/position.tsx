@@ -62,16 +62,20 @@ function Origin({ vertex }: { vertex: number }) {
         type="button"
         class="button small"
         title="Gives the places of other points from this one"
-        disabled={origin === vertex}
+        aria-pressed={origin === vertex}
         onClick={() => setLocalOrigin(page, vertex)}
       >
         Origin here
       </button>
-      {origin !== null && (
-        <button type="button" class="button small" onClick={() => setLocalOrigin(page, null)}>
-          Origin of the file
-        </button>
-      )}
+      <button
+        type="button"
+        class="button small"
+        title="Gives places as the file has them alone"
+        aria-pressed={origin === null}
+        onClick={() => setLocalOrigin(page, null)}
+      >
+        Origin of the file
+      </button>
     </div>
   );
 }
