@@ -333,6 +333,35 @@ it("an arrow at the chosen point moves it along its axis alone", async () => {
   await page.context().close();
 });
 
+it("the arrows of several points stand in their middle, and move all of them", async () => {
+  const page = await openPage(ROOMY);
+  const { x, y } = await hintedPoint(page);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  for (let k = 0; k < 4; ++k) await page.keyboard.press("Control+ArrowRight");
+  await page.getByText("5 points", { exact: true }).waitFor();
+  await page.waitForTimeout(800);
+  const marks = await Promise.all(
+    (await page.locator(".marker.selected").all()).map((mark) => mark.boundingBox()),
+  );
+  const mean = (of: "x" | "y"): number =>
+    marks.reduce((sum, box) => sum + (box?.[of] ?? 0) + 8, 0) / marks.length;
+  // Beside all of the points, over their middle.
+  const at = { x: mean("x"), y: mean("y") - 40 };
+  expect(Math.hypot(at.x - x, at.y - y)).toBeGreaterThan(20);
+  await press(page, at, { x: at.x, y: at.y - 40 });
+  await release(page);
+  const rows = await handleRows(page);
+  expect(rows).toHaveLength(5);
+  const [first] = rows;
+  for (const row of rows) {
+    expect(offset(row).slice(0, 2)).toEqual([0, 0]);
+    expect(offset(row)[2]).toBeCloseTo(offset(first ?? row)[2] ?? Number.NaN, 9);
+  }
+  expect(offset(first ?? { vertex: 0, target: [], pinned: false })[2]).toBeGreaterThan(0.1);
+  await page.context().close();
+});
+
 it("points move by typed amounts along the surface and out of it", async () => {
   const page = await openPage();
   await page.getByLabel("3D view").focus();

@@ -8,6 +8,12 @@ export interface Held {
   readonly plane: boolean;
 }
 
+/** An arrow or small plane that was taken hold of. */
+export interface Arrow extends Held {
+  /** Where it stands, display coordinates. */
+  readonly at: Vector3;
+}
+
 /** A plane seen more edge-on than this would throw points to the horizon. */
 const EDGE_ON = 0.08;
 

@@ -6,7 +6,7 @@ import type { Frame } from "../mesh/point-frame.ts";
 import type { Drag } from "../state/dragging.ts";
 import type { Lock } from "../state/page-state.ts";
 import type { Outcome } from "../state/turns.ts";
-import { type Held, meet, snapOffset, usualLine } from "./constraint.ts";
+import { type Arrow, type Held, meet, snapOffset, usualLine } from "./constraint.ts";
 
 const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
@@ -22,7 +22,7 @@ export interface DragStart {
   /** Display units per model unit. */
   readonly scale: number;
   /** The arrow or plane that was taken hold of; null for the point itself. */
-  readonly arrow: Held | null;
+  readonly arrow: Arrow | null;
 }
 
 export interface Snap {
@@ -71,9 +71,10 @@ export class DragSession {
     this.#ray = ray;
     const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, this.#at.view);
     const held = lock ? this.#heldBy(lock) : (this.#at.arrow ?? usual);
-    const { start, press, view } = this.#at;
-    const to = meet(ray, start, held, view);
-    const from = meet(press, start, held, view);
+    const { start, arrow, press, view } = this.#at;
+    const origin = arrow?.at ?? start;
+    const to = meet(ray, origin, held, view);
+    const from = meet(press, origin, held, view);
     const offset = to && from && to.sub(from);
     // A length or a step is asked for by name: no fold takes it back.
     if (typed !== null) this.#drag.by(ofLength(typed, held, offset), true);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Arrows and small planes at the chosen point. They only show where one can pull; the pointer
+// Arrows and small planes at the chosen point, or in the middle of several. They only show where one can pull; the pointer
 // tool does the pulling, so that every drag is held and snapped in one way. They are fetched with
 // the first chosen point: the first drag does not wait for them.
 import { type BufferGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
 import type { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Frame } from "../mesh/point-frame.ts";
 import type { Lock } from "../state/page-state.ts";
-import type { Held } from "./constraint.ts";
+import type { Arrow } from "./constraint.ts";
 import type { Stage } from "./stage.ts";
 
 /** Which of the gizmo's own axes a part moves along, or across for a plane. */
@@ -79,7 +79,7 @@ export class Gizmo {
   }
 
   /** The part under a pixel, which is highlighted; null beside all of them. */
-  hover(x: number, y: number, width: number, height: number): Held | null {
+  hover(x: number, y: number, width: number, height: number): Arrow | null {
     const controls = this.#controls;
     if (!controls?.object) return null;
     const before = controls.axis;
@@ -93,12 +93,13 @@ export class Gizmo {
     if (!part) return null;
     const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
     this.#proxy.matrixWorld.extractBasis(...columns);
-    return { direction: columns[part[0] as 0 | 1 | 2].normalize(), plane: part[1] };
+    const direction = columns[part[0] as 0 | 1 | 2].normalize();
+    return { direction, plane: part[1], at: this.#proxy.position.clone() };
   }
 
   /** Display coordinates; along X, Y and Z without a frame. */
-  attach(x: number, y: number, z: number, frame: Frame | null): void {
-    this.#proxy.position.set(x, y, z);
+  attach(at: Vector3, frame: Frame | null): void {
+    this.#proxy.position.copy(at);
     this.#proxy.quaternion.identity();
     if (frame) {
       const columns = [frame.along, frame.across, frame.normal].map((c) => new Vector3(...c));

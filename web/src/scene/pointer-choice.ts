@@ -2,6 +2,7 @@
 // What the pointer chooses in the view: points, panels, lines of the mesh, and areas.
 
 import type { Ray } from "three";
+import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
 import {
   deselect,
@@ -50,7 +51,6 @@ export class PointerChoice {
     const [shell, { page }] = [this.#usable(), this.#sight];
     if (!shell) return null;
     const view = this.#sight.view();
-    const leader = page.selected.value;
     const marked = (vertex: number): boolean => {
       const at = project(shell.current, vertex, view);
       return at !== null && Math.hypot(at.x - x, at.y - y) < CORE;
@@ -58,7 +58,8 @@ export class PointerChoice {
     const own = page.selection.value.findLast(marked);
     if (own !== undefined) return { vertex: own, arrow: null };
     const arrow = this.#gizmo.hover(x, y, view.width, view.height);
-    if (leader !== null && arrow) return { vertex: leader, arrow };
+    const leader = arrow && page.selection.value.findLast((v) => !handleOf(page, v)?.pinned);
+    if (arrow && leader !== undefined && leader !== null) return { vertex: leader, arrow };
     const vertex = pickVertex(shell, { x, y }, coarse, view);
     return vertex === null ? null : { vertex, arrow: null };
   }

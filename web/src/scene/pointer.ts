@@ -6,7 +6,7 @@ import type { Page } from "../state/page.ts";
 import type { AreaTool } from "../state/page-state.ts";
 import type { Outcome } from "../state/turns.ts";
 import { typePull } from "../state/typed-pull.ts";
-import type { Held } from "./constraint.ts";
+import type { Arrow } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";
 import { boxAround, extended, type Outline } from "./outline.ts";
 import type { Place } from "./picking.ts";
@@ -19,7 +19,7 @@ const SLACK = { fine: 3, coarse: 8 };
 export interface Hold {
   readonly vertex: number;
   /** Set when an arrow or plane of the gizmo was hit rather than the point itself. */
-  readonly arrow: Held | null;
+  readonly arrow: Arrow | null;
 }
 
 export interface Click {

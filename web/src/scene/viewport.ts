@@ -2,7 +2,7 @@
 // The 3D view: puts its parts together, has them follow the state, and does what keys and buttons ask.
 
 import { effect, untracked } from "@preact/signals";
-import type { Object3D } from "three";
+import { type Object3D, Vector3 } from "three";
 import { frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
@@ -276,17 +276,20 @@ export class Viewport {
     this.#gizmo.resize(height);
   }
 
-  /** Arrows stand at the point chosen last, unless it is pinned. */
+  /** Arrows stand in the middle of the chosen points that are not pinned; the last of them leads. */
   #placeGizmo(): void {
-    const [vertex, { shell }, page] = [this.#page.selected.value, this.sight, this.#page];
+    const [{ shell }, page] = [this.sight, this.#page];
     const usable = page.ready.value && page.draft.value;
-    if (vertex === null || !shell || !usable || handleOf(page, vertex)?.pinned) {
+    const loose = page.selection.value.filter((v) => !handleOf(page, v)?.pinned);
+    const leader = loose.at(-1);
+    if (leader === undefined || !shell || !usable) {
       this.#gizmo.detach();
       return;
     }
     const turned = page.localArrows.value || page.lock.value?.axis === "normal";
-    const [x = 0, y = 0, z = 0] = shell.current.subarray(3 * vertex, 3 * vertex + 3);
-    this.#gizmo.attach(x, y, z, turned ? frameAt(page, vertex) : null);
+    const middle = new Vector3();
+    for (const v of loose) middle.add(new Vector3().fromArray(shell.current, 3 * v));
+    this.#gizmo.attach(middle.divideScalar(loose.length), turned ? frameAt(page, leader) : null);
   }
 
   #placeOverlay(): void {
