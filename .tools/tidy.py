@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""clang-tidy over the core and the session. Eight files of a folder are looked at as one, because most
-of the time goes into Eigen's headers: a quarter of the time of each file for itself. Eight that passed
+"""clang-tidy over the core and the session. Twelve files of a folder are looked at as one, because most
+of the time goes into Eigen's headers: a quarter of the time of each file for itself. Twelve that passed
 before with the same text, headers, rules and clang-tidy are skipped; what passed is remembered outside
 the tree, so that the next clone on this machine need not ask again."""
 
@@ -16,9 +16,7 @@ import sys
 import time
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
-TOGETHER = 8
-# Their files give the same name to different constants of their own.
-ALONE = {"core/src/constraints", "core/src/mobility"}
+TOGETHER = 12
 DATABASE = TREE / "build/tidy/database"
 UNITS = TREE / "build/tidy/units"
 KNOWN = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "planish/tidy"
@@ -30,17 +28,16 @@ def said(*command):
 
 
 def sources():
-    """Files of a folder, eight at a time where they can stand in one."""
+    """Files of a folder, twelve at a time."""
     listed = said("git", "ls-files", "core/src/*.cpp", "wasm/session*.cpp", "wasm/keep_out_lines.cpp").split()
     for folder, files in itertools.groupby(sorted(listed, key=lambda f: (os.path.dirname(f), f)), os.path.dirname):
         files = list(files)
-        size = 1 if folder in ALONE else TOGETHER
-        for start in range(0, len(files), size):
-            yield folder.replace("/", "_") + f"_{start // size}", files[start : start + size]
+        for start in range(0, len(files), TOGETHER):
+            yield folder.replace("/", "_") + f"_{start // TOGETHER}", files[start : start + TOGETHER]
 
 
 def write_units():
-    """One file that includes eight, and how each is compiled: as the first of the eight."""
+    """One file that includes twelve, and how each is compiled: as the first of them."""
     subprocess.run(["cmake", "--preset", "native", "-B", DATABASE, "-DPLANISH_UNITY=OFF", "--log-level=WARNING"],
                    cwd=TREE, check=True, stdout=subprocess.DEVNULL)
     commands = {entry["file"]: entry for entry in json.loads((DATABASE / "compile_commands.json").read_text())}
@@ -59,7 +56,7 @@ def write_units():
 
 
 def surroundings():
-    """Everything but the eight that the answer depends on."""
+    """Everything but those files that the answer depends on."""
     headers = said("git", "ls-files", "core/*.hpp", "wasm/*.hpp").split()
     texts = [(TREE / name).read_bytes() for name in [".clang-tidy", "CMakeLists.txt", "core/CMakeLists.txt", *headers]]
     words = said("clang-tidy", "--version") + said("dpkg-query", "-W", *PACKAGES)

@@ -9,7 +9,7 @@
 namespace planish {
 namespace {
 
-constexpr double kAllowed = 1e-3;  ///< of an area beyond the limit: what it may grow by
+constexpr double kAllowedArea = 1e-3;  ///< of an area beyond the limit: what it may grow by
 
 /// Σ pₖ × pₖ₊₁, relative to the first.
 Eigen::Vector3d doubled(const PanelPoints& points) {
@@ -69,7 +69,7 @@ void AreaLimit::append_rows(const LimitBase& base, int face, const StatedLimit& 
   const double most = limit.most / (base.unit * base.unit);
   AreaRow row;
   row.vertices.assign(panel.begin(), panel.end());
-  row.scale = LimitScale::at_most(most, now, 0.5 * most, kAllowed * now);
+  row.scale = LimitScale::at_most(most, now, 0.5 * most, kAllowedArea * now);
   out.push_back(std::move(row));
 }
 

@@ -12,8 +12,8 @@
 namespace planish {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;  ///< of a radian
-constexpr double kAreaShare = 1e-6;             ///< of the squared perimeter: less is no area
+constexpr double kRadian = 57.29577951308232;  ///< degrees
+constexpr double kAreaShare = 1e-6;            ///< of the squared perimeter: less is no area
 
 /// Unit area vector, or zero for a face without area.
 Eigen::Vector3d face_normal(const Positions& positions, std::span<const int> face) {
@@ -45,7 +45,7 @@ EdgeCurvature edge_curvature(const Eigen::Vector3d& n, const Eigen::Vector3d& x,
 
 /// The angle between two edges, in degrees; accurate near 0 and 180 too.
 double angle(const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
-  return kDegrees * std::atan2(first.cross(second).norm(), first.dot(second));
+  return kRadian * std::atan2(first.cross(second).norm(), first.dot(second));
 }
 
 double quad_defect(const std::array<Eigen::Vector3d, 4>& p) {
@@ -146,7 +146,7 @@ double CircularPolygon::excess(const Positions& positions, std::span<const int> 
   }
   const double step = std::numeric_limits<double>::epsilon() * largest;
   const double defect = measure(positions, face);
-  const bool is_rounding = defect <= std::min(kCoarsest, kDegrees * kUnits * step / shortest);
+  const bool is_rounding = defect <= std::min(kCoarsest, kRadian * kUnits * step / shortest);
   return is_rounding ? 0.0 : defect;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kFewest = 6;  ///< of a star: a vertex and five neighbours
 constexpr double kFlat = 1e-6;      ///< radians: a cone that opens by less is a plane
-constexpr double kDegrees = 180.0 / kPi;
+constexpr double kDegreesOfRadian = 180.0 / kPi;
 
 using Blocks = std::array<std::array<Eigen::Matrix3d, 9>, 9>;  ///< by two vertices
 using FourNormals = std::array<Eigen::Vector3d, 4>;
@@ -260,7 +260,7 @@ double star_defect(const Positions& positions, std::span<const int> star) {
   if (triple.is_flat()) return 0.0;
   double worst = 0.0;
   faces.for_each_other(triple, [&](std::size_t, double height) {
-    const double angle = kDegrees * std::abs(height) / triple.radius;
+    const double angle = kDegreesOfRadian * std::abs(height) / triple.radius;
     if (!(angle <= worst)) worst = angle;
   });
   return worst;
@@ -291,7 +291,7 @@ double ConicalStar::excess(const Positions& positions, std::span<const int> star
   for (const int v : star) largest = std::max(largest, positions.col(v).cwiseAbs().maxCoeff());
   const double step = std::numeric_limits<double>::epsilon() * largest;
   const double least = faces.least_height() * faces.widest().radius;
-  const bool is_rounding = defect <= std::min(kCoarsest, kDegrees * kUnits * step / least);
+  const bool is_rounding = defect <= std::min(kCoarsest, kDegreesOfRadian * kUnits * step / least);
   return is_rounding ? 0.0 : defect;
 }
 

@@ -11,9 +11,9 @@
 namespace planish {
 namespace {
 
-constexpr double kKeep = 0.05;       ///< κ: the share of g⁰ that no corner goes below
-constexpr double kClamp = 0.5;       ///< ŝ: where the barrier begins
-constexpr double kAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
+constexpr double kKeep = 0.05;            ///< κ: the share of g⁰ that no corner goes below
+constexpr double kClamp = 0.5;            ///< ŝ: where the barrier begins
+constexpr double kLeastAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void append_corner_shapes(const Positions& positions, std::span<const int> face,
     perimeter += (point(k + 1) - point(k)).norm();
   }
   const double size = area.norm();
-  if (!(size > kAreaShare * perimeter * perimeter)) return;
+  if (!(size > kLeastAreaShare * perimeter * perimeter)) return;
   const Eigen::Vector3d normal = area / size;
   for (std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector3d in = point(k + n) - point(k + n - 1);

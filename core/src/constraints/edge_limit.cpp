@@ -4,7 +4,8 @@
 namespace planish {
 namespace {
 
-constexpr double kAllowed = 2e-3;  ///< of a squared length beyond the limit: what it may go on by
+constexpr double kAllowedSquare =
+    2e-3;  ///< of a squared length beyond the limit: what it may go on by
 
 }  // namespace
 
@@ -36,7 +37,7 @@ void EdgeLimit::append_rows(const LimitBase& base, int face, const StatedLimit& 
     row.vertices = {panel[k], panel[(k + 1) % panel.size()]};
     const double now =
         (base.points.col(row.vertices[1]) - base.points.col(row.vertices[0])).squaredNorm();
-    const double allowed = kAllowed * (now > 0.0 ? now : most * most);
+    const double allowed = kAllowedSquare * (now > 0.0 ? now : most * most);
     if (least > 0.0) {
       row.scale = LimitScale::at_least(least * least, now, width, allowed);
       out.push_back(row);

@@ -13,13 +13,13 @@
 namespace planish {
 namespace {
 
-constexpr double kAllowed = 0.1 * kPi / 180.0;  ///< by which a fold beyond the limit may grow
+constexpr double kAllowedFold = 0.1 * kPi / 180.0;  ///< by which a fold beyond the limit may grow
 
 /// The largest fold that is allowed, radians. @param now cosine of the fold in the base
 double bound_of(const StatedLimit& limit, double now) {
   const double fold = arctangent(std::sqrt(std::max(0.0, 1.0 - now * now)), now);
   const double asked = limit.most * kPi / 180.0 + (limit.relative ? fold : 0.0);
-  return std::max(asked, fold + kAllowed);
+  return std::max(asked, fold + kAllowedFold);
 }
 
 struct Wings {

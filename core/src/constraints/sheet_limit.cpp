@@ -11,7 +11,8 @@ namespace planish {
 namespace {
 
 constexpr std::size_t kMostCorners = 64;  ///< rows grow with the square of a panel's corners
-constexpr double kAllowed = 2e-3;  ///< of a squared extent beyond the limit: what it may grow by
+constexpr double kAllowedExtent =
+    2e-3;  ///< of a squared extent beyond the limit: what it may grow by
 
 VectorPair pair_of(const SheetRow& row, const RowPoints<Eigen::Dynamic>& points) {
   const Eigen::Vector3d u = points * row.u, v = points * row.v;
@@ -124,7 +125,7 @@ void SheetLimit::append_rows(const LimitBase& base, int face, const StatedLimit&
         const double now = value(row, points);
         if (!along && !(now > 1e-12 * most)) continue;  // the side itself has no width
         row.scale =
-            LimitScale::at_most(most, now, 0.5 * most, kAllowed * std::max(now, 1e-3 * most));
+            LimitScale::at_most(most, now, 0.5 * most, kAllowedExtent * std::max(now, 1e-3 * most));
         out.push_back(row);
       }
     }

@@ -13,7 +13,7 @@ bool changes_shape(const MobilityRow& row) {
   return row.distance > 0.0 && std::abs(row.direction.z()) == 1.0;
 }
 
-bool is_better(const MobilityRow& one, const MobilityRow& other) {
+bool is_better_place(const MobilityRow& one, const MobilityRow& other) {
   const auto rank = [](const MobilityRow& row) {
     return std::tuple(-row.distance, row.remake, row.sharpest_fold, row.vertex, -row.direction.z());
   };
@@ -47,7 +47,7 @@ std::vector<MobilityRow> best_places(const Adjacency& adjacency, std::vector<Mob
   rows.erase(std::remove_if(rows.begin(), rows.end(),
                             [](const MobilityRow& row) { return !changes_shape(row); }),
              rows.end());
-  std::sort(rows.begin(), rows.end(), is_better);
+  std::sort(rows.begin(), rows.end(), is_better_place);
   std::vector<MobilityRow> places;
   std::vector<char> taken(static_cast<std::size_t>(adjacency.neighbours.size()), 0);
   for (const MobilityRow& row : rows) {
