@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edit_run.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "edit_options.hpp"
@@ -64,6 +65,61 @@ std::optional<std::string> evened_sentence(const EditRun& run) {
   if (run.evened.max_move == 0.0) return std::nullopt;
   return "not exactly symmetric; made so first, which moved vertices by up to " +
          three_digits(run.evened.max_move) + " (units of the mesh)";
+}
+
+std::optional<std::string> moved_support_sentence(const EditRun& run) {
+  if (!run.base.planarised) return std::nullopt;
+  double most = 0.0;
+  std::string name;
+  for (const PointSupport& support : run.targets.supports) {
+    if (is_spring(support)) continue;
+    for (const int v : points_of(support, run.given)) {
+      const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
+      if (move <= most) continue;
+      most = move;
+      name = support_name(support);
+    }
+  }
+  if (most <= kSupportReach * mean_edge_length(run.given)) return std::nullopt;  // rounding
+  return "that moved points of " + name + " by up to " + three_digits(most) +
+         ", and the edit has them where they are since: planish project --support " + name +
+         " makes the file flat with them where they stand";
+}
+
+namespace {
+
+/// What keeps a handle from its target, as far as it is known.
+std::string held_by(const EditRun& run, int vertex) {
+  for (const PointSupport& support : run.targets.supports) {
+    const std::vector<int> points = points_of(support, run.given);
+    if (!is_spring(support) && std::binary_search(points.begin(), points.end(), vertex)) {
+      return "it stands on " + support_name(support);
+    }
+  }
+  std::string bounds;
+  for (const BoundStanding& bound : run.report.bounds) {
+    if (!bound.binding.empty()) bounds += (bounds.empty() ? "" : ", ") + std::string(bound.name);
+  }
+  return bounds.empty() ? "--attraction pulls harder, --hard holds it there" : "held by " + bounds;
+}
+
+}  // namespace
+
+std::optional<std::string> shortfall_sentence(const EditRun& run) {
+  constexpr double kNoticeable = 0.15;  // of the pull, as the page has it
+  if (run.report.status != SolveStatus::kConverged) return std::nullopt;
+  const Handle* worst = nullptr;
+  double most = 0.0;
+  for (const Handle& handle : run.targets.handles) {
+    const double pull = (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
+    const double left = (handle.target - run.edited.col(handle.vertex)).norm();
+    if (left <= kNoticeable * pull || left <= most) continue;
+    most = left;
+    worst = &handle;
+  }
+  if (worst == nullptr) return std::nullopt;
+  return "handle " + std::to_string(worst->vertex) + " stops " + three_digits(most) +
+         " short of its target (units of the mesh): " + held_by(run, worst->vertex);
 }
 
 namespace {
@@ -140,6 +196,7 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
   clear_progress_line();
   if (const auto sentence = planarised_sentence(run.base)) print_message(name + ": " + *sentence);
+  if (const auto sentence = moved_support_sentence(run)) print_message(name + ": " + *sentence);
   if (const auto sentence = evened_sentence(run)) print_message(name + ": " + *sentence);
   return run;
 }

@@ -65,6 +65,13 @@ struct EditRun {
 /// the mesh was flat.
 [[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
 
+/// Nor that what points stand on went along; nullopt if it did not.
+[[nodiscard]] std::optional<std::string> moved_support_sentence(const EditRun& run);
+
+/// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
+/// nullopt if none does, or where outcome_sentence() has more to say.
+[[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
 /// Nor need it be symmetric; nullopt where it was.
 [[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
 

@@ -26,7 +26,9 @@ std::string shown_name(const std::string& path) { return path == "-" ? "standard
 MeshFormat format_of(const std::string& path) {
   if (path == "-") return MeshFormat::kObj;
   if (const auto format = format_from_name(path)) return *format;
-  throw CommandError(kWrongUsage, path + ": the extension must be .obj, .off, .ply or .glb");
+  const bool design = path.ends_with(".json");
+  throw CommandError(kWrongUsage, path + ": the extension must be .obj, .off, .ply or .glb" +
+                                      (design ? "; planish replay opens designs" : ""));
 }
 
 constexpr std::string_view kSamplePrefix = "sample:";

@@ -87,6 +87,10 @@ Json remake_json(const Mesh& base, const Positions& after) {
 Json info_json(const MeshFile& file) {
   const PlanaritySummary planarity = planarity_summary(file.mesh);
   Json json = {{"status", "done"}, {"mesh", mesh_json(file.mesh)}};
+  const Eigen::Vector3d least = file.mesh.positions.rowwise().minCoeff();
+  const Eigen::Vector3d most = file.mesh.positions.rowwise().maxCoeff();
+  json["extent"] = {{"min", {least.x(), least.y(), least.z()}},
+                    {"max", {most.x(), most.y(), most.z()}}};
   json["planarity_mm_per_m"] = {{"max", planarity.max},
                                 {"mean", planarity.mean},
                                 {"max_gap", planarity.max_gap},
@@ -222,12 +226,16 @@ Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base, const Positio
           {"asymmetry_mean_edges", asymmetry(symmetry, base, after)}};
 }
 
+std::string support_name(const PointSupport& support) {
+  PointSupport named = support;
+  named.surface = {};  // its points are not what it is called
+  return point_support_text(named);
+}
+
 void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
                   const Positions& after) {
   for (const PointSupport& support : supports) {
-    PointSupport named = support;
-    named.surface = {};  // its points are not what it is called
-    json["supports"].push_back({{"name", point_support_text(named)},
+    json["supports"].push_back({{"name", support_name(support)},
                                 {"distance_max", largest_distance(support, base, after)}});
   }
 }

@@ -35,6 +35,9 @@ using Json = nlohmann::ordered_json;
 /// Figures of a mesh as `info` reports them.
 [[nodiscard]] Json info_json(const MeshFile& file);
 
+/// As messages and reports call it: without the points of a model.
+[[nodiscard]] std::string support_name(const PointSupport& support);
+
 /// How far the points of each support are off it; nothing where there are none.
 void add_supports(Json& json, const std::vector<PointSupport>& supports, const Mesh& base,
                   const Positions& after);

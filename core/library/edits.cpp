@@ -34,9 +34,11 @@ bool is_json(const std::string& path) { return path.ends_with(".json"); }
 std::vector<std::string> edit_messages(const cli::EditRun& run, const cli::Json& report) {
   std::vector<std::string> messages;
   add(messages, cli::planarised_sentence(run.base));
+  add(messages, cli::moved_support_sentence(run));
   add(messages, cli::evened_sentence(run));
   add(messages, cli::damage_sentence(report["spoilt_faces"]));
   add(messages, cli::outcome_sentence(run.report));
+  add(messages, cli::shortfall_sentence(run));
   return messages;
 }
 

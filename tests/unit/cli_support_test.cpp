@@ -41,6 +41,33 @@ TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
   }
 }
 
+TEST_F(Cli, AHandleThatStopsShortSaysWhatHoldsIt) {
+  ASSERT_EQ(run("edit sample:vault:12 --handle 6+=0,0,0.6 --support level:boundary -o b.obj"), 0)
+      << err();
+  EXPECT_NE(err().find("handle 6 stops 0.6 short of its target (units of the mesh): it stands on "
+                       "level=z:boundary"),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run("edit sample:vault:12 --handle 66+=0,0,0.6 --attraction 1e6 -o b.obj"), 0);
+  EXPECT_EQ(err().find("stops"), std::string::npos) << err();
+}
+
+TEST_F(Cli, PlanarisingFirstSaysWhatItDidToSupports) {
+  ASSERT_EQ(run("sample dome --size 10 -o a.obj"), 0);
+  Mesh bent = load("a.obj");
+  bent.positions(2, 5) += 0.05;
+  save("bent.obj", write_mesh(bent, MeshFormat::kObj));
+  const std::string edit =
+      " --handle 55+=0,0,0.2 --attraction 1e4 --support level:boundary -o b.obj";
+  ASSERT_EQ(run("edit bent.obj" + edit), 0) << err();
+  EXPECT_NE(err().find("bent.obj: that moved points of level=z:boundary by up to "),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run("project bent.obj --support level:boundary -o flat.obj"), 0) << err();
+  ASSERT_EQ(run("edit flat.obj" + edit), 0) << err();
+  EXPECT_EQ(err().find("moved points"), std::string::npos) << err();
+}
+
 TEST_F(Cli, VariationsMovePointsAlongTheirSupports) {
   const std::string explore =
       "explore sample:vault:12 --handle 66+=0,0,0.6 --support level=x:65,67 --dimension 2 --exact "
