@@ -2,7 +2,7 @@
 
 import { useEffect } from "preact/hooks";
 import { FileDrop } from "../ui/file-drop.tsx";
-import { Inspector } from "../ui/inspector.tsx";
+import { Inspector, SheetFold } from "../ui/inspector.tsx";
 import { usePage } from "../ui/page-context.ts";
 import { PaletteDialog } from "../ui/palette-dialog.tsx";
 import { StatusLine } from "../ui/status-line.tsx";
@@ -18,6 +18,7 @@ export function App() {
       <TopBar />
       <main class="work" aria-busy={!page.ready.value} data-fetching={page.fetching}>
         <ViewportPane />
+        <SheetFold />
         <Inspector />
       </main>
       <StatusLine />

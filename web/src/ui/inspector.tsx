@@ -64,7 +64,7 @@ function Several() {
 }
 
 /** On a telephone the controls are a sheet under the view: folded, they leave it all the room. */
-function SheetFold() {
+export function SheetFold() {
   const page = usePage();
   const folded = page.sheetFolded;
   // What asks for attention is in there.
@@ -76,6 +76,7 @@ function SheetFold() {
       type="button"
       class="sheet-fold"
       aria-expanded={!folded.value}
+      aria-controls="inspector"
       onClick={() => {
         folded.value = !folded.value;
       }}
@@ -86,14 +87,8 @@ function SheetFold() {
 }
 
 export function Inspector() {
-  const page = usePage();
   return (
-    <aside
-      id="inspector"
-      class={page.sheetFolded.value ? "inspector folded" : "inspector"}
-      aria-label="Inspector"
-    >
-      <SheetFold />
+    <aside id="inspector" class="inspector" aria-label="Inspector">
       <Several />
       <ImportReport />
       <section class="step edit-step" aria-labelledby="step-edit">

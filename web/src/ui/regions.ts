@@ -5,7 +5,13 @@
 const REGIONS = {
   bar: ".top-bar :is(button, select)",
   view: "canvas",
-  inspector: ".inspector :is(button, input, select)",
+  inspector: ".sheet-fold, .inspector :is(button, input, select)",
+} as const;
+
+const AROUND = {
+  bar: ".top-bar",
+  view: "canvas",
+  inspector: ".sheet-fold, .inspector",
 } as const;
 
 export type Region = keyof typeof REGIONS;
@@ -16,11 +22,7 @@ const canTakeIt = (element: HTMLElement): boolean =>
   element.checkVisibility() && !(element as HTMLButtonElement).disabled;
 
 /** Where the keyboard is: an index of NAMES, or −1. */
-const here = (): number =>
-  NAMES.findIndex((name) => {
-    const around = document.querySelector(REGIONS[name].split(" ")[0] ?? name);
-    return around?.contains(document.activeElement);
-  });
+const here = (): number => NAMES.findIndex((name) => document.activeElement?.closest(AROUND[name]));
 
 /** Focuses the first that can take it in a region. */
 export function enterRegion(region: Region): void {
