@@ -7,6 +7,7 @@ import type { Page } from "../state/page.ts";
 import { sectionPlane } from "../state/shown-section.ts";
 import { type Cut, NumberLabels } from "./number-labels.ts";
 import type { View } from "./picking.ts";
+import { placedAlong } from "./placing.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Milliseconds without a turn of the camera after which others are chosen. */
@@ -17,7 +18,7 @@ function cutOf(page: Page): Cut {
   const [plane, mesh] = [sectionPlane(page).peek(), page.mesh.peek()];
   if (!plane || !mesh) return null;
   const { axis, at, flipped } = plane;
-  const height = (at - mesh.report.centre[axis]) * mesh.report.scale;
+  const height = placedAlong(axis, at, mesh.report);
   return (place) =>
     flipped ? place.getComponent(axis) < height : place.getComponent(axis) > height;
 }

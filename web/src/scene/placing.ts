@@ -7,6 +7,10 @@ export interface Placing {
   readonly scale: number;
 }
 
+/** A coordinate along one axis. */
+export const placedAlong = (axis: 0 | 1 | 2, at: number, { centre, scale }: Placing): number =>
+  (at - centre[axis]) * scale;
+
 /** x, y, z after x, y, z. A loop, since millions of calls would hold the page up. */
 export function placed(coordinates: Float64Array, { centre, scale }: Placing): Float32Array {
   const display = new Float32Array(coordinates.length);

@@ -16,7 +16,7 @@ import type { SectionPlane } from "../design/section-plane.ts";
 import type { PlaneSection } from "../mesh/plane-section.ts";
 import type { OpenedMesh } from "../solver/protocol.ts";
 import type { Drawn } from "./drawing-follower.ts";
-import { placed } from "./placing.ts";
+import { placed, placedAlong } from "./placing.ts";
 import type { Stage } from "./stage.ts";
 
 function clip(structure: Object3D, planes: Plane[] | null): void {
@@ -56,7 +56,7 @@ export function drawSection(
   { pieces }: PlaneSection,
 ): Drawn {
   stage.renderer.localClippingEnabled = true;
-  const height = (at - mesh.report.centre[axis]) * mesh.report.scale;
+  const height = placedAlong(axis, at, mesh.report);
   // What is on the plane's own side is kept.
   const normal = new Vector3().setComponent(axis, flipped ? 1 : -1);
   clip(structure, [new Plane(normal, flipped ? -height : height)]);

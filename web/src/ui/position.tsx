@@ -53,29 +53,35 @@ function Places({ vertex }: { vertex: number }) {
   );
 }
 
-function Origin({ vertex }: { vertex: number }) {
+/** Chooses where places are given from: a point, or null for the file's own. */
+function OriginButton({ of, title, label }: { of: number | null; title: string; label: string }) {
   const page = usePage();
-  const origin = localOrigin(page).value;
+  return (
+    <button
+      type="button"
+      class="button small"
+      title={title}
+      aria-pressed={localOrigin(page).value === of}
+      onClick={() => setLocalOrigin(page, of)}
+    >
+      {label}
+    </button>
+  );
+}
+
+function Origin({ vertex }: { vertex: number }) {
   return (
     <div class="row">
-      <button
-        type="button"
-        class="button small"
+      <OriginButton
+        of={vertex}
         title="Gives the places of other points from this one"
-        aria-pressed={origin === vertex}
-        onClick={() => setLocalOrigin(page, vertex)}
-      >
-        Origin here
-      </button>
-      <button
-        type="button"
-        class="button small"
+        label="Origin here"
+      />
+      <OriginButton
+        of={null}
         title="Gives places as the file has them alone"
-        aria-pressed={origin === null}
-        onClick={() => setLocalOrigin(page, null)}
-      >
-        Origin of the file
-      </button>
+        label="Origin of the file"
+      />
     </div>
   );
 }
