@@ -14,119 +14,38 @@ from circles import find_circles
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# Which groups a group may include. Everything may include itself; transitive arrows are spelled
-# out, so that a new edge is always a decision.
-BASE = {"mesh", "report"}
-GEOMETRY = BASE | {"adjacency", "constraints", "energies", "metrics"}
-PROBLEM = GEOMETRY | {"problem", "point_support"}
-ENGINES = PROBLEM | {"engines"}
+# A group is a folder of core/src and core/include/planish; here is which others each may include, in
+# the order in which data flows. Everything may include itself, and a new arrow is a decision.
+FROM_MESH = {"numeric", "text", "mesh"}
+GEOMETRY = FROM_MESH | {"symmetry", "obstacles", "constraints", "supports", "measures"}
+SOLVED = GEOMETRY | {"problem", "engines"}
 ARROWS = {
-    "mesh": set(),
-    "report": set(),  # solve_report.hpp, engine.hpp: what every problem shares
-    "trigonometry": set(),
-    "symmetry": {"mesh", "adjacency", "trigonometry", "read_result"},
-    "topology": {"mesh"},  # edge_table, disjoint_sets: what mesh_check needs
-    "read_result": {"mesh"},  # io's result type and its sentences: mesh_check speaks the same
-    "adjacency": {"mesh"},
-    "keep_out": {"mesh", "read_result"},  # where nothing may go, as text and as half-spaces and boxes
-    "constraints": {"mesh", "adjacency", "trigonometry", "keep_out"},
-    "energies": {"mesh", "adjacency"},
-    "metrics": {"mesh", "constraints", "trigonometry"},
-    "stated_limit": {"mesh", "adjacency", "constraints", "read_result"},  # the limits as text
-    "point_support": {"mesh", "adjacency", "read_result", "keep_out", "constraints", "topology"},
-    "edit_freedom": {"mesh", "adjacency", "constraints"},
-    "mesh_standing": BASE | {"adjacency", "constraints"},
-    "folds": {"mesh", "adjacency", "metrics", "trigonometry"},
-    "mesh_check": {"mesh", "topology", "read_result"},
-    "checksum": {"mesh"},  # crc32, mesh_hash
-    "plane_meeting": set(),
-    "fabrication": GEOMETRY | {"plane_meeting", "topology", "trigonometry", "checksum", "io", "read_result"},
-    "io": {"mesh", "mesh_check", "topology", "read_result", "checksum"},
-    "shapes": {"mesh", "trigonometry"},
-    "problem": GEOMETRY | {"point_support"},
-    "engines": PROBLEM,
-    "handle_edit": ENGINES | {"mesh_standing", "symmetry", "keep_out", "read_result"},
-    "symmetric_edit": ENGINES | {"handle_edit", "planarising", "symmetry", "projection", "read_result"},
-    "subspace": ENGINES | {"handle_edit", "symmetry"},
-    "projection": ENGINES | {"mesh_standing"},
-    "exact_variation": ENGINES | {"folds", "handle_edit", "mesh_standing", "projection", "symmetry"},
-    "slider_stops": GEOMETRY | {"subspace"},
-    "planarising": {"constraints", "mesh", "report", "adjacency", "projection"},
-    "offset": ENGINES | {"plane_meeting", "topology", "trigonometry", "read_result"},
-    "mobility": ENGINES | {"handle_edit", "stated_limit", "folds", "fabrication"},
-    "design": ENGINES | {"symmetry", "symmetric_edit", "checksum", "handle_edit", "subspace", "projection", "exact_variation", "planarising", "shapes", "io", "read_result"},
-    "design_text": ENGINES | {"symmetry", "handle_edit", "subspace", "projection", "planarising", "design", "io", "read_result"},
-    "sweep": ENGINES | {"symmetry", "handle_edit", "subspace", "projection", "planarising", "design", "design_text", "io", "read_result"},
-    "comparison": ENGINES | {"handle_edit", "subspace", "projection"},  # native only
+    "numeric": set(),
+    "text": set(),  # numbers as text, sentences, refusals
+    "mesh": {"numeric", "text"},
+    "symmetry": FROM_MESH,
+    "obstacles": {"text"},  # where nothing may go
+    "constraints": FROM_MESH | {"obstacles"},
+    "supports": FROM_MESH | {"obstacles", "constraints"},
+    "measures": FROM_MESH | {"constraints"},
+    "problem": GEOMETRY,
+    "engines": GEOMETRY | {"problem"},
+    "io": FROM_MESH,
+    "shapes": FROM_MESH,
+    "projection": SOLVED,
+    "edit": SOLVED | {"projection"},
+    "variations": SOLVED | {"projection", "edit"},
+    "fabrication": FROM_MESH | {"constraints", "measures", "io"},
+    "offset": SOLVED,
+    "mobility": GEOMETRY | {"edit", "fabrication"},
+    "design": SOLVED | {"projection", "edit", "variations", "shapes", "io"},
+    "sweep": FROM_MESH | {"io", "design"},
+    "comparison": SOLVED | {"edit", "variations", "projection"},  # native only
     "cli": None,  # everything
     "library": None,
     "wasm": None,
     "python": None,
 }
-
-# Files whose group is not their directory or stem.
-FILE_GROUPS = {
-    "index": "mesh",
-    "refusal": "mesh",
-    "logarithm": "trigonometry",
-    "stopwatch": "report",
-    "solve_report": "report",
-    "engine": "report",
-    "edge_table": "topology",
-    "disjoint_sets": "topology",
-    "base_violations": "handle_edit",
-    "edit_verdict": "handle_edit",
-    "handle_edit_state": "handle_edit",
-    "handle_edit_search": "handle_edit",
-    "handle_edit_parts": "handle_edit",
-    "handle_edit_drag": "handle_edit",
-    "handle_edit_symmetric": "handle_edit",
-    "symmetric_shape": "symmetry",
-    "handle_edit_keep_outs": "handle_edit",
-    "problem_keep_outs": "problem",
-    "allowed_motions": "subspace",
-    "shape_slides": "problem",  # its supports, seen from another shape
-    "kept_by_variations": "handle_edit",
-    "symmetry_text": "symmetry",
-    "area_vector": "mesh",
-    "panel_boxes": "mesh",
-    "mesh_repair": "mesh_check",
-    "separate_faces": "mesh",
-    "triangle_pairs": "topology",
-    "context_mesh": "keep_out",  # a model beside the mesh, as text
-    "sound_projection": "projection",
-    "nearly_flat": "projection",
-    "projector": "projection",
-    "panel_health": "metrics",
-    "point_support_text": "point_support",
-    "vertex_slides": "point_support",
-    "resting_points": "point_support",
-    "guide_lines": "point_support",
-    "surface_feet": "point_support",
-    "surface_heights": "point_support",
-    "reference_surface": "point_support",
-    "surface_sites": "point_support",
-    "crc32": "checksum",
-    "mesh_hash": "checksum",
-    "handle_edit_rules": "handle_edit",
-    "edit_constraints": "handle_edit",
-    "edit_terms": "handle_edit",
-    "edit_reach": "handle_edit",
-    "softness": "handle_edit",
-    "planarising_rules": "planarising",
-    "subspace_rules": "subspace",
-    "design_rules": "design",
-    "design_text_read": "design_text",
-    "design_text_write": "design_text",
-    "design_words": "handle_edit",  # the words of its options
-    "edit_option_table": "handle_edit",
-    "io/read_result": "read_result",
-    "io/sentence": "read_result",
-    "io/number": "read_result",
-    "held_boundary": "comparison",
-    "tangent_space": "comparison",
-}
-DIRECTORY_GROUPS = ("comparison", "constraints", "engines", "fabrication", "io", "mobility", "offset", "shapes", "sweep", "cli", "library")
 
 FORBIDDEN_NAMES = re.compile(r"(^|[_\-.])(utils?|helpers?|common|misc|manager)([_\-.]|$)", re.I)
 FORBIDDEN_IN_CORE = {
@@ -155,11 +74,7 @@ def sources(*folders):
 
 def group_of(name):
     """Group of an include path such as 'engines/working_set.hpp'."""
-    stem = name.rsplit(".", 1)[0]
-    if stem in FILE_GROUPS:
-        return FILE_GROUPS[stem]
-    parts = stem.split("/")
-    return parts[0] if parts[0] in DIRECTORY_GROUPS else parts[-1]
+    return name.split("/")[0]
 
 
 def group_of_file(path):
@@ -184,7 +99,8 @@ def check_includes():
         if allowed is None:
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            match = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            # Without a folder it lies beside the file that includes it.
+            match = re.match(r'\s*#\s*include\s*"([^"]+/[^"]+)"', line)
             if not match:
                 continue
             target = group_of(re.sub(r"^planish/", "", match.group(1)))

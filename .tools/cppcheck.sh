@@ -13,6 +13,6 @@ cppcheck --std=c++20 --language=c++ --enable=warning,performance,portability --q
   --error-exitcode=1 --cppcheck-build-dir="$build" -j "${PLANISH_JOBS:-2}" \
   --template='{file}:{line}: {severity}: {message} [{id}]' -I core/include -I core/src \
   --suppress=missingIncludeSystem \
-  --suppress=useInitializationList:core/src/handle_edit.cpp \
+  --suppress=useInitializationList:core/src/edit/handle_edit.cpp \
   --suppress=returnStdMoveLocal:core/cli/files.cpp \
   core/src core/cli wasm/session.cpp wasm/session_reports.cpp

@@ -7,10 +7,10 @@
 
 #include "kind_defects.hpp"
 #include "planish/fabrication/remake.hpp"
-#include "planish/folds.hpp"
-#include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
-#include "planish/slider_stops.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/variations/slider_stops.hpp"
 
 namespace planish {
 

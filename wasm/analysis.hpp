@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/edit_freedom.hpp"
-#include "planish/energies.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/energies.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/problem/edit_freedom.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "design_values.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
 #include "report_values.hpp"
 #include "session.hpp"
 

@@ -9,7 +9,7 @@
 #include "planish/fabrication/drawing.hpp"
 #include "planish/fabrication/panel_drawing.hpp"
 #include "planish/fabrication/sheet_layout.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "analysis.hpp"
 #include "planish/constraints/registry.hpp"
-#include "planish/edit_option_table.hpp"
-#include "planish/panel_health.hpp"
+#include "planish/edit/edit_option_table.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "session.hpp"
 
 namespace planish {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 
 namespace planish {
 

@@ -3,20 +3,20 @@
 /// surfaces to stand on, symmetry, exploring. Linked in place of the core's own files, whose
 /// functions these are; planish_whole has them. Keep-outs are refused by find_problem(), and the
 /// page asks no first module for the others, so that nothing else here is ever reached.
-#include "edit_reach.hpp"
+#include "edit/edit_reach.hpp"
+#include "edit/handle_edit_state.hpp"
 #include "engines/keep_out_terms.hpp"
 #include "engines/patch_system.hpp"
 #include "engines/working_set_newton.hpp"
-#include "handle_edit_state.hpp"
 #include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/constraints/mesh_limits.hpp"
-#include "planish/exact_variation.hpp"
-#include "planish/keep_out.hpp"
-#include "planish/problem.hpp"
-#include "planish/subspace.hpp"
-#include "planish/vertex_slides.hpp"
+#include "planish/obstacles/keep_out.hpp"
+#include "planish/problem/problem.hpp"
+#include "planish/supports/vertex_slides.hpp"
+#include "planish/variations/exact_variation.hpp"
+#include "planish/variations/subspace.hpp"
 #include "session.hpp"
-#include "surface_heights.hpp"
+#include "supports/surface_heights.hpp"
 
 namespace planish {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "design_values.hpp"
 #include "glb_file.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "planish/io/obj.hpp"
-#include "planish/triangle_pairs.hpp"
+#include "planish/mesh/triangle_pairs.hpp"
 
 namespace planish {
 

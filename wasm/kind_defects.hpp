@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/elements.hpp"
 #include "planish/constraints/kept_kinds.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -5,11 +5,11 @@
 
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 #include "planish/mobility/mobility_meter.hpp"
-#include "planish/refusal.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

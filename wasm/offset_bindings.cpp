@@ -9,9 +9,9 @@
 #include <string>
 #include <variant>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "planish/offset/mesh_offset.hpp"
-#include "planish/panel_health.hpp"
 #include "shop_values.hpp"
 
 namespace {

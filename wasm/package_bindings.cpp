@@ -18,8 +18,8 @@
 #include "mobility_run.hpp"
 #include "mobility_values.hpp"
 #include "open_mesh.hpp"
-#include "planish/design_text.hpp"
-#include "planish/metrics.hpp"
+#include "planish/design/design_text.hpp"
+#include "planish/measures/metrics.hpp"
 #include "report.hpp"
 
 namespace {

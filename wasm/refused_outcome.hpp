@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "planish/refusal.hpp"
-#include "planish/solve_report.hpp"
+#include "planish/problem/solve_report.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

@@ -6,16 +6,16 @@
 #include <utility>
 #include <variant>
 
-#include "planish/exact_variation.hpp"
 #include "planish/io/face_groups.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/io/off.hpp"
 #include "planish/io/ply.hpp"
-#include "planish/mesh_check.hpp"
-#include "planish/mesh_standing.hpp"
-#include "planish/metrics.hpp"
-#include "planish/shapes.hpp"
-#include "planish/stopwatch.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/mesh_check.hpp"
+#include "planish/numeric/stopwatch.hpp"
+#include "planish/problem/mesh_standing.hpp"
+#include "planish/shapes/shapes.hpp"
+#include "planish/variations/exact_variation.hpp"
 #include "refused_outcome.hpp"
 
 namespace planish {

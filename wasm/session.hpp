@@ -13,15 +13,15 @@
 #include <variant>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/design.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/planarising.hpp"
-#include "planish/projection.hpp"
-#include "planish/refusal.hpp"
-#include "planish/subspace.hpp"
-#include "planish/symmetry.hpp"
+#include "planish/design/design.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/symmetry/symmetry.hpp"
+#include "planish/text/refusal.hpp"
+#include "planish/variations/subspace.hpp"
 #include "session_report.hpp"
 
 namespace planish {

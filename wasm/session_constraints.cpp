@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 #include "session.hpp"
 
 namespace planish {

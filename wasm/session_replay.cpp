@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "planish/stopwatch.hpp"
+#include "planish/numeric/stopwatch.hpp"
 #include "refused_outcome.hpp"
 #include "session.hpp"
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/folds.hpp"
-#include "planish/mesh_check.hpp"
-#include "planish/solve_report.hpp"
-#include "planish/subspace.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/mesh/mesh_check.hpp"
+#include "planish/problem/solve_report.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish {
 

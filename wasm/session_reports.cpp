@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "kind_defects.hpp"
-#include "planish/folds.hpp"
-#include "planish/mesh_check.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/mesh_check.hpp"
 #include "session.hpp"
 
 namespace planish {

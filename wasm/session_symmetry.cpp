@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "planish/symmetric_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
 #include "session.hpp"
 
 namespace planish {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "planish/symmetric_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
 #include "session.hpp"
 
 namespace {

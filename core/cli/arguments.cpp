@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish::cli {
 namespace {

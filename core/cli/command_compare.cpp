@@ -8,9 +8,9 @@
 #include "planish/comparison/edit_measure.hpp"
 #include "planish/comparison/global_subspace.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish::cli {
 namespace {

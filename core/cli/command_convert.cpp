@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "files.hpp"
-#include "planish/triangle_pairs.hpp"
+#include "planish/mesh/triangle_pairs.hpp"
 
 namespace planish::cli {
 namespace {

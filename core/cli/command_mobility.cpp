@@ -11,7 +11,7 @@
 #include "files.hpp"
 #include "mobility_run.hpp"
 #include "planish/mobility/best_places.hpp"
-#include "planish/stopwatch.hpp"
+#include "planish/numeric/stopwatch.hpp"
 
 namespace planish::cli {
 namespace {

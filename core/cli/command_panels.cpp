@@ -9,7 +9,7 @@
 #include "link_code.hpp"
 #include "planish/fabrication/cutting_package.hpp"
 #include "planish/fabrication/ifc.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
 

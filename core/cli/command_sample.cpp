@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "files.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish::cli {
 namespace {

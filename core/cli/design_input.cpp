@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "files.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "planish/io/gltf.hpp"
 
 namespace planish::cli {

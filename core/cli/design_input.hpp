@@ -6,8 +6,8 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "planish/design.hpp"
-#include "planish/mesh.hpp"
+#include "planish/design/design.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::cli {
 

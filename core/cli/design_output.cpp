@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "files.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 
 namespace planish::cli {
 

@@ -8,7 +8,7 @@
 
 #include "arguments.hpp"
 #include "edit_run.hpp"
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 #include "planish/io/gltf.hpp"
 
 namespace planish::cli {

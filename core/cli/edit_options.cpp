@@ -6,7 +6,7 @@
 
 #include "files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
-#include "planish/design_words.hpp"
+#include "planish/edit/design_words.hpp"
 
 namespace planish::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "planish/design.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
+#include "planish/design/design.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::cli {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "edit_options.hpp"
-#include "planish/io/number.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/text/number.hpp"
 #include "report.hpp"
 
 namespace planish::cli {

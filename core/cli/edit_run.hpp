@@ -9,12 +9,12 @@
 
 #include "arguments.hpp"
 #include "files.hpp"
-#include "planish/design.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/planarising.hpp"
-#include "planish/projection.hpp"
-#include "planish/symmetric_edit.hpp"
+#include "planish/design/design.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/projection/projection.hpp"
 #include "report.hpp"
 
 namespace planish::cli {

@@ -7,11 +7,11 @@
 
 #include "design_output.hpp"
 #include "edit_options.hpp"
-#include "planish/adjacency.hpp"
-#include "planish/exact_variation.hpp"
-#include "planish/io/number.hpp"
-#include "planish/mesh_standing.hpp"
-#include "planish/slider_stops.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/problem/mesh_standing.hpp"
+#include "planish/text/number.hpp"
+#include "planish/variations/exact_variation.hpp"
+#include "planish/variations/slider_stops.hpp"
 
 namespace planish::cli {
 namespace {

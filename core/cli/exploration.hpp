@@ -9,9 +9,9 @@
 
 #include "arguments.hpp"
 #include "edit_run.hpp"
-#include "planish/design.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/design/design.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
 #include "report.hpp"
 
 namespace planish::cli {

@@ -14,7 +14,7 @@
 
 #include "arguments.hpp"
 #include "planish/io/mesh_format.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 #include "planish/io/gltf.hpp"
-#include "planish/io/read_result.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
 
 namespace planish::cli {
 

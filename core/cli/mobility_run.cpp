@@ -14,7 +14,7 @@
 #include "design_input.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 
 namespace planish::cli {
 

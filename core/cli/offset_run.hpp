@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 #include "planish/offset/mesh_offset.hpp"
 #include "report.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "edit_options.hpp"
-#include "planish/io/number.hpp"
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish::cli {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "planish/mesh.hpp"
-#include "planish/projection.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/projection/projection.hpp"
 #include "report.hpp"
 
 namespace planish::cli {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 #include "report.hpp"
 
 namespace planish::cli {

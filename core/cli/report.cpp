@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "files.hpp"
-#include "planish/adjacency.hpp"
 #include "planish/fabrication/remake.hpp"
-#include "planish/folds.hpp"
-#include "planish/io/number.hpp"
-#include "planish/mesh_check.hpp"
-#include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh_check.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish::cli {
 namespace {

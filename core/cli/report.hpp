@@ -7,12 +7,12 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/io/read_result.hpp"
-#include "planish/mesh.hpp"
-#include "planish/solve_report.hpp"
-#include "planish/subspace.hpp"
-#include "planish/symmetry.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
+#include "planish/problem/solve_report.hpp"
+#include "planish/symmetry/symmetry.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish::cli {
 

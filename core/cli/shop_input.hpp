@@ -7,7 +7,7 @@
 
 #include "arguments.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::cli {
 

@@ -10,8 +10,8 @@
 
 #include "design_input.hpp"
 #include "files.hpp"
-#include "planish/design.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design.hpp"
+#include "planish/design/design_text.hpp"
 #include "replay_run.hpp"
 #include "report.hpp"
 

@@ -9,7 +9,7 @@
 #include "edit_options.hpp"
 #include "files.hpp"
 #include "offset_run.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "projection_run.hpp"
 #include "replay_run.hpp"
 #include "report.hpp"

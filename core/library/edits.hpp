@@ -12,9 +12,9 @@
 #include "exploration.hpp"
 #include "mobility_run.hpp"
 #include "open_mesh.hpp"
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 #include "planish/offset/mesh_offset.hpp"
-#include "planish/projection.hpp"
+#include "planish/projection/projection.hpp"
 
 namespace planish::library {
 

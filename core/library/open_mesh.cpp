@@ -7,7 +7,7 @@
 #include "arguments.hpp"
 #include "files.hpp"
 #include "planish/io/mesh_format.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
 
 namespace planish::library {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/design.hpp"
-#include "planish/mesh.hpp"
+#include "planish/design/design.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::library {
 

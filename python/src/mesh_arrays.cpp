@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 
 namespace planish::python {
 

@@ -7,7 +7,7 @@
 #include "files.hpp"
 #include "mesh_arrays.hpp"
 #include "mobility_run.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "sweep_run.hpp"

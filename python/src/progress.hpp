@@ -6,7 +6,7 @@
 
 #include <exception>
 
-#include "planish/solve_report.hpp"
+#include "planish/problem/solve_report.hpp"
 
 namespace planish::python {
 

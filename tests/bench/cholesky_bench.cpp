@@ -14,7 +14,7 @@
 #include "engines/coupling_graph.hpp"
 #include "engines/row_jacobian.hpp"
 #include "engines/sparse_cholesky.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::bench {

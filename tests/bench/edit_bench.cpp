@@ -9,10 +9,10 @@
 
 #include "bench/survey_meshes.hpp"
 #include "engines/edit_splitting.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/subspace.hpp"
-#include "sound_projection.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/variations/subspace.hpp"
+#include "projection/sound_projection.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::bench {

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/survey_meshes.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::bench {

@@ -7,9 +7,9 @@
 #include <ctime>
 #include <limits>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
 
 namespace planish::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engines/sparse_cholesky.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::bench {
 

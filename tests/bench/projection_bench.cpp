@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/local_global.hpp"
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::bench {

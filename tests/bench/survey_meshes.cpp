@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "planish/io/obj.hpp"
-#include "planish/projection.hpp"
+#include "planish/projection/projection.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/places.hpp"
 #include "support/scenes.hpp"

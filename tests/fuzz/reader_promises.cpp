@@ -8,10 +8,10 @@
 #include <string>
 
 #include "memory_meter.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/io/ply.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
 
 namespace planish::fuzz {
 namespace {

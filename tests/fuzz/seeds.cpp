@@ -5,11 +5,11 @@
 #include <fstream>
 #include <string>
 
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/io/ply.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish::fuzz {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "planish/comparison/edit_measure.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/record.hpp"
 #include "support/scenes.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/record.hpp"
 #include "support/scenes.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "support/distances.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"

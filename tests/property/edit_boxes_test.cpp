@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/obstacles.hpp"

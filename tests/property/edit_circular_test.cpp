@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
-#include "planish/projection.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/projection/projection.hpp"
 #include "support/circles.hpp"
 #include "support/scenes.hpp"
 

@@ -5,13 +5,13 @@
 #include <variant>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/conical_star.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "planish/io/mesh_format.hpp"
-#include "planish/metrics.hpp"
-#include "planish/panel_health.hpp"
-#include "planish/projection.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/projection/projection.hpp"
 #include "support/cones.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

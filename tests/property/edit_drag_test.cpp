@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

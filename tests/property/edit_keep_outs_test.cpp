@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "planish/exact_variation.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/symmetric_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
+#include "planish/variations/exact_variation.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/obstacles.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/area_vector.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/area_vector.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 #include "support/supported_edit.hpp"

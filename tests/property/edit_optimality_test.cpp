@@ -8,8 +8,8 @@
 #include "engines/optimality.hpp"
 #include "engines/patch_system.hpp"
 #include "engines/working_set_newton.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/index.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/numeric/index.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/folds.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/folds.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "planish/io/obj.hpp"
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 #include "support/supported_edit.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "planish/adjacency.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/obstacles.hpp"
 #include "support/supported_edit.hpp"

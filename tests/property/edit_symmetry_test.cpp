@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "planish/edit/symmetric_edit.hpp"
 #include "planish/io/mesh_format.hpp"
-#include "planish/planarising.hpp"
-#include "planish/symmetric_edit.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

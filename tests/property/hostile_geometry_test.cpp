@@ -9,9 +9,9 @@
 #include <string>
 
 #include "planish/io/mesh_format.hpp"
-#include "planish/mesh_check.hpp"
-#include "planish/planarising.hpp"
-#include "planish/subspace.hpp"
+#include "planish/mesh/mesh_check.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/hostile_meshes.hpp"
 #include "support/mesh_builders.hpp"

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "planish/area_vector.hpp"
-#include "planish/exact_variation.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
-#include "planish/slider_stops.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/area_vector.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/exact_variation.hpp"
+#include "planish/variations/slider_stops.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/circles.hpp"
 #include "support/cones.hpp"
 #include "support/scenes.hpp"

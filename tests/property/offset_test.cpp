@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "planish/io/mesh_format.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/projection/projection.hpp"
 #include "support/circles.hpp"
 #include "support/hostile_meshes.hpp"
 #include "support/mesh_builders.hpp"

@@ -10,10 +10,10 @@
 #include <sstream>
 #include <string>
 
-#include "../../core/src/trigonometry.hpp"
+#include "../../core/src/numeric/trigonometry.hpp"
 #include "planish/fabrication/panel_tables.hpp"
 #include "planish/io/obj.hpp"
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

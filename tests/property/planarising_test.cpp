@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What making a mesh flat promises: sound panels, fair folds, a kept boundary, and the least of
 /// its objective.
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <map>
 #include <variant>
 
-#include "planish/adjacency.hpp"
 #include "planish/io/obj.hpp"
-#include "planish/metrics.hpp"
-#include "planish/problem.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/problem/problem.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Problem (8): the nearest flat mesh.
-#include "planish/projection.hpp"
+#include "planish/projection/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

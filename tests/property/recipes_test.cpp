@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "planish/design.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design.hpp"
+#include "planish/design/design_text.hpp"
 #include "support/places.hpp"
 #include "support/scenes.hpp"
 

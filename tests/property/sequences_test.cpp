@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "planish/handle_edit.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Where sliders stop: just before no corner has lost its side, just after the named panel's has.
-#include "planish/slider_stops.hpp"
+#include "planish/variations/slider_stops.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/area_vector.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/area_vector.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

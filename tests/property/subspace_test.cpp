@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Problem (7): an orthonormal, tangent, local family of variations.
-#include "planish/subspace.hpp"
+#include "planish/variations/subspace.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/problem.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/problem/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/exact_variation.hpp"
-#include "planish/kept_by_variations.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/kept_by_variations.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/exact_variation.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/supported_edit.hpp"
 
 namespace planish {

@@ -6,11 +6,11 @@
 #include <string>
 #include <variant>
 
-#include "planish/exact_variation.hpp"
-#include "planish/kept_by_variations.hpp"
-#include "planish/metrics.hpp"
-#include "planish/subspace.hpp"
-#include "planish/symmetric_edit.hpp"
+#include "planish/edit/kept_by_variations.hpp"
+#include "planish/edit/symmetric_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/variations/exact_variation.hpp"
+#include "planish/variations/subspace.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

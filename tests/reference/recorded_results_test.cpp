@@ -11,7 +11,7 @@
 #include <string>
 #include <variant>
 
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 #include "support/places.hpp"
 #include "support/scenes.hpp"
 

@@ -11,9 +11,9 @@
 
 #include "engines/edit_splitting.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/projection.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/projection/projection.hpp"
 #include "support/places.hpp"
 #include "support/scenes.hpp"
 

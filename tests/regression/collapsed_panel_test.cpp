@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 

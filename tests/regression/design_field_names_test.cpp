@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 
 namespace planish {
 namespace {

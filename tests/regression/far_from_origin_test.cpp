@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
 

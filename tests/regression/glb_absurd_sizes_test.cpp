@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "planish/io/gltf.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/glb_chunks.hpp"
 #include "support/mesh_builders.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "planish/io/gltf.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/glb_chunks.hpp"
 #include "support/mesh_builders.hpp"
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/area_vector.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish::testing {
 namespace {

@@ -2,7 +2,7 @@
 /// What makes a mesh conical, measured without the product's code.
 #pragma once
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::testing {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/scenes.hpp"
 
 namespace planish::testing {

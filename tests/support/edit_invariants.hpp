@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/projection.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish::testing {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/io/read_result.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
 
 namespace planish::testing {
 

@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "planish/io/mesh_format.hpp"
-#include "planish/planarising.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/distances.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

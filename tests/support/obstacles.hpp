@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::testing {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 #include "planish/offset/mesh_offset.hpp"
 
 namespace planish::testing {

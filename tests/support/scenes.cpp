@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "planish/panel_health.hpp"
-#include "planish/shapes.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish::testing {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/problem.hpp"
-#include "planish/subspace.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/problem/problem.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish::testing {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "planish/mesh.hpp"
-#include "planish/symmetry.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/symmetry/symmetry.hpp"
 
 namespace planish::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/adjacency.hpp"
+#include "planish/mesh/adjacency.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "planish/panel_health.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/edit_freedom.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/problem/edit_freedom.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

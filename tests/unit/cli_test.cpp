@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {

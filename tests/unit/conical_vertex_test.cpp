@@ -12,7 +12,7 @@
 
 #include "planish/constraints/conical_star.hpp"
 #include "planish/constraints/kept_kinds.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

@@ -2,9 +2,9 @@
 /// Handles that go to their targets in steps. [PTH-1]
 #include <gtest/gtest.h>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
-#include "planish/shapes.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "planish/design.hpp"
+#include "planish/design/design.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <variant>
 
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 #include "planish/io/mesh_format.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/circles.hpp"
 #include "support/mesh_builders.hpp"
 

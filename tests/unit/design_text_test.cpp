@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/design_text.hpp"
+#include "planish/design/design_text.hpp"
 
 #include <gtest/gtest.h>
 

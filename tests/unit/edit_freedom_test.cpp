@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "planish/edit_freedom.hpp"
+#include "planish/problem/edit_freedom.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/energies.hpp"
+#include "planish/measures/energies.hpp"
 
 #include <gtest/gtest.h>
 

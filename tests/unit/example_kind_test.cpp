@@ -9,8 +9,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "planish/handle_edit.hpp"
-#include "planish/metrics.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

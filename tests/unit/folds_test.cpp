@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/folds.hpp"
+#include "planish/measures/folds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "planish/io/obj.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {

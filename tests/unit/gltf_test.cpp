@@ -11,7 +11,7 @@
 #include <string>
 
 #include "planish/io/mesh_format.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 #include "support/glb_chunks.hpp"
 #include "support/mesh_builders.hpp"
 

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <set>
 
-#include "../../core/src/trigonometry.hpp"
+#include "../../core/src/numeric/trigonometry.hpp"
 #include "planish/fabrication/panel_frame.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"

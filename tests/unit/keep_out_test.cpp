@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// Keep-outs as text, and their rows: a base that they never block, the unit, planes beside boxes.
-#include "planish/keep_out.hpp"
+#include "planish/obstacles/keep_out.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/mesh_keep_outs.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/mesh_limits.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../core/src/logarithm.hpp"
+#include "../../core/src/numeric/logarithm.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 #include "support/circles.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/offset_checks.hpp"

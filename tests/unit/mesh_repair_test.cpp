@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/mesh_repair.hpp"
+#include "planish/mesh/mesh_repair.hpp"
 
 #include <gtest/gtest.h>
 

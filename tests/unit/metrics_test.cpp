@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 
 #include <gtest/gtest.h>
 

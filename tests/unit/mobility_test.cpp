@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "mobility_map.hpp"
-#include "planish/area_vector.hpp"
-#include "planish/folds.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/mesh/area_vector.hpp"
 #include "planish/mobility/best_places.hpp"
 #include "planish/mobility/mobility_meter.hpp"
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "planish/adjacency.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "planish/fabrication/remake.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/panel_health.hpp"
+#include "planish/measures/panel_health.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish {
 namespace {

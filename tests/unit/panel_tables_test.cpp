@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/trigonometry.hpp"
-#include "planish/handle_edit.hpp"
+#include "../../core/src/numeric/trigonometry.hpp"
+#include "planish/edit/handle_edit.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/offset_checks.hpp"
 #include "support/scenes.hpp"

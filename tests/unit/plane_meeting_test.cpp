@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../core/src/plane_meeting.hpp"
+#include "../../core/src/numeric/plane_meeting.hpp"
 
 #include <gtest/gtest.h>
 

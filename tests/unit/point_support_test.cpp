@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/point_support.hpp"
+#include "planish/supports/point_support.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 #include <gtest/gtest.h>
 

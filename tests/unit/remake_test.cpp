@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
-#include "planish/adjacency.hpp"
-#include "planish/handle_edit.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/shapes.hpp"
+#include "planish/shapes/shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <cstring>
 #include <string>
 
-#include "planish/mesh_check.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/mesh_check.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface_sites.hpp"
+#include "supports/surface_sites.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "../../core/src/sweep/sha256.hpp"
-#include "planish/design_text.hpp"
-#include "planish/shapes.hpp"
+#include "planish/design/design_text.hpp"
+#include "planish/shapes/shapes.hpp"
 
 namespace planish {
 namespace {

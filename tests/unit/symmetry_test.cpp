@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// What symmetry a mesh has, and how targets get their images.
-#include "planish/symmetry.hpp"
+#include "planish/symmetry/symmetry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "planish/symmetric_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 #include "support/symmetric_meshes.hpp"

@@ -8,7 +8,7 @@
 
 #include "engines/fair_flat.hpp"
 #include "engines/optimality.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planish/triangle_pairs.hpp"
+#include "planish/mesh/triangle_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planish/io/obj.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 

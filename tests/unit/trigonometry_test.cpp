@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../core/src/trigonometry.hpp"
+#include "../../core/src/numeric/trigonometry.hpp"
 
 #include <gtest/gtest.h>
 

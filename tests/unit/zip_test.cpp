@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../../core/src/crc32.hpp"
+#include "../../core/src/numeric/crc32.hpp"
 
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG

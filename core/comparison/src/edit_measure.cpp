@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
 
 namespace planish::comparison {
 namespace {

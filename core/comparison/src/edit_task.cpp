@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish::comparison {
 double largest_pull(const EditTask& task) {

@@ -4,7 +4,7 @@
 
 #include "engines/constraint_correction.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish::comparison {
 namespace {

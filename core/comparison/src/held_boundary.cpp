@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planish/adjacency.hpp"
+#include "planish/mesh/adjacency.hpp"
 
 namespace planish::comparison {
 

@@ -3,7 +3,7 @@
 
 #include "held_boundary.hpp"
 #include "planish/comparison/methods.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish::comparison {
 namespace {

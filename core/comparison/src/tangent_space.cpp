@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish::comparison {
 namespace {

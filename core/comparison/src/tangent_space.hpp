@@ -5,7 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish::comparison {
 

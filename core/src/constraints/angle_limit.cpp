@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planish/area_vector.hpp"
+#include "numeric/trigonometry.hpp"
 #include "planish/constraints/vector_pair.hpp"
-#include "trigonometry.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "planish/area_vector.hpp"
 #include "planish/constraints/vector_pair.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/trigonometry.hpp"
 #include "planish/constraints/vector_pair.hpp"
-#include "planish/index.hpp"
-#include "trigonometry.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

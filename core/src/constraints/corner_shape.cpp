@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "logarithm.hpp"
+#include "numeric/logarithm.hpp"
 #include "planish/constraints/vector_pair.hpp"
 
 namespace planish {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "planish/area_vector.hpp"
+#include "numeric/trigonometry.hpp"
 #include "planish/constraints/vector_pair.hpp"
-#include "trigonometry.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "planish/constraints/mesh_limits.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 

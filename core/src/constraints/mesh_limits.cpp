@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "planish/constraints/mesh_keep_outs.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/constraints/panel_contact.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

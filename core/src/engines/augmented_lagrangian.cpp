@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engines/edit_splitting.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engines/row_jacobian.hpp"
 #include "engines/sparse_cholesky.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

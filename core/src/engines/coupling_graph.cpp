@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 

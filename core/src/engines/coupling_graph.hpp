@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "planish/adjacency.hpp"
+#include "planish/mesh/adjacency.hpp"
 
 namespace planish {
 

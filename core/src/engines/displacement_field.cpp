@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 DisplacementField::DisplacementField(int vertex_count, int equation_count)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engines/patch_system.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

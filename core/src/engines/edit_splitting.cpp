@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "engines/coupling_graph.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engines/sparse_cholesky.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

@@ -4,7 +4,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 

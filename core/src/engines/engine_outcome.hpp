@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "planish/solve_report.hpp"
+#include "planish/problem/solve_report.hpp"
 
 namespace planish {
 

@@ -7,8 +7,8 @@
 
 #include "engines/constraint_correction.hpp"
 #include "planish/constraints/elements.hpp"
-#include "planish/index.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

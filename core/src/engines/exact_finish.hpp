@@ -7,7 +7,7 @@
 
 #include "engines/displacement_field.hpp"
 #include "engines/working_set.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

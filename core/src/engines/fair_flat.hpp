@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engines/engine_outcome.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/flatness_path.hpp"
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

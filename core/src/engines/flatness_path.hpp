@@ -6,7 +6,7 @@
 
 #include "engines/engine_outcome.hpp"
 #include "engines/patch_newton.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

@@ -9,7 +9,7 @@
 #include "engines/optimality.hpp"
 #include "engines/patch_system.hpp"
 #include "engines/working_set_newton.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

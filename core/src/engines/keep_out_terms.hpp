@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

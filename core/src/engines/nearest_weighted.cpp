@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engines/optimality.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -10,7 +10,7 @@
 #include "engines/engine_outcome.hpp"
 #include "engines/patch_newton.hpp"
 #include "engines/working_set.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

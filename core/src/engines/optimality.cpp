@@ -6,7 +6,7 @@
 
 #include "engines/constraint_correction.hpp"
 #include "engines/patch_lagrangian.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
+#include "planish/problem/problem.hpp"
+#include "planish/problem/solve_report.hpp"
 
 namespace planish {
 

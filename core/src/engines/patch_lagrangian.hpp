@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "planish/index.hpp"
-#include "planish/problem.hpp"
+#include "planish/numeric/index.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

@@ -14,7 +14,7 @@
 #include "engines/patch_lagrangian.hpp"
 #include "engines/row_jacobian.hpp"
 #include "engines/sparse_cholesky.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

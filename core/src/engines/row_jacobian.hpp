@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "planish/index.hpp"
-#include "planish/problem.hpp"
+#include "planish/numeric/index.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

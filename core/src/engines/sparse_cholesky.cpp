@@ -9,7 +9,7 @@
 
 #include "engines/elimination_order.hpp"
 #include "engines/panel_kernels.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "planish/adjacency.hpp"
+#include "planish/mesh/adjacency.hpp"
 
 namespace planish {
 

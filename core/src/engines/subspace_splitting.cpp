@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 SubspaceSplitting::SubspaceSplitting(const Patch& patch, const Eigen::MatrixXd& basis,

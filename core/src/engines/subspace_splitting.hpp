@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "engines/patch_system.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

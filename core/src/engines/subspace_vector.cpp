@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "engines/constraint_correction.hpp"
 #include "engines/patch_system.hpp"
-#include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
+#include "planish/problem/problem.hpp"
+#include "planish/problem/solve_report.hpp"
 
 namespace planish {
 

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "engines/engine_outcome.hpp"
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 WorkingSetGrower::WorkingSetGrower(const MeshModel& model)

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "planish/problem.hpp"
+#include "planish/problem/problem.hpp"
 
 namespace planish {
 

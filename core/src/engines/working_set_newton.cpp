@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

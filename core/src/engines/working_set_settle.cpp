@@ -8,7 +8,7 @@
 
 #include "engines/optimality.hpp"
 #include "engines/working_set_newton.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

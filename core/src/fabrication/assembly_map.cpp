@@ -9,7 +9,7 @@
 
 #include "fabrication/view_axes.hpp"
 #include "planish/fabrication/drawing.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

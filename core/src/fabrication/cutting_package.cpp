@@ -13,7 +13,7 @@
 #include "planish/fabrication/panel_drawing.hpp"
 #include "planish/fabrication/panel_tables.hpp"
 #include "planish/fabrication/sheet_layout.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "planish/index.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

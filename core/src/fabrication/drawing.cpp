@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "planish/io/number.hpp"
-#include "trigonometry.hpp"
+#include "numeric/trigonometry.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

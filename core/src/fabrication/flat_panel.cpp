@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "trigonometry.hpp"
+#include "numeric/trigonometry.hpp"
 
 namespace planish {
 namespace {

@@ -10,8 +10,8 @@
 #include "fabrication/step_file.hpp"
 #include "planish/constraints/planar_polygon.hpp"
 #include "planish/fabrication/panel_drawing.hpp"
-#include "planish/index.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <Eigen/Geometry>
 
-#include "edge_table.hpp"
+#include "mesh/edge_table.hpp"
+#include "numeric/trigonometry.hpp"
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/index.hpp"
-#include "trigonometry.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

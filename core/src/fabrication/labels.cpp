@@ -7,9 +7,9 @@
 
 #include "fabrication/neighbours.hpp"
 #include "planish/fabrication/drawing.hpp"
-#include "planish/index.hpp"
-#include "planish/io/number.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
+#include "planish/numeric/index.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

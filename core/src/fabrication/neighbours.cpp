@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fabrication/neighbours.hpp"
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 

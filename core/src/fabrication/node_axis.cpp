@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "plane_meeting.hpp"
-#include "planish/area_vector.hpp"
+#include "numeric/plane_meeting.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish {
 

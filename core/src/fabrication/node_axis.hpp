@@ -2,8 +2,8 @@
 /// The axis that a node's arms are set out about.
 #pragma once
 
-#include "planish/adjacency.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "fabrication/node_axis.hpp"
-#include "planish/adjacency.hpp"
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/index.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fabrication/neighbours.hpp"
-#include "planish/index.hpp"
-#include "trigonometry.hpp"
+#include "numeric/trigonometry.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

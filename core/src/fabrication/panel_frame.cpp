@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/index.hpp"
-#include "planish/panel_health.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -9,10 +9,10 @@
 #include "fabrication/neighbours.hpp"
 #include "fabrication/node_axis.hpp"
 #include "fabrication/table_writer.hpp"
-#include "planish/adjacency.hpp"
+#include "numeric/trigonometry.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/index.hpp"
-#include "trigonometry.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

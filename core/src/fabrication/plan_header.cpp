@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
 
 namespace planish {
 namespace {

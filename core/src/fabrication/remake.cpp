@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "fabrication/node_remake.hpp"
-#include "planish/adjacency.hpp"
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/index.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fabrication/step_file.hpp"
 
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

@@ -11,10 +11,10 @@
 #include "planish/fabrication/cutting_plan.hpp"
 #include "planish/fabrication/drawing.hpp"
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/index.hpp"
-#include "planish/io/number.hpp"
 #include "planish/io/zip.hpp"
-#include "planish/mesh_hash.hpp"
+#include "planish/mesh/mesh_hash.hpp"
+#include "planish/numeric/index.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

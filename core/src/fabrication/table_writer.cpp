@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fabrication/json_object.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

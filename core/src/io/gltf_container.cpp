@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json_depth.hpp"
-#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "io/base64.hpp"
 #include "planish/io/face_groups.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {

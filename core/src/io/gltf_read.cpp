@@ -14,9 +14,9 @@
 #include "io/gltf_container.hpp"
 #include "io/gltf_design.hpp"
 #include "io/polygon_fans.hpp"
-#include "io/sentence.hpp"
 #include "planish/io/gltf.hpp"
-#include "planish/mesh_check.hpp"
+#include "planish/mesh/mesh_check.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

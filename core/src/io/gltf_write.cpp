@@ -6,10 +6,10 @@
 #include <sstream>
 #include <utility>
 
-#include "edge_table.hpp"
 #include "io/gltf_axes.hpp"
 #include "io/gltf_design.hpp"
 #include "io/polygon_fans.hpp"
+#include "mesh/edge_table.hpp"
 #include "planish/io/gltf.hpp"
 
 namespace planish {

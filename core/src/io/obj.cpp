@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "io/coordinate.hpp"
-#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
-#include "planish/io/number.hpp"
-#include "planish/mesh_repair.hpp"
+#include "planish/mesh/mesh_repair.hpp"
+#include "planish/text/number.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "io/ply_header.hpp"
-#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
 #include "io/text_rows.hpp"
-#include "planish/io/number.hpp"
-#include "planish/mesh_repair.hpp"
+#include "planish/mesh/mesh_repair.hpp"
+#include "planish/text/number.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {
@@ -177,7 +177,7 @@ std::string read_element(const PlyElement& element, ValueStream& values, PlyDraf
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (read_row(element, roles, values, draft)) continue;
     const bool known = element.name == "vertex" || element.name == "face";
-    const std::string name = known ? element.name : quoted(element.name);
+    const std::string name = known ? element.name : planish::quoted(element.name);
     return values.place() + name + " " + std::to_string(row) + ": " +
            (values.problem().empty() ? "the length of a list is negative" : values.problem());
   }

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "io/sentence.hpp"
 #include "io/text_lines.hpp"
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

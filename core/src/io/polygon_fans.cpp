@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "disjoint_sets.hpp"
-#include "edge_table.hpp"
+#include "mesh/edge_table.hpp"
+#include "numeric/disjoint_sets.hpp"
 
 namespace planish {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "io/sentence.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "planish/refusal.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text_rows.hpp"
 
-#include "planish/io/number.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 

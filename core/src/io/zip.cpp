@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "crc32.hpp"
+#include "numeric/crc32.hpp"
 
 namespace planish {
 namespace {
@@ -19,13 +19,13 @@ void put32(std::string& bytes, std::uint32_t value) {
   put16(bytes, value >> 16);
 }
 
-constexpr std::uint32_t kVersion = 20;             // folders and DEFLATE
+constexpr std::uint32_t kZipVersion = 20;          // folders and DEFLATE
 constexpr std::uint32_t kFirstDay = 1u << 5 | 1u;  // 1 January 1980
 
 /// What the local header and the directory have in common.
 std::string entry_fields(std::string_view name, std::string_view bytes, std::string_view stored) {
   std::string fields;
-  put16(fields, kVersion);
+  put16(fields, kZipVersion);
   put16(fields, 0);  // no flags
   put16(fields, stored.size() < bytes.size() ? 8 : 0);
   put16(fields, 0);  // midnight
@@ -54,7 +54,7 @@ void ZipWriter::add(std::string_view name, std::string_view bytes) {
   piece_ += name;
   piece_ += stored;
   put32(directory_, 0x02014b50);
-  put16(directory_, kVersion);
+  put16(directory_, kZipVersion);
   directory_ += fields;
   put16(directory_, 0);  // no comment
   put16(directory_, 0);  // disk

@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
-#include "planish/adjacency.hpp"
-#include "planish/area_vector.hpp"
 #include "planish/constraints/limit_kinds.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/fabrication/remake.hpp"
-#include "planish/folds.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/area_vector.hpp"
 
 namespace planish {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "edge_table.hpp"
+#include "mesh/edge_table.hpp"
 
 namespace planish {
 

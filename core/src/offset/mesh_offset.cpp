@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "io/sentence.hpp"
+#include "numeric/plane_meeting.hpp"
 #include "offset/edge_directions.hpp"
 #include "offset/offset_measure.hpp"
 #include "offset/panel_sides.hpp"
 #include "offset/parallel_axes.hpp"
 #include "offset/sphere_axes.hpp"
-#include "plane_meeting.hpp"
-#include "planish/adjacency.hpp"
 #include "planish/constraints/elements.hpp"
 #include "planish/constraints/kept_kinds.hpp"
-#include "planish/index.hpp"
-#include "planish/metrics.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "planish/index.hpp"
-#include "trigonometry.hpp"
+#include "numeric/trigonometry.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

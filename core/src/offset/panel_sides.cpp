@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "edge_table.hpp"
-#include "planish/area_vector.hpp"
-#include "planish/index.hpp"
+#include "mesh/edge_table.hpp"
+#include "planish/mesh/area_vector.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

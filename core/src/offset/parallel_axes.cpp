@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "engines/sparse_cholesky.hpp"
-#include "planish/adjacency.hpp"
-#include "planish/index.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

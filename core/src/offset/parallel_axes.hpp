@@ -7,7 +7,7 @@
 
 #include "offset/edge_directions.hpp"
 #include "offset/panel_sides.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

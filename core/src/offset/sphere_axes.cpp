@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "planish/index.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {

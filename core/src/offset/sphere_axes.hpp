@@ -6,7 +6,7 @@
 
 #include "offset/edge_directions.hpp"
 #include "offset/parallel_axes.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

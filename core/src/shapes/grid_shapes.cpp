@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "numeric/trigonometry.hpp"
 #include "shapes/placement.hpp"
-#include "trigonometry.hpp"
 
 namespace planish {
 namespace {

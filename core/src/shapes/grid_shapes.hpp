@@ -2,7 +2,7 @@
 /// Samples with flat quads on a grid of points. `size` is points along one side, ≥ 3.
 #pragma once
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

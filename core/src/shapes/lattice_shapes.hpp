@@ -2,7 +2,7 @@
 /// Samples made of tangent planes at the points of a triangular lattice: flat by construction.
 #pragma once
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -2,7 +2,7 @@
 /// Where a sample stands and how large it is.
 #pragma once
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

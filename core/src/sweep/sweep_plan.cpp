@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "io/json_depth.hpp"
-#include "planish/design.hpp"
-#include "planish/design_text.hpp"
+#include "planish/design/design.hpp"
+#include "planish/design/design_text.hpp"
 #include "sweep/sha256.hpp"
 #include "sweep/sweep_field.hpp"
 

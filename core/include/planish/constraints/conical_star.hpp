@@ -10,7 +10,7 @@
 
 #include "planish/constraints/conical_vertex.hpp"
 #include "planish/constraints/kind.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/kind.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

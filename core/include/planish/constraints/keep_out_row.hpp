@@ -15,8 +15,8 @@
 
 #include "planish/constraints/limit_kind.hpp"
 #include "planish/constraints/limit_scale.hpp"
-#include "planish/keep_out.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/obstacles/keep_out.hpp"
 
 namespace planish {
 

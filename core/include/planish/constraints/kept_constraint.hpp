@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planish/constraints/kept_kinds.hpp"
-#include "planish/refusal.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

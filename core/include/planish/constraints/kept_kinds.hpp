@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "planish/constraints/registry.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

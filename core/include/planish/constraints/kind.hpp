@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/adjacency.hpp"
 #include "planish/constraints/kind.hpp"
 #include "planish/constraints/limit_scale.hpp"
 #include "planish/constraints/stated_limit.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -12,7 +12,7 @@
 #include "planish/constraints/keep_out_row.hpp"
 #include "planish/constraints/limit_standing.hpp"
 #include "planish/constraints/panel_contact.hpp"
-#include "planish/panel_boxes.hpp"
+#include "planish/mesh/panel_boxes.hpp"
 
 namespace planish {
 

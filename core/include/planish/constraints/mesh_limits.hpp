@@ -12,8 +12,8 @@
 #include "planish/constraints/limit_kinds.hpp"
 #include "planish/constraints/limit_standing.hpp"
 #include "planish/constraints/stated_limit.hpp"
-#include "planish/keep_out.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/obstacles/keep_out.hpp"
 
 namespace planish {
 

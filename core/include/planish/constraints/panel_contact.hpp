@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

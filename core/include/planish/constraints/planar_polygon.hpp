@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "planish/constraints/kind.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/refusal.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

@@ -10,8 +10,8 @@
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/remake.hpp"
-#include "planish/mesh.hpp"
-#include "planish/refusal.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

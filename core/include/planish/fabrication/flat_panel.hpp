@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planish/fabrication/panel_frame.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

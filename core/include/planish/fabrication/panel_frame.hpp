@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/adjacency.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planish/fabrication/joints.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

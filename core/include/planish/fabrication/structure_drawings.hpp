@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "planish/fabrication/section.hpp"
-#include "planish/mesh.hpp"
-#include "planish/refusal.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish {
 

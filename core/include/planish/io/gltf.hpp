@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "planish/io/read_result.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
 
 namespace planish {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "planish/io/read_result.hpp"
-#include "planish/mesh.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
 
 namespace planish {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "planish/adjacency.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "planish/mobility/mobility_meter.hpp"
 
 namespace planish {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string_view>
 
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/refusal.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

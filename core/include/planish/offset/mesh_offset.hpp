@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
-#include "planish/mesh.hpp"
-#include "planish/refusal.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/text/refusal.hpp"
 
 namespace planish {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "planish/handle_edit.hpp"
-#include "planish/mesh.hpp"
-#include "planish/problem.hpp"
-#include "planish/solve_report.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/problem/problem.hpp"
+#include "planish/problem/solve_report.hpp"
 
 namespace planish::comparison {
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "planish/energies.hpp"
-#include "planish/mesh.hpp"
+#include "planish/measures/energies.hpp"
+#include "planish/mesh/mesh.hpp"
 
 namespace planish::comparison {
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// A design is a base mesh and what was done to it: data that a link, a file or a test stores, and
+/// that gives the same shape again wherever it is replayed.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planish/edit/handle_edit.hpp"
+#include "planish/io/gltf.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/mesh/mesh_hash.hpp"
+#include "planish/problem/solve_report.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/symmetry/symmetry.hpp"
+#include "planish/text/refusal.hpp"
+#include "planish/variations/subspace.hpp"
+
+namespace planish {
+
+/// A base mesh that make_sample() makes.
+struct SampleSource {
+  std::string name;
+  int size = 0;
+};
+
+/// A base mesh from a file: its bytes ride along, or whoever replays brings the mesh.
+struct FileSource {
+  std::string name;  ///< for people, for example "roof.obj"
+  /// mesh_hash() of the base that was edited, after planarising; absent: not known.
+  std::optional<std::uint32_t> hash;
+  std::string format;  ///< "obj", "off", "ply" or "glb"; "" without bytes
+  std::string bytes;   ///< the file; "" if it does not ride along
+};
+
+using DesignSource = std::variant<SampleSource, FileSource>;
+
+/// One look around: a family of variations, the place chosen in it, and whether that was made
+/// exact. The next one starts from there.
+struct DesignVariation {
+  SubspaceOptions options;           ///< fairness and engine are those of the edit
+  std::vector<double> coefficients;  ///< slider values, at most options.dimension
+  bool exact = true;                 ///< projected afterwards
+  double exact_fairness = 0.0;       ///< α_f ≥ 0 of that projection [PRO-1]
+  std::vector<int> close = {};       ///< Ψ of (4), vertices; empty: the handles
+};
+
+/// Where a vertex went, to 12 digits.
+struct DesignProbe {
+  int vertex = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< model units
+};
+
+/// Enough of a result to recognise it, or to say how far another one is from it.
+struct DesignMark {
+  std::uint32_t hash =
+      0;          ///< CRC-32 of the moved indices (int32), then their coordinates (float64)
+  int moved = 0;  ///< vertices
+  std::vector<DesignProbe> probes;  ///< a few of them
+};
+
+/// Source, recipe, and the mark of what the recipe gave.
+struct Design {
+  std::string title;
+  DesignSource source;
+  std::optional<Planarising> planarised;  ///< how the source became the flat base; absent: it was
+  std::string unit = "m";                 ///< of the model: mm, cm, m, km, in or ft
+  EditTargets targets;
+  /// Under which the targets have images, and the base is made symmetric; empty: none.
+  std::vector<SymmetryElement> symmetry = {};
+  HandleEditOptions options;
+  std::vector<DesignVariation> variations;  ///< one after the other
+  std::optional<DesignMark> result;         ///< absent: nothing to verify against
+};
+
+/// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
+[[nodiscard]] Refusal find_problem(const Design& design);
+
+/// The same of what its symmetry does not go with.
+[[nodiscard]] Refusal find_symmetry_problem(const Design& design);
+
+/// @param shape 3 × n, the positions that the design gave
+[[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
+/// The same, of what moved alone.
+/// @param vertices ascending
+/// @param positions 3 × |vertices|, none where its base has it
+[[nodiscard]] DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions);
+
+/// Largest distance of a probe from `shape`, model units; 0 only if `shape` is the recorded result
+/// to the last bit.
+[[nodiscard]] double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape);
+
+/// Up to which deviation two results are the same, model units: a billionth of the mesh's diagonal.
+/// Compilers round in another order; certified results agree far below it, and nobody sees it.
+[[nodiscard]] double agreement(const Mesh& base);
+
+/// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
+[[nodiscard]] GlbVariations variations_of(const Subspace& subspace);
+
+/// What replaying a design gave.
+struct Replay {
+  Mesh base;        ///< what was edited: flat, planarised if the design says so
+  Positions shape;  ///< 3 × n, model units
+  std::optional<MeshSymmetry> symmetry;  ///< of the base, where the design has one
+  SolveReport report;                    ///< of the edit, or of the projection that failed
+  std::vector<int> directions;           ///< that each variation found, up to one that found none
+  Positions centre;                      ///< 3 × n: what the last of them was found around
+  std::optional<Subspace> subspace;      ///< of the last variation
+  std::optional<SolveReport> exact;      ///< of the projection that made it exact
+  DesignMark mark;                       ///< of `shape`
+  bool verified = false;                 ///< `shape` is the recorded result, bit for bit
+  bool agrees = false;                   ///< so are its probes, up to rounding: see agreement()
+  double deviation = 0.0;                ///< from the recorded probes, model units
+};
+
+/// Does it again, for everybody: page, packages and command.
+/// @param given the mesh of a FileSource that does not ride along; otherwise not used
+/// @return the result, or one sentence that says why there is none
+[[nodiscard]] std::variant<Replay, std::string> replay(const Design& design,
+                                                       const Mesh* given = nullptr,
+                                                       const Progress& progress = {});
+
+/// The same on a base that was opened, and made flat, already; refuses designs with a symmetry,
+/// whose base that is found on before it is made flat.
+[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
+                                                          const Progress& progress = {});
+
+/// The same of a design with a symmetry, on a base that is flat, and symmetric, already.
+/// @param symmetry of that base, which is the design's
+[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
+                                                          const Design& design,
+                                                          const Progress& progress = {});
+
+}  // namespace planish

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// A design as text: JSON, the same in files, in GLBs, in links and on the command line.
+/// docs/formats.md describes it field by field.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "planish/design/design.hpp"
+
+namespace planish {
+
+/// One line of JSON with every option spelled out, so that it means the same when defaults change.
+/// Strings are UTF-8: anything else is replaced.
+[[nodiscard]] std::string write_design(const Design& design);
+
+/// Total: a design, or one sentence that names the field. Fields may stand in any order; options
+/// left out have their defaults; unknown fields are refused, so that a slip of the pen is found.
+/// @param text at most 256 MiB, nested at most 8 deep
+[[nodiscard]] std::variant<Design, std::string> read_design(std::string_view text);
+
+/// Whether `text` claims to be a design, whatever is wrong with it otherwise.
+[[nodiscard]] bool is_design_text(std::string_view text);
+
+}  // namespace planish

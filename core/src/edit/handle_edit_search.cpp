@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+/// From the targets to a certified design.
+#include <algorithm>
+#include <utility>
+
+#include "edit/edit_reach.hpp"
+#include "edit/handle_edit_state.hpp"
+#include "edit/softness.hpp"
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/cold_search.hpp"
+
+namespace planish {
+ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
+  NewtonOptions options;
+  if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
+  const bool by_softness = options_.softness > 0.0 && has_reach(options_);
+  EngineOutcome outcome = targets_.continuation > 0 ? continue_from_base(options, progress)
+                          : by_softness
+                              ? soften(options, progress)
+                              : find_minimum(problem_, options, *newton_, *trial_, progress);
+  report.status = outcome.status;
+  report.iterations += outcome.steps;
+  report.factorizations += outcome.factorizations;
+  report.records = std::move(outcome.records);
+  choose_sides(options, progress, report);
+  if (has_keep_outs()) return settle_beside_keep_outs(options, progress, report);
+  ExactDesign design = settle(options, progress, report);
+  if (limits_ != nullptr) approach_limits(options, progress, design, report);
+  return design;
+}
+
+/// Whether points on an outline take another side of it than the one they were solved on [SUP-3],
+/// or a keep-out is met that was not.
+bool HandleEditSolver::State::turns(const ExactDesign& design) {
+  const bool met = has_keep_outs() && meets_keep_outs(design);
+  return (slides_ != nullptr && slides_->follow(design.vertices, design.displacement)) || met;
+}
+
+/// Which side of its outline each point goes to, and which points keep-outs hold, before anything
+/// is settled. [SUP-3] [KEE-2]
+void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const Progress& progress,
+                                           SolveReport& report) {
+  const bool turning = slides_ != nullptr && slides_->has_turning_tracks();
+  if (!turning && !(has_keep_outs() && keep_outs_turn())) return;
+  NewtonOptions step = options;
+  step.first_smoothing = 1e-3;
+  for (int round = 0; round < kMostOutlineTurns && report.status != SolveStatus::kCancelled;
+       ++round) {
+    if (!turns(finish_->finish(problem_, newton_->support(), *trial_, kept_))) return;
+    const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
+    report.status = way.status;
+    report.iterations += way.steps;
+    report.factorizations += way.factorizations;
+  }
+}
+
+/// From where the search kept clear of the stated limits, to where they are: along the path of
+/// minima as the barrier on them fades, for as long as each is a certified one. [LIM-2]
+void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
+                                              const Progress& progress, ExactDesign& design,
+                                              SolveReport& report) {
+  NewtonOptions step = options;
+  step.first_smoothing = step.last_smoothing;
+  while (problem_.limit_weight > kLastLimitWeight && report.status == SolveStatus::kConverged) {
+    problem_.limit_weight *= kLimitWeightShrink;
+    SolveReport nearer = report;
+    const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
+    nearer.iterations += way.steps;
+    nearer.factorizations += way.factorizations;
+    nearer.status = way.status;
+    ExactDesign next = settle(options, progress, nearer);
+    report.iterations = nearer.iterations;
+    report.factorizations = nearer.factorizations;
+    if (nearer.status != SolveStatus::kConverged) break;
+    report = std::move(nearer);
+    design = std::move(next);
+  }
+  problem_.limit_weight = kFirstLimitWeight;
+}
+
+/// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
+/// step from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// cold start fell into. [SOF-2]
+EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
+                                              const Progress& progress) {
+  NewtonOptions coarse = options;
+  coarse.last_smoothing = 0.0045;
+  coarse.stop = 1e-3;
+  HandleEditOptions now = options_;
+  now.softness = kSoftest;
+  terms_->assign(targets_, now, problem_);
+  trial_->clear();
+  EngineOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, progress);
+  for (bool last = false; !last && outcome.status != SolveStatus::kCancelled;) {
+    now.softness = std::max(options_.softness, now.softness - 1.0);
+    last = now.softness == options_.softness;
+    terms_->assign(targets_, now, problem_);
+    NewtonOptions step = last ? options : coarse;
+    step.first_smoothing = 0.015;
+    EngineOutcome next = newton_->run_warm(problem_, step, *trial_, progress);
+    next.steps += outcome.steps;
+    next.factorizations += outcome.factorizations;
+    outcome = std::move(next);
+  }
+  terms_->assign(targets_, options_, problem_);
+  return outcome;
+}
+
+/// From the state that a search left to a certified design, or to the design of that state.
+ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const Progress& progress,
+                                            SolveReport& report) {
+  const DisplacementField::Snapshot found = trial_->snapshot();
+  const std::vector<int> support = newton_->support();
+  const bool spent = options_.max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
+  if (report.status != SolveStatus::kCancelled && !spent) {
+    EngineOutcome fine;
+    ExactDesign design;
+    const int most = has_keep_outs() ? kMostRestTurns : kMostOutlineTurns;
+    for (int round = 0;
+         round == 0 || (round < most && (turns(design) || (has_keep_outs() && lets_go())));
+         ++round) {
+      fine = newton_->settle(problem_, options, *trial_, progress);
+      report.iterations += fine.steps;
+      report.factorizations += fine.factorizations;
+      design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+    }
+    if (is_acceptable(design)) {
+      report.optimality = newton_->optimality(problem_, design.vertices, design.displacement);
+      if (!report.optimality->met()) take_slow_movers_along(design, report);
+      report.status = fine.status == SolveStatus::kCancelled ? fine.status
+                      : report.optimality->met()             ? SolveStatus::kConverged
+                                                             : SolveStatus::kIterationLimit;
+      return design;
+    }
+    report.factorizations += design.factorizations;
+    report.status = SolveStatus::kIterationLimit;
+    trial_->restore(found);
+    newton_->set_support(support);
+  }
+  ExactDesign design = finish_->finish(problem_, support, *trial_, kept_);
+  if (has_keep_outs()) hold_back(support, design);
+  return design;
+}
+
+/// The design with what hardly moves moving, where that is what the certificate lacks.
+void HandleEditSolver::State::take_slow_movers_along(ExactDesign& design, SolveReport& report) {
+  newton_->keep_slow_movers(*trial_);
+  ExactDesign other = finish_->finish(problem_, newton_->support(), *trial_, kept_);
+  if (!is_acceptable(other)) return;
+  const Optimality found = newton_->optimality(problem_, other.vertices, other.displacement);
+  if (!found.met()) return;
+  report.optimality = found;
+  design = std::move(other);
+}
+
+ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& progress,
+                                                                SolveReport& report) {
+  trial_->clear();
+  AlmOptions options;
+  if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
+  std::vector<int> support;
+  const EngineOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, support, progress);
+  report.status = outcome.status;
+  report.iterations = outcome.steps;
+  report.factorizations = outcome.factorizations;
+  report.records = outcome.records;
+  return finish_->finish(problem_, support, *trial_, kept_);
+}
+
+ExactDesign HandleEditSolver::State::run_engine(const Progress& progress, SolveReport& report) {
+  return options_.engine == Engine::kNewton ? solve_newton(progress, report)
+                                            : solve_augmented_lagrangian(progress, report);
+}
+
+}  // namespace planish

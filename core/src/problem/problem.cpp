@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "planish/problem/problem.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "planish/constraints/elements.hpp"
+#include "planish/numeric/index.hpp"
+
+namespace planish {
+MeshModel::MeshModel(const Mesh& given, FairnessKind kind, const KeptKinds& kinds)
+    : mesh(given), adjacency(build_adjacency(given)), kept(kinds) {
+  const double edge = mean_edge_length(mesh);
+  unit_ = edge > 0.0 ? edge : 1.0;
+  // Relative to a vertex first: the mean of coordinates far from the origin loses digits.
+  const Eigen::Vector3d origin =
+      mesh.vertex_count() > 0 ? mesh.positions.col(0).eval() : Eigen::Vector3d::Zero().eval();
+  points = mesh.positions.colwise() - origin;
+  if (mesh.vertex_count() > 0) points.colwise() -= points.rowwise().mean().eval();
+  points /= unit_;
+  fairness = fairness_operator(mesh, adjacency, kind);
+  fairness_columns = fairness.transpose();
+  MeshElements elements(mesh, adjacency);
+  kept.for_each([&](auto tag, std::size_t index) {
+    using Kind = typename decltype(tag)::type;
+    constexpr Element kElement = Kind::kElement;
+    static_assert(kElement == Element::kFace || kElement == Element::kVertex,
+                  "patches cut rows face by face and star by star");
+    static_assert(Kind::kSense == Sense::kZero, "engines take rows as equalities");
+    std::vector<int>& offsets = element_offsets[index];
+    offsets.assign(1, 0);
+    for (int e = 0; e < elements.count(kElement); ++e) {
+      Kind::append_rows(points, elements.of(kElement, e), equations.of<Kind>());
+      offsets.push_back(static_cast<int>(equations.of<Kind>().size()));
+    }
+  });
+}
+
+bool MeshModel::has_star_rows(int vertex) const {
+  bool any = false;
+  kept.for_each([&](auto tag, std::size_t index) {
+    using Kind = typename decltype(tag)::type;
+    if (Kind::kElement != Element::kVertex) return;
+    const std::vector<int>& offsets = element_offsets[index];
+    any = any || offsets[at(vertex) + 1] > offsets[at(vertex)];
+  });
+  return any;
+}
+
+std::span<const int> MeshModel::face(int f) const { return mesh.face(f); }
+
+PatchCutter::PatchCutter(int vertex_count, int face_count, int fairness_rows)
+    : local_of_(at(vertex_count), -1),
+      face_mark_(at(face_count), 0),
+      row_mark_(at(fairness_rows), 0) {}
+
+int PatchCutter::local(int vertex, Patch& patch) {
+  int& found = local_of_[at(vertex)];
+  if (found < 0) {
+    found = patch.local_count();
+    patch.vertices.push_back(vertex);
+  }
+  return found;
+}
+
+/// The rows of the patch's faces and stars that touch a free vertex, kind by kind.
+void PatchCutter::cut_equations(const MeshModel& model, Patch& patch) {
+  int first = 0;
+  model.kept.for_each([&](auto tag, std::size_t index) {
+    using Kind = typename decltype(tag)::type;
+    const auto& rows = model.equations.of<Kind>();
+    const std::vector<int>& offsets = model.element_offsets[index];
+    for (const int id : Kind::kElement == Element::kFace ? patch.face_ids : patch.star_ids) {
+      for (int e = offsets[at(id)]; e < offsets[at(id) + 1]; ++e) {
+        typename Kind::Row row = rows[at(e)];
+        if (!localise(row.vertices, local_of_, patch.free_count)) continue;
+        patch.equations.of<Kind>().push_back(row);
+        patch.equation_ids.push_back(first + e);
+      }
+    }
+    first += static_cast<int>(rows.size());
+  });
+}
+
+void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, Patch& patch) {
+  patch.vertices.clear();
+  patch.equations.clear();
+  patch.equation_ids.clear();
+  patch.face_ids.clear();
+  patch.star_ids.clear();
+  patch.faces.offsets.assign(1, 0);
+  patch.faces.values.clear();
+  patch.fairness_vertices.offsets.assign(1, 0);
+  patch.fairness_vertices.values.clear();
+  patch.fairness_values.clear();
+  patch.corners.clear();
+  patch.limits.clear();
+  patch.keep_outs.clear();
+  patch.fairness_weight = problem.fairness_weight;
+  patch.shape_weight = problem.shape_weight;
+  patch.limit_weight = problem.limit_weight;
+  ++stamp_;
+  for (const int v : free) {
+    if (!problem.terms[at(v)].fixed) (void)local(v, patch);
+  }
+  patch.free_count = patch.local_count();
+}
+
+/// The outline of one face, and its corners that touch a free vertex.
+void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  if (model.face(f).size() >= 4) {
+    patch.face_ids.push_back(f);
+    for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
+    patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
+  }
+  if (problem.shape_weight > 0.0) add_corners(model, f, patch);
+  if (problem.limits != nullptr) add_limits(*problem.limits, f, patch);
+}
+
+/// The shape bound's rows of one face.
+void PatchCutter::add_corners(const MeshModel& model, int f, Patch& patch) {
+  std::size_t kept = patch.corners.size();
+  append_corner_shapes(model.points, model.face(f), patch.corners);
+  for (std::size_t k = kept; k < patch.corners.size(); ++k) {
+    CornerShape corner = patch.corners[k];
+    if (enter(corner.vertices, patch)) patch.corners[kept++] = corner;
+  }
+  patch.corners.resize(kept);
+}
+
+/// Gives a row's vertices local numbers, new ones to those that have none.
+/// @returns whether one of them is free
+bool PatchCutter::enter(std::span<int> vertices, Patch& patch) {
+  bool touches = false;
+  for (int& v : vertices) {
+    v = local(v, patch);
+    touches = touches || v < patch.free_count;
+  }
+  return touches;
+}
+
+/// The stated limits' rows of one face. Those of two panels come with the first of the two.
+void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
+  limits.for_each_row(f, [&](auto tag, const auto& row, int other) {
+    using Kind = typename decltype(tag)::type;
+    if (other >= 0 && face_mark_[at(other)] == stamp_) return;
+    typename Kind::Row here = row;
+    if (enter(here.vertices, patch)) patch.limits.of<Kind>().push_back(std::move(here));
+  });
+  if (limits.keep_outs() != nullptr) add_keep_outs(*limits.keep_outs(), f, patch);
+}
+
+/// The stars with rows that a vertex is part of: its own and its neighbours'.
+void PatchCutter::add_stars(const MeshModel& model, int vertex, Patch& patch) {
+  star_mark_.resize(local_of_.size(), 0);
+  const auto add = [&](int centre) {
+    if (star_mark_[at(centre)] == stamp_ || !model.has_star_rows(centre)) return;
+    star_mark_[at(centre)] = stamp_;
+    patch.star_ids.push_back(centre);
+    (void)local(centre, patch);
+    for (const int w : model.adjacency.neighbours[centre]) (void)local(w, patch);
+  };
+  add(vertex);
+  for (const int w : model.adjacency.neighbours[vertex]) add(w);
+}
+
+void PatchCutter::add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  for (FairnessOperator::InnerIterator row(model.fairness_columns, vertex); row; ++row) {
+    const auto r = static_cast<int>(row.col());
+    if (row_mark_[at(r)] == stamp_) continue;
+    row_mark_[at(r)] = stamp_;
+    for (FairnessOperator::InnerIterator entry(model.fairness, r); entry; ++entry) {
+      const int w = local(static_cast<int>(entry.col()), patch);
+      patch.fairness_vertices.values.push_back(w);
+      patch.fairness_values.push_back(entry.value());
+    }
+    patch.fairness_vertices.offsets.push_back(
+        static_cast<int>(patch.fairness_vertices.values.size()));
+  }
+}
+
+/// What the first `owners` vertices take part in.
+void PatchCutter::add_rows(const EditProblem& problem, int owners, Patch& patch) {
+  const MeshModel& model = *problem.model;
+  for (int k = 0; k < owners; ++k) {
+    const int v = patch.vertices[at(k)];
+    for (const int f : model.adjacency.faces[v]) {
+      const bool bare =
+          model.face(f).size() < 4 && problem.shape_weight <= 0.0 && problem.limits == nullptr;
+      if (face_mark_[at(f)] == stamp_ || bare) continue;
+      face_mark_[at(f)] = stamp_;
+      add_face(problem, f, patch);
+    }
+    if (model.kept.has_element(Element::kVertex)) add_stars(model, v, patch);
+    if (problem.fairness_weight > 0.0) add_fairness_rows(problem, v, patch);
+  }
+  cut_equations(model, patch);
+}
+
+namespace {
+
+/// A track for displacements that begin where the model's points are.
+SlideTrack seen_from(const EditProblem& problem, int vertex, SlideTrack track) {
+  if (problem.slides_from == nullptr) return track;
+  const Eigen::Vector3d to_track = track.offset - problem.slides_from->col(vertex);
+  track.offset = to_track - track.along * to_track;
+  return track;
+}
+
+}  // namespace
+
+/// Points, terms and the constant displacement of the halo; forgets the local numbers.
+void PatchCutter::place(const EditProblem& problem, Patch& patch) {
+  patch.points.resize(3, patch.local_count());
+  patch.displacement.setZero(3, patch.local_count());
+  patch.terms.resize(at(patch.free_count));
+  patch.slides.clear();
+  for (int k = 0; k < patch.local_count(); ++k) {
+    const int v = patch.vertices[at(k)];
+    patch.points.col(k) = problem.model->points.col(v);
+    const VertexTerm& term = problem.terms[at(v)];
+    if (k < patch.free_count) {
+      patch.terms[at(k)] = term;
+      const SlideTrack* track = problem.slides ? problem.slides->track(v) : nullptr;
+      if (track != nullptr) patch.slides.push_back({k, seen_from(problem, v, *track)});
+    }
+    if (term.fixed) patch.displacement.col(k) = term.target;
+    local_of_[at(v)] = -1;
+  }
+  if (problem.slides != nullptr && problem.slides->has_feet()) add_surface_rows(problem, patch);
+}
+
+/// Of the free vertices that stand on a surface. Their multipliers have the numbers after all
+/// others.
+void PatchCutter::add_surface_rows(const EditProblem& problem, Patch& patch) {
+  for (int k = 0; k < patch.free_count; ++k) {
+    const int v = patch.vertices[at(k)];
+    int number = static_cast<int>(problem.model->equations.size()) + kMostSurfaceRows * v;
+    for (SurfaceRow row : problem.slides->surface_rows(v)) {
+      row.vertices = {k};
+      if (problem.slides_from != nullptr) row.centre -= problem.slides_from->col(v);
+      row.centre += patch.points.col(k);
+      patch.equations.of<SurfacePoint>().push_back(row);
+      patch.equation_ids.push_back(number++);
+    }
+  }
+}
+
+void PatchCutter::cut(const EditProblem& problem, std::span<const int> free, Patch& patch) {
+  begin(problem, free, patch);
+  add_rows(problem, patch.free_count, patch);
+  place(problem, patch);
+}
+
+void PatchCutter::cut_open(const EditProblem& problem, std::span<const int> inner, Patch& patch) {
+  cut(problem, inner, patch);
+  const int owners = patch.free_count;
+  const std::vector<int> reached = std::move(patch.vertices);
+  begin(problem, reached, patch);
+  add_rows(problem, owners, patch);
+  place(problem, patch);
+}
+
+void put_on_tracks(const Patch& patch, Eigen::Matrix3Xd& displacement) {
+  for (const Slide& slide : patch.slides) {
+    const Eigen::Vector3d d = displacement.col(slide.vertex);
+    displacement.col(slide.vertex) = slide.track.nearest(d);
+  }
+}
+
+Eigen::Matrix3Xd on_tracks(const Patch& patch) {
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, patch.free_count);
+  put_on_tracks(patch, displacement);
+  return displacement;
+}
+
+ObjectiveTerms objective(const Patch& patch) {
+  ObjectiveTerms result;
+  for (int k = 0; k < patch.free_count; ++k) {
+    const VertexTerm& term = patch.terms[at(k)];
+    const Eigen::Vector3d d = patch.displacement.col(k);
+    const double square = 0.5 * term.square_weight * (d - term.target).squaredNorm();
+    (term.handle ? result.handle : result.sparsity) += square;
+    result.sparsity += 0.5 * term.norm_weight * d.norm();
+  }
+  patch.for_each_fairness_row([&](const FairnessRow& row) {
+    const Eigen::Vector3d sum = row.sum([&](int v) { return patch.displacement.col(v); });
+    result.fairness += 0.5 * patch.fairness_weight * sum.squaredNorm();
+  });
+  return result;
+}
+
+bool localise(std::span<int> vertices, const std::vector<int>& local, int free_count) {
+  bool touches = false;
+  for (int& v : vertices) {
+    v = local[at(v)];
+    touches = touches || v < free_count;
+  }
+  return touches;
+}
+
+void residuals_at(const Patch& patch, const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) {
+  out.resize(static_cast<Eigen::Index>(patch.equations.size()));
+  patch.equations.for_each([&](int e, const auto& row) {
+    out[e] = residual(row, corners_at(patch, displacement, row));
+  });
+}
+
+}  // namespace planish
