@@ -43,7 +43,7 @@ parts=("$@")
 for part in "${parts[@]}"; do
   case $part in
     native) build native planish && echo "build: build/native/planish" ;;
-    wasm) build wasm planish_wasm && echo "build: build/wasm/wasm/planish.wasm" ;;
+    wasm) build wasm planish_page_wasm && echo "build: build/wasm/wasm/" ;;
     npm) build wasm planish_package_wasm && package && echo "build: build/npm/" ;;
     site) site && echo "build: dist/" ;;
     catalogue) catalogue && echo "build: build/catalogue/" ;;

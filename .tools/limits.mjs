@@ -118,8 +118,8 @@ function busiest(before, after) {
 }
 
 async function loadModule() {
-  const { default: create } = await import(pathToFileURL("build/wasm/wasm/planish_whole.mjs").href);
-  return create({ wasmBinary: readFileSync("build/wasm/wasm/planish_whole.wasm") });
+  const { default: create } = await import(pathToFileURL("build/wasm/wasm/planish.mjs").href);
+  return create({ wasmBinary: readFileSync("build/wasm/wasm/planish.wasm") });
 }
 
 /** Each file read by both builds: name, whether it is refused, and how long that takes. */

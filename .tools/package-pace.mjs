@@ -27,7 +27,7 @@ function insist(refusal) {
 }
 
 const module = await load("planish");
-const { options } = (await load("planish_glb")).defaults();
+const { options } = (await load("planish_documents")).defaults();
 const session = new module.Session();
 insist(session.openSample(sample, Number(size)));
 const usual = Object.fromEntries(options.map(({ key, usual }) => [key, usual]));

@@ -6,7 +6,7 @@ import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import createShop from "../build/wasm/wasm/planish_shop.mjs";
+import createDocuments from "../build/wasm/wasm/planish_documents.mjs";
 import { quadRoof } from "./shop-roof.mjs";
 
 const SIDE = Number(process.argv[2] ?? 100);
@@ -32,9 +32,9 @@ console.log(
 rmSync(folder, { recursive: true });
 
 let memory = null;
-const shop = await createShop({
+const shop = await createDocuments({
   instantiateWasm(imports, done) {
-    const wasm = readFileSync(join(BUILT, "wasm/wasm/planish_shop.wasm"));
+    const wasm = readFileSync(join(BUILT, "wasm/wasm/planish_documents.wasm"));
     WebAssembly.instantiate(wasm, imports).then(({ instance, module }) => {
       memory = Object.values(instance.exports).find((e) => e instanceof WebAssembly.Memory);
       done(instance, module);

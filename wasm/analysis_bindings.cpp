@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The analysis module as JavaScript sees it: a list. Memory that runs out ends the module, and
-/// with it the worker, which is replaced.
+/// What is measured on a design, as JavaScript sees it: a list. Memory that runs out ends the
+/// module, and with it the worker, which is replaced.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -10,40 +10,25 @@
 #include <vector>
 
 #include "analysis.hpp"
+#include "arrays.hpp"
 
 namespace {
 
 using emscripten::val;
 using planish::Analysis;
+using planish::copy;
 using planish::EditFreedom;
 using planish::EditTargets;
 using planish::FairnessKind;
 using planish::HoldingPanel;
-using planish::Mesh;
-using planish::Positions;
-
-template <class T>
-val copy(const std::vector<T>& data) {
-  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
-}
-
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-}
-
-std::vector<int> to_indices(const val& numbers) {
-  return emscripten::convertJSArrayToNumberVector<int>(numbers);
-}
+using planish::to_indices;
+using planish::to_mesh;
+using planish::to_positions;
 
 /// `opened`: as it was before it was planarised, empty if it was not.
 Analysis* create(const val& positions, const val& offsets, const val& vertices, const val& opened) {
-  Mesh mesh;
-  mesh.positions = to_positions(positions);
-  mesh.face_offsets = to_indices(offsets);
-  mesh.face_vertices = to_indices(vertices);
   // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): embind owns it
-  return new Analysis(std::move(mesh), to_positions(opened));
+  return new Analysis(to_mesh(positions, offsets, vertices), to_positions(opened));
 }
 void show(Analysis& a, const val& moved, const val& positions) {
   a.show(to_indices(moved), to_positions(positions));

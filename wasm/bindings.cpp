@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrays.hpp"
 #include "design_values.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "report_values.hpp"
@@ -20,6 +21,7 @@
 namespace {
 
 using emscripten::val;
+using planish::copy;
 using planish::EditMode;
 using planish::EditTargets;
 using planish::Flow;
@@ -27,6 +29,8 @@ using planish::IterationRecord;
 using planish::Positions;
 using planish::Refusal;
 using planish::Session;
+using planish::to_indices;
+using planish::to_positions;
 
 std::string attempted(Refusal (*operation)(const void*), const void* with) {
   try {
@@ -43,27 +47,6 @@ template <class Operation>
 std::string attempt(const Operation& operation) {
   return attempted([](const void* it) { return (*static_cast<const Operation*>(it))(); },
                    &operation);
-}
-
-/// A copy that JavaScript owns; a bare view dies when memory grows.
-template <class T>
-val copy(const std::vector<T>& data) {
-  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
-}
-
-val copy(const Positions& positions) {
-  return val(emscripten::typed_memory_view(static_cast<std::size_t>(positions.size()),
-                                           positions.data()))
-      .call<val>("slice");
-}
-
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-}
-
-std::vector<int> to_indices(const val& numbers) {
-  return emscripten::convertJSArrayToNumberVector<int>(numbers);
 }
 
 /// `handles` holds vertex, x, y, z for each.
@@ -149,10 +132,7 @@ void on_progress(Session& s, const val& callback) {
   });
 }
 val write(const Session& s, const std::string& format) {
-  const auto bytes = s.write(format).value_or("");
-  return val(emscripten::typed_memory_view(bytes.size(),
-                                           reinterpret_cast<const unsigned char*>(bytes.data())))
-      .call<val>("slice");
+  return copy(s.write(format).value_or(""));
 }
 
 std::string groups(const Session& s) { return s.groups(); }

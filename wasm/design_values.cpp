@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis.hpp"
+#include "arrays.hpp"
 #include "planish/constraints/registry.hpp"
 #include "planish/edit/edit_option_table.hpp"
 #include "planish/measures/panel_health.hpp"
@@ -18,11 +19,6 @@ namespace planish {
 namespace {
 
 using emscripten::val;
-
-template <class T>
-val copy(const T* data, std::size_t size) {
-  return val(emscripten::typed_memory_view(size, data)).call<val>("slice");
-}
 
 template <class T>
 val list_of(const std::vector<T>& items) {
@@ -107,8 +103,7 @@ val source_value(const DesignSource& source) {
   value.set("file", file.name);
   value.set("hash", file.hash ? val(*file.hash) : val::null());
   value.set("format", file.format);
-  value.set("bytes",
-            copy(reinterpret_cast<const unsigned char*>(file.bytes.data()), file.bytes.size()));
+  value.set("bytes", copy(file.bytes));
   return value;
 }
 

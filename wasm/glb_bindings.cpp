@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The module of files as JavaScript sees it: GLB, and designs as text. No exception leaves it.
+/// Files as JavaScript sees them: GLB, and designs as text. No exception leaves it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "arrays.hpp"
 #include "design_values.hpp"
 #include "glb_file.hpp"
 #include "planish/design/design_text.hpp"
@@ -14,24 +15,12 @@
 namespace {
 
 using emscripten::val;
+using planish::copy;
 using planish::GlbContent;
 using planish::GlbVariations;
 using planish::OpenedGlb;
 using planish::Positions;
-
-template <class T>
-val copy(const T* data, std::size_t count) {
-  return val(emscripten::typed_memory_view(count, data)).call<val>("slice");
-}
-
-val bytes_of(const std::string& text) {
-  return copy(reinterpret_cast<const unsigned char*>(text.data()), text.size());
-}
-
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-}
+using planish::to_positions;
 
 val problem(const std::string& sentence) {
   val result = val::object();
@@ -66,11 +55,10 @@ val to_object(const OpenedGlb& opened) {
   val result = problem("");
   val warnings = val::array();
   for (const std::string& warning : opened.warnings) warnings.call<void>("push", warning);
-  result.set("mesh", bytes_of(opened.mesh));
+  result.set("mesh", copy(opened.mesh));
   result.set("stored", opened.design.empty() ? val::null() : read_design(opened.design));
-  result.set("moved", copy(opened.moved.data(), opened.moved.size()));
-  result.set("positions",
-             copy(opened.positions.data(), static_cast<std::size_t>(opened.positions.size())));
+  result.set("moved", copy(opened.moved));
+  result.set("positions", copy(opened.positions));
   result.set("warnings", warnings);
   return result;
 }
@@ -105,18 +93,18 @@ val assemble(const std::string& mesh, const val& base, const val& support, const
     if (Positions layer = to_positions(offset); layer.cols() > 0) content.offset = layer;
     GlbVariations variations = to_variations(support, displacements);
     if (!variations.displacements.empty()) content.variations = std::move(variations);
-    return bytes_of(planish::assemble_glb(mesh, content));
+    return copy(planish::assemble_glb(mesh, content));
   } catch (const std::exception&) {
-    return bytes_of("");
+    return copy(std::string());
   }
 }
 
 /// No bytes where there is no memory.
 val join_triangles(const std::string& mesh) {
   try {
-    return bytes_of(planish::join_triangles_of(mesh));
+    return copy(planish::join_triangles_of(mesh));
   } catch (const std::exception&) {
-    return bytes_of("");
+    return copy(std::string());
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The mobility module as JavaScript sees it: a list. Memory that runs out ends the module, and
+/// Where a mesh can move, as JavaScript sees it: a list. Memory that runs out ends the module, and
 /// with it the worker that measures.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "arrays.hpp"
 #include "design_values.hpp"
 #include "mobility_map.hpp"
 #include "mobility_values.hpp"
@@ -16,21 +17,10 @@ namespace {
 using emscripten::val;
 using planish::Mesh;
 using planish::MobilityMap;
-using planish::Positions;
-
-Mesh to_mesh(const val& positions, const val& offsets, const val& vertices) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(positions);
-  Mesh mesh;
-  mesh.positions =
-      Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-  mesh.face_offsets = emscripten::convertJSArrayToNumberVector<int>(offsets);
-  mesh.face_vertices = emscripten::convertJSArrayToNumberVector<int>(vertices);
-  return mesh;
-}
 
 /// {map}, or {problem} with one sentence. @param settings of the page's edits
 val open_map(const val& positions, const val& offsets, const val& vertices, const val& settings) {
-  Mesh mesh = to_mesh(positions, offsets, vertices);
+  Mesh mesh = planish::to_mesh(positions, offsets, vertices);
   const auto options = planish::map_options(planish::to_options(settings));
   val answer = val::object();
   if (const auto problem = planish::find_map_problem(mesh, options)) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "arrays.hpp"
 #include "edits.hpp"
 #include "files.hpp"
 #include "mobility_run.hpp"
@@ -49,19 +50,6 @@ val answer(const Operation& operation) {
   } catch (const std::exception& error) {
     return refusal(1, std::string("Internal error: ") + error.what());
   }
-}
-
-/// A copy that JavaScript owns; a bare view dies when memory grows.
-template <class T>
-val copy(const T* data, std::size_t size) {
-  return val(emscripten::typed_memory_view(size, data)).call<val>("slice");
-}
-val copy(const std::vector<int>& list) { return copy(list.data(), list.size()); }
-val copy(const Positions& positions) {
-  return copy(positions.data(), static_cast<std::size_t>(positions.size()));
-}
-val copy(const std::string& bytes) {
-  return copy(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
 
 /// Copied in one go: a std::string parameter would be filled byte by byte.

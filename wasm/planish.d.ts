@@ -2,6 +2,7 @@
 // What bindings.cpp lists, by hand; tests/parity/bindings.test.ts holds the two together. Operations
 // return "" when done, otherwise one sentence that says why nothing changed.
 
+import type { AnalysisModule } from "./planish_analysis.d.ts";
 import type {
   DesignValue,
   EditOptions,
@@ -9,12 +10,15 @@ import type {
   ResultMark,
   VariationFamily,
 } from "./planish_designs.d.ts";
+import type { MobilityModule } from "./planish_mobility.d.ts";
 import type { MeshReport, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
-import type { WholeModule } from "./planish_whole.d.ts";
+import type { SymmetryModule } from "./planish_symmetry.d.ts";
 
+export type * from "./planish_analysis.d.ts";
 export type * from "./planish_designs.d.ts";
+export type * from "./planish_mobility.d.ts";
 export type * from "./planish_reports.d.ts";
-export type { MeshSymmetry } from "./planish_whole.d.ts";
+export type * from "./planish_symmetry.d.ts";
 
 /** Opaque enumerator. */
 export interface EnumValue {
@@ -98,7 +102,7 @@ export interface Session {
   delete(): void;
 }
 
-export interface PlanishModule extends Partial<WholeModule> {
+export interface PlanishModule extends SymmetryModule, AnalysisModule, MobilityModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
   /** Of a shape, as designs record it. */

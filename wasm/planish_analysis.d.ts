@@ -66,5 +66,3 @@ export interface AnalysisModule {
   ) => Analysis;
   FairnessKind: { laplacian: EnumValue; second: EnumValue; third: EnumValue };
 }
-
-export default function createPlanishAnalysis(options?: object): Promise<AnalysisModule>;

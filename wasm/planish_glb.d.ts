@@ -38,5 +38,3 @@ export interface GlbModule {
   writeDesign(design: DesignValue): string;
   defaults(): Defaults;
 }
-
-export default function createPlanishGlb(options?: object): Promise<GlbModule>;

@@ -24,7 +24,3 @@ export interface MobilityModule {
     | { readonly map: MobilityMap; readonly problem?: undefined }
     | { readonly problem: string; readonly map?: undefined };
 }
-
-export default function createPlanishMobility(options?: {
-  readonly locateFile?: () => string;
-}): Promise<MobilityModule>;

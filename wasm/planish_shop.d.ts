@@ -168,5 +168,3 @@ export interface ShopModule {
   ): CuttingPreview;
   panelRows(design: ShopDesign, options: CuttingOptions): PanelRows;
 }
-
-export default function createPlanishShop(options?: object): Promise<ShopModule>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The module that writes for the workshop, as JavaScript sees it: one function for all files. No
-/// exception leaves it.
+/// What the workshop gets, as JavaScript sees it: one function for all files. No exception leaves
+/// it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 

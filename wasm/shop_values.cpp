@@ -3,25 +3,17 @@
 
 #include <emscripten/val.h>
 
+#include "arrays.hpp"
+
 namespace planish::shop {
-namespace {
 
 using emscripten::val;
 
-Positions to_positions(const val& numbers) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
-}
-
-}  // namespace
-
 ShopDesign to_design(const val& design) {
   ShopDesign result;
-  result.base.positions = to_positions(design["base"]);
-  result.base.face_offsets = emscripten::convertJSArrayToNumberVector<int>(design["offsets"]);
-  result.base.face_vertices = emscripten::convertJSArrayToNumberVector<int>(design["vertices"]);
+  result.base = to_mesh(design["base"], design["offsets"], design["vertices"]);
   result.mesh = result.base;
-  const auto moved = emscripten::convertJSArrayToNumberVector<int>(design["moved"]);
+  const auto moved = to_indices(design["moved"]);
   result.mesh.positions(Eigen::all, moved) = to_positions(design["movedPositions"]);
   return result;
 }

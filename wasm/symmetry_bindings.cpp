@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What planish_whole has beside what bindings.cpp lists: symmetry of the mesh that a session has
-/// open.
+/// Symmetry of the mesh that a session has open, as JavaScript sees it: a list.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -9,19 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "arrays.hpp"
 #include "planish/edit/symmetric_edit.hpp"
 #include "session.hpp"
 
 namespace {
 
 using emscripten::val;
+using planish::copy;
 using planish::MeshSymmetry;
 using planish::Session;
-
-template <class T>
-val copy(const std::vector<T>& data) {
-  return val(emscripten::typed_memory_view(data.size(), data.data())).call<val>("slice");
-}
 
 std::string set_symmetry(Session& s, const std::string& text, double tolerance) {
   try {

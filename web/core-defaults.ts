@@ -5,16 +5,16 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Plugin } from "vite";
-import type createPlanishGlb from "../wasm/planish_glb.d.ts";
+import type createDocuments from "../wasm/planish_documents.d.ts";
 
 const ID = "virtual:core-defaults";
 
 type Import = (url: string) => Promise<unknown>;
 
 async function askCore(wasmDir: string, load: Import): Promise<string> {
-  const glue = pathToFileURL(join(wasmDir, "planish_glb.mjs")).href;
-  const create = ((await load(glue)) as { default: typeof createPlanishGlb }).default;
-  const wasmBinary = await readFile(join(wasmDir, "planish_glb.wasm"));
+  const glue = pathToFileURL(join(wasmDir, "planish_documents.mjs")).href;
+  const create = ((await load(glue)) as { default: typeof createDocuments }).default;
+  const wasmBinary = await readFile(join(wasmDir, "planish_documents.wasm"));
   const { options, ...others } = (await create({ wasmBinary })).defaults();
   const usual = Object.fromEntries(options.map((row) => [row.key, row.usual]));
   const words = Object.fromEntries(

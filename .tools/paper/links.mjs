@@ -80,7 +80,7 @@ async function withPageModules(use) {
 export const linksOf = (views) =>
   withPageModules(async ({ link, text, dispatch }) => {
     const solver = new Solver(dispatch, await load("planish"));
-    const files = await load("planish_glb");
+    const files = await load("planish_documents");
     const links = [];
     for (const view of views) {
       const native = toRecipe(view.design, view.camera, text, files);

@@ -87,7 +87,7 @@ it("a second layer is shown, follows the design, and is in its GLB", async () =>
   const picked = await pick(page);
   const picture = async () => (await exportAs(page, "PNG")).toString("base64");
   const before = await picture();
-  expect(requests.join()).not.toContain("planish_shop");
+  expect(requests.join()).not.toContain("planish_documents");
   expect(await layOut(page, "0.25")).toBe("Panels lie at 250 mm everywhere.");
   const note = page.getByRole("region", { name: "Second layer" });
   await note.getByText("Panels lie at 250 mm everywhere.").waitFor();

@@ -59,7 +59,7 @@ it("a package has the bytes of the command line, and says what must be made agai
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
   await editVault(page);
-  expect(requests.some((url) => url.includes("planish_shop"))).toBe(false);
+  expect(requests.some((url) => url.includes("planish_documents"))).toBe(false);
   const dialog = await openDialog(page, "Cutting package…");
   await dialog.getByLabel("Joint between panels").fill("6");
   await dialog.getByLabel("Sheet width").fill("6000");

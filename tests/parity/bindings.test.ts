@@ -5,7 +5,7 @@ import { variationWeights } from "virtual:core-defaults";
 import { expect, it } from "vitest";
 import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../web/src/design/design.ts";
 import { KINDS } from "../../web/src/design/kept-kind.ts";
-import { loadAnalysis, loadGlb, loadMobility, loadPlanish } from "./support/planish.ts";
+import { loadDocuments, loadPlanish } from "./support/planish.ts";
 
 const read = (name: string, ending = "d.ts"): string =>
   readFileSync(new URL(`../../wasm/${name}.${ending}`, import.meta.url), "utf8");
@@ -76,7 +76,7 @@ it("declares every option of the core, in types and words", async () => {
   for (const reach of [-1, 2.5, 1e20])
     expect(session.setOptions({ ...DEFAULT_SETTINGS, reach })).toMatch(/^reach must be/);
   session.delete();
-  const { options: rows, kinds } = (await loadGlb()).defaults();
+  const { options: rows, kinds } = (await loadDocuments()).defaults();
   expect(Object.keys(kinds).sort()).toEqual([...KINDS]);
   const designs = read("planish_designs");
   expect(rows.map(({ key }) => key).sort()).toEqual(declared("EditOptions", designs));
@@ -123,7 +123,7 @@ it("a replay gives the bits of its steps, and is known by its mark", async () =>
   expect(whole.replay(design, whole.baseHash())).toBe("");
   expect(whole.movedPositions()).toEqual(steps.movedPositions());
   expect(whole.replayed()).toMatchObject({ directions: Int32Array.of(3), deviation: 0 });
-  const glb = await loadGlb();
+  const glb = await loadDocuments();
   const { design: again } = glb.readDesign(glb.writeDesign(design));
   expect(again).toMatchObject({
     ...design,
@@ -143,10 +143,9 @@ it("marks a shape as the first links did", async () => {
 });
 
 it("declares every bound member of MobilityMap; its rows are those of the command line", async () => {
-  const { Session } = await loadPlanish();
+  const { openMap, Session } = await loadPlanish();
   const session = new Session();
   expect(session.openSample("vault", 16)).toBe("");
-  const { openMap } = await loadMobility();
   const mesh = [session.basePositions(), session.faceOffsets(), session.faceVertices()] as const;
   const settings = { ...DEFAULT_SETTINGS, softness: 5, keepBoundary: true, reach: 6 };
   const { map } = openMap(...mesh, settings);
@@ -167,8 +166,7 @@ it("declares every bound member of MobilityMap; its rows are those of the comman
 });
 
 it("declares every bound member of Analysis; it measures what a session shows", async () => {
-  const { Session } = await loadPlanish();
-  const { Analysis, FairnessKind } = await loadAnalysis();
+  const { Analysis, FairnessKind, Session } = await loadPlanish();
   const session = new Session();
   expect(session.openSample("vault", 9)).toBe("");
   const analysis = new Analysis(

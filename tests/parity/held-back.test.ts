@@ -24,7 +24,7 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
   const ask = async (request: Exclude<Request, { kind: "start" }>): Promise<Reply | undefined> => {
     replies.length = 0;
     await dispatcher.handle(request);
-    return replies.find(({ kind }) => kind !== "progress" && kind !== "measurable");
+    return replies.find(({ kind }) => kind !== "progress");
   };
   const source = { kind: "sample", name, size: SIZE } as const;
   const opened = await ask({ kind: "open", job: 1, source, planarise: null, symmetry: null });

@@ -34,7 +34,7 @@ class Page {
   async ask(request: Exclude<Request, { kind: "start" }>): Promise<Reply> {
     this.#replies.length = 0;
     await this.#dispatcher.handle(request);
-    const answer = this.#replies.find(({ kind }) => kind !== "progress" && kind !== "measurable");
+    const answer = this.#replies.find(({ kind }) => kind !== "progress");
     if (!answer || answer.kind === "failed") throw new Error(answer?.message ?? "no answer");
     return answer;
   }

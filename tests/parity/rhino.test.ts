@@ -8,7 +8,7 @@ import { type RhinoModule, unitSystem } from "../../web/src/rhino/model.ts";
 import { readModel, writeObj } from "../../web/src/rhino/read-model.ts";
 import { type Model, writeModel } from "../../web/src/rhino/write-model.ts";
 import { plainOptions } from "../../web/src/solver/cutting-options.ts";
-import { loadPlanish, loadShop } from "./support/planish.ts";
+import { loadDocuments, loadPlanish } from "./support/planish.ts";
 import { loadRhino } from "./support/rhino.ts";
 
 let rhino: RhinoModule;
@@ -20,7 +20,7 @@ const SHOP = plainOptions("m", "m");
 
 /** A sample with one point raised, as the worker would hand it over. */
 async function edited(sample: string, size: number, raise: number): Promise<Model> {
-  const [planish, shop] = [await loadPlanish(), await loadShop()];
+  const [planish, shop] = [await loadPlanish(), await loadDocuments()];
   const session = new planish.Session();
   expect(session.openSample(sample, size)).toBe("");
   const positions = session.basePositions();

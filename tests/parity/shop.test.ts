@@ -6,11 +6,11 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Session } from "@wasm/planish.mjs";
-import type { CuttingHeader, ShopDesign, ShopOrder } from "@wasm/planish_shop.mjs";
+import type { CuttingHeader, ShopDesign, ShopOrder } from "@wasm/planish_documents.mjs";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { linkCode } from "../../web/src/export/link-code.ts";
 import { plainOptions } from "../../web/src/solver/cutting-options.ts";
-import { loadPlanish, loadShop } from "./support/planish.ts";
+import { loadDocuments, loadPlanish } from "./support/planish.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
 const SAMPLES = ["vault", "dome", "freeform", "hex", "trihex"];
@@ -55,7 +55,7 @@ async function editedSample(sample: string): Promise<ShopDesign> {
 
 async function made(design: ShopDesign, order: ShopOrder) {
   const digest = createHash("sha256");
-  const shop = await loadShop();
+  const shop = await loadDocuments();
   const { problem, header } = shop.write(design, order, (piece) => digest.update(piece));
   expect(problem).toBe("");
   expect("missed" in header).toBe(order.what === "drawings");
@@ -136,7 +136,7 @@ it.each([
   { gap: 300, sheetWidth: 1500, sheetHeight: 900, remakeOnly: true },
   { gap: 0, sheetWidth: 0, sheetHeight: 0, remakeOnly: true },
 ])("the preview says what the package will: %o", async (asked) => {
-  const [design, shop] = [await editedSample("freeform"), await loadShop()];
+  const [design, shop] = [await editedSample("freeform"), await loadDocuments()];
   const options = { ...OPTIONS, ...asked };
   const preview = shop.cuttingPreview(design, options, -1, true);
   const order: ShopOrder = { what: "package", options, code: linkCode("") };
@@ -159,7 +159,7 @@ it.each([
 it("refuses by name what is wrong, as a sentence", async () => {
   const design = await editedSample("vault");
   const options = { ...OPTIONS, sheetWidth: 100 };
-  const shop = await loadShop();
+  const shop = await loadDocuments();
   const code = linkCode("");
   let pieces = 0;
   const refusal = (order: ShopOrder) => shop.write(design, order, () => ++pieces).problem;

@@ -7,7 +7,7 @@ import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
 import { Dispatcher } from "../../web/src/solver/dispatch.ts";
 import type { Reply, Request, SliderRange } from "../../web/src/solver/protocol.ts";
 import { rangesOf } from "../../web/src/solver/sliders.ts";
-import { loadAnalysis, loadPlanish } from "./support/planish.ts";
+import { loadPlanish } from "./support/planish.ts";
 
 const SIZE = 16;
 const SETTINGS = 5;
@@ -88,7 +88,7 @@ it.each(["roof", "vault", "dome", "hex"])(
     } as const;
     const { leads } = await ask(explored, "explored");
     expect(leads.length).toBeGreaterThan(0);
-    const { Analysis } = await loadAnalysis();
+    const { Analysis } = await loadPlanish();
     const analysis = new Analysis(positions, offsets, vertices, new Float64Array(0));
     const [{ shape }, [session]] = [edit, sessions];
     if (!shape || !session) throw new Error("no shape");

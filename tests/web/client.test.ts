@@ -41,9 +41,8 @@ async function connect() {
     setTimeout(() => worker.reply({ kind: "ready", job: 0 }));
     return worker as unknown as Worker;
   };
-  const client = new SolverClient(Object.assign(spawn, { takeWhole: async () => {} }), {
+  const client = new SolverClient(spawn, {
     progress: (progress) => steps.push(progress.kind === "progress" ? progress.step : 0),
-    measurable: () => {},
     died: (sentence) => deaths.push(sentence),
   });
   await client.ready;

@@ -29,7 +29,7 @@ async function lift(page: Page, by: number): Promise<void> {
 
 it("says when the solver cannot be had", async () => {
   const gone = () => Promise.reject(new Error("No network."));
-  const page = new Page(Object.assign(gone, { takeWhole: gone }));
+  const page = new Page(gone);
   expect(await solverIsThere(page)).toBe(false);
   expect(page.stranded.value).toBe(true);
   expect(page.problem.value).toBe("No network.");

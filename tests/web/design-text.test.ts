@@ -4,14 +4,14 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { fromDesign } from "../../web/src/design/design-value.ts";
-import { loadGlb } from "../parity/support/planish.ts";
+import { loadDocuments } from "../parity/support/planish.ts";
 import { Damage } from "./support/mutations.ts";
 
 const INPUTS = Number(process.env.PLANISH_FUZZ_INPUTS ?? 5_000);
 const SEED = Number(process.env.PLANISH_SEED ?? 20_260_101);
 
 /** As the page reads one: the core by its module for files, then what the page can show of it. */
-const core = await loadGlb();
+const core = await loadDocuments();
 const readDesign = (text: string) => fromDesign(core.readDesign(text));
 
 const FOLDER = new URL("../../docs/scenes/", import.meta.url);

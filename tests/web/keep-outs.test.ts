@@ -31,7 +31,7 @@ import { openSample } from "../../web/src/state/opening.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
 import { panelsAtLimit } from "../../web/src/state/wanted.ts";
-import { loadGlb } from "../parity/support/planish.ts";
+import { loadDocuments } from "../parity/support/planish.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 /** The middle of the roof, of 21 by 21 points. */
@@ -56,7 +56,7 @@ async function underACeiling(): Promise<{ recipe: Steps; ceiling: number }> {
     handles: [[MIDDLE, x, y, z + 0.4]],
     options: { shape: true, keep_out: [`above=${ceiling}`], clearance: 0.02 },
   };
-  const read = fromDesign((await loadGlb()).readDesign(JSON.stringify(design)));
+  const read = fromDesign((await loadDocuments()).readDesign(JSON.stringify(design)));
   if (!read.ok || !read.value.source) throw new Error("not read");
   return { recipe: { ...read.value, source: read.value.source, camera: null }, ceiling };
 }

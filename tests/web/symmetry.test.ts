@@ -20,7 +20,7 @@ import {
   noMirrors,
   setMirrors,
 } from "../../web/src/state/symmetry.ts";
-import { loadGlb } from "../parity/support/planish.ts";
+import { loadDocuments } from "../parity/support/planish.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 const NONE = { across: [false, false, false], turns: [0, 0, 0] };
@@ -164,7 +164,7 @@ it("its link is the same design in another page, to the last bit", async () => {
   expect(other.notice.value).toMatch(/^Verified/);
   expect(mostImages(other).value).toBe(2);
   // As a file the core writes and reads it.
-  const glb = await loadGlb();
+  const glb = await loadDocuments();
   const again = fromDesign(glb.readDesign(glb.writeDesign(toDesign(recipe))));
   expect(again.ok && again.value.settings.symmetry).toEqual(design.settings.symmetry);
 });

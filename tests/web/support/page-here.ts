@@ -54,22 +54,14 @@ class WorkerHere extends EventTarget {
   }
 }
 
-const modules = new Map<string, Promise<PlanishModule>>();
-
 /** Loaded once for all pages of a test file. */
-function moduleNamed(name: string): Promise<PlanishModule> {
-  const loaded = modules.get(name) ?? loadPlanish(name);
-  modules.set(name, loaded);
-  return loaded;
-}
+let loaded: Promise<PlanishModule> | null = null;
 
 function spawnHere(fate: Fate): SpawnWorker {
-  let name = "planish";
-  const start = async () => new WorkerHere(await moduleNamed(name), fate) as unknown as Worker;
-  const takeWhole = async () => {
-    name = "planish_whole";
+  return async () => {
+    loaded ??= loadPlanish();
+    return new WorkerHere(await loaded, fate) as unknown as Worker;
   };
-  return Object.assign(start, { takeWhole });
 }
 
 /** One with nothing open yet. */
@@ -83,7 +75,7 @@ export function pageHere(fate: Fate = () => null): Page {
 /** One whose solver never comes. */
 export const pageAlone = (): Page => {
   const never = <T>() => new Promise<T>(() => {});
-  return new Page(Object.assign(() => never<Worker>(), { takeWhole: () => never<void>() }));
+  return new Page(() => never<Worker>());
 };
 
 /** One with a sample open. */

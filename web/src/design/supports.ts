@@ -37,10 +37,6 @@ const ALL_ON_SURFACE = "surface:all";
 export const areAllOnSurface = (supports: readonly string[]): boolean =>
   supports.includes(ALL_ON_SURFACE);
 
-/** Whether any point stands on a surface, of the mesh itself or of another model. */
-export const anyOnSurface = (supports: readonly string[]): boolean =>
-  supports.some((support) => support.startsWith("surface"));
-
 /** Whether it takes a point along a line of the mesh or a surface: there is one such for a point. */
 const isFollowed = (support: string): boolean => /^(?:outline|polyline|surface)\b/.test(support);
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is measured on a finished design, by a module of its own that is fetched after the first.
-import type { Session } from "@wasm/planish.mjs";
-import type { Analysis, AnalysisModule } from "@wasm/planish_analysis.mjs";
-import analysisUrl from "@wasm/planish_analysis.wasm?url";
+// What is measured on a finished design.
+import type { Analysis, PlanishModule, Session } from "@wasm/planish.mjs";
 import type { AlsoMeasured, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
-
-async function load(): Promise<AnalysisModule> {
-  const { default: create } = await import("@wasm/planish_analysis.mjs");
-  return create({ locateFile: () => analysisUrl });
-}
 
 /** What sliders do to an edit. */
 export interface ShapeFamily {
@@ -19,20 +12,17 @@ export interface ShapeFamily {
   readonly moves: Float64Array;
 }
 
-/** Measures what one session shows; nothing before its module has arrived, so that a drag never
- * waits for it. */
+/** Measures what one session shows. */
 export class DesignAnalysis {
+  readonly #module: PlanishModule;
   readonly #session: Session;
-  readonly #arrived: () => void;
-  #loading = false;
-  #module: AnalysisModule | null = null;
   #analysis: Analysis | null = null;
   /** That it knows. */
   #family: ShapeFamily | null = null;
 
-  constructor(session: Session, arrived: () => void) {
+  constructor(module: PlanishModule, session: Session) {
+    this.#module = module;
     this.#session = session;
-    this.#arrived = arrived;
   }
 
   /** The session has another base now. */
@@ -42,24 +32,22 @@ export class DesignAnalysis {
     this.#family = null;
   }
 
-  panels({ fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures | null {
-    const [module, analysis] = this.#current();
-    if (!module || !analysis) return null;
+  panels({ fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures {
+    const analysis = this.#current();
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
       nodes: analysis.nodesToRemake(),
       damage: analysis.panelDamage(),
       folds: folds ? analysis.panelFolds() : null,
-      bending: fairness ? analysis.vertexBending(module.FairnessKind[fairness]) : null,
+      bending: fairness ? analysis.vertexBending(this.#module.FairnessKind[fairness]) : null,
       defects: defectsOf ? analysis.defects(defectsOf) : null,
     };
   }
 
   /** Of a shape that need not be shown. */
-  measure({ moved, positions }: Shape): PanelMeasures | null {
-    const [, analysis] = this.#current();
-    if (!analysis) return null;
+  measure({ moved, positions }: Shape): PanelMeasures {
+    const analysis = this.#current();
     analysis.show(moved, positions);
     return {
       figures: analysis.panelFigures(),
@@ -73,9 +61,8 @@ export class DesignAnalysis {
   }
 
   /** Of each slider of a family, all others where they are: lower stop, its panel, upper stop, its panel. */
-  stops(family: ShapeFamily, values: readonly number[]): Float64Array | null {
-    const [, analysis] = this.#current();
-    if (!analysis) return null;
+  stops(family: ShapeFamily, values: readonly number[]): Float64Array {
+    const analysis = this.#current();
     if (this.#family !== family) {
       const { centre, support, moves } = family;
       analysis.setFamily(centre.moved, centre.positions, support, moves);
@@ -85,17 +72,12 @@ export class DesignAnalysis {
   }
 
   freedom({ handles, pins }: Targets): FreedomReport | null {
-    const [, analysis] = this.#current();
-    if (!analysis) return null;
-    return analysis.freedom(Float64Array.from(handles), Int32Array.from(pins));
+    return this.#current().freedom(Float64Array.from(handles), Int32Array.from(pins));
   }
 
-  #current(): [AnalysisModule, Analysis] | [null, null] {
+  /** Of what the session shows now. */
+  #current(): Analysis {
     const session = this.#session;
-    if (!this.#module) {
-      void this.#load();
-      return [null, null];
-    }
     this.#analysis ??= new this.#module.Analysis(
       session.basePositions(),
       session.faceOffsets(),
@@ -103,19 +85,6 @@ export class DesignAnalysis {
       session.beforePlanarising(),
     );
     this.#analysis.show(session.moved(), session.movedPositions());
-    return [this.#module, this.#analysis];
-  }
-
-  /** Without it there are no tables; the next question tries again. */
-  async #load(): Promise<void> {
-    if (this.#loading) return;
-    this.#loading = true;
-    try {
-      this.#module = await load();
-      this.#arrived();
-    } catch {
-      this.#module = null;
-    }
-    this.#loading = false;
+    return this.#analysis;
   }
 }

@@ -7,7 +7,7 @@ type Unnumbered<T> = T extends unknown ? Omit<T, "job"> : never;
 export type Question = Unnumbered<Job>;
 export type Progress = Extract<Reply, { kind: "progress" } | { kind: "reading" }>;
 /** Said by the worker on its own. */
-type Unasked = Extract<Reply, { kind: "ready" } | { kind: "measurable" }>;
+type Unasked = Extract<Reply, { kind: "ready" }>;
 export type Answer = Exclude<Reply, Unasked | Progress>;
 
 /** Rejects a job that was cancelled or overtaken; nothing to tell the user. */
@@ -24,18 +24,11 @@ interface Waiting {
   readonly stream: boolean;
 }
 
-export interface SpawnWorker {
-  /** A new worker; `died` is to be called when it is gone, whether it says so or not. */
-  (died: () => void): Promise<Worker>;
-  /** Those started from now on know keep-outs and variations, too; rejects where what they need did not
-   * come. */
-  takeWhole(): Promise<void>;
-}
+/** A new worker; `died` is to be called when it is gone, whether it says so or not. */
+export type SpawnWorker = (died: () => void) => Promise<Worker>;
 
 export interface ClientEvents {
   readonly progress: (progress: Progress) => void;
-  /** What measures designs has arrived in this worker. */
-  readonly measurable: () => void;
   /** The worker is gone and its replacement starts: open and restore must follow. */
   readonly died: (sentence: string) => void;
 }
@@ -121,7 +114,6 @@ export class SolverClient {
     await new Promise<void>((resolve, reject) => {
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
         if (data.kind === "ready") resolve();
-        else if (data.kind === "measurable") this.#events.measurable();
         else this.#receive(data);
       };
       worker.onerror = (event) => {

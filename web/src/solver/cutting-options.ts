@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { CuttingOptions } from "@wasm/planish_shop.mjs";
+import type { CuttingOptions } from "@wasm/planish_documents.mjs";
 
 /** All panels, without joints, thickness, sheets or a name. */
 export const plainOptions = (modelUnit: string, unit: string): CuttingOptions => ({

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
-// GLB, and designs as text, are read and written by a module of its own, fetched when it is needed
-// for the first time.
+// GLB, and designs as text, are read and written by the module of documents.
 // Meshes pass between it and the session as OBJ, which keeps every bit.
 import type { Session } from "@wasm/planish.mjs";
-import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_glb.mjs";
-import glbUrl from "@wasm/planish_glb.wasm?url";
+import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_documents.mjs";
+import { loadDocuments } from "./documents.ts";
 import type { Request, StoredDesign } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
-
-async function load(): Promise<GlbModule> {
-  const { default: create } = await import("@wasm/planish_glb.mjs");
-  return create({ locateFile: () => glbUrl });
-}
 
 interface OpenedGlb {
   readonly mesh: Uint8Array;
@@ -71,7 +65,7 @@ export class DesignFiles {
   }
 
   async #module(): Promise<GlbModule> {
-    this.#loading ??= load();
+    this.#loading ??= loadDocuments();
     try {
       return await this.#loading;
     } catch {

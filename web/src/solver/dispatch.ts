@@ -53,7 +53,7 @@ function readMesh(
     report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
     groups: session.groups(),
-    symmetry: module.symmetryOf?.(session) ?? null,
+    symmetry: module.symmetryOf(session),
     ...prepareDisplay({
       display: session.displayBase(),
       offsets: session.faceOffsets(),
@@ -88,9 +88,7 @@ export class Dispatcher {
     this.#module = module;
     this.#session = new module.Session();
     this.#edits = new Edits(module, this.#session);
-    this.#analysis = new DesignAnalysis(this.#session, () =>
-      post({ kind: "measurable", job: 0 }, []),
-    );
+    this.#analysis = new DesignAnalysis(module, this.#session);
     this.#post = post;
     this.#session.onProgress((residual) => {
       this.#post({ kind: "progress", job: this.#job, step: ++this.#step, residual }, []);
@@ -141,9 +139,7 @@ export class Dispatcher {
   }
 
   #setSymmetry({ elements, tolerance }: Symmetry): void {
-    const { setSymmetry } = this.#module;
-    if (!setSymmetry) throw new Error("This module knows no symmetry.");
-    insist(setSymmetry(this.#session, elements.join(","), tolerance));
+    insist(this.#module.setSymmetry(this.#session, elements.join(","), tolerance));
   }
 
   async #read({ job, file, name, format }: Extract<Request, { kind: "read" }>): Promise<void> {
@@ -291,7 +287,7 @@ export class Dispatcher {
 
   #postMeasures(job: number, also: AlsoMeasured): void {
     const measures = this.#analysis.panels(also);
-    const parts: readonly unknown[] = Object.values(measures ?? {});
+    const parts: readonly unknown[] = Object.values(measures);
     const buffers = parts.flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The worker that measures where a mesh can move: a point at a time, so that it can be stopped.
-import type { MobilityMap, MobilityRow } from "@wasm/planish_mobility.mjs";
-import mobilityUrl from "@wasm/planish_mobility.wasm?url";
+import type { MobilityMap, MobilityRow } from "@wasm/planish.mjs";
+import wasmUrl from "@wasm/planish.wasm?url";
 import type { EditSettings } from "./protocol.ts";
 
-export type { MobilityRow } from "@wasm/planish_mobility.mjs";
+export type { MobilityRow } from "@wasm/planish.mjs";
 
 export type MobilityOrder =
   | {
@@ -51,8 +51,8 @@ let next = 0;
 let running = false;
 
 async function open(order: Extract<MobilityOrder, { kind: "open" }>): Promise<void> {
-  const { default: create } = await import("@wasm/planish_mobility.mjs");
-  const module = await create({ locateFile: () => mobilityUrl });
+  const { default: create } = await import("@wasm/planish.mjs");
+  const module = await create({ locateFile: () => wasmUrl });
   const { positions, offsets, vertices, settings } = order;
   const opened = module.openMap(positions, offsets, vertices, settings);
   if (!opened.map) throw new Error(opened.problem);

@@ -4,7 +4,7 @@
 // Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
 
 import type * as Reports from "@wasm/planish.mjs";
-import type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
+import type { FreedomReport, NodeCounts } from "@wasm/planish.mjs";
 import type {
   CuttingHeader,
   CuttingOptions,
@@ -13,7 +13,7 @@ import type {
   MeshOffset,
   OffsetKind,
   ShopOrder,
-} from "@wasm/planish_shop.mjs";
+} from "@wasm/planish_documents.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import type { UpAxis } from "../mesh/up-axis.ts";
 import type { Unit } from "../quantity/units.ts";
@@ -24,8 +24,10 @@ export type {
   DesignReading,
   DesignValue,
   DesignVariation,
+  FreedomReport,
   KindDefects,
   MeshReport,
+  NodeCounts,
   Optimality,
   Planarising,
   ResultMark,
@@ -33,7 +35,6 @@ export type {
   VariationsReport,
   VariationWeights,
 } from "@wasm/planish.mjs";
-export type { FreedomReport, NodeCounts } from "@wasm/planish_analysis.mjs";
 export type {
   CuttingHeader,
   CuttingOptions,
@@ -44,7 +45,7 @@ export type {
   MeshOffset,
   OffsetKind,
   ShopOrder,
-} from "@wasm/planish_shop.mjs";
+} from "@wasm/planish_documents.mjs";
 
 /** Of meshes that the core reads, as names of files end. */
 export const FILE_FORMATS = ["obj", "off", "ply", "glb"] as const;
@@ -92,15 +93,9 @@ export type Source =
       readonly crc: number;
     };
 
-/** A module of the solver: the one that a visit begins with, or the whole of it. */
-export interface Compiled {
-  readonly module: WebAssembly.Module;
-  readonly whole: boolean;
-}
-
 export type Request =
   /** The worker holds the lock named `alive` for as long as it lives. */
-  | { kind: "start"; job: 0; compiled: Compiled; alive: string }
+  | { kind: "start"; job: 0; compiled: WebAssembly.Module; alive: string }
   | {
       kind: "open";
       job: number;
@@ -323,14 +318,11 @@ export type Reply =
       report: Reports.VariationsReport;
       leads: readonly SliderLead[];
     }
-  /** null until `measurable`. */
+  /** null before anything was explored. */
   | { kind: "stops"; job: number; ranges: readonly SliderRange[] | null }
   | { kind: "projected"; job: number; shape: Shape; report: ShapeReport }
-  /** null until `measurable`. */
-  | { kind: "panels"; job: number; measures: PanelMeasures | null }
-  /** What measures has arrived: ask again. Until then nothing else waits for it. */
-  | { kind: "measurable"; job: 0 }
-  /** null until `measurable`, and where too many points move to count. */
+  | { kind: "panels"; job: number; measures: PanelMeasures }
+  /** null where too many points move to count. */
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
   | { kind: "made"; job: number; file: Blob; header: CuttingHeader | DrawnHeader }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the workshop gets is written by a module of its own, fetched when it is needed for the first time.
+// What the workshop gets is written by the module of documents.
 import type { Session } from "@wasm/planish.mjs";
 import type {
   CuttingOptions,
@@ -10,15 +10,14 @@ import type {
   ShopModule,
   ShopOrder,
   Written,
-} from "@wasm/planish_shop.mjs";
-import shopUrl from "@wasm/planish_shop.wasm?url";
+} from "@wasm/planish_documents.mjs";
 import { plainOptions } from "./cutting-options.ts";
+import { loadDocuments } from "./documents.ts";
 
 /** A new instance for each order: its memory, which only grows, goes when the order is done. */
-async function loadShop(): Promise<ShopModule> {
+async function loadPart(): Promise<ShopModule> {
   try {
-    const { default: create } = await import("@wasm/planish_shop.mjs");
-    return await create({ locateFile: () => shopUrl });
+    return await loadDocuments();
   } catch {
     throw new Error("The part that writes for the workshop could not be loaded. Try again online.");
   }
@@ -40,7 +39,7 @@ export interface ShopFile {
 
 /** The design shown against its base; throws a sentence if it is refused. */
 export async function writeForShop(session: Session, order: ShopOrder): Promise<ShopFile> {
-  const shop = await loadShop();
+  const shop = await loadPart();
   const pieces: Blob[] = [];
   const { problem, header } = shop.write(designOf(session), order, (piece) => {
     pieces.push(new Blob([piece as BlobPart]));
@@ -56,7 +55,7 @@ export async function previewPackage(
   face: number,
   map: boolean,
 ): Promise<CuttingPreview> {
-  const shop = await loadShop();
+  const shop = await loadPart();
   return shop.cuttingPreview(designOf(session), options, face, map);
 }
 
@@ -66,13 +65,13 @@ export async function offsetOf(
   distance: number,
   kind: OffsetKind | "",
 ): Promise<MeshOffset> {
-  const shop = await loadShop();
+  const shop = await loadPart();
   return shop.offsetMesh(designOf(session), distance, kind);
 }
 
 /** panels.csv in the model's own unit. */
 export async function panelRows(session: Session, unit: string): Promise<string> {
-  const shop = await loadShop();
+  const shop = await loadPart();
   const { problem, csv } = shop.panelRows(designOf(session), plainOptions(unit, unit));
   if (problem) throw new Error(`The table of panels was refused: ${problem}.`);
   return csv;

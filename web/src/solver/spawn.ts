@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 import wasmUrl from "@wasm/planish.wasm?url";
-import wholeUrl from "@wasm/planish_whole.wasm?url";
 import type { SpawnWorker } from "./client.ts";
-import type { Compiled, Request } from "./protocol.ts";
+import type { Request } from "./protocol.ts";
 import { reachable } from "./reachable.ts";
 import workerUrl from "./worker.ts?worker&url";
 
 /** Compiles as it downloads; falls back where the server sends no wasm media type. */
-async function compile(whole: boolean): Promise<Compiled> {
-  const response = await fetch(whole ? wholeUrl : wasmUrl);
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(wasmUrl);
   if (!response.ok) throw new Error(`The solver could not be loaded (${response.status}).`);
   const streams = response.headers.get("content-type")?.startsWith("application/wasm");
-  const module = await (streams
+  return streams
     ? WebAssembly.compileStreaming(response)
-    : WebAssembly.compile(await response.arrayBuffer()));
-  return { module, whole };
+    : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /**
@@ -31,18 +29,14 @@ function watch(worker: Worker, alive: string, died: () => void): void {
 
 /** What starts solver workers; the module is compiled once for all of them. */
 export function solverSpawner(): SpawnWorker {
-  let compiled: Promise<Compiled> | null = null;
-  const start = (died: () => void) => {
-    compiled ??= compile(false);
+  let compiled: Promise<WebAssembly.Module> | null = null;
+  return (died) => {
+    compiled ??= compile();
     return spawn(compiled, died);
   };
-  const takeWhole = async () => {
-    compiled = Promise.resolve(await compile(true));
-  };
-  return Object.assign(start, { takeWhole });
 }
 
-async function spawn(coming: Promise<Compiled>, died: () => void): Promise<Worker> {
+async function spawn(coming: Promise<WebAssembly.Module>, died: () => void): Promise<Worker> {
   // The worker loads its script while the module compiles.
   const worker = new Worker(reachable(workerUrl), { type: "module" });
   const compiled = await coming.catch((error: unknown) => {

@@ -2,7 +2,7 @@
 // The worker's entry: loads the module, then hands every request to the dispatcher.
 import createPlanish, { type PlanishModule } from "@wasm/planish.mjs";
 import { Dispatcher } from "./dispatch.ts";
-import type { Compiled, Reply, Request } from "./protocol.ts";
+import type { Reply, Request } from "./protocol.ts";
 import { warmUp } from "./warm-up.ts";
 
 const scope = self as unknown as DedicatedWorkerGlobalScope;
@@ -29,15 +29,14 @@ function stayAlive(name: string): Promise<void> {
 }
 
 /** The page compiles once; a worker that replaces a cancelled one starts from the same module. */
-async function start({ module, whole }: Compiled, alive: string): Promise<Solver> {
-  const create = whole ? (await import("@wasm/planish_whole.mjs")).default : createPlanish;
+async function start(compiled: WebAssembly.Module, alive: string): Promise<Solver> {
   const [planish] = await Promise.all([
-    create({
+    createPlanish({
       instantiateWasm(
         imports: WebAssembly.Imports,
         done: (instance: WebAssembly.Instance) => void,
       ) {
-        WebAssembly.instantiate(module, imports).then(done);
+        WebAssembly.instantiate(compiled, imports).then(done);
         return {};
       },
     }),

@@ -16,7 +16,6 @@ const EAGER = 200_000;
 export function keepPanelFigures(page: Page): () => void {
   return effect(() => {
     const design = page.history.value?.present;
-    page.measurable.value;
     if (!design || !page.ready.value) return;
     page.panelDamage.value = null;
     const fairness = page.colourBy.value === "fairness" ? design.settings.fairness : null;
@@ -52,7 +51,6 @@ export function keepPanelFigures(page: Page): () => void {
 export function keepFreedom(page: Page): () => void {
   return effect(() => {
     const design = page.history.value?.present;
-    page.measurable.value;
     if (!design || !page.ready.value) return;
     const opened = page.mesh.peek();
     const short = opened !== null && stopsShort(design, opened.positions, opened.report.meanEdge);

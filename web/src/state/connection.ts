@@ -2,7 +2,6 @@
 // The one solver of the page, and what its answers do to the state.
 
 import { type Design, toTargets } from "../design/design.ts";
-import { anyOnSurface } from "../design/supports.ts";
 import { symmetryIn } from "../design/symmetry.ts";
 import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
@@ -62,20 +61,16 @@ interface Held {
   base: Base | null;
   /** The shape that its variations were found around. */
   centre: Shape | null;
-  /** What it was told of its shape; null where it found that itself. */
-  told: Extract<Question, { kind: "restore" }> | null;
 }
 
-export const held = kept((): Held => ({ base: null, centre: null, told: null }));
+export const held = kept((): Held => ({ base: null, centre: null }));
 
 interface Own {
   recover: () => void;
   running: number;
-  /** Whether the solver is the one that knows keep-outs and variations. */
-  whole: boolean;
 }
 
-const own = kept((): Own => ({ recover: () => {}, running: 0, whole: false }));
+const own = kept((): Own => ({ recover: () => {}, running: 0 }));
 
 /** Calls `action` after the solver died and its replacement was started. */
 export function onDeath(page: Page, action: () => void): void {
@@ -83,7 +78,7 @@ export function onDeath(page: Page, action: () => void): void {
 }
 
 function forget(page: Page): void {
-  Object.assign(held(page), { base: null, centre: null, told: null } satisfies Held);
+  Object.assign(held(page), { base: null, centre: null } satisfies Held);
 }
 
 export const client = kept(
@@ -97,9 +92,6 @@ export const client = kept(
           progress.kind === "reading"
             ? { label, step, read: { done: progress.done, total: progress.total } }
             : { label, step: progress.step };
-      },
-      measurable: () => {
-        page.measurable.value += 1;
       },
       died: (sentence) => {
         forget(page);
@@ -126,15 +118,14 @@ function account(page: Page, question: Question, answer: Answer | null): void {
   switch (question.kind) {
     case "open":
       solver.base = done ? openedBase(question, answer) : null;
-      solver.centre = solver.told = null;
+      solver.centre = null;
       return;
     case "planarise":
       if (done && solver.base)
         solver.base = { ...solver.base, planarised: question.how, symmetry: null };
-      if (done) solver.centre = solver.told = null;
+      if (done) solver.centre = null;
       return;
     case "restore":
-      if (done) solver.told = question;
       if (done && !question.keep) solver.centre = null;
       return;
     case "edit":
@@ -142,7 +133,7 @@ function account(page: Page, question: Question, answer: Answer | null): void {
     case "read":
     case "join":
     case "turn":
-      if (done) solver.centre = solver.told = null;
+      if (done) solver.centre = null;
   }
 }
 
@@ -153,44 +144,7 @@ function openedBase(question: Extract<Question, { kind: "open" }>, answer: Answe
   return { source, planarised, symmetry: symmetry && { ...symmetry, elements } };
 }
 
-/** Whether it is about the shape that the solver holds, which the question does not say. */
-const isAboutShape = ({ kind }: Question): boolean => kind === "explore" || kind === "exact";
-
-/** Whether the solver that a visit begins with does not know it. */
-function needsWhole(question: Question): boolean {
-  if ("settings" in question)
-    return question.settings.keepOuts.length > 0 || anyOnSurface(question.settings.supports);
-  if (question.kind === "open") return question.symmetry !== null;
-  if (question.kind !== "replay") return isAboutShape(question);
-  const { options, variations, supports } = question.design;
-  return options.keepOuts.length > 0 || variations.length > 0 || anyOnSurface(supports);
-}
-
-/** Goes over to the solver that knows everything, with the mesh that is open. */
-async function takeWhole(page: Page): Promise<void> {
-  await page.spawn.takeWhole();
-  own(page).whole = true;
-  const { base } = held(page);
-  restartSolver(page);
-  if (base) await ask(page, openQuestion(base));
-}
-
-/** The same with the shape, as it was told or is shown, and with the flat mesh that is shown. */
-async function takeWholeWithShape(page: Page): Promise<void> {
-  const [{ base, told }, design, mesh] = [held(page), page.draft.value, page.mesh.value];
-  await page.spawn.takeWhole();
-  own(page).whole = true;
-  restartSolver(page);
-  if (!base || !design || !mesh) return;
-  await ask(page, openQuestion({ ...base, planarised: null }));
-  const how = base.planarised;
-  if (how) await ask(page, { kind: "planarise", how, found: mesh.positions });
-  await ask(page, told ?? restoreQuestion(design, false));
-}
-
 async function ask(page: Page, question: Question): Promise<Answer> {
-  if (!own(page).whole && needsWhole(question))
-    await (isAboutShape(question) ? takeWholeWithShape(page) : takeWhole(page));
   try {
     const answer = await client(page).ask(question);
     account(page, question, answer);

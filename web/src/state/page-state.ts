@@ -163,8 +163,6 @@ export class PageState {
   /** What the next variations are found by; undefined: the core's weights. */
   readonly variationWeights = signal<VariationWeights | undefined>(undefined);
   readonly colourBy = signal<ColourBy>("displacement");
-  /** Counts how often what measures designs has arrived: with every new solver. */
-  readonly measurable = signal(0);
   /** Gap (model units), mm/m and mm/m beyond rounding of every panel of the last finished design. */
   readonly panelFigures = signal<Float32Array | null>(null);
   /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */

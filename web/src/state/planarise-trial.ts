@@ -4,7 +4,7 @@
 
 import type { Trial } from "../design/planarising.ts";
 import type { SpawnWorker } from "../solver/client.ts";
-import type { PanelMeasures, Planarising, Reply, Request, Source } from "../solver/protocol.ts";
+import type { Planarising, Reply, Request, Source } from "../solver/protocol.ts";
 
 /** Rejects a trial that another one took the place of, or that nobody waits for any more. */
 export class GivenUp extends Error {}
@@ -52,19 +52,10 @@ export class PlanariseTrials {
     const worker = await this.#worker;
     const open = { kind: "open", job: JOB, source, planarise: how, symmetry: null } as const;
     const { mesh } = await ask(worker, open, "opened");
-    return { how, mesh, measures: await measured(worker) };
+    const also = { fairness: null, folds: true, defectsOf: null };
+    const question = { kind: "panels", job: JOB, also } as const;
+    return { how, mesh, measures: (await ask(worker, question, "panels")).measures };
   }
-}
-
-/** Asked again as soon as what measures has arrived. */
-async function measured(worker: Worker): Promise<PanelMeasures | null> {
-  const also = { fairness: null, folds: true, defectsOf: null };
-  const question = { kind: "panels", job: JOB, also } as const;
-  const arrived = heard(worker, "measurable");
-  const first = (await ask(worker, question, "panels")).measures;
-  if (first) return first;
-  await arrived;
-  return (await ask(worker, question, "panels")).measures;
 }
 
 async function startWorker(spawn: SpawnWorker): Promise<Worker> {

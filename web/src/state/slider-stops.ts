@@ -43,7 +43,6 @@ export function keepStops(page: Page): () => void {
   };
   return effect(() => {
     page.draft.value;
-    page.measurable.value;
     void follow();
   });
 }

@@ -148,7 +148,6 @@ export function CompareDesigns() {
     scale.value = largest;
   });
   useSignalEffect(() => {
-    page.measurable.value;
     compared(page).value;
     void measureCompared(page);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What symmetry_bindings.cpp lists, by hand: only planish_whole has it.
+// What symmetry_bindings.cpp lists, by hand.
 
 import type { Session } from "./planish.d.ts";
 
@@ -11,8 +11,7 @@ export interface MeshSymmetry {
   readonly orbits: Int32Array;
 }
 
-/** What planish_whole has beside the rest, symmetry_bindings.cpp lists it. */
-export interface WholeModule {
+export interface SymmetryModule {
   /** Edits of the mesh that is open have images from here on; its base is evened out to this
    * tolerance, mm/m. */
   setSymmetry(session: Session, text: string, tolerance: number): string;
