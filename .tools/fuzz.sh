@@ -27,24 +27,37 @@ cmake --build --preset fuzz -j "${PLANISH_JOBS:-2}" | grep -v '^\[' || [ "${PIPE
 
 failed=0
 if [ -n "$web" ]; then
-  PLANISH_FUZZ_INPUTS=${PLANISH_FUZZ_INPUTS:-1000000} nice -n 19 npx --no-install vitest run \
+  PLANISH_FUZZ_INPUTS=${PLANISH_FUZZ_INPUTS:-1000000} npx --no-install vitest run \
     --config web/vitest.config.ts --dir tests/web decoder-fuzz || failed=1
 fi
-for reader in "${readers[@]}"; do
-  corpus=$corpora/$reader findings=build/fuzz/findings/$reader- log=build/fuzz/$reader.log
+fuzz() { # reader
+  local corpus=$corpora/$1 findings=build/fuzz/findings/$1- log=build/fuzz/$1.log
   mkdir -p "$corpus" build/fuzz/findings
   # -timeout: wall-clock seconds for one input, on a busy machine too; the other limits are for the
   # whole process, in MB.
-  if nice -n 19 "build/fuzz/fuzz_$reader" "$corpus" "build/fuzz/seeds/$reader" \
-    -dict="tests/fuzz/dictionaries/$reader.dict" -artifact_prefix="$findings" "${limit[@]}" \
+  if "build/fuzz/fuzz_$1" "$corpus" "build/fuzz/seeds/$1" \
+    -dict="tests/fuzz/dictionaries/$1.dict" -artifact_prefix="$findings" "${limit[@]}" \
     -max_len=16384 -timeout=5 -rss_limit_mb=1024 -malloc_limit_mb=256 \
     -print_final_stats=1 >"$log" 2>&1; then
-    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-    echo "fuzz: $reader: $runs inputs, no finding"
+    echo "fuzz: $1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") inputs, no finding"
   else
-    echo "fuzz: $reader: a finding, see $log" >&2
+    echo "fuzz: $1: a finding, see $log" >&2
     grep -m 3 -E 'broken promise|ERROR:|runtime error:|bytes held|read again' "$log" >&2 || true
-    failed=1
+    return 1
   fi
+}
+# As many readers at once as there are cores.
+running=0
+for reader in "${readers[@]}"; do
+  if [ "$running" -ge "${PLANISH_JOBS:-$(nproc)}" ]; then
+    wait -n || failed=1
+    running=$((running - 1))
+  fi
+  fuzz "$reader" &
+  running=$((running + 1))
+done
+while [ "$running" -gt 0 ]; do
+  wait -n || failed=1
+  running=$((running - 1))
 done
 exit "$failed"

@@ -8,7 +8,7 @@ packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev 
   libqrcodegencpp-dev nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium-headless-shell
   python3-numpy python3-scipy python3-ezdxf python3-shapely
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
-  python3-distributed parallel
+  python3-distributed python3-pytest parallel
   clang-19 lld-19 llvm-19 # what Emscripten runs on, see wasm/emscripten.config
   clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
 

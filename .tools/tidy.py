@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""clang-tidy over the core and the session. Twelve files of a folder are looked at as one, because most
-of the time goes into Eigen's headers: a quarter of the time of each file for itself. Twelve that passed
-before with the same text, headers, rules and clang-tidy are skipped; what passed is remembered outside
-the tree, so that the next clone on this machine need not ask again."""
+"""clang-tidy over the core and the session. Twelve files are looked at as one, because most of
+the time goes into Eigen's headers: a quarter of the time of each file for itself. A unit that passed
+before, with the same text of all that it includes, rules and clang-tidy, is skipped; what passed is
+remembered outside the tree, so that the next clone on this machine need not ask again."""
 
 import concurrent.futures
 import hashlib
-import itertools
 import json
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 import time
@@ -28,16 +28,15 @@ def said(*command):
 
 
 def sources():
-    """Files of a folder, twelve at a time."""
+    """Files, twelve at a time, in the order of their folders."""
     listed = said("git", "ls-files", "core/src/*.cpp", "wasm/session*.cpp", "wasm/keep_out_lines.cpp").split()
-    for folder, files in itertools.groupby(sorted(listed, key=lambda f: (os.path.dirname(f), f)), os.path.dirname):
-        files = list(files)
-        for start in range(0, len(files), TOGETHER):
-            yield folder.replace("/", "_") + f"_{start // TOGETHER}", files[start : start + TOGETHER]
+    files = sorted(listed, key=lambda f: (os.path.dirname(f), f))
+    for start in range(0, len(files), TOGETHER):
+        yield f"unit_{start // TOGETHER}", files[start : start + TOGETHER]
 
 
 def write_units():
-    """One file that includes twelve, and how each is compiled: as the first of them."""
+    """One file that includes twelve, with how it is compiled: as the first of them."""
     subprocess.run(["cmake", "--preset", "native", "-B", DATABASE, "-DPLANISH_UNITY=OFF", "--log-level=WARNING"],
                    cwd=TREE, check=True, stdout=subprocess.DEVNULL)
     commands = {entry["file"]: entry for entry in json.loads((DATABASE / "compile_commands.json").read_text())}
@@ -50,23 +49,32 @@ def write_units():
         pathlib.Path(unit).write_text("".join(lines))
         entry = commands[str(TREE / files[0])]
         entries.append({**entry, "file": unit, "command": entry["command"].replace(entry["file"], unit)})
-        units[unit] = files
+        units[unit] = entries[-1]["command"]
     (UNITS / "compile_commands.json").write_text(json.dumps(entries))
     return units
 
 
-def surroundings():
-    """Everything but those files that the answer depends on."""
-    headers = said("git", "ls-files", "core/*.hpp", "wasm/*.hpp").split()
-    texts = [(TREE / name).read_bytes() for name in [".clang-tidy", "CMakeLists.txt", "core/CMakeLists.txt", *headers]]
+def rules():
+    """What the answer depends on beside the text: the checks, how it is compiled, the versions."""
+    texts = [(TREE / name).read_bytes() for name in [".clang-tidy", "CMakeLists.txt", "core/CMakeLists.txt"]]
     words = said("clang-tidy", "--version") + said("dpkg-query", "-W", *PACKAGES)
     return hashlib.sha256(b"".join([words.encode(), *texts])).hexdigest()
 
 
-def complaints(unit, files, around):
-    """What clang-tidy says; "" where it passed, now or before."""
-    key = hashlib.sha256(b"".join([around.encode(), *((TREE / f).read_bytes() for f in files)])).hexdigest()
-    if (KNOWN / key).exists():
+def included(command, unit):
+    """The files of the tree that a unit reads."""
+    words = shlex.split(command)
+    options = [word for word in words[1:] if word.startswith(("-I", "-D", "-std"))]
+    systems = [f"-isystem{after}" for word, after in zip(words, words[1:]) if word == "-isystem"]
+    listed = said("clang++", "-MM", *options, *systems, unit).replace("\\\n", " ").split()
+    return sorted({path for path in listed[1:] if path.startswith(str(TREE)) and "/build/" not in path})
+
+
+def complaints(unit, command, about):
+    """What clang-tidy says; "" where it passed, now or before with the same texts."""
+    read = included(command, unit)
+    key = hashlib.sha256(b"".join([about.encode(), *(pathlib.Path(path).read_bytes() for path in read)])).hexdigest()
+    if read and (KNOWN / key).exists():
         os.utime(KNOWN / key)
         return ""
     run = subprocess.run(["clang-tidy", "-p", UNITS, "--quiet", "--warnings-as-errors=*", unit],
@@ -83,10 +91,10 @@ def main():
         if old.stat().st_mtime < time.time() - 30 * 86400:
             old.unlink()
     units = write_units()
-    around = surroundings()
+    about = rules()
     jobs = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        found = list(pool.map(lambda unit: complaints(unit, units[unit], around), units))
+        found = list(pool.map(lambda unit: complaints(unit, units[unit], about), units))
     print("".join(found), end="")
     sys.exit(any(found))
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Somebody who opens the built site in Debian's Firefox. It has WebGL only with a screen, so the tests run
-// under Xvfb (.tools/test.sh); playwright-core cannot drive it, puppeteer-core does by WebDriver BiDi.
+// under Xvfb (.tools/checks.py); playwright-core cannot drive it, puppeteer-core does by WebDriver BiDi.
 import { mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";

@@ -1,0 +1,244 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the checks: `checks.py` those that a change needs before it is shown (npm test), `checks.py rest`
+the others of every commit (npm run check), `checks.py nightly` everything long as well, `checks.py NAME...`
+these. What a check needs is built first; checks that use one core run beside each other.
+
+Every check writes a log and, where it runs tests, JUnit files under build/checks/NAME. They alone say what
+passed. Ends with the times, the ten slowest tests and one line that counts. A test may take 15 s here, and
+four times that where CI is set: how fast that machine is, nobody knows. Nightly ones may take longer.
+"""
+
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import threading
+import time
+import xml.etree.ElementTree as ElementTree
+
+TREE = pathlib.Path(__file__).resolve().parent.parent
+OUT = TREE / "build/checks"
+CORES = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
+LONGEST = 15.0 * (4 if os.environ.get("CI") else 1)
+
+
+@dataclasses.dataclass(frozen=True)
+class Check:
+    """A node of the graph. `command` is run by bash with $OUT, a folder of its own, and $CORES."""
+
+    command: str
+    needs: tuple = ()
+    cores: int = 1
+    environment: dict = dataclasses.field(default_factory=dict)
+
+
+def compiled(preset, *targets):
+    """A tree of CMake: configured once, then built."""
+    return Check(
+        f"[ -e build/{preset}/build.ninja ] || cmake --preset {preset} --log-level=WARNING; "
+        f"cmake --build --preset {preset} -j $CORES --target {' '.join(targets)}",
+        cores=CORES,
+    )
+
+
+def sharded(command):
+    """GoogleTest's program, its tests dealt out to as many processes as there are cores."""
+    return (
+        "pids=(); for ((k = 0; k < CORES; k++)); do GTEST_TOTAL_SHARDS=$CORES GTEST_SHARD_INDEX=$k "
+        f'{command} --gtest_brief=1 --gtest_output=xml:$OUT/$k.xml & pids+=($!); done; '
+        'status=0; for pid in "${pids[@]}"; do wait "$pid" || status=1; done; exit $status'
+    )
+
+
+def vitest(folder, options=""):
+    return (
+        f"npx --no-install vitest run --config web/vitest.config.ts --dir tests/{folder} "
+        f"--reporter=default --reporter=junit --outputFile.junit=$OUT/vitest.xml {options}"
+    )
+
+
+WASM_TEST = "node --no-experimental-fetch build/wasm/tests/{}.cjs"
+NIGHTLY = {"PLANISH_NIGHTLY": "1"}
+
+# Builds and checks in the order in which they start where there is a choice.
+GRAPH = {
+    "format": Check("git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' | xargs clang-format --dry-run -Werror"),
+    "lint": Check("npx --no-install biome ci --reporter=summary"),
+    "types": Check("npx --no-install tsc -p web/tsconfig.json && npx --no-install tsc -p wasm/package/tsconfig.json --noEmit"),
+    "architecture": Check("python3 .tools/check-architecture.py && python3 .tools/check-web-layers.py"),
+    "build-wasm": compiled("wasm", "planish_page_wasm"),
+    "build-native": compiled("native", "planish", "planish_tests"),
+    "build-site": Check("bash .tools/build.sh site", ("build-wasm",)),
+    "build-wheel": Check("bash .tools/wheel.sh", ("build-native",)),
+    "build-package": Check("bash .tools/build.sh npm", ("build-wasm",), cores=CORES),
+    "build-wasm-tests": compiled("wasm", "planish_wasm_tests"),
+    "build-sanitize": compiled("sanitize", "planish", "planish_quick_tests"),
+    "build-fuzz": compiled("fuzz", "all"),
+    "unit": Check(vitest("web"), ("build-wasm",)),
+    "page": Check(vitest("page"), ("build-wasm",)),
+    "parity": Check(vitest("parity"), ("build-native", "build-wasm")),
+    "native": Check(sharded("build/native/tests/planish_tests"), ("build-native",), cores=CORES),
+    # A page keeps one core busy for most of its time: two run beside each other.
+    "browser": Check(vitest("browser", "--fileParallelism --maxWorkers=2"), ("build-site",), cores=CORES),
+    # The second engine draws only on a screen, even one that nobody looks at.
+    "firefox": Check(
+        "bash .tools/setup.sh firefox && xvfb-run -a -s '-screen 0 1500x1000x24' " + vitest("firefox"), ("build-site",)),
+    # The packed npm package in a project of its own; the wheel in an environment with nothing but numpy.
+    "package": Check(vitest("package"), ("build-native", "build-package")),
+    "python": Check(
+        "build/python/venv/bin/python -m pytest -q -p no:cacheprovider --junitxml=$OUT/pytest.xml tests/python",
+        ("build-wheel",)),
+    # One set of recipes through all of them, and what leads from one to another.
+    "doors": Check(vitest("doors"), ("build-wheel", "build-package", "build-site")),
+    "sanitize": Check(sharded("build/sanitize/tests/planish_quick_tests"), ("build-sanitize",), cores=CORES),
+    "wasm": Check(sharded(WASM_TEST.format("planish_wasm_tests")), ("build-wasm-tests",), cores=CORES),
+    "tidy": Check("python3 .tools/tidy.py", cores=CORES),
+    "cppcheck": Check("bash .tools/cppcheck.sh"),
+    "fuzz": Check("bash .tools/fuzz.sh", ("build-fuzz",), cores=CORES),
+    # Nightly: the long forms of the same.
+    "build-wasm-all": compiled("wasm", "planish_all_tests"),
+    "build-sanitize-all": compiled("sanitize", "planish", "planish_all_tests"),
+    "wasm-all": Check(sharded(WASM_TEST.format("planish_all_tests")), ("build-wasm-all",), cores=CORES),
+    "sanitize-all": Check(sharded("build/sanitize/tests/planish_all_tests"), ("build-sanitize-all",), cores=CORES),
+    "fuzz-long": Check("bash .tools/fuzz.sh --long", ("build-fuzz",), cores=CORES),
+}
+BEFORE_SHOWING = ["format", "lint", "types", "architecture", "unit", "page", "parity", "native"]
+REST = ["browser", "firefox", "package", "python", "doors", "sanitize", "wasm", "tidy", "cppcheck", "fuzz"]
+LONG = ["wasm-all", "sanitize-all", "fuzz-long"]
+SETS = {"rest": REST, "nightly": BEFORE_SHOWING + [c for c in REST if c not in ("sanitize", "wasm", "fuzz")] + LONG}
+
+
+@dataclasses.dataclass
+class Test:
+    check: str
+    name: str
+    seconds: float
+    outcome: str  # passed, failed, skipped
+    said: str = ""
+
+
+@dataclasses.dataclass
+class Run:
+    name: str
+    status: int
+    seconds: float
+    tests: list
+
+
+def tests_of(check, folder):
+    """What the JUnit files of a check say."""
+    for file in sorted(folder.glob("*.xml")):
+        for case in ElementTree.parse(file).iter("testcase"):
+            bad = case.find("failure") if case.find("failure") is not None else case.find("error")
+            skipped = case.find("skipped") is not None or case.get("status") == "notrun"
+            said = "" if bad is None else (bad.get("message") or "") + "\n" + (bad.text or "")
+            outcome = "failed" if bad is not None else "skipped" if skipped else "passed"
+            name = f"{case.get('classname')}.{case.get('name')}"
+            yield Test(check, name, float(case.get("time") or 0), outcome, said)
+
+
+def run(name, check, nightly):
+    """Runs one check; a failure without a test that failed is a failed test of the check's own name."""
+    folder = OUT / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    environment = {**os.environ, "OUT": str(folder), "CORES": str(CORES), **(NIGHTLY if nightly else {})}
+    start = time.monotonic()
+    with open(folder / "log", "wb") as log:
+        status = subprocess.run(["bash", "-c", f"set -o pipefail; {check.command}"], cwd=TREE, env=environment,
+                                stdin=subprocess.DEVNULL, stdout=log, stderr=log, check=False).returncode
+    seconds = time.monotonic() - start
+    tests = list(tests_of(name, folder))
+    if not nightly:
+        for test in tests:
+            if test.outcome == "passed" and test.seconds > LONGEST:
+                test.outcome, test.said = "failed", f"took {test.seconds:.1f} s, more than {LONGEST:.0f}"
+    wrong = status != 0 and not any(test.outcome == "failed" for test in tests)
+    if wrong or not tests and not name.startswith("build-"):
+        tests.append(Test(name, name, seconds if not tests else 0, "failed" if wrong else "passed"))
+    return Run(name, status, seconds, tests)
+
+
+def report(done):
+    """One line a check, and under it what failed."""
+    failed = [test for test in done.tests if test.outcome == "failed"]
+    count = sum(test.outcome == "passed" for test in done.tests)
+    word = "FAIL" if failed else "ok"
+    print(f"  {word:5} {done.name:17} {count:5} passed {done.seconds:5.0f} s", flush=True)
+    for test in failed[:20]:
+        print(f"        {test.name}")
+        for line in test.said.strip().splitlines()[:12]:
+            print(f"            {line[:300]}")
+    if failed and any(test.name == done.name for test in failed):
+        text = (OUT / done.name / "log").read_text(errors="replace")
+        print("".join(f"        {line[:300]}\n" for line in text.splitlines()[-40:]), end="", flush=True)
+
+
+def with_needs(names):
+    """These and all that they need, as the graph lists them."""
+    wanted, open_ones = set(), list(names)
+    while open_ones:
+        name = open_ones.pop()
+        if name not in wanted:
+            wanted.add(name)
+            open_ones += GRAPH[name].needs
+    return [name for name in GRAPH if name in wanted]
+
+
+def run_all(names, nightly):
+    """As many beside each other as there are cores; what needs something that failed has failed."""
+    waiting, running, runs = with_needs(names), {}, {}
+    changed = threading.Condition()
+
+    def work(name):
+        done = run(name, GRAPH[name], nightly)
+        with changed:
+            runs[name] = done
+            del running[name]
+            report(done)
+            changed.notify()
+
+    with changed:
+        while waiting or running:
+            for name in list(waiting):
+                needs = GRAPH[name].needs
+                if any(runs[need].status != 0 for need in needs if need in runs):
+                    waiting.remove(name)
+                    runs[name] = Run(name, 1, 0.0, [Test(name, f"{name}: what it needs was not built", 0.0, "failed")])
+                    report(runs[name])
+                elif all(need in runs for need in needs) and GRAPH[name].cores + sum(running.values()) <= CORES:
+                    waiting.remove(name)
+                    running[name] = GRAPH[name].cores
+                    threading.Thread(target=work, args=(name,)).start()
+            if running:
+                changed.wait()
+    return list(runs.values())
+
+
+def main():
+    words = sys.argv[1:]
+    nightly = words == ["nightly"]
+    names = SETS.get(words[0], words) if words else BEFORE_SHOWING
+    if unknown := [name for name in names if name not in GRAPH]:
+        sys.exit(f"checks: unknown check '{unknown[0]}' (rest, nightly, {', '.join(GRAPH)})")
+    start = time.monotonic()
+    runs = run_all(names, nightly)
+    tests = [test for done in runs for test in done.tests]
+    slowest = sorted(tests, key=lambda test: -test.seconds)[:10]
+    print("\nThe ten slowest tests:")
+    for test in slowest:
+        print(f"  {test.seconds:6.1f} s  {test.check}: {test.name[:110]}")
+    OUT.joinpath("times.json").write_text(json.dumps(
+        {"checks": {done.name: round(done.seconds, 1) for done in runs},
+         "tests": [[test.check, test.name, test.seconds, test.outcome] for test in tests]}, indent=0))
+    count = {word: sum(test.outcome == word for test in tests) for word in ("passed", "failed", "skipped")}
+    print(f"\n{time.monotonic() - start:.0f} s")
+    print(f"{count['passed']} passed, {count['failed']} failed, {count['skipped']} skipped")
+    sys.exit(count["failed"] > 0)
+
+
+main()
