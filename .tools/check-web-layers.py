@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the page's layers: imports only go down, in no circle, no module keeps state, one says what
-went wrong.
+"""Checks the page's layers: imports only go down, in no circle, no feature imports another, no flat
+folder gets long, no module keeps state, one says what went wrong.
 
 Run from anywhere: python3 .tools/check-web-layers.py
 One line per violation on standard output; exit code 1 if there is any.
@@ -16,8 +16,31 @@ from circles import find_circles
 SOURCE = Path(__file__).resolve().parent.parent / "web/src"
 
 # A layer may import itself and those before it. `scene` and `export` know nothing of each other.
-LAYERS = ["result", "quantity", "bytes", "mesh", "rhino", "solver", "design", "state", "scene", "export", "ui", "embed", "app"]
+LAYERS = ["result", "quantity", "bytes", "mesh", "rhino", "solver", "design", "state", "scene", "export", "ui", "features", "embed", "app"]
 STRANGERS = {("export", "scene"), ("scene", "export")}
+
+# A feature is a folder of `features`. Layers below fetch its parts by import(); these import them at
+# once, to register them: its commands, its followers in the view, its sections and dialogs.
+REGISTRATIONS = {
+    "scene/viewport.ts": {"context", "hiding", "second-layer", "touch"},
+    "state/replaying.ts": {"exploring"},
+    "ui/commands/more-commands.ts": {"comparing", "exploring"},
+    "ui/commands/selection-commands.ts": {"selecting"},
+    "ui/commands/view-commands.ts": {"numbers", "views"},
+    "ui/kept-sections.tsx": {"comparing", "groups", "notes", "numbers", "section", "views"},
+    "ui/shop-dialogs.ts": {"second-layer", "shop"},
+    "ui/top-bar.tsx": {"help", "sharing"},
+    "ui/view-notes.tsx": {"hiding", "second-layer", "touch"},
+}
+# A feature that offers another where it is of use.
+OFFERS = {
+    ("advanced", "constraints"),
+    ("constraints", "stopping"),
+    ("context", "keep-outs"),
+    ("import-report", "planarising"),
+    ("second-layer", "shop"),
+}
+MOST_FILES = 60
 # A page of its own, which takes its look from this one.
 APART = {"catalogue": {"ui"}}
 
@@ -33,15 +56,19 @@ STATE = re.compile(
 
 
 def imports():
-    """By file, the files of the page that it imports, types and later parts too."""
-    graph = {}
+    """By file, the files of the page that it imports, types and later parts too; and what of it is later."""
+    graph, later = {}, set()
     for path in sorted(SOURCE.rglob("*.ts*")):
-        text = path.read_text(encoding="utf-8")
-        named = ["".join(found).split("?")[0] for found in IMPORT.findall(text)]
-        targets = [(path.parent / name).resolve() for name in named if not name.endswith(".css")]
         name = path.relative_to(SOURCE).as_posix()
-        graph[name] = [t.relative_to(SOURCE).as_posix() for t in targets if t.is_relative_to(SOURCE)]
-    return graph
+        graph[name] = []
+        for at_once, fetched, bare in IMPORT.findall(path.read_text(encoding="utf-8")):
+            target = (path.parent / (at_once or fetched or bare).split("?")[0]).resolve()
+            if target.suffix == ".css" or not target.is_relative_to(SOURCE):
+                continue
+            graph[name].append(target.relative_to(SOURCE).as_posix())
+            if fetched:
+                later.add((name, graph[name][-1]))
+    return graph, later
 
 
 def layer_of(name):
@@ -58,13 +85,45 @@ def is_allowed(layer, below):
     return LAYERS.index(below) < LAYERS.index(layer)
 
 
-def check_layers(graph):
+def check_layers(graph, later):
     for name, targets in graph.items():
         if "/" in name and layer_of(name) not in LAYERS + list(APART):
             yield f"web/src/{name}: {layer_of(name)} is no layer of {Path(__file__).name}"
         for target in targets:
-            if not is_allowed(layer_of(name), layer_of(target)):
-                yield f"web/src/{name}: {layer_of(name)} must not import {target}"
+            if not may_use(name, target, later):
+                yield f"web/src/{name}: {feature_of(name) or layer_of(name)} must not import {target}"
+
+
+def feature_of(name):
+    return name.split("/")[1] if layer_of(name) == "features" else None
+
+
+def may_use(name, target, later):
+    feature, other = feature_of(name), feature_of(target)
+    if other is None or layer_of(name) in ("embed", "app"):
+        return is_allowed(layer_of(name), layer_of(target))
+    if feature is not None:
+        return feature == other or (feature, other) in OFFERS
+    return (name, target) in later or other in REGISTRATIONS.get(name, ())
+
+
+def check_lists(graph):
+    """What is listed above and no longer there."""
+    arrows = {(name, feature_of(target)) for name, targets in graph.items() for target in targets}
+    for name, features in REGISTRATIONS.items():
+        for feature in sorted(features):
+            if (name, feature) not in arrows:
+                yield f"web/src/{name}: registers nothing of {feature}"
+    offered = {(feature_of(name), feature) for name, feature in arrows}
+    for one, other in sorted(OFFERS - offered):
+        yield f"web/src/features/{one}: offers nothing of {other}"
+
+
+def check_folders():
+    for folder in sorted(path for path in SOURCE.rglob("*") if path.is_dir()):
+        files = sum(path.is_file() for path in folder.iterdir())
+        if files > MOST_FILES:
+            yield f"web/src/{folder.relative_to(SOURCE).as_posix()}: {files} files, {MOST_FILES} at most"
 
 
 def check_circles(graph):
@@ -90,9 +149,9 @@ def check_state(graph):
 
 
 def main():
-    graph = imports()
-    violations = []
-    for check in (check_layers, check_circles, check_telling, check_state):
+    graph, later = imports()
+    violations = [*check_layers(graph, later), *check_folders()]
+    for check in (check_lists, check_circles, check_telling, check_state):
         violations += check(graph)
     for violation in violations:
         print(violation)

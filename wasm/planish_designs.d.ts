@@ -49,9 +49,9 @@ export interface EditOptions {
   readonly reachLength: number;
   /** Points on a boundary stay, handles excepted. */
   readonly keepBoundary: boolean;
-  /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See state/kept-kind.ts. */
+  /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See design/kept-kind.ts. */
   readonly constraints: readonly string[];
-  /** As --bound says them: "fold=25"; degrees and model units. See state/stated-limit.ts. */
+  /** As --bound says them: "fold=25"; degrees and model units. See design/stated-limit.ts. */
   readonly limits: readonly string[];
   /** Where nothing may go, as --keep-out says it: "below=0"; model units. */
   readonly keepOuts: readonly string[];

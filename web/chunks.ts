@@ -30,6 +30,10 @@ function importersOf(id: string, graph: Graph): readonly Module[] {
 const fetchesLater = (id: string, graph: Graph): boolean =>
   graph.getModuleInfo(id)?.importedIds.some((one) => one.endsWith("/ui/later.tsx")) ?? false;
 
+/** A part of the shell's controls, or a component of a feature: the rest of a feature is drawn in the view. */
+const isControl = (id: string): boolean =>
+  id.includes("/src/ui/") || (id.includes("/src/features/") && id.endsWith(".tsx"));
+
 /**
  * Names the file for a module; null leaves it to the bundler. What the view, a drag or a link that
  * opens fetches, too, is a file beside that: none of these is to wait for the rest.
@@ -37,5 +41,5 @@ const fetchesLater = (id: string, graph: Graph): boolean =>
 export function partOfControls(id: string, graph: Graph): string | null {
   const waits = importersOf(id, graph).flatMap(({ dynamicImporters }) => dynamicImporters);
   if (!waits.some((one) => fetchesLater(one, graph))) return null;
-  return waits.every((one) => one.includes("/src/ui/")) ? "controls" : "shared";
+  return waits.every(isControl) ? "controls" : "shared";
 }

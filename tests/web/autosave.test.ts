@@ -2,7 +2,7 @@
 import { beforeEach, expect, it, vi } from "vitest";
 import type { Design } from "../../web/src/design/design.ts";
 import { decodeRecord } from "../../web/src/design/saved-record.ts";
-import { restoreSaved, saveNow, startAutosave } from "../../web/src/state/autosave.ts";
+import { restoreSaved, saveNow, startAutosave } from "../../web/src/features/saving/autosave.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { takeSnapshot } from "../../web/src/state/snapshots.ts";
@@ -16,7 +16,7 @@ const database = vi.hoisted(() => ({
   full: false,
 }));
 
-vi.mock("../../web/src/state/slot.ts", () => ({
+vi.mock("../../web/src/features/saving/slot.ts", () => ({
   claimSlot: async () => "0",
   claimNewSlot: async () => "1",
   rememberSlot: () => {},

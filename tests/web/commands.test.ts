@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { KEY_HINTS, keysOf } from "../../web/src/features/help/help-keys.tsx";
+import { found } from "../../web/src/features/palette/command-palette.tsx";
 import type { Page } from "../../web/src/state/page.ts";
-import { found } from "../../web/src/ui/command-palette.tsx";
 import { ALL_COMMANDS } from "../../web/src/ui/commands/all-commands.ts";
 import { type Command, keyOf, refusalOf, titleOf } from "../../web/src/ui/commands/command.ts";
 import { COMMANDS, type CommandId, commandOf } from "../../web/src/ui/commands/commands.ts";
 import { spelled } from "../../web/src/ui/commands/keys.ts";
 import { MORE_COMMANDS } from "../../web/src/ui/commands/more-commands.ts";
 import { SELECTION_COMMANDS } from "../../web/src/ui/commands/selection-commands.ts";
-import { KEY_HINTS, keysOf } from "../../web/src/ui/help-keys.tsx";
 import { openedPage, pageAlone, pageHere } from "./support/page-here.ts";
 
 const labels = (commands: readonly Command[]): string[] => commands.map(({ label }) => label);

@@ -2,9 +2,9 @@
 import { expect, it } from "vitest";
 import { begin } from "../../web/src/design/history.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
+import { commitVariation, explore, makeExact } from "../../web/src/features/exploring/exploring.ts";
+import { fillGallery, gallery } from "../../web/src/features/exploring/gallery.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
-import { commitVariation, explore, makeExact } from "../../web/src/state/exploring.ts";
-import { fillGallery, gallery } from "../../web/src/state/gallery.ts";
 import { markOf } from "../../web/src/state/marking.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { besidePoint, OFFER } from "../../web/src/scene/beside-point.ts";
+import { besidePoint, OFFER } from "../../web/src/features/touch/beside-point.ts";
 import { beginDrag } from "../../web/src/state/dragging.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
 import {

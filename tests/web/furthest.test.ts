@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { furthestBetween, signOf } from "../../web/src/features/exploring/furthest.ts";
 import type { Shape } from "../../web/src/solver/protocol.ts";
-import { furthestBetween, signOf } from "../../web/src/state/furthest.ts";
 
 const shape = (points: Readonly<Record<number, readonly number[]>>): Shape => ({
   moved: Int32Array.from(Object.keys(points), Number),

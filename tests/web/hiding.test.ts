@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is hidden is hidden in the view alone.
 import { expect, it } from "vitest";
+import { hideSelected, isolateSelected, showAll } from "../../web/src/features/hiding/hiding.ts";
 import { hiddenPanels, isHidden } from "../../web/src/state/hidden-panels.ts";
-import { hideSelected, isolateSelected, showAll } from "../../web/src/state/hiding.ts";
 import { openSample } from "../../web/src/state/opening.ts";
 import { selectOnly, selectThese } from "../../web/src/state/selection.ts";
 import { openedPage } from "./support/page-here.ts";

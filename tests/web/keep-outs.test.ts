@@ -12,8 +12,6 @@ import {
 } from "../../web/src/design/keep-outs.ts";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Steps } from "../../web/src/design/recipe.ts";
-import { refuse } from "../../web/src/result/result.ts";
-import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import {
   addContext,
   addKeepOut,
@@ -26,7 +24,9 @@ import {
   moveKeepOut,
   removeKeepOut,
   removeKeepOuts,
-} from "../../web/src/state/keep-outs.ts";
+} from "../../web/src/features/keep-outs/keep-outs.ts";
+import { refuse } from "../../web/src/result/result.ts";
+import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { openSample } from "../../web/src/state/opening.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";

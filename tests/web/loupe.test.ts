@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { besideFinger, covered } from "../../web/src/scene/loupe.ts";
+import { besideFinger, covered } from "../../web/src/features/touch/loupe.ts";
 
 const WIDTH = 390;
 /** Half of it, pixels; a finger covers about 25 around its middle. */

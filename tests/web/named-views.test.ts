@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
 import type { Camera } from "../../web/src/design/camera.ts";
+import { found } from "../../web/src/features/palette/command-palette.tsx";
+import {
+  deleteView,
+  keepView,
+  renameView,
+  showView,
+} from "../../web/src/features/views/named-views.ts";
 import { provideCamera } from "../../web/src/state/camera.ts";
-import { deleteView, keepView, renameView, showView } from "../../web/src/state/named-views.ts";
 import type { Page } from "../../web/src/state/page.ts";
-import { found } from "../../web/src/ui/command-palette.tsx";
 import { refusalOf } from "../../web/src/ui/commands/command.ts";
 import { KEEP_VIEW, viewCommands } from "../../web/src/ui/commands/view-commands.ts";
 import { pageAlone } from "./support/page-here.ts";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { panelList } from "../../web/src/export/panel-list.ts";
+import { panelList } from "../../web/src/features/panels/panel-list.ts";
 
 it("lists every panel in order, lengths in millimetres whatever the model's unit", () => {
   const figures = Float32Array.of(0.0125, 1.5, 1.5, 0, 0, 0, 0, 0, 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where a plane cuts panels.
 import { expect, it } from "vitest";
+import { cutAcross, section } from "../../web/src/features/section/section-plane.ts";
 import { cutPanels, sectionLength } from "../../web/src/mesh/plane-section.ts";
 import { setTarget } from "../../web/src/state/editing.ts";
-import { cutAcross, section } from "../../web/src/state/section-plane.ts";
 import { sectionPlane } from "../../web/src/state/shown-section.ts";
 import { openedPage } from "./support/page-here.ts";
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
 import { NO_SHAPE } from "../../web/src/design/design.ts";
+import { stopsWithin, wayWords, within } from "../../web/src/features/exploring/slider-range.ts";
 import { leadsOf, rangesOf } from "../../web/src/solver/sliders.ts";
-import { stopsWithin, wayWords, within } from "../../web/src/state/slider-range.ts";
 
 describe("a slider", () => {
   it("leads where it moves most", () => {

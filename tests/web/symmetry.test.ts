@@ -6,20 +6,20 @@ import { fromDesign, toDesign } from "../../web/src/design/design-value.ts";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { imagesOf, mirrorsIn, mirrorsText, withoutImages } from "../../web/src/design/symmetry.ts";
-import { setPinned, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
-import { commitVariation, explore } from "../../web/src/state/exploring.ts";
-import { markOf } from "../../web/src/state/marking.ts";
-import { openSample, planarise } from "../../web/src/state/opening.ts";
-import type { Page } from "../../web/src/state/page.ts";
-import { replay } from "../../web/src/state/replaying.ts";
-import { cancel } from "../../web/src/state/showing.ts";
+import { commitVariation, explore } from "../../web/src/features/exploring/exploring.ts";
 import {
   findMirrors,
   mirrors,
   mostImages,
   noMirrors,
   setMirrors,
-} from "../../web/src/state/symmetry.ts";
+} from "../../web/src/features/symmetry/symmetry.ts";
+import { setPinned, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
+import { markOf } from "../../web/src/state/marking.ts";
+import { openSample, planarise } from "../../web/src/state/opening.ts";
+import type { Page } from "../../web/src/state/page.ts";
+import { replay } from "../../web/src/state/replaying.ts";
+import { cancel } from "../../web/src/state/showing.ts";
 import { loadDocuments } from "../parity/support/planish.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { layOut } from "../../web/src/features/second-layer/offset.ts";
 import { done, GIVEN_UP, refuse } from "../../web/src/result/result.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { openFile } from "../../web/src/state/files.ts";
-import { layOut } from "../../web/src/state/offset.ts";
 import { openSample } from "../../web/src/state/opening.ts";
 import { report } from "../../web/src/state/telling.ts";
 import { inTurn } from "../../web/src/state/turns.ts";

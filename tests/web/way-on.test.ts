@@ -8,8 +8,14 @@ import {
   NO_REPORT,
   NO_SHAPE,
 } from "../../web/src/design/design.ts";
+import {
+  gotWords,
+  reasonOf,
+  reasonWords,
+  stopOf,
+  waysOn,
+} from "../../web/src/features/stopping/way-on.ts";
 import type { EditSettings, ShapeReport } from "../../web/src/solver/protocol.ts";
-import { gotWords, reasonOf, reasonWords, stopOf, waysOn } from "../../web/src/state/way-on.ts";
 
 const base = (): Point => [1, 0, 0];
 const row = { vertex: 7, target: [1, 0, 3] as Point, pinned: false };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { smoothNormals } from "../../web/src/features/analysis/zebra.ts";
 import { buildTopology } from "../../web/src/mesh/topology.ts";
-import { smoothNormals } from "../../web/src/scene/zebra.ts";
 
 it("a ridge's points have the mean of both slopes by their areas, the others their own panel's", () => {
   // Two panels that meet along the y axis, the right one twice as wide.

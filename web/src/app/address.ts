@@ -27,7 +27,7 @@ async function replayLink(
 const linkParts = (page: Page) =>
   fetchPart(page, async () => {
     const [{ readLink }, { replay }] = await Promise.all([
-      import("../state/linked.ts"),
+      import("../features/sharing/linked.ts"),
       import("../state/replaying.ts"),
     ]);
     return { readLink, replay };
@@ -46,7 +46,7 @@ export async function openAddress(page: Page): Promise<boolean> {
 /** A design that was kept stays as a snapshot, unless it is the link's own. */
 async function keepAside(page: Page, kept: Design, { mark }: Steps): Promise<string | null> {
   if ((await markOf(page, kept.shape))?.hash === mark?.hash) return null;
-  const pictures = await fetchPart(page, () => import("../scene/snapshot-picture.ts"));
+  const pictures = await fetchPart(page, () => import("../features/comparing/snapshot-picture.ts"));
   if (pictures) providePictures(page, () => pictures.snapshotPicture(page));
   return takeSnapshot(page, "Before the link");
 }

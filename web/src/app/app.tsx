@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 import { useEffect } from "preact/hooks";
+import { PaletteDialog } from "../features/palette/palette-dialog.tsx";
 import { FileDrop } from "../ui/file-drop.tsx";
 import { Inspector, SheetFold } from "../ui/inspector.tsx";
 import { usePage } from "../ui/page-context.ts";
-import { PaletteDialog } from "../ui/palette-dialog.tsx";
 import { StatusLine } from "../ui/status-line.tsx";
 import { TopBar } from "../ui/top-bar.tsx";
 import { ViewportPane } from "../ui/viewport-pane.tsx";

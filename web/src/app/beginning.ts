@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-import { keepElsewhere, restoreSaved, startAutosave } from "../state/autosave.ts";
+import { keepElsewhere, restoreSaved, startAutosave } from "../features/saving/autosave.ts";
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";

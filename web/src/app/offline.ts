@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-import { saveNow } from "../state/autosave.ts";
+import { saveNow } from "../features/saving/autosave.ts";
 import type { Page } from "../state/page.ts";
 import { inTurn, type Outcome } from "../state/turns.ts";
 

@@ -25,13 +25,13 @@ function figuresOf(page: Page, kind: ColourBy): Float32Array | null {
 /** What the panels wear in place of their colours. */
 const SKINS: Partial<Record<ColourBy, () => Promise<() => Skin>>> = {
   zebra: () =>
-    import("./zebra.ts").then(
+    import("../features/analysis/zebra.ts").then(
       ({ Zebra }) =>
         () =>
           new Zebra(),
     ),
   glass: () =>
-    import("./glass.ts").then(
+    import("../features/analysis/glass.ts").then(
       ({ Glass }) =>
         () =>
           new Glass(),
@@ -50,7 +50,10 @@ async function dress(sight: Sight, kind: ColourBy): Promise<void> {
 /** Without figures in its colours the picture at rest is shaded by how much sky a place sees. */
 async function shade(sight: Sight, kind: ColourBy): Promise<void> {
   const { page, shell, stage } = sight;
-  const part = kind === "none" ? await fetchPart(page, () => import("./occlusion.ts")) : null;
+  const part =
+    kind === "none"
+      ? await fetchPart(page, () => import("../features/analysis/occlusion.ts"))
+      : null;
   if (shell !== sight.shell || kind !== page.colourBy.peek()) return;
   stage.finishBy(
     part && shell ? new part.Occlusion(shell.panels, stage.ground, stage.camera) : null,

@@ -3,6 +3,10 @@
 
 import { effect, untracked } from "@preact/signals";
 import { type Object3D, Vector3 } from "three";
+import { followContext } from "../features/context/context-follower.ts";
+import { followHiding } from "../features/hiding/hiding-follower.ts";
+import { followOffset } from "../features/second-layer/offset-follower.ts";
+import { FingerFollower } from "../features/touch/finger-follower.ts";
 import { frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
@@ -11,14 +15,10 @@ import { deselect } from "../state/selection.ts";
 import { panelsAtLimit } from "../state/wanted.ts";
 import { askedPulls } from "./asked-pulls.ts";
 import { followColours } from "./colour-follower.ts";
-import { followContext } from "./context-follower.ts";
-import { FingerFollower } from "./finger-follower.ts";
 import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
 import { grip, holdOf } from "./grip.ts";
 import { boxesOver, type LowerCorners, wholeOf } from "./held-in-view.ts";
-import { followHiding } from "./hiding-follower.ts";
-import { followOffset } from "./offset-follower.ts";
 import { Overlay, type OverlayParts } from "./overlay.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
 import type { Box } from "./picking.ts";

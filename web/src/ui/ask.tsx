@@ -2,4 +2,6 @@
 import { later } from "./later.tsx";
 
 /** The "?" beside a control. */
-export const Ask = later(() => import("./ask-button.tsx").then((part) => part.AskButton));
+export const Ask = later(() =>
+  import("../features/help/ask-button.tsx").then((part) => part.AskButton),
+);

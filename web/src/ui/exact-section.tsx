@@ -9,9 +9,13 @@ import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 
-const Verdict = later(() => import("./verdict.tsx").then((part) => part.Verdict));
+const Verdict = later(() =>
+  import("../features/analysis/verdict.tsx").then((part) => part.Verdict),
+);
 
-const PanelsTable = later(() => import("./panels-table.tsx").then((part) => part.PanelsTable));
+const PanelsTable = later(() =>
+  import("../features/panels/panels-table.tsx").then((part) => part.PanelsTable),
+);
 
 function hold(page: Page, on: boolean): void {
   page.showBefore.value = on;

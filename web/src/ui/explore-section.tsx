@@ -8,15 +8,15 @@ import { usePage } from "./page-context.ts";
 import { Slider } from "./slider.tsx";
 
 const VariationSliders = later(() =>
-  import("./variation-sliders.tsx").then((part) => part.VariationSliders),
+  import("../features/exploring/variation-sliders.tsx").then((part) => part.VariationSliders),
 );
 
 const VariationGallery = later(() =>
-  import("./variation-gallery.tsx").then((part) => part.VariationGallery),
+  import("../features/exploring/variation-gallery.tsx").then((part) => part.VariationGallery),
 );
 
 const ContinueButton = later(() =>
-  import("./continue-button.tsx").then((part) => part.ContinueButton),
+  import("../features/exploring/continue-button.tsx").then((part) => part.ContinueButton),
 );
 
 const directions = (count: number): string =>

@@ -22,7 +22,9 @@ import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
 import { usePage } from "./page-context.ts";
 
-const SurfaceMove = later(() => import("./surface-move.tsx").then((part) => part.SurfaceMove));
+const SurfaceMove = later(() =>
+  import("../features/handles/surface-move.tsx").then((part) => part.SurfaceMove),
+);
 
 const AXES = ["X", "Y", "Z"] as const;
 
@@ -31,17 +33,23 @@ const ROWS = 40;
 /** More handles than these, or more pins, are one row each until they are asked for. */
 const LISTED = 10;
 
-const HandleGroup = later(() => import("./handle-group.tsx").then((part) => part.HandleGroup));
+const HandleGroup = later(() =>
+  import("../features/handles/handle-group.tsx").then((part) => part.HandleGroup),
+);
 
 const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
 
 const LowerSolution = later(() =>
-  import("./lower-solution.tsx").then((part) => part.LowerSolution),
+  import("../features/handles/lower-solution.tsx").then((part) => part.LowerSolution),
 );
 
-const Position = later(() => import("./position.tsx").then((part) => part.Position));
+const Position = later(() =>
+  import("../features/handles/position.tsx").then((part) => part.Position),
+);
 
-const MeetTargets = later(() => import("./meet-targets.tsx").then((part) => part.MeetTargets));
+const MeetTargets = later(() =>
+  import("../features/stopping/meet-targets.tsx").then((part) => part.MeetTargets),
+);
 
 /** How far the point is from its target; kept in place while something moves. */
 function Short({ short }: { short: Shortfall }) {

@@ -31,27 +31,39 @@ function NotFlatNote() {
 }
 
 const AcceptTolerance = later(() =>
-  import("./accept-tolerance.tsx").then((part) => part.AcceptTolerance),
+  import("../features/planarising/accept-tolerance.tsx").then((part) => part.AcceptTolerance),
 );
 
 const PlanariseStep = later(() =>
-  import("./planarise-step.tsx").then((part) => part.PlanariseStep),
+  import("../features/planarising/planarise-step.tsx").then((part) => part.PlanariseStep),
 );
 
-const ImportReport = later(() => import("./import-report.tsx").then((part) => part.ImportReport));
+const ImportReport = later(() =>
+  import("../features/import-report/import-report.tsx").then((part) => part.ImportReport),
+);
 
-const StoppedNote = later(() => import("./stopped-note.tsx").then((part) => part.StoppedNote));
+const StoppedNote = later(() =>
+  import("../features/stopping/stopped-note.tsx").then((part) => part.StoppedNote),
+);
 
-const Limits = later(() => import("./limits.tsx").then((part) => part.Limits));
+const Limits = later(() =>
+  import("../features/constraints/limits.tsx").then((part) => part.Limits),
+);
 
-const KeptKinds = later(() => import("./kept-kinds.tsx").then((part) => part.KeptKinds));
+const KeptKinds = later(() =>
+  import("../features/constraints/kept-kinds.tsx").then((part) => part.KeptKinds),
+);
 
-const Advanced = later(() => import("./advanced.tsx").then((part) => part.Advanced));
+const Advanced = later(() =>
+  import("../features/advanced/advanced.tsx").then((part) => part.Advanced),
+);
 
-const LastSolve = later(() => import("./last-solve.tsx").then((part) => part.LastSolve));
+const LastSolve = later(() =>
+  import("../features/advanced/last-solve.tsx").then((part) => part.LastSolve),
+);
 
 const SelectionStrip = later(() =>
-  import("./selection-strip.tsx").then((part) => part.SelectionStrip),
+  import("../features/selecting/selection-strip.tsx").then((part) => part.SelectionStrip),
 );
 
 const KeptSections = later(() => import("./kept-sections.tsx").then((part) => part.KeptSections));

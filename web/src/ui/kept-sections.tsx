@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What is kept under names, at the end of the inspector.
-import { GroupsSection } from "./groups-section.tsx";
-import { NoteSection } from "./note-section.tsx";
-import { NumbersSection } from "./numbers-section.tsx";
-import { SectionPlaneSection } from "./section-plane.tsx";
-import { SnapshotsSection } from "./snapshots-section.tsx";
-import { ViewsSection } from "./views-section.tsx";
+
+import { SnapshotsSection } from "../features/comparing/snapshots-section.tsx";
+import { GroupsSection } from "../features/groups/groups-section.tsx";
+import { NoteSection } from "../features/notes/note-section.tsx";
+import { NumbersSection } from "../features/numbers/numbers-section.tsx";
+import { SectionPlaneSection } from "../features/section/section-controls.tsx";
+import { ViewsSection } from "../features/views/views-section.tsx";
 
 export const KeptSections = () => (
   <>

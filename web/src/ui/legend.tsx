@@ -14,21 +14,29 @@ import { COLOURS } from "./colours.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 
-const Histogram = later(() => import("./histogram.tsx").then((part) => part.Histogram));
+const Histogram = later(() =>
+  import("../features/analysis/histogram-chart.tsx").then((part) => part.Histogram),
+);
 
-const HealthScale = later(() => import("./health-scale.tsx").then((part) => part.HealthScale));
+const HealthScale = later(() =>
+  import("../features/analysis/health-scale.tsx").then((part) => part.HealthScale),
+);
 
 const PlanarityScale = later(() =>
-  import("./planarity-scale.tsx").then((part) => part.PlanarityScale),
+  import("../features/analysis/planarity-scale.tsx").then((part) => part.PlanarityScale),
 );
 
 const MobilityScale = later(() =>
-  import("./mobility-scale.tsx").then((part) => part.MobilityScale),
+  import("../features/mobility/mobility-scale.tsx").then((part) => part.MobilityScale),
 );
 
-const RemakeScale = later(() => import("./remake-scale.tsx").then((part) => part.RemakeScale));
+const RemakeScale = later(() =>
+  import("../features/analysis/remake-scale.tsx").then((part) => part.RemakeScale),
+);
 
-const GroupsScale = later(() => import("./groups-scale.tsx").then((part) => part.GroupsScale));
+const GroupsScale = later(() =>
+  import("../features/groups/groups-scale.tsx").then((part) => part.GroupsScale),
+);
 
 function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   return (

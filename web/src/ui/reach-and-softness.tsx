@@ -109,13 +109,15 @@ function KeepBoundary() {
 }
 
 const PointSupports = later(() =>
-  import("./point-supports.tsx").then((part) => part.PointSupports),
+  import("../features/supports/point-supports.tsx").then((part) => part.PointSupports),
 );
 
-const KeepOuts = later(() => import("./keep-outs.tsx").then((part) => part.KeepOuts));
+const KeepOuts = later(() =>
+  import("../features/keep-outs/keep-outs-section.tsx").then((part) => part.KeepOuts),
+);
 
 const SymmetrySection = later(() =>
-  import("./symmetry-section.tsx").then((part) => part.SymmetrySection),
+  import("../features/symmetry/symmetry-section.tsx").then((part) => part.SymmetrySection),
 );
 
 const SLIDES: readonly (readonly [string, string])[] = [

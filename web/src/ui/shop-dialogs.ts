@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the dialogs for the workshop hold.
-import { CuttingPackage } from "./cutting-package.tsx";
-import { IfcModel } from "./ifc-model.tsx";
+
+import { SecondLayer } from "../features/second-layer/second-layer.tsx";
+import { CuttingPackage } from "../features/shop/cutting-package.tsx";
+import { IfcModel } from "../features/shop/ifc-model.tsx";
+import { StructureDrawings } from "../features/shop/structure-drawings.tsx";
 import type { DialogPart } from "./later-dialog.tsx";
-import { SecondLayer } from "./second-layer.tsx";
-import { StructureDrawings } from "./structure-drawings.tsx";
 
 export const shopDialogs = {
   package: { title: "Cutting package", Content: CuttingPackage },

@@ -11,11 +11,17 @@ import { cancel } from "../state/showing.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 
-const ContextNote = later(() => import("./context-note.tsx").then((part) => part.ContextNote));
+const ContextNote = later(() =>
+  import("../features/context/context-note.tsx").then((part) => part.ContextNote),
+);
 
-const DamageNote = later(() => import("./damage-note.tsx").then((part) => part.DamageNote));
+const DamageNote = later(() =>
+  import("../features/analysis/damage-note.tsx").then((part) => part.DamageNote),
+);
 
-const RemakeNote = later(() => import("./remake-note.tsx").then((part) => part.RemakeNote));
+const RemakeNote = later(() =>
+  import("../features/analysis/remake-note.tsx").then((part) => part.RemakeNote),
+);
 
 function numbers(page: Page): readonly string[] {
   if (!page.ready.value) return [page.stranded.value ? "not ready" : "loading the solver…"];

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 
 import { SAMPLES } from "../design/samples.ts";
+import { HelpDialog } from "../features/help/help-dialog.tsx";
+import { ShareDialog } from "../features/sharing/share-dialog.tsx";
 import { offeredFigures, openFigure, shownFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
 import { CommandButton } from "./command-button.tsx";
 import { COMMANDS } from "./commands/commands.ts";
 import { ExportMenu } from "./export-menu.tsx";
-import { HelpDialog } from "./help-dialog.tsx";
 import { Icon } from "./icon.tsx";
 import { usePage } from "./page-context.ts";
 import type { Region } from "./regions.ts";
-import { ShareDialog } from "./share-dialog.tsx";
 
 function SampleChooser() {
   const page = usePage();

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What lies over the view, or is read aloud of it, once the page can be used.
+
+import { HiddenNote } from "../features/hiding/hidden-note.tsx";
+import { OffsetNote } from "../features/second-layer/offset-note.tsx";
+import { FingerOffer } from "../features/touch/finger-offer.tsx";
 import { hiddenPanels } from "../state/hidden-panels.ts";
 import { arrivedNote } from "../state/receiving.ts";
 import { Announcement } from "./announcement.tsx";
-import { FingerOffer } from "./finger-offer.tsx";
-import { HiddenNote } from "./hidden-note.tsx";
 import { later } from "./later.tsx";
-import { OffsetNote } from "./offset-note.tsx";
 import { usePage } from "./page-context.ts";
 
-const ReceivedNote = later(() => import("./received-note.tsx").then((part) => part.ReceivedNote));
+const ReceivedNote = later(() =>
+  import("../features/notes/received-note.tsx").then((part) => part.ReceivedNote),
+);
 
-export { SightTools } from "./sight-tools.tsx";
+export { SightTools } from "../features/hiding/sight-tools.tsx";
 
 export function ViewNotes() {
   const page = usePage();

@@ -16,9 +16,13 @@ import { Legend } from "./legend.tsx";
 import { usePage } from "./page-context.ts";
 import { offerView } from "./view-slot.ts";
 
-const PanelFigure = later(() => import("./panel-figure.tsx").then((part) => part.PanelFigure));
+const PanelFigure = later(() =>
+  import("../features/analysis/panel-figure.tsx").then((part) => part.PanelFigure),
+);
 
-const PreviewWords = later(() => import("./preview-words.tsx").then((part) => part.PreviewWords));
+const PreviewWords = later(() =>
+  import("../features/planarising/preview-summary.tsx").then((part) => part.PreviewWords),
+);
 
 const ViewNotes = later(() => import("./view-notes.tsx").then((part) => part.ViewNotes));
 

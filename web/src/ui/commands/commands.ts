@@ -59,7 +59,7 @@ const inView = (
 const named = (name: ViewName, key: string): Command =>
   inView(name, [key], (view) => view.view(name));
 
-type Hiding = typeof import("../../state/hiding.ts");
+type Hiding = typeof import("../../features/hiding/hiding.ts");
 
 const hiding = (
   name: string,
@@ -74,7 +74,7 @@ const hiding = (
   heard: "view",
   refusal,
   run: async (page) => {
-    const part = await fetchPart(page, () => import("../../state/hiding.ts"));
+    const part = await fetchPart(page, () => import("../../features/hiding/hiding.ts"));
     if (part) act(part, page);
   },
 });
@@ -105,9 +105,11 @@ const goToRegion = (label: string, key: string, step: 1 | -1): Command => ({
   run: () => import("../regions.ts").then((regions) => regions.goToRegion(step)),
 });
 
-const exploring = (page: Page) => fetchPart(page, () => import("../../state/exploring.ts"));
+const exploring = (page: Page) =>
+  fetchPart(page, () => import("../../features/exploring/exploring.ts"));
 
-const findingVariations = (page: Page) => fetchPart(page, () => import("../find-variations.ts"));
+const findingVariations = (page: Page) =>
+  fetchPart(page, () => import("../../features/exploring/find-variations.ts"));
 
 function cannotExplore(page: Page): string {
   const moved = page.figures.value.movedVertices > 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The commands of parts that come after the first drag.
-import { candidates } from "../../state/comparing.ts";
-import { continueFromShape } from "../../state/continuing.ts";
+import { candidates } from "../../features/comparing/comparing.ts";
+import { continueFromShape } from "../../features/exploring/continuing.ts";
 import { FLAT_FIRST } from "../../state/dragging.ts";
 import { addHandle, removeHandles } from "../../state/editing.ts";
 import { planarise } from "../../state/opening.ts";

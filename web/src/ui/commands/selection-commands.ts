@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What selects points, and what is done with all that are selected.
 import type { HandleRow } from "../../design/design.ts";
-import { FLAT_FIRST } from "../../state/dragging.ts";
-import { freePins, removeHandles, setPinned } from "../../state/editing.ts";
-import type { Page } from "../../state/page.ts";
-import type { AreaTool } from "../../state/page-state.ts";
 import {
   growSelection,
   selectBoundary,
@@ -13,7 +9,11 @@ import {
   selectOthers,
   selectRing,
   shrinkSelection,
-} from "../../state/selecting-more.ts";
+} from "../../features/selecting/selecting-more.ts";
+import { FLAT_FIRST } from "../../state/dragging.ts";
+import { freePins, removeHandles, setPinned } from "../../state/editing.ts";
+import type { Page } from "../../state/page.ts";
+import type { AreaTool } from "../../state/page-state.ts";
 import { type Command, notReady } from "./command.ts";
 
 const noPoints = (page: Page): string =>

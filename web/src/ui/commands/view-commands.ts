@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The views that were kept under a name.
 import { MOST_VIEWS } from "../../design/companions.ts";
+import { toggleNumbers } from "../../features/numbers/numbering.ts";
+import { keepView, showView } from "../../features/views/named-views.ts";
 import { readCamera } from "../../state/camera.ts";
-import { keepView, showView } from "../../state/named-views.ts";
-import { toggleNumbers } from "../../state/numbering.ts";
 import type { Page } from "../../state/page.ts";
 import type { Command } from "./command.ts";
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Two to four designs of one mesh, held against each other.
+
+import { batch, computed, signal } from "@preact/signals";
+import type { Design } from "../../design/design.ts";
+import { convert, type Unit } from "../../quantity/units.ts";
+import type { OpenedMesh, PanelMeasures, Shape } from "../../solver/protocol.ts";
+import { displayOfShape } from "../../solver/shape-display.ts";
+import { client } from "../../state/connection.ts";
+import { kept, type Page } from "../../state/page.ts";
+import { countHealth } from "../../state/panel-rows.ts";
+import { sameMesh } from "../../state/showing.ts";
+
+export const MOST_COMPARED = 4;
+
+export interface Candidate {
+  /** That of the snapshot; "" for the design shown. */
+  readonly id: string;
+  readonly name: string;
+  readonly design: Design;
+}
+
+export interface Figures {
+  readonly moved: number;
+  /** Panels to be made again. */
+  readonly changed: number;
+  readonly spoilt: number;
+  /** Degrees. */
+  readonly fold: number;
+  readonly angle: number;
+  /** Square metres. */
+  readonly area: number;
+}
+
+/** The design shown and the snapshots of its mesh. */
+export const candidates = kept((page) =>
+  computed((): readonly Candidate[] => {
+    const present = page.history.value?.present;
+    if (!present) return [];
+    const same = page.snapshots.value.filter(({ design }) => sameMesh(design, present));
+    return [{ id: "", name: "Now", design: present }, ...same];
+  }),
+);
+
+/** Ids, in the order of the candidates; the first is what the others are held against. */
+export const chosen = kept(() => signal<readonly string[]>([]));
+
+export const compared = kept((page) =>
+  computed(() => candidates(page).value.filter(({ id }) => chosen(page).value.includes(id))),
+);
+
+/** Of each of the compared, by id, as they arrive. */
+export const comparedFigures = kept(() => signal<ReadonlyMap<string, Figures>>(new Map()));
+
+/** The first two to four: snapshots before the design shown, unless that is none of them. */
+export function chooseFirst(page: Page): void {
+  const [now, ...kept] = candidates(page).value;
+  const isKept = kept.some(({ design }) => design === now?.design);
+  const ids = kept.map(({ id }) => id);
+  const all = isKept && ids.length > 1 ? ids : ["", ...ids];
+  batch(() => {
+    comparedFigures(page).value = new Map();
+    chosen(page).value = all.slice(0, MOST_COMPARED);
+  });
+}
+
+export function toggleChosen(page: Page, id: string): void {
+  const was = chosen(page).value;
+  const next = was.includes(id) ? was.filter((one) => one !== id) : [...was, id];
+  if (next.length >= 2 && next.length <= MOST_COMPARED) chosen(page).value = next;
+}
+
+/** The area vector's length by Newell's sum about the first corner, display units squared. */
+function areaOf(points: Float32Array, corners: Int32Array): number {
+  const [first = 0] = corners;
+  const arm = (v: number, axis: number) =>
+    (points[3 * v + axis] ?? 0) - (points[3 * first + axis] ?? 0);
+  const sum = [0, 0, 0];
+  for (let k = 1; k + 1 < corners.length; ++k) {
+    const [v, w] = [corners[k] ?? 0, corners[k + 1] ?? 0];
+    for (let axis = 0; axis < 3; ++axis) {
+      const [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
+      sum[axis] = (sum[axis] ?? 0) + arm(v, i) * arm(w, j) - arm(v, j) * arm(w, i);
+    }
+  }
+  return Math.hypot(...sum) / 2;
+}
+
+/** Square metres. */
+export function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit): number {
+  const { offsets, vertices, report } = opened;
+  const points = displayOfShape(opened, shape);
+  let largest = 0;
+  for (let f = 0; f + 1 < offsets.length; ++f)
+    largest = Math.max(largest, areaOf(points, vertices.subarray(offsets[f], offsets[f + 1])));
+  return largest * convert(1 / report.scale, modelUnit, "m") ** 2;
+}
+
+const HEALTH = { angle: 2, stride: 4 } as const;
+
+function figuresOf(page: Page, shape: Shape, measures: PanelMeasures, opened: OpenedMesh): Figures {
+  const { health, damage, folds } = measures;
+  let angle = 180;
+  for (let k = HEALTH.angle; k < health.length; k += HEALTH.stride)
+    angle = Math.min(angle, health[k] ?? angle);
+  return {
+    moved: shape.moved.length,
+    changed: countHealth(health).changed,
+    spoilt: damage.reduce((count, kind) => count + (kind > 0 ? 1 : 0), 0),
+    fold: folds?.reduce((sharpest, fold) => Math.max(sharpest, fold), 0) ?? 0,
+    angle,
+    area: largestPanel(opened, shape, page.unit.value),
+  };
+}
+
+/** Measures the compared designs that have no figures yet. */
+export async function measureCompared(page: Page): Promise<void> {
+  const opened = page.mesh.value;
+  for (const { id, design } of compared(page).value) {
+    if (!opened || comparedFigures(page).value.has(id)) continue;
+    const answer = await client(page)
+      .ask({ kind: "measure", shape: design.shape })
+      .catch(() => null);
+    if (answer?.kind !== "panels" || !answer.measures || opened !== page.mesh.value) return;
+    const figures = figuresOf(page, design.shape, answer.measures, opened);
+    comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
+  }
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+import { fetchPart } from "../../state/later.ts";
+import { usePage } from "../../ui/page-context.ts";
+
+/** How many objects of a file lie beside its panels, the way to hide them, and to keep out of them. */
+export function ContextNote() {
+  const page = usePage();
+  const { count = 0, triangles } = page.context.value ?? {};
+  const hidden = page.contextHidden.value;
+  const objects = `${count} other ${count === 1 ? "object" : "objects"}`;
+  const keepOut = async (): Promise<void> => {
+    const part = await fetchPart(page, () => import("../keep-outs/keep-outs.ts"));
+    await part?.addContext(page);
+  };
+  return (
+    <div class="notice">
+      {`${objects} ${hidden ? "hidden" : "shown as context"}`}{" "}
+      <button
+        type="button"
+        class="text-button"
+        onClick={() => {
+          page.contextHidden.value = !hidden;
+        }}
+      >
+        {hidden ? "Show" : "Hide"}
+      </button>
+      {triangles && triangles.length > 0 && (
+        <>
+          {" "}
+          <button
+            type="button"
+            class="text-button"
+            title="No panel goes through their surfaces; listed under Keep-outs"
+            disabled={!page.ready.value}
+            onClick={() => void keepOut()}
+          >
+            Keep out
+          </button>
+        </>
+      )}
+    </div>
+  );
+}

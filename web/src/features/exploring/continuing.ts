@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The design as it stands becomes a mesh of its own, from which the next edits start.
+
+import { continuedName } from "../../design/continued-name.ts";
+import { sourceName } from "../../design/design.ts";
+import { GIVEN_UP } from "../../result/result.ts";
+import { run } from "../../state/connection.ts";
+import { holdAlsoFor } from "../../state/kept-groups.ts";
+import { adopt } from "../../state/opening.ts";
+import type { Page } from "../../state/page.ts";
+import { takeBack } from "../../state/showing.ts";
+import { inTurn, type Outcome } from "../../state/turns.ts";
+
+const SAID =
+  "This shape is the new start: handles and variations are cleared. Undo brings them back.";
+
+/** One step of the history; OBJ keeps every bit of every coordinate. */
+export const continueFromShape = (page: Page): Outcome =>
+  inTurn(page, async () => {
+    const design = page.history.value?.present;
+    if (!design || design.shape.moved.length === 0) return;
+    const label = "starting from this shape";
+    const written = await run(
+      page,
+      label,
+      { kind: "export", format: "obj", design: null, groups: null },
+      "exported",
+    );
+    if (!written.ok) return written;
+    const file = new Blob([written.value.bytes as BlobPart]);
+    const name = continuedName(sourceName(design.source));
+    const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
+    const source = read.ok ? read.value.source : null;
+    if (!read.ok || !source) return takeBack(page, read.ok ? GIVEN_UP : read);
+    holdAlsoFor(page, design.source, source);
+    adopt(page, source, null, read.value.mesh);
+    page.notice.value = SAID;
+    return read;
+  });

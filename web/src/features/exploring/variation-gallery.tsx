@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+import { usePage } from "../../ui/page-context.ts";
+import "../../ui/designs.css";
+import { useComputed } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import { flatnessWords } from "../../design/flatness.ts";
+import { pointFrame } from "../../mesh/point-frame.ts";
+import { formatLength } from "../../quantity/units.ts";
+import { type Patch, patchOf, zoomedTo } from "../../scene/patch-drawing.ts";
+import type { Shape } from "../../solver/protocol.ts";
+import { shownPoint } from "../../state/editing.ts";
+import { foldWords, formatDegrees } from "../../state/fold.ts";
+import type { Page } from "../../state/page.ts";
+import { furthestBetween, signOf } from "./furthest.ts";
+import { adopt, fillGallery, type Gallery, type GalleryItem, gallery, preview } from "./gallery.ts";
+import { PatchPicture } from "./patch-picture.tsx";
+import { wayWords } from "./slider-range.ts";
+
+/** Where and how far it is from the edit, and which way: tiles may be the same in all other figures. */
+function apartWords(page: Page, { shape }: GalleryItem, centre: Shape): readonly [string, string] {
+  const opened = page.mesh.value;
+  const found = opened && furthestBetween(centre, shape, opened.positions);
+  if (!found) return ["", ""];
+  const { vertex, move } = found;
+  const frame = pointFrame(opened, (v) => shownPoint(page, v, centre), vertex);
+  const length = formatLength(Math.hypot(...move), page.unit.value);
+  const way = wayWords(move, frame.normal);
+  return [
+    `${signOf(move, frame)}${length} at ${vertex}`,
+    `from the edit ${length} at point ${vertex}, ${way}`,
+  ];
+}
+
+interface TileProps {
+  readonly item: GalleryItem;
+  readonly number: number;
+  readonly patch: Patch;
+  /** The edit that it is a variation of. */
+  readonly centre: Shape;
+}
+
+/** "14 again"; what is spoilt is said, too. */
+function Again({ panels }: Pick<GalleryItem, "panels">) {
+  if (!panels) return null;
+  return (
+    <>
+      <br />
+      {`${panels.changed} again`}
+      {panels.damage && <strong class="tile-damage">{panels.damage}</strong>}
+    </>
+  );
+}
+
+function Tile({ item, number, patch, centre }: TileProps) {
+  const page = usePage();
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
+  const length = formatLength(maxDisplacement, page.unit.value);
+  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence;
+  const chosen = page.draft.value?.shape === item.shape;
+  const fold = foldWords(item.report);
+  const [apart, apartAbout] = apartWords(page, item, centre);
+  const words = `${movedVertices} points move, largest ${length}, ${apartAbout}, worst panel ${worst}, ${fold}`;
+  const after = item.report.sharpestFold?.after;
+  const opened = page.mesh.value;
+  const near = useMemo(
+    () => (opened ? zoomedTo(opened, patch, item.shape) : patch),
+    [opened, patch, item.shape],
+  );
+  return (
+    <li>
+      <button
+        type="button"
+        class="tile"
+        aria-pressed={chosen}
+        title={words}
+        onClick={() => void adopt(page, item)}
+        onPointerEnter={() => preview(page, item)}
+        onPointerLeave={() => preview(page, null)}
+        onFocus={() => preview(page, item)}
+        onBlur={() => preview(page, null)}
+      >
+        {opened && <PatchPicture mesh={opened} patch={near} shape={item.shape} />}
+        <span class="visually-hidden">Adopt design {number}: </span>
+        <span class="tile-figures">
+          {length}
+          <br />
+          {movedVertices} points
+          {apart && (
+            <>
+              <br />
+              <span aria-hidden="true">{apart}</span>
+            </>
+          )}
+          {after !== undefined && (
+            <>
+              <br />
+              {`fold ${formatDegrees(after)}`}
+            </>
+          )}
+          <Again panels={item.panels} />
+        </span>
+        <span class="visually-hidden">
+          , {apartAbout}, worst panel {worst}
+        </span>
+      </button>
+    </li>
+  );
+}
+
+function Tiles({ shown, patch }: { shown: Gallery; patch: Patch }) {
+  const { items, planned, centre } = shown;
+  const waiting = Math.max(0, planned - items.length);
+  return (
+    <ul class="tiles" aria-label="Gallery of variations" aria-busy={waiting > 0}>
+      {items.map((item, k) => (
+        <Tile
+          key={item.coefficients.join()}
+          item={item}
+          number={k + 1}
+          patch={patch}
+          centre={centre}
+        />
+      ))}
+      {Array.from({ length: waiting }, (_, k) => (
+        <li key={`waiting ${items.length + k}`} class="tile waiting" aria-hidden="true" />
+      ))}
+    </ul>
+  );
+}
+
+function GalleryButton() {
+  const page = usePage();
+  return (
+    <button type="button" class="button wide" onClick={() => void fillGallery(page)}>
+      Show gallery
+    </button>
+  );
+}
+
+/** Designs to choose from, each exact already. */
+export function VariationGallery() {
+  const page = usePage();
+  const patch = useComputed(() => {
+    const [opened, shown] = [page.mesh.value, gallery(page).value];
+    if (!opened || !shown) return null;
+    return patchOf(
+      opened,
+      shown.items.map(({ shape }) => shape),
+      shown.centre,
+    );
+  });
+  const [shown, centre] = [gallery(page).value, page.draft.value?.variation?.centre];
+  if (!centre) return null;
+  if (shown?.centre !== centre) return <GalleryButton />;
+  if (!patch.value) return null;
+  return (
+    <>
+      <p class="quiet small">
+        Designs to choose from, each flat already, coloured by how far it is from the edit: blue
+        towards you, amber away. Under each: its largest move, how many points move, and where it is
+        furthest from the edit. Rest on one to see it in the view.
+      </p>
+      <Tiles shown={shown} patch={patch.value} />
+    </>
+  );
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Where the point chosen last is: in the file, from a point of one's own, and from where it was.
+import { useSignal } from "@preact/signals";
+import { NO_SHAPE, type Point } from "../../design/design.ts";
+import { add } from "../../mesh/point-frame.ts";
+import { formatCoordinate } from "../../quantity/units.ts";
+import { basePoint, shownPoint } from "../../state/editing.ts";
+import type { Page } from "../../state/page.ts";
+import { settled } from "../../state/shortfall.ts";
+import { Ask } from "../../ui/ask.tsx";
+import { usePage } from "../../ui/page-context.ts";
+import { localOrigin, setLocalOrigin } from "./local-origin.ts";
+import "./position.css";
+
+type Line = readonly [name: string, place: Point];
+
+function lines(page: Page, vertex: number): readonly Line[] {
+  const shape = page.draft.value?.shape ?? NO_SHAPE;
+  const place = shownPoint(page, vertex, shape);
+  const origin = localOrigin(page).value;
+  const from: Line[] =
+    origin === null
+      ? []
+      : [[`From point ${origin}`, add(place, shownPoint(page, origin, shape), -1)]];
+  return [["In the file", place], ...from, ["Moved by", add(place, basePoint(page, vertex), -1)]];
+}
+
+function Places({ vertex }: { vertex: number }) {
+  const page = usePage();
+  return (
+    <table class={settled(page).value ? "" : "stale"} aria-label={`Position of point ${vertex}`}>
+      <thead>
+        <tr>
+          <th scope="col">Point {vertex}</th>
+          {["X", "Y", "Z"].map((axis) => (
+            <th key={axis} scope="col">
+              {axis} <span class="unit">{page.unit.value}</span>
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {lines(page, vertex).map(([name, place]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            {place.map((x, axis) => (
+              <td key={axis}>{formatCoordinate(x)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** Chooses where places are given from: a point, or null for the file's own. */
+function OriginButton({ of, title, label }: { of: number | null; title: string; label: string }) {
+  const page = usePage();
+  return (
+    <button
+      type="button"
+      class="button small"
+      title={title}
+      aria-pressed={localOrigin(page).value === of}
+      onClick={() => setLocalOrigin(page, of)}
+    >
+      {label}
+    </button>
+  );
+}
+
+function Origin({ vertex }: { vertex: number }) {
+  return (
+    <div class="row">
+      <OriginButton
+        of={vertex}
+        title="Gives the places of other points from this one"
+        label="Origin here"
+      />
+      <OriginButton
+        of={null}
+        title="Gives places as the file has them alone"
+        label="Origin of the file"
+      />
+    </div>
+  );
+}
+
+/** Followed only while it is unfolded. */
+export function Position() {
+  const page = usePage();
+  const open = useSignal(false);
+  const vertex = page.selected.value;
+  return (
+    <details
+      class="surface-move position"
+      onToggle={({ currentTarget }) => {
+        open.value = currentTarget.open;
+      }}
+    >
+      <summary>Position</summary>
+      <Ask about="position" />
+      {open.value && vertex === null && <p class="quiet">Select a point first.</p>}
+      {open.value && vertex !== null && (
+        <>
+          <Places vertex={vertex} />
+          <Origin vertex={vertex} />
+        </>
+      )}
+    </details>
+  );
+}

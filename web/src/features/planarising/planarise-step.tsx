@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// How an opened mesh becomes flat, shown on the model before it is done: close to what was opened, or
+// fair.
+import type { Page } from "../../state/page.ts";
+import { usePage } from "../../ui/page-context.ts";
+import "./planarise-step.css";
+import { useEffect, useMemo } from "preact/hooks";
+import { decimal, flatnessWords } from "../../design/flatness.ts";
+import type { Preview, Trial } from "../../design/planarising.ts";
+import { formatLength, unitWord } from "../../quantity/units.ts";
+import type { OpenedMesh, Planarising } from "../../solver/protocol.ts";
+import { formatDegrees } from "../../state/fold.ts";
+import { Choice } from "../../ui/choice.tsx";
+import { LimitField } from "../../ui/limit-field.tsx";
+import { Slider } from "../../ui/slider.tsx";
+import { spoiltWords, usualFold } from "./planarise-figures.ts";
+import { EAGER_POINTS, isMet, PlanarisePreview } from "./planarise-preview.ts";
+
+/** Weights of fairness, from the nearest flat mesh to the fairest. */
+const STOPS = [0, 1, 10, 100, 1000] as const;
+
+const NAMES = ["nearest", "close", "fair", "fairer", "fairest"] as const;
+
+/** mm/m that panels may stay out of flat; the last is the most that edits can live with. */
+const FLATNESSES = [0, 1, 5, 20] as const;
+
+const MOST_BENT = 20;
+
+const FLATNESS_CHOICES = FLATNESSES.map(
+  (flat) => [String(flat), flat > 0 ? `to within ${flat} mm/m` : "exactly"] as const,
+);
+
+/** The stop for a weight that may have come from elsewhere. */
+const stopOf = (smooth: number): number => {
+  const next = STOPS.findIndex((weight) => weight >= smooth);
+  return next < 0 ? STOPS.length - 1 : next;
+};
+
+/** A panel of boundary points alone cannot become flat while they stay. */
+function canKeepBoundary({ offsets, vertices, topology }: OpenedMesh): boolean {
+  for (let f = 0; f + 1 < offsets.length; ++f) {
+    const corners = vertices.subarray(offsets[f], offsets[f + 1]);
+    if (corners.length > 3 && corners.every((v) => topology.boundary[v] === 1)) return false;
+  }
+  return true;
+}
+
+const degrees = (fold: number | null): string => (fold === null ? "" : formatDegrees(fold));
+
+function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
+  const page = usePage();
+  const worst = ({ report }: OpenedMesh): string => {
+    const { worstGap, worstMmPerM, worstExcess } = report;
+    const { cell } = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value);
+    return cell === "flat" ? cell : `${cell} mm/m`;
+  };
+  const { moved, largest } = trial.mesh.report.planarising;
+  const folds = [page.panelFolds.value, trial.measures?.folds ?? null].map((all) =>
+    degrees(all && usualFold(all)),
+  );
+  const rows: readonly (readonly [string, string, string])[] = [
+    ["Worst panel", worst(opened), worst(trial.mesh)],
+    ["95 % of panels fold up to", folds[0] ?? "", folds[1] ?? ""],
+    ["Newly spoilt", "", spoiltWords(trial)],
+    ["Largest move", "", formatLength(largest, page.unit.value)],
+    ["Points that move", "", `${moved} of ${opened.report.vertices}`],
+  ];
+  return (
+    <table class="planarise-figures">
+      <caption class="visually-hidden">Before and after planarising</caption>
+      <thead>
+        <tr>
+          <td />
+          <th scope="col">File</th>
+          <th scope="col">After</th>
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map(([name, before, after]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            <td>{before}</td>
+            <td>{after}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** What else there is where panels stay bent. */
+function ways({ keepBoundary, within }: Planarising): string {
+  const others = [
+    ...(within > 0 ? ["let points move farther"] : []),
+    ...(keepBoundary ? ["let the boundary move"] : []),
+    "try another place between close and fair",
+  ];
+  const sentence = `${others.join(", or ")}.`;
+  return ` ${sentence[0]?.toUpperCase()}${sentence.slice(1)}`;
+}
+
+/** Why a trial is not as flat as was asked for, and what there is instead. */
+function Short({ trial: { how, mesh }, onTry }: { trial: Trial; onTry: (flat: number) => void }) {
+  const bent = decimal(mesh.report.worstMmPerM);
+  const asked = how.flat > 0 ? `flat to ${how.flat} mm/m` : "exactly flat";
+  const because = how.within > 0 ? "no point may move farther, and panels keep" : "they would lose";
+  return (
+    <div class="note warn">
+      <p>
+        {`Not every panel can be ${asked}: the worst stays ${bent} mm/m out of flat, because ${because} their shape.${ways(how)}`}
+      </p>
+      {how.flat < MOST_BENT && (
+        <button type="button" class="button small" onClick={() => onTry(MOST_BENT)}>
+          {`Try flat to within ${MOST_BENT} mm/m`}
+        </button>
+      )}
+    </div>
+  );
+}
+
+interface OutcomeProps {
+  readonly preview: Preview;
+  readonly opened: OpenedMesh;
+  readonly onTry: (flat: number) => void;
+}
+
+function Outcome({ preview, opened, onTry }: OutcomeProps) {
+  const page = usePage();
+  switch (preview.kind) {
+    case "none":
+      return <p class="quiet small">Move the slider to see on the model what it gives.</p>;
+    case "running":
+      return <p class="quiet small">Trying it on the model…</p>;
+    case "refused":
+      return <p class="note warn">{preview.sentence + ways(page.planarising.value)}</p>;
+    case "shown": {
+      const { trial } = preview;
+      const short = page.draft.value && !isMet(trial, page.draft.value);
+      return (
+        <>
+          <Figures trial={trial} opened={opened} />
+          {short && <Short trial={trial} onTry={onTry} />}
+        </>
+      );
+    }
+  }
+}
+
+function hold(page: Page, on: boolean): void {
+  page.showBefore.value = on;
+}
+
+function HoldFile() {
+  const page = usePage();
+  return (
+    <button
+      type="button"
+      class="button small"
+      aria-pressed={page.showBefore.value}
+      title="Hold to see the file as it is (B)"
+      onPointerDown={() => hold(page, true)}
+      onPointerUp={() => hold(page, false)}
+      onPointerLeave={() => hold(page, false)}
+      onKeyDown={(event) => event.key === " " && hold(page, true)}
+      onKeyUp={() => hold(page, false)}
+      onBlur={() => hold(page, false)}
+    >
+      Before: the file
+    </button>
+  );
+}
+
+/** @param live whether it begins by itself */
+export function PlanariseStep({ live }: { live: boolean }) {
+  const page = usePage();
+  const [opened, design] = [page.mesh.value, page.draft.value];
+  const preview = useMemo(
+    () => (opened && design ? new PlanarisePreview(page, opened, design) : null),
+    [opened, design],
+  );
+  const wanted = (): Planarising => {
+    const { keepShape = true, constraints = [] } = page.settings.peek() ?? {};
+    return { ...page.planarising.peek(), keepShape, constraints };
+  };
+  const show = (): void => void preview?.show(wanted());
+  const keep = (keepBoundary: boolean): void => {
+    page.planarising.value = { ...page.planarising.peek(), keepBoundary };
+  };
+  const change = (changed: Partial<Planarising>): void => {
+    page.planarising.value = { ...page.planarising.peek(), ...changed };
+    show();
+  };
+  /** With the boundary where it is, unless that leaves panels bent. */
+  const begin = async (): Promise<void> => {
+    const first = wanted();
+    const ways = first.keepBoundary ? [first, { ...first, keepBoundary: false }] : [first];
+    const trial = await preview?.show(...ways);
+    if (trial) keep(trial.how.keepBoundary);
+  };
+  useEffect(() => {
+    if (!opened || !preview) return;
+    if (live) {
+      const keepBoundary = canKeepBoundary(opened);
+      page.planarising.value = { ...page.planarising.peek(), keepBoundary, within: 0, flat: 0 };
+    }
+    if (live && opened.report.vertices <= EAGER_POINTS) void begin();
+    return () => preview.end();
+  }, [opened, preview, live]);
+  if (!opened || !preview) return null;
+  const { smooth, keepBoundary, within, flat } = page.planarising.value;
+  const stop = stopOf(smooth);
+  const name = NAMES[stop] ?? "";
+  const choose = (place: number): void => {
+    const chosen = STOPS[place] ?? 0;
+    if (chosen === page.planarising.peek().smooth && page.planariseTrial.peek().kind !== "none")
+      return;
+    change({ smooth: chosen });
+  };
+  return (
+    <>
+      <Slider
+        label="Close or fair"
+        value={stop}
+        min={0}
+        max={STOPS.length - 1}
+        step={1}
+        shown={name}
+        spoken={name}
+        disabled={!page.ready.value}
+        ends={["close to the file", "fair folds"]}
+        onInput={choose}
+        onCommit={choose}
+      />
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={keepBoundary}
+          onChange={({ currentTarget }) => change({ keepBoundary: currentTarget.checked })}
+        />
+        <span>Keep the boundary where it is</span>
+      </label>
+      <div class="planarise-bounds">
+        <Choice
+          label="Flat"
+          value={String(flat)}
+          words={FLATNESS_CHOICES}
+          onChoose={(chosen) => change({ flat: Number(chosen) })}
+        />
+        <div class="field">
+          <span aria-hidden="true">{`Largest move (${page.unit.value})`}</span>
+          <LimitField
+            label="Largest move"
+            about={`${unitWord(page.unit.value)}, or any: no point moves farther`}
+            zero="any"
+            value={within}
+            unit={page.unit.value}
+            invalid={within < 0}
+            onApply={(length) => change({ within: Math.max(0, length) })}
+          />
+        </div>
+      </div>
+      <Outcome
+        preview={page.planariseTrial.value}
+        opened={opened}
+        onTry={(most) => change({ flat: most })}
+      />
+      {page.planariseTrial.value.kind === "shown" && <HoldFile />}
+    </>
+  );
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+
+import { useComputed, useSignal } from "@preact/signals";
+import { type Unit, unitWord } from "../../quantity/units.ts";
+import { usePage } from "../../ui/page-context.ts";
+import { CuttingPreview, type Saved } from "./cutting-preview.tsx";
+import { exportPackage, type PackageChoice, type Scope } from "./shop.ts";
+import { NumberRow, ScopeRow, ShopForm, UnitRow } from "./shop-fields.tsx";
+
+/** Asks what the workshop needs, and saves it. */
+export function CuttingPackage() {
+  const page = usePage();
+  const [gap, thickness, text] = [useSignal(""), useSignal(""), useSignal("")];
+  const [width, height] = [useSignal(""), useSignal("")];
+  const packageUnit = useSignal<Unit>("mm");
+  const scope = useSignal<Scope>("all");
+  const withLink = useSignal(true);
+  const saved = useSignal<Saved | null>(null);
+  const choice = useComputed(
+    (): PackageChoice => ({
+      unit: packageUnit.value,
+      scope: scope.value,
+      gap: Number(gap.value),
+      thickness: Number(thickness.value),
+      sheetWidth: Number(width.value),
+      sheetHeight: Number(height.value),
+      textHeight: Number(text.value),
+      withLink: withLink.value,
+    }),
+  );
+  const save = async (): Promise<void> => {
+    const of = choice.value;
+    const header = await exportPackage(page, of);
+    saved.value = header && { header, of };
+  };
+  return (
+    <ShopForm save="Save package" onSave={save} said={null}>
+      <UnitRow label="Unit of the drawings" value={packageUnit} />
+      <ScopeRow label="Drawings of" value={scope} />
+      <NumberRow label="Joint between panels" value={gap} />
+      <NumberRow label="Thickness" value={thickness} />
+      <NumberRow label="Sheet width" value={width} />
+      <NumberRow label="Sheet height" value={height} />
+      <NumberRow label="Text height" value={text} otherwise="by panel" />
+      <label for="shop-link">Labels with a QR code</label>
+      <input
+        id="shop-link"
+        type="checkbox"
+        checked={withLink.value}
+        onChange={({ currentTarget }) => {
+          withLink.value = currentTarget.checked;
+        }}
+      />
+      <p class="quiet">
+        {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(page.unit.value)}; panels are seen from outside.`}
+      </p>
+      <CuttingPreview choice={choice} saved={saved} />
+    </ShopForm>
+  );
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What was saved for the workshop, in words.
+
+import { decimal, FLAT } from "../../design/flatness.ts";
+import type { CuttingHeader } from "../../solver/protocol.ts";
+
+const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
+
+function sheetWords({ sheets }: CuttingHeader): string[] {
+  if (!sheets) return [];
+  const used = Math.round(100 * sheets.used_fraction);
+  const words = [`${sheets.count} ${sheets.count === 1 ? "sheet" : "sheets"}, ${used} % used`];
+  if (sheets.oversize.length > 0)
+    words.push(`${panels(sheets.oversize.length)} larger than a sheet`);
+  return words;
+}
+
+export function summary(header: CuttingHeader): string {
+  const { counts, remake, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
+  const parts = [`${panels(counts.drawn)} drawn`];
+  if (remake)
+    parts.push(
+      `${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`,
+      `${remake.nodes_moved} nodes moved, ${remake.nodes_arms} with new angles only`,
+    );
+  parts.push(...sheetWords(header));
+  if (labels?.link && !labels.code)
+    parts.push("the labels carry no QR code, as the link is too long for one");
+  if (vanished.length > 0)
+    parts.push(
+      `not drawn, as nothing is left of them or they cross themselves: ${vanished.join(", ")}`,
+    );
+  if (excess_mm_per_m > FLAT)
+    parts.push(`not flat: a panel is out of its plane by ${decimal(flatness_mm_per_m)} mm/m`);
+  return `${parts.join("; ")}.`;
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Files for the workshop: written by the core, the same bytes as from the command line.
+
+import { NOTHING } from "../../export/companions.ts";
+import { designLink } from "../../export/design-link.ts";
+import { save } from "../../export/exporting.ts";
+import { linkCode } from "../../export/link-code.ts";
+import { GIVEN_UP } from "../../result/result.ts";
+import type {
+  CuttingHeader,
+  CuttingOptions,
+  DrawingOptions,
+  DrawnHeader,
+  ShopOrder,
+} from "../../solver/protocol.ts";
+import { run } from "../../state/connection.ts";
+import type { Page } from "../../state/page.ts";
+import { inTurn } from "../../state/turns.ts";
+
+/** Which panels are drawn. */
+export type Scope = "all" | "remake" | "selected";
+
+/** What the user chooses; the rest follows from the design. */
+export type PanelChoice = Omit<CuttingOptions, "name" | "modelUnit" | "remakeOnly" | "panels"> & {
+  readonly scope: Scope;
+};
+
+export type PackageChoice = PanelChoice & { readonly withLink: boolean };
+
+export type DrawingChoice = Omit<DrawingOptions, "name" | "modelUnit">;
+
+const named = (page: Page) => ({
+  name: page.designName.value.replace(/\.[a-z]+$/i, ""),
+  modelUnit: page.unit.value,
+});
+
+/** The panel that is selected; else those at the selected points. */
+export function selectedPanels(page: Page): number[] {
+  if (page.selectedPanel.value !== null) return [page.selectedPanel.value];
+  const opened = page.mesh.value;
+  if (!opened || page.selection.value.length === 0) return [];
+  const chosen = new Set(page.selection.value);
+  const panels: number[] = [];
+  for (let panel = 0; panel + 1 < opened.offsets.length; ++panel) {
+    const corners = opened.vertices.subarray(opened.offsets[panel], opened.offsets[panel + 1]);
+    if (corners.some((vertex) => chosen.has(vertex))) panels.push(panel);
+  }
+  return panels;
+}
+
+export function cuttingOptions(page: Page, { scope, ...choice }: PanelChoice): CuttingOptions {
+  const panels = scope === "selected" ? selectedPanels(page) : [];
+  return { ...choice, ...named(page), remakeOnly: scope === "remake", panels };
+}
+
+type Header = CuttingHeader | DrawnHeader;
+
+const isDrawn = (header: Header): header is DrawnHeader => "missed" in header;
+
+/** Once all that was asked for is done; the header, null if it was refused. */
+async function make(
+  page: Page,
+  doing: string,
+  order: () => Promise<ShopOrder>,
+  type: string,
+  ending: string,
+): Promise<Header | null> {
+  const made = await inTurn(page, async () => {
+    const answer = await run(page, doing, { kind: "shop", order: await order() }, "made");
+    if (answer.ok) save(page, new Blob([answer.value.file], { type }), ending);
+    return answer;
+  });
+  return made?.ok ? made.value.header : null;
+}
+
+export async function exportPackage(
+  page: Page,
+  { withLink, ...choice }: PackageChoice,
+): Promise<CuttingHeader | null> {
+  const order = async (): Promise<ShopOrder> => {
+    const link = withLink ? await designLink(page, null, NOTHING) : GIVEN_UP;
+    const code = linkCode(link.ok ? link.value : "");
+    return { what: "package", options: cuttingOptions(page, choice), code };
+  };
+  const header = await make(page, "writing the package", order, "application/zip", "-package.zip");
+  return header && !isDrawn(header) ? header : null;
+}
+
+export async function exportIfc(page: Page, choice: PanelChoice): Promise<CuttingHeader | null> {
+  const order = async (): Promise<ShopOrder> => ({
+    what: "ifc",
+    options: cuttingOptions(page, choice),
+  });
+  const header = await make(page, "writing IFC", order, "application/x-step", ".ifc");
+  return header && !isDrawn(header) ? header : null;
+}
+
+export async function exportDrawings(
+  page: Page,
+  choice: DrawingChoice,
+): Promise<DrawnHeader | null> {
+  const order = async (): Promise<ShopOrder> => ({
+    what: "drawings",
+    options: { ...choice, ...named(page) },
+  });
+  const header = await make(page, "drawing", order, "application/zip", "-drawings.zip");
+  return header && isDrawn(header) ? header : null;
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Where a handle stops on its way to its target, why, and what gets it further.
+
+import type { Design, HandleRow, Point } from "../../design/design.ts";
+import { limitHead, limitNumbers } from "../../design/stated-limit.ts";
+import { formatLength, type Unit } from "../../quantity/units.ts";
+import type { EditSettings } from "../../solver/protocol.ts";
+import { formatDegrees } from "../../state/fold.ts";
+import { isNoticeable } from "../../state/stopping-short.ts";
+
+/** The handle that is furthest from where it was asked to go; model units. */
+export interface Stop {
+  readonly vertex: number;
+  /** From the base to where it was asked to go. */
+  readonly asked: number;
+  /** How much of that way it went. */
+  readonly got: number;
+}
+
+/** By the limit on a drag's folds, by a limit that was stated, by what flat panels can do, or by a
+ * keep-out. */
+export type Reason = "fold" | "limits" | "panels" | "keep-outs";
+
+export interface WayOn {
+  readonly label: string;
+  readonly title: string;
+  readonly change: Partial<EditSettings>;
+  /** Degrees by which folds may grow; null: by any. */
+  readonly growth: number | null;
+}
+
+const MOST_RINGS = 12;
+const MORE_RINGS = 3;
+const SOFTEST = 10;
+const SOFTER = 2;
+const MORE_DEGREES = 10;
+
+type PointAt = (vertex: number) => Point;
+
+const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+
+/** Null where every handle is as good as there. `base` and `at`: points before the edit and after. */
+export function stopOf(
+  rows: readonly HandleRow[],
+  base: PointAt,
+  at: PointAt,
+  meanEdge: number,
+): Stop | null {
+  let [worst, most]: [Stop | null, number] = [null, 0];
+  for (const { vertex, target } of rows.filter(({ pinned }) => !pinned)) {
+    const way = minus(target, base(vertex));
+    const went = minus(at(vertex), base(vertex));
+    const asked = Math.hypot(...way);
+    const short = Math.hypot(...minus(way, went));
+    if (short <= most || !isNoticeable(short, asked, meanEdge)) continue;
+    const along = (way[0] * went[0] + way[1] * went[1] + way[2] * went[2]) / asked;
+    [worst, most] = [{ vertex, asked, got: Math.max(0, along) }, short];
+  }
+  return worst;
+}
+
+/** `held`: a pull of the design was held back. */
+export function reasonOf({ report, settings }: Design, held: boolean): Reason {
+  if ((report.bounds?.["keep-out"] ?? []).length > 0) return "keep-outs";
+  const bound = Object.values(report.bounds ?? {}).some((panels) => panels.length > 0);
+  const refused = report.status === "infeasible_handles";
+  if (settings.limits.length > 0 && (held || bound || refused)) return "limits";
+  return held ? "fold" : "panels";
+}
+
+/** "216 of 300 mm". */
+export function gotWords({ got, asked }: Stop, unit: Unit): string {
+  const [first, all] = [formatLength(got, unit), formatLength(asked, unit)];
+  const space = first.lastIndexOf(" ");
+  return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
+}
+
+/** What stops it, in a sentence; `growth` as in Wanted. */
+export function reasonWords(reason: Reason, growth: number | null): string {
+  if (reason === "limits") return "Further, they would exceed a limit that you stated.";
+  if (reason === "keep-outs") return "Further, they would enter a keep-out.";
+  if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
+  return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
+}
+
+function wider({ reach, reachLength }: EditSettings, growth: number | null): WayOn[] {
+  if (reach === 0 && reachLength === 0) return [];
+  const next = reach > 0 && reach + MORE_RINGS <= MOST_RINGS ? reach + MORE_RINGS : 0;
+  const label = next > 0 ? `Reach ${next} panels` : "Reach without limit";
+  return [
+    { label, title: "Lets more points follow", change: { reach: next, reachLength: 0 }, growth },
+  ];
+}
+
+function softer({ softness: now }: EditSettings, growth: number): WayOn[] {
+  if (now === 0 || now === SOFTEST) return [];
+  const softness = Math.min(SOFTEST, now + SOFTER);
+  const title = `Softness ${softness}: more panels share the bend`;
+  return [{ label: "Softer", title, change: { softness }, growth }];
+}
+
+/** The same bend over more panels: what no fold may do, others have to. */
+function shared({ limits }: EditSettings, growth: number): WayOn {
+  const change = { limits: [...limits, `fold=+${growth}`] };
+  const title = "A limit on every fold: panels further away bend in their place";
+  return { label: "Share the bend", title, change, growth: null };
+}
+
+function sharper({ report }: Design, growth: number): WayOn {
+  const degrees = Math.ceil((report.sharpestFold?.before ?? 0) + growth + MORE_DEGREES);
+  const [label, title] = [`Folds up to ${degrees}°`, "Lets panels fold more sharply"];
+  return { label, title, change: {}, growth: growth + MORE_DEGREES };
+}
+
+/** A limit on folds ten degrees further on; any other is taken back. */
+function looser({ limits }: EditSettings): WayOn {
+  const fold = limits.find((limit) => limit.startsWith("fold="));
+  if (!fold) {
+    const [label, title] = ["Without limits", "Takes back the limits that you stated"];
+    return { label, title, change: { limits: [] }, growth: null };
+  }
+  const [head, degrees] = [limitHead(fold), (limitNumbers(fold)[0] ?? 0) + MORE_DEGREES];
+  const changed = limits.map((limit) => (limit === fold ? `${head}${degrees}` : limit));
+  const label = head === "fold=" ? `Folds up to ${degrees}°` : `Folds sharper by ${degrees}°`;
+  return { label, title: "Loosens the limit", change: { limits: changed }, growth: null };
+}
+
+const without = (): WayOn => ({
+  label: "Without keep-outs",
+  title: "Takes all of them back",
+  change: { keepOuts: [], clearance: 0 },
+  growth: null,
+});
+
+/** One press each. Those that do not loosen the limit on a drag's folds keep it. */
+export function waysOn(design: Design, reason: Reason, growth: number | null): readonly WayOn[] {
+  const { settings } = design;
+  if (reason === "keep-outs") return [without()];
+  const kept = reason === "fold" ? growth : null;
+  const ways = wider(settings, kept);
+  if (kept !== null)
+    ways.push(...softer(settings, kept), shared(settings, kept), sharper(design, kept));
+  if (reason === "limits") ways.push(looser(settings));
+  if (settings.keepBoundary) {
+    const [label, title] = ["Let the boundary move", "Points on the boundary may follow"];
+    ways.push({ label, title, change: { keepBoundary: false }, growth: kept });
+  }
+  if (!settings.hardHandles) {
+    const title = "All the way, however sharp the folds, where flat panels let it";
+    ways.push({ label: "Meet it exactly", title, change: { hardHandles: true }, growth: null });
+  }
+  return ways;
+}

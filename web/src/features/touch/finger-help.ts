@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a finger that drags points is helped by: a loupe while it does, and after it a way to take the
+// drag back. Fetched with the first such drag.
+
+import { type Place, project } from "../../scene/picking.ts";
+import type { Sight } from "../../scene/sight.ts";
+import { fingerDrag, offerPlace, offerToTakeBack } from "../../state/finger-drag.ts";
+import type { Outcome } from "../../state/turns.ts";
+import { besidePoint, OFFER, type Size } from "./beside-point.ts";
+import { Loupe } from "./loupe.ts";
+
+export class FingerHelp {
+  readonly #sight: Sight;
+  readonly #loupe: Loupe;
+
+  constructor(sight: Sight) {
+    this.#sight = sight;
+    this.#loupe = new Loupe(sight.canvas);
+  }
+
+  /** The finger is lifted. */
+  hide(): void {
+    this.#loupe.hide();
+  }
+
+  /** It dragged a point, which ends so. */
+  async lifted(vertex: number, ended: Outcome): Promise<void> {
+    await offerToTakeBack(this.#sight.page, vertex, ended);
+    this.#sight.stage.invalidate();
+  }
+
+  /** The view was drawn. @param finger pixels of the canvas; null: there is none */
+  draw(finger: Place | null): void {
+    const { shell, page } = this.#sight;
+    if (!shell) return;
+    const view = this.#sight.view();
+    const at = (vertex: number): Place | null => project(shell.current, vertex, view);
+    if (finger)
+      this.#loupe.draw(
+        finger,
+        page.selection.value.map(at).filter((mark) => mark !== null),
+      );
+    this.#placeOffer(at, view);
+  }
+
+  /** Its buttons follow the point while the camera turns. */
+  #placeOffer(at: (vertex: number) => Place | null, view: Size): void {
+    const [drag, place] = [fingerDrag(this.#sight.page).value, offerPlace(this.#sight.page)];
+    const point = drag && at(drag.vertex);
+    const next = point && besidePoint(point, OFFER, view);
+    if (next?.x !== place.value?.x || next?.y !== place.value?.y) place.value = next;
+  }
+
+  dispose(): void {
+    this.#loupe.dispose();
+  }
+}

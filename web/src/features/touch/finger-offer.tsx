@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Keep or take back, beside the point that a finger dragged.
+import check from "lucide-static/icons/check.svg?raw";
+import { fingerDrag, keepDrag, offerPlace, takeBackDrag } from "../../state/finger-drag.ts";
+import type { Page } from "../../state/page.ts";
+import { Drawing, Icon } from "../../ui/icon.tsx";
+import { usePage } from "../../ui/page-context.ts";
+import { OFFER } from "./beside-point.ts";
+import "./finger-offer.css";
+
+/** The focus does not go with the buttons. */
+function decide(page: Page, what: (page: Page) => unknown): void {
+  what(page);
+  document.getElementById("view")?.focus({ preventScroll: true });
+}
+
+export function FingerOffer() {
+  const page = usePage();
+  const [drag, place] = [fingerDrag(page).value, offerPlace(page).value];
+  if (!drag || !place) return null;
+  const { x, y } = place;
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: a fieldset is for fields
+    <div
+      class="finger-offer"
+      role="group"
+      aria-label={`Point ${drag.vertex} was dragged`}
+      style={{
+        transform: `translate(${x}px, ${y}px)`,
+        width: `${OFFER.width}px`,
+        height: `${OFFER.height}px`,
+      }}
+    >
+      <button type="button" class="button" onClick={() => decide(page, keepDrag)}>
+        <Drawing markup={check} />
+        Keep
+      </button>
+      <button type="button" class="button" onClick={() => decide(page, takeBackDrag)}>
+        <Icon name="close" />
+        Take back
+      </button>
+    </div>
+  );
+}
