@@ -30,7 +30,7 @@ REGISTRATIONS = {
     "ui/kept-sections.tsx": {"comparing", "groups", "notes", "numbers", "section", "views"},
     "ui/shop-dialogs.ts": {"second-layer", "shop"},
     "ui/top-bar.tsx": {"help", "sharing"},
-    "ui/view-notes.tsx": {"hiding", "second-layer", "touch"},
+    "ui/view-notes.tsx": {"hiding", "notes", "second-layer", "touch"},
 }
 # A feature that offers another where it is of use.
 OFFERS = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { continuedName } from "../../web/src/design/continued-name.ts";
+import { continuedName } from "../../web/src/features/exploring/continuing.ts";
 
 it("a design that goes on keeps its name and counts", () => {
   expect(continuedName("Freeform roof")).toBe("Freeform roof, continued.obj");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { facing, outwards } from "../../web/src/scene/facing.ts";
+import { facing, outwards } from "../../web/src/scene/panel-look.ts";
 
 /** A square that faces +z. */
 const SQUARE = Float32Array.from([0, 0, 2, 1, 0, 2, 1, 1, 2, 0, 1, 2]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { shapeOf, usualFold } from "../../web/src/features/planarising/planarise-figures.ts";
+import { shapeOf, usualFold } from "../../web/src/features/planarising/planarise-preview.ts";
 
 it("the shape of a trial holds the points that differ, to the last bit", () => {
   const base = Float64Array.from([0, 0, 0, 1, 1, 1, 2, 2, 2]);

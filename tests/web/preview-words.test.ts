@@ -2,7 +2,7 @@
 import { expect, it } from "vitest";
 import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
 import { FAIR_FLAT } from "../../web/src/design/planarising.ts";
-import { previewWords } from "../../web/src/features/planarising/preview-words.ts";
+import { previewWords } from "../../web/src/features/planarising/preview-words.tsx";
 import type { MeshReport, OpenedMesh } from "../../web/src/solver/protocol.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { openedPage } from "./support/page-here.ts";

@@ -11,7 +11,6 @@ import "../ui/legend.css";
 import "../ui/status-line.css";
 import "../ui/dialog.css";
 import "../ui/inspector.css";
-import "../ui/analysis.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
 import { prepareDisplay } from "../mesh/display-mesh.ts";

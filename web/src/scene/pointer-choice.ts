@@ -2,6 +2,7 @@
 // What the pointer chooses in the view: points, panels, lines of the mesh, and areas.
 
 import type { Ray } from "three";
+import { row } from "../mesh/topology.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
 import {
@@ -15,12 +16,38 @@ import {
 import { sensibleVertex } from "../state/sensible-vertex.ts";
 import { verticesIn } from "./area-picking.ts";
 import type { Gizmo } from "./gizmo.ts";
-import { neighbourTowards } from "./neighbour.ts";
 import type { Outline } from "./outline.ts";
-import { type Place, pickVertex, project } from "./picking.ts";
+import { type Place, pickVertex, project, type View } from "./picking.ts";
 import type { Click, Hold } from "./pointer.ts";
 import type { Shell } from "./shell.ts";
 import type { Sight } from "./sight.ts";
+
+/** The vertex across the edge in the picture that points most nearly in a direction on screen. */
+function neighbourTowards(
+  shell: Shell,
+  vertex: number,
+  right: number,
+  down: number,
+  view: View,
+): number {
+  const from = project(shell.current, vertex, view);
+  if (!from) return vertex;
+  const { edges, edgeEnds } = shell.drawn;
+  let best = vertex;
+  let closest = 0.3;
+  for (const end of row(edgeEnds, vertex)) {
+    const other = edges[end ^ 1] ?? vertex;
+    const to = project(shell.current, other, view);
+    if (!to) continue;
+    const [dx, dy] = [to.x - from.x, to.y - from.y];
+    const cosine = (dx * right + dy * down) / (Math.hypot(dx, dy) || 1);
+    if (cosine > closest) {
+      closest = cosine;
+      best = other;
+    }
+  }
+  return best;
+}
 
 /** Pixels about a selected point that are its own, even where arrows begin. */
 const CORE = 9;

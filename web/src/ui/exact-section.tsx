@@ -10,7 +10,7 @@ import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 
 const Verdict = later(() =>
-  import("../features/analysis/verdict.tsx").then((part) => part.Verdict),
+  import("../features/analysis/panel-notes.tsx").then((part) => part.Verdict),
 );
 
 const PanelsTable = later(() =>

@@ -19,7 +19,7 @@ const Histogram = later(() =>
 );
 
 const HealthScale = later(() =>
-  import("../features/analysis/health-scale.tsx").then((part) => part.HealthScale),
+  import("../features/analysis/class-scale.tsx").then((part) => part.HealthScale),
 );
 
 const PlanarityScale = later(() =>
@@ -31,7 +31,7 @@ const MobilityScale = later(() =>
 );
 
 const RemakeScale = later(() =>
-  import("../features/analysis/remake-scale.tsx").then((part) => part.RemakeScale),
+  import("../features/analysis/class-scale.tsx").then((part) => part.RemakeScale),
 );
 
 const GroupsScale = later(() =>

@@ -16,11 +16,11 @@ const ContextNote = later(() =>
 );
 
 const DamageNote = later(() =>
-  import("../features/analysis/damage-note.tsx").then((part) => part.DamageNote),
+  import("../features/analysis/panel-notes.tsx").then((part) => part.DamageNote),
 );
 
 const RemakeNote = later(() =>
-  import("../features/analysis/remake-note.tsx").then((part) => part.RemakeNote),
+  import("../features/analysis/panel-notes.tsx").then((part) => part.RemakeNote),
 );
 
 function numbers(page: Page): readonly string[] {

@@ -21,7 +21,7 @@ const PanelFigure = later(() =>
 );
 
 const PreviewWords = later(() =>
-  import("../features/planarising/preview-summary.tsx").then((part) => part.PreviewWords),
+  import("../features/planarising/preview-words.tsx").then((part) => part.PreviewWords),
 );
 
 const ViewNotes = later(() => import("./view-notes.tsx").then((part) => part.ViewNotes));

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-import type { Page } from "../../state/page.ts";
-import { DeleteButton, NameField } from "../../ui/name-field.tsx";
-import { usePage } from "../../ui/page-context.ts";
-import "../../ui/designs.css";
+
 import { useEffect } from "preact/hooks";
 import { sourceName } from "../../design/design.ts";
 import type { Snapshot } from "../../design/saved-record.ts";
 import { counted } from "../../quantity/counted.ts";
 import { formatLength } from "../../quantity/units.ts";
+import type { Page } from "../../state/page.ts";
 import {
   adoptSnapshot,
   deleteSnapshot,
@@ -17,9 +15,31 @@ import {
 } from "../../state/snapshots.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
+import { useDoors } from "../../ui/commands/doors.ts";
 import { MORE_COMMANDS } from "../../ui/commands/more-commands.ts";
-import { CompareDialog } from "./compare-dialog.tsx";
+import { useLaterDialog } from "../../ui/later-dialog.tsx";
+import { DeleteButton, NameField } from "../../ui/name-field.tsx";
+import { usePage } from "../../ui/page-context.ts";
+import { chooseFirst } from "./comparing.ts";
 import { snapshotPicture } from "./snapshot-picture.ts";
+import "../../ui/designs.css";
+
+/** The button that opens it, once there are two designs of the mesh. */
+function CompareDialog() {
+  const page = usePage();
+  const { open, element } = useLaterDialog("compare", async () => {
+    const { CompareDesigns } = await import("./compare-designs.tsx");
+    chooseFirst(page);
+    return { compare: { title: "Compare", wide: true, Content: CompareDesigns } };
+  });
+  useDoors({ compare: () => open("compare") });
+  return (
+    <>
+      <CommandButton look="button wide" command={MORE_COMMANDS.compare} />
+      {element}
+    </>
+  );
+}
 
 function figuresOf(page: Page, { design }: Snapshot): string {
   const { movedVertices, maxDisplacement } = design.report;

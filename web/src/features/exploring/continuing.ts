@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The design as it stands becomes a mesh of its own, from which the next edits start.
 
-import { continuedName } from "../../design/continued-name.ts";
 import { sourceName } from "../../design/design.ts";
 import { GIVEN_UP } from "../../result/result.ts";
 import { run } from "../../state/connection.ts";
@@ -10,6 +9,16 @@ import { adopt } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import { takeBack } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
+
+const CONTINUED = /, continued(?: (\d+))?$/;
+
+/** "roof.obj", "roof, continued.obj", "roof, continued 2.obj" */
+export function continuedName(name: string): string {
+  const stem = name.replace(/\.[a-z]{3}$/i, "");
+  const times = CONTINUED.exec(stem);
+  if (!times) return `${stem}, continued.obj`;
+  return `${stem.replace(CONTINUED, "")}, continued ${Number(times[1] ?? 1) + 1}.obj`;
+}
 
 const SAID =
   "This shape is the new start: handles and variations are cleared. Undo brings them back.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two shapes of a mesh differ most, and which way.
+// Where two shapes of a mesh differ most, and which way; how far one is from the mesh itself.
 
 import type { Point } from "../../design/design.ts";
 import { dot, type Frame } from "../../mesh/point-frame.ts";
@@ -38,4 +38,14 @@ export function signOf(move: Point, { normal, along, across }: Frame): string {
   const parts = [normal, along, across].map((direction) => dot(move, direction));
   const lead = parts.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a));
   return lead < 0 ? "−" : "+";
+}
+
+/** How far the point moves that moves most, model units. */
+export function reachOf({ moved, positions }: Shape, base: Float64Array): number {
+  let largest = 0;
+  moved.forEach((v, k) => {
+    const gap = (c: number): number => (positions[3 * k + c] ?? 0) - (base[3 * v + c] ?? 0);
+    largest = Math.max(largest, Math.hypot(gap(0), gap(1), gap(2)));
+  });
+  return largest;
 }

@@ -12,7 +12,7 @@ import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
-import { ensureDirections } from "./exploring.ts";
+import { ensureDirections, explore } from "./exploring.ts";
 import { isInside, within } from "./slider-range.ts";
 import { stopsAt } from "./slider-stops.ts";
 
@@ -164,3 +164,14 @@ export const adopt = (page: Page, item: GalleryItem): Outcome =>
     page.notice.value = null;
     return showStep(page, next, steps.record(page.history.value, next));
   });
+
+/** Finds the sliders of the edit, shows where they are, and fills the gallery beside them. */
+export async function findVariations(page: Page): Promise<void> {
+  page.sheetFolded.value = false;
+  await explore(page);
+  // The sliders and the gallery are what was asked for; there is room to scroll once they are drawn.
+  await new Promise((drawn) => setTimeout(drawn));
+  if (page.draft.value?.variation)
+    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
+  await fillGallery(page);
+}

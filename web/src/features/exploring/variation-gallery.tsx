@@ -1,20 +1,48 @@
 // SPDX-License-Identifier: MIT
-import { usePage } from "../../ui/page-context.ts";
-import "../../ui/designs.css";
+
 import { useComputed } from "@preact/signals";
-import { useMemo } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { flatnessWords } from "../../design/flatness.ts";
 import { pointFrame } from "../../mesh/point-frame.ts";
 import { formatLength } from "../../quantity/units.ts";
-import { type Patch, patchOf, zoomedTo } from "../../scene/patch-drawing.ts";
-import type { Shape } from "../../solver/protocol.ts";
+import { drawPatch, type Patch, patchOf, zoomedTo } from "../../scene/patch-drawing.ts";
+import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
 import { shownPoint } from "../../state/editing.ts";
 import { foldWords, formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
+import { usePage } from "../../ui/page-context.ts";
 import { furthestBetween, signOf } from "./furthest.ts";
 import { adopt, fillGallery, type Gallery, type GalleryItem, gallery, preview } from "./gallery.ts";
-import { PatchPicture } from "./patch-picture.tsx";
 import { wayWords } from "./slider-range.ts";
+import "../../ui/designs.css";
+
+/** CSS pixels where there is room; elsewhere it is shown smaller. */
+const SIZE = [136, 102] as const;
+
+interface PatchPictureProps {
+  readonly mesh: OpenedMesh;
+  readonly patch: Patch;
+  readonly shape: Shape;
+}
+
+/** Decoration: what it shows is said in words beside it. */
+function PatchPicture({ mesh, patch, shape }: PatchPictureProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const draw = (): void => {
+      if (canvas.current) drawPatch(canvas.current, mesh, patch, shape, SIZE);
+    };
+    draw();
+    const dark = window.matchMedia("(prefers-color-scheme: dark)");
+    dark.addEventListener("change", draw);
+    return () => dark.removeEventListener("change", draw);
+  }, [mesh, patch, shape]);
+  return (
+    <span aria-hidden="true">
+      <canvas ref={canvas} class="picture" />
+    </span>
+  );
+}
 
 /** Where and how far it is from the edit, and which way: tiles may be the same in all other figures. */
 function apartWords(page: Page, { shape }: GalleryItem, centre: Shape): readonly [string, string] {

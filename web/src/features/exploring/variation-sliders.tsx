@@ -10,7 +10,7 @@ import { shownPoint } from "../../state/editing.ts";
 import { visit } from "../../state/selection.ts";
 import { Slider } from "../../ui/slider.tsx";
 import { commitVariation, previewVariation, sliderLeads } from "./exploring.ts";
-import { reachOf } from "./reach.ts";
+import { reachOf } from "./furthest.ts";
 import { leadWords, stopsWithin, wayWords } from "./slider-range.ts";
 import { keepStops, sliderRanges } from "./slider-stops.ts";
 

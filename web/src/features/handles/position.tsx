@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: MIT
 // Where the point chosen last is: in the file, from a point of one's own, and from where it was.
-import { useSignal } from "@preact/signals";
+
+import { computed, signal, useSignal } from "@preact/signals";
 import { NO_SHAPE, type Point } from "../../design/design.ts";
 import { add } from "../../mesh/point-frame.ts";
 import { formatCoordinate } from "../../quantity/units.ts";
+import type { OpenedMesh } from "../../solver/protocol.ts";
 import { basePoint, shownPoint } from "../../state/editing.ts";
-import type { Page } from "../../state/page.ts";
+import { kept, type Page } from "../../state/page.ts";
 import { settled } from "../../state/shortfall.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { usePage } from "../../ui/page-context.ts";
-import { localOrigin, setLocalOrigin } from "./local-origin.ts";
 import "./position.css";
+
+// Places of a survey have seven digits before the point; those from a point of the mesh can be read.
+const chosen = kept(() => signal<{ opened: WeakRef<OpenedMesh>; vertex: number } | null>(null));
+
+/** The point, of the mesh that is open, that places are given from; null: the origin of the file. */
+const localOrigin = kept((page: Page) =>
+  computed(() => {
+    const origin = chosen(page).value;
+    return origin && origin.opened.deref() === page.mesh.value ? origin.vertex : null;
+  }),
+);
+
+function setLocalOrigin(page: Page, vertex: number | null): void {
+  const opened = page.mesh.value;
+  chosen(page).value = opened && vertex !== null ? { opened: new WeakRef(opened), vertex } : null;
+}
 
 type Line = readonly [name: string, place: Point];
 

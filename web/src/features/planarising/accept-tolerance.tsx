@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { usePage } from "../../ui/page-context.ts";
-import "./accept-tolerance.css";
+import "./planarising.css";
 import { acceptTolerance, meetableTolerance } from "../../state/tolerance.ts";
 
 /** For a mesh that is nearly flat: the tolerance instead, so that no point has to move. */

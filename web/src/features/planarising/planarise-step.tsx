@@ -3,7 +3,7 @@
 // fair.
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
-import "./planarise-step.css";
+import "./planarising.css";
 import { useEffect, useMemo } from "preact/hooks";
 import { decimal, flatnessWords } from "../../design/flatness.ts";
 import type { Preview, Trial } from "../../design/planarising.ts";
@@ -13,8 +13,13 @@ import { formatDegrees } from "../../state/fold.ts";
 import { Choice } from "../../ui/choice.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
 import { Slider } from "../../ui/slider.tsx";
-import { spoiltWords, usualFold } from "./planarise-figures.ts";
-import { EAGER_POINTS, isMet, PlanarisePreview } from "./planarise-preview.ts";
+import {
+  EAGER_POINTS,
+  isMet,
+  PlanarisePreview,
+  spoiltWords,
+  usualFold,
+} from "./planarise-preview.ts";
 
 /** Weights of fairness, from the nearest flat mesh to the fairest. */
 const STOPS = [0, 1, 10, 100, 1000] as const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Distances, angles and levels of the selected points, as values to copy.
 import { useSignal } from "@preact/signals";
-import "./measures.css";
+import "./selection-strip.css";
 import { NO_SHAPE, type Point } from "../../design/design.ts";
 import { type Measure, measures } from "../../mesh/measuring.ts";
 import { formatLength, type Unit } from "../../quantity/units.ts";

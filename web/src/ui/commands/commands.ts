@@ -109,7 +109,7 @@ const exploring = (page: Page) =>
   fetchPart(page, () => import("../../features/exploring/exploring.ts"));
 
 const findingVariations = (page: Page) =>
-  fetchPart(page, () => import("../../features/exploring/find-variations.ts"));
+  fetchPart(page, () => import("../../features/exploring/gallery.ts"));
 
 function cannotExplore(page: Page): string {
   const moved = page.figures.value.movedVertices > 0;

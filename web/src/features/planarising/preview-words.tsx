@@ -6,6 +6,7 @@ import type { Trial } from "../../design/planarising.ts";
 import { formatLength } from "../../quantity/units.ts";
 import type { MeshReport } from "../../solver/protocol.ts";
 import type { Page } from "../../state/page.ts";
+import { usePage } from "../../ui/page-context.ts";
 
 /** What is only tried out is not there: the design is the file until it is taken. */
 function trialWords(page: Page, { mesh: { report } }: Trial): string {
@@ -24,4 +25,11 @@ export function previewWords(page: Page, { faces, vertices }: MeshReport): strin
   if (preview.kind === "shown") return trialWords(page, preview.trial);
   if (preview.kind !== "running") return "";
   return `A structure of ${faces} panels, not all of them flat, and ${vertices} points; planarising is being tried.`;
+}
+
+/** What the view shows of a planarising that is tried out. */
+export function PreviewWords() {
+  const page = usePage();
+  const report = page.mesh.value?.report;
+  return report ? previewWords(page, report) : null;
 }

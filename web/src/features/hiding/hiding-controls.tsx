@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Hides what is selected, the panels at points or one panel, or shows it alone.
+
 import eyeOff from "lucide-static/icons/eye-off.svg?raw";
 import focus from "lucide-static/icons/focus.svg?raw";
+import { counted } from "../../quantity/counted.ts";
+import { hiddenPanels } from "../../state/hidden-panels.ts";
 import { CommandButton } from "../../ui/command-button.tsx";
 import { COMMANDS } from "../../ui/commands/commands.ts";
 import { Drawing } from "../../ui/icon.tsx";
-import "./sight-tools.css";
+import { usePage } from "../../ui/page-context.ts";
+import { showAll } from "./hiding.ts";
+import "./hiding-controls.css";
+import "../../ui/offset-note.css";
 
 export function SightTools() {
   return (
@@ -23,5 +29,25 @@ export function SightTools() {
         hint="those at the selected points, or the selected one"
       />
     </span>
+  );
+}
+
+/** That the view does not show everything, and the way back. */
+export function HiddenNote() {
+  const page = usePage();
+  const { size } = hiddenPanels(page).value;
+  if (size === 0) return null;
+  return (
+    <section class="offset-note" aria-label="Hidden panels">
+      <span>{`${counted(size, "panel")} hidden in the view`}</span>
+      <button
+        type="button"
+        class="button small"
+        title="Show all (Shift H)"
+        onClick={() => showAll(page)}
+      >
+        Show all
+      </button>
+    </section>
   );
 }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What is said of the panels: whether they can be made, what is spoilt, and what must be made again.
+
+import { flatnessWords, isFlat } from "../../design/flatness.ts";
+import { damage, damageWords, spoiltPanels } from "../../state/damage.ts";
+import { countHealth } from "../../state/panel-rows.ts";
+import { showNextPanel } from "../../state/selection.ts";
+import { usePage } from "../../ui/page-context.ts";
+
+/** That flat panels are spoilt all the same, and the way to each of them. */
+export function DamageNote() {
+  const page = usePage();
+  const found = damage(page).value;
+  const words = found && damageWords(found, page.panelHealth.value);
+  if (!words) return null;
+  const flat = isFlat(page.figures.value);
+  return (
+    <>
+      {"· "}
+      <button
+        type="button"
+        class="text-button"
+        title="Go to the next of these panels"
+        onClick={() => showNextPanel(page, spoiltPanels(found))}
+      >
+        {`${flat ? "flat, but " : ""}${words}: show`}
+      </button>
+    </>
+  );
+}
+
+/** How many panels the shop makes again after a finished edit, and the way to see which. */
+export function RemakeNote() {
+  const page = usePage();
+  // Measured together: while there is no word on the damage, health is that of an earlier design.
+  const health = damage(page).value && page.panelHealth.value;
+  const { changed } = health ? countHealth(health) : { changed: 0 };
+  if (changed === 0) return null;
+  return (
+    <button
+      type="button"
+      class="text-button remake-note"
+      title="Colour by what must be made again"
+      onClick={() => {
+        page.colourBy.value = "remake";
+      }}
+    >
+      {`${changed} ${changed === 1 ? "panel" : "panels"} to make again`}
+    </button>
+  );
+}
+
+const panelsCross = (count: number): string =>
+  count === 1 ? "1 panel crosses itself" : `${count} panels cross themselves`;
+
+/** Whether every panel can be made: being flat is not all. */
+export function Verdict() {
+  const page = usePage();
+  const { worstGap, worstMmPerM, worstExcess } = page.figures.value;
+  const exact = isFlat(page.figures.value);
+  const crossing = page.panelHealth.value ? countHealth(page.panelHealth.value).crossing : 0;
+  const done = damage(page).value;
+  const spoilt = done ? damageWords(done, page.panelHealth.value) : "";
+  const sound = crossing === 0 && spoilt === "";
+  const { sentence } = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value);
+  return (
+    <p class={exact && sound ? "verdict good" : "verdict"}>
+      {`${exact ? "Every panel is" : "Worst panel"} ${sentence}.`}
+      {spoilt && ` But ${spoilt} since the mesh was opened.`}
+      {!spoilt && crossing > 0 && ` But ${panelsCross(crossing)}, as in the file.`}
+    </p>
+  );
+}
