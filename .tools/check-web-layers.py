@@ -23,7 +23,6 @@ STRANGERS = {("export", "scene"), ("scene", "export")}
 # once, to register them: its commands, its followers in the view, its sections and dialogs.
 REGISTRATIONS = {
     "scene/viewport.ts": {"context", "hiding", "second-layer", "touch"},
-    "state/replaying.ts": {"exploring"},
     "ui/commands/more-commands.ts": {"comparing", "exploring"},
     "ui/commands/selection-commands.ts": {"selecting"},
     "ui/commands/view-commands.ts": {"numbers", "views"},

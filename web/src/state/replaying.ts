@@ -6,7 +6,6 @@ import type { Design, Family, Variation } from "../design/design.ts";
 import { toDesign } from "../design/design-value.ts";
 import * as steps from "../design/history.ts";
 import type { Steps } from "../design/recipe.ts";
-import { sliderLeads } from "../features/exploring/exploring.ts";
 import { done, type Result, refuse } from "../result/result.ts";
 import type { OpenedMesh, Shape, SliderLead } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
@@ -16,6 +15,7 @@ import { freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { type Received, receive, variantsOf } from "./receiving.ts";
 import { showPresent, takeMesh } from "./showing.ts";
+import { sliderLeads } from "./slider-leads.ts";
 import { inTurn } from "./turns.ts";
 
 /** Of the mesh, model units: display coordinates span ten. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Variations around an edit, and the exact projection of what is shown.
 
-import { signal } from "@preact/signals";
 import {
   type Design,
   type Family,
@@ -12,23 +11,16 @@ import {
 import { isFlat } from "../../design/flatness.ts";
 import * as steps from "../../design/history.ts";
 import { done, GIVEN_UP, type Result } from "../../result/result.ts";
-import type { Shape, SliderLead, VariationFamily } from "../../solver/protocol.ts";
+import type { VariationFamily } from "../../solver/protocol.ts";
 import { client, frame, held, run, runUnseen } from "../../state/connection.ts";
 import { commit } from "../../state/editing.ts";
 import { planariseNow } from "../../state/opening.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { show, takeBack } from "../../state/showing.ts";
+import { sliderLeads } from "../../state/slider-leads.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
-
-/** What each slider of the family around a shape does. */
-export const sliderLeads = kept(() =>
-  signal<{
-    readonly centre: Shape;
-    readonly leads: readonly SliderLead[];
-  } | null>(null),
-);
 
 /** Finds the directions around the shape that the solver shows; how many there are. */
 async function findDirections(
