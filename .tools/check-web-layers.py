@@ -23,9 +23,8 @@ STRANGERS = {("export", "scene"), ("scene", "export")}
 # once, to register them: its commands, its followers in the view, its sections and dialogs.
 REGISTRATIONS = {
     "scene/viewport.ts": {"context", "hiding", "second-layer", "touch"},
+    "ui/commands/all-commands.ts": {"numbers", "selecting", "views"},
     "ui/commands/more-commands.ts": {"comparing", "exploring"},
-    "ui/commands/selection-commands.ts": {"selecting"},
-    "ui/commands/view-commands.ts": {"numbers", "views"},
     "ui/kept-sections.tsx": {"comparing", "groups", "notes", "numbers", "section", "views"},
     "ui/shop-dialogs.ts": {"second-layer", "shop"},
     "ui/top-bar.tsx": {"help", "sharing"},

@@ -2,13 +2,13 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { KEY_HINTS, keysOf } from "../../web/src/features/help/help-keys.tsx";
 import { found } from "../../web/src/features/palette/command-palette.tsx";
+import { SELECTION_COMMANDS } from "../../web/src/features/selecting/selection-commands.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { ALL_COMMANDS } from "../../web/src/ui/commands/all-commands.ts";
 import { type Command, keyOf, refusalOf, titleOf } from "../../web/src/ui/commands/command.ts";
 import { COMMANDS, type CommandId, commandOf } from "../../web/src/ui/commands/commands.ts";
 import { spelled } from "../../web/src/ui/commands/keys.ts";
 import { MORE_COMMANDS } from "../../web/src/ui/commands/more-commands.ts";
-import { SELECTION_COMMANDS } from "../../web/src/ui/commands/selection-commands.ts";
 import { openedPage, pageAlone, pageHere } from "./support/page-here.ts";
 
 const labels = (commands: readonly Command[]): string[] => commands.map(({ label }) => label);

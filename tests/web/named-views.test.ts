@@ -4,14 +4,15 @@ import type { Camera } from "../../web/src/design/camera.ts";
 import { found } from "../../web/src/features/palette/command-palette.tsx";
 import {
   deleteView,
+  KEEP_VIEW,
   keepView,
   renameView,
   showView,
+  viewCommands,
 } from "../../web/src/features/views/named-views.ts";
 import { provideCamera } from "../../web/src/state/camera.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { refusalOf } from "../../web/src/ui/commands/command.ts";
-import { KEEP_VIEW, viewCommands } from "../../web/src/ui/commands/view-commands.ts";
 import { pageAlone } from "./support/page-here.ts";
 
 const from = (x: number): Camera => ({ position: [x, -1, 2], target: [0, 0, 0] });

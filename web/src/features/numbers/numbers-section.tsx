@@ -2,9 +2,8 @@
 // The numbers of panels and points, as tables and reports give them, on the model.
 import { useEffect } from "preact/hooks";
 import { Ask } from "../../ui/ask.tsx";
-import { NUMBERS } from "../../ui/commands/view-commands.ts";
 import { followNumbers } from "./number-follower.ts";
-import { numbered, toggleNumbers } from "./numbering.ts";
+import { NUMBERS, numbered, toggleNumbers } from "./numbering.ts";
 import "./numbers.css";
 import { usePage } from "../../ui/page-context.ts";
 import { viewOf } from "../../ui/view-slot.ts";

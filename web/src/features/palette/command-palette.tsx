@@ -4,9 +4,8 @@ import { useSignal } from "@preact/signals";
 import "./command-palette.css";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { Page } from "../../state/page.ts";
-import { ALL_COMMANDS } from "../../ui/commands/all-commands.ts";
+import { ALL_COMMANDS, viewCommands } from "../../ui/commands/all-commands.ts";
 import { type Command, keyOf, refusalOf } from "../../ui/commands/command.ts";
-import { viewCommands } from "../../ui/commands/view-commands.ts";
 import { usePage } from "../../ui/page-context.ts";
 
 const LISTED = ALL_COMMANDS.filter(({ unlisted }) => !unlisted);

@@ -12,9 +12,9 @@ import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
 import type { Command } from "../../ui/commands/command.ts";
 import { COMMANDS } from "../../ui/commands/commands.ts";
-import { cannotEdit, SELECTION_COMMANDS } from "../../ui/commands/selection-commands.ts";
 import { NumberField } from "../../ui/number-field.tsx";
 import { Measures } from "./measures.tsx";
+import { cannotEdit, SELECTION_COMMANDS } from "./selection-commands.ts";
 
 const AXES: readonly (readonly [string, Point])[] = [
   ["X", [1, 0, 0]],

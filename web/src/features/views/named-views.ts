@@ -2,8 +2,10 @@
 // Where the view looked from, kept under a name to come back to. Meshes are all shown at the same size:
 // a view of one serves another.
 import type { NamedView } from "../../design/camera.ts";
+import { MOST_VIEWS } from "../../design/companions.ts";
 import { placeCamera, readCamera } from "../../state/camera.ts";
 import type { Page } from "../../state/page.ts";
+import type { Command } from "../../ui/commands/command.ts";
 
 const isTaken = (page: Page, name: string): boolean =>
   page.views.value.some((view) => view.name === name);
@@ -32,3 +34,22 @@ export function renameView(page: Page, view: NamedView, to: string): void {
 export function deleteView(page: Page, view: NamedView): void {
   page.views.value = page.views.value.filter((one) => one !== view);
 }
+
+export const KEEP_VIEW: Command = {
+  label: "Keep this view",
+  refusal: (page) => {
+    if (!readCamera(page)) return "There is no 3D view.";
+    // More would be left out of links, files and what is kept for the next visit.
+    return page.views.value.length < MOST_VIEWS
+      ? ""
+      : `${MOST_VIEWS} views are kept: delete one first.`;
+  },
+  run: keepView,
+};
+
+/** One for each of them, as they are now. */
+export const viewCommands = (page: Page): Command[] =>
+  page.views.value.map((view) => ({
+    label: `View: ${view.name}`,
+    run: (on) => showView(on, view),
+  }));

@@ -3,10 +3,9 @@
 import type { NamedView } from "../../design/camera.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
-import { KEEP_VIEW } from "../../ui/commands/view-commands.ts";
 import { DeleteButton, NameField } from "../../ui/name-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
-import { deleteView, renameView, showView } from "./named-views.ts";
+import { deleteView, KEEP_VIEW, renameView, showView } from "./named-views.ts";
 
 function Row({ view }: { view: NamedView }) {
   const page = usePage();

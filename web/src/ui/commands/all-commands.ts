@@ -2,6 +2,9 @@
 // Everything that the page can be told: what has a key or a button, and what the palette has beside it.
 import { isKind } from "../../design/kept-kind.ts";
 import { SAMPLES } from "../../design/samples.ts";
+import { NUMBER_COMMANDS } from "../../features/numbers/numbering.ts";
+import { SELECTION_COMMANDS } from "../../features/selecting/selection-commands.ts";
+import { KEEP_VIEW } from "../../features/views/named-views.ts";
 import { openSample } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
@@ -10,8 +13,6 @@ import { type Command, notReady } from "./command.ts";
 import { COMMANDS } from "./commands.ts";
 import { EXPORT_COMMANDS } from "./export-commands.ts";
 import { MORE_COMMANDS } from "./more-commands.ts";
-import { SELECTION_COMMANDS } from "./selection-commands.ts";
-import { KEEP_VIEW, NUMBER_COMMANDS } from "./view-commands.ts";
 
 function colourBy(kind: ColourBy, label: string): Command {
   const missing = (page: Page): boolean =>
@@ -24,6 +25,8 @@ function colourBy(kind: ColourBy, label: string): Command {
     },
   };
 }
+
+export { viewCommands } from "../../features/views/named-views.ts";
 
 /** In the order of the palette. */
 export const ALL_COMMANDS: readonly Command[] = [

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What selects points, and what is done with all that are selected.
 import type { HandleRow } from "../../design/design.ts";
+import { FLAT_FIRST } from "../../state/dragging.ts";
+import { freePins, removeHandles, setPinned } from "../../state/editing.ts";
+import type { Page } from "../../state/page.ts";
+import type { AreaTool } from "../../state/page-state.ts";
+import { type Command, notReady } from "../../ui/commands/command.ts";
 import {
   growSelection,
   selectBoundary,
@@ -9,12 +14,7 @@ import {
   selectOthers,
   selectRing,
   shrinkSelection,
-} from "../../features/selecting/selecting-more.ts";
-import { FLAT_FIRST } from "../../state/dragging.ts";
-import { freePins, removeHandles, setPinned } from "../../state/editing.ts";
-import type { Page } from "../../state/page.ts";
-import type { AreaTool } from "../../state/page-state.ts";
-import { type Command, notReady } from "./command.ts";
+} from "./selecting-more.ts";
 
 const noPoints = (page: Page): string =>
   page.selection.value.length > 0 ? "" : "No point is selected.";
