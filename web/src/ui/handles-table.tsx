@@ -48,7 +48,7 @@ const Position = later(() =>
 );
 
 const MeetTargets = later(() =>
-  import("../features/stopping/meet-targets.tsx").then((part) => part.MeetTargets),
+  import("../features/stopping/stopped-note.tsx").then((part) => part.MeetTargets),
 );
 
 /** How far the point is from its target; kept in place while something moves. */
