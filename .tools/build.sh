@@ -4,7 +4,6 @@
 # that the Python package puts beside the designs of a sweep, into build/catalogue).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-bash .tools/setup.sh
 
 jobs=${PLANISH_JOBS:-$(nproc)}
 
@@ -40,6 +39,8 @@ site() {
 
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(native wasm site)
+case " ${parts[*]} " in *" native "*) bash .tools/setup.sh native ;; esac
+case " ${parts[*]} " in *" wasm "* | *" npm "* | *" site "*) bash .tools/setup.sh page ;; esac
 for part in "${parts[@]}"; do
   case $part in
     native) build native planish && echo "build: build/native/planish" ;;

@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
 # Makes this machine able to build and test Planish. Safe to run again: it only adds what is missing. With
-# `firefox`, also for the tests in a second browser engine, which nothing else needs.
+# `page` or `native`, what building the page or the command line needs; without, what all checks need;
+# with `firefox`, also what tests in a second browser engine need.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-packages=(g++ cmake ninja-build ccache emscripten libeigen3-dev libtinygltf-dev libstb-dev
-  libqrcodegencpp-dev nlohmann-json3-dev googletest libgtest-dev libbenchmark-dev chromium-headless-shell
-  python3-numpy python3-scipy python3-ezdxf python3-shapely
+both=(cmake ninja-build ccache libeigen3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev googletest)
+# Emscripten runs on clang 19, see wasm/emscripten.config.
+page=(emscripten clang-19 lld-19 llvm-19)
+native=(g++ libqrcodegencpp-dev)
+checks=(chromium-headless-shell libbenchmark-dev clang-format clang-tidy clang libclang-rt-14-dev cppcheck
+  python3-numpy python3-scipy python3-ezdxf python3-shapely python3-pytest
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
-  python3-distributed python3-pytest parallel
-  clang-19 lld-19 llvm-19 # what Emscripten runs on, see wasm/emscripten.config
-  clang-format clang-tidy clang libclang-rt-14-dev cppcheck)
-
+  python3-distributed parallel)
+case "${1:-}" in
+  page) packages=("${both[@]}" "${page[@]}") ;;
+  native) packages=("${both[@]}" "${native[@]}") ;;
+  *) packages=("${both[@]}" "${page[@]}" "${native[@]}" "${checks[@]}") ;;
+esac
 if [ "${1:-}" = firefox ]; then
   packages+=(firefox-esr xvfb xauth libgl1-mesa-dri libegl1)
 fi
@@ -34,11 +40,10 @@ install_debian_packages() {
 
 name_missing_tools() {
   local missing=()
-  for tool in g++ cmake ninja emcc clang-format clang-tidy; do
+  for tool in cmake ninja; do
     command -v "$tool" >/dev/null || missing+=("$tool")
   done
-  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp \
-    qrcodegen/qrcodegen.hpp; do
+  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp; do
     [ -e "/usr/include/$header" ] || missing+=("/usr/include/$header")
   done
   [ -d /usr/src/googletest ] || missing+=(/usr/src/googletest)
@@ -66,4 +71,4 @@ if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
 else
   name_missing_tools
 fi
-install_node_packages
+[ "${1:-}" = native ] || install_node_packages
