@@ -3,7 +3,8 @@
 """clang-tidy over the core and the session. Twelve files are looked at as one, because most of
 the time goes into Eigen's headers: a quarter of the time of each file for itself. A unit that passed
 before, with the same text of all that it includes, rules and clang-tidy, is skipped; what passed is
-remembered outside the tree, so that the next clone on this machine need not ask again."""
+remembered outside the tree, and with --record in .tools/tidy-passed.txt, so that CI on a new machine asks
+only about what changed since; --all (nightly) asks about everything again."""
 
 import concurrent.futures
 import hashlib
@@ -20,6 +21,7 @@ TOGETHER = 12
 DATABASE = TREE / "build/tidy/database"
 UNITS = TREE / "build/tidy/units"
 KNOWN = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "planish/tidy"
+RECORD = TREE / ".tools/tidy-passed.txt"
 PACKAGES = ["libeigen3-dev", "libstdc++-12-dev"]
 
 
@@ -57,7 +59,7 @@ def write_units():
 def rules():
     """What the answer depends on beside the text: the checks, how it is compiled, the versions."""
     texts = [(TREE / name).read_bytes() for name in [".clang-tidy", "CMakeLists.txt", "core/CMakeLists.txt"]]
-    words = said("clang-tidy", "--version") + said("dpkg-query", "-W", *PACKAGES)
+    words = said("dpkg-query", "-W", "clang-tidy-14", *PACKAGES)
     return hashlib.sha256(b"".join([words.encode(), *texts])).hexdigest()
 
 
@@ -70,19 +72,22 @@ def included(command, unit):
     return sorted({path for path in listed[1:] if path.startswith(str(TREE)) and "/build/" not in path})
 
 
-def complaints(unit, command, about):
+def key_of(command, unit, about):
+    """Of everything that the answer depends on."""
+    texts = [pathlib.Path(path).read_bytes() for path in included(command, unit)]
+    return hashlib.sha256(b"".join([about.encode(), *texts])).hexdigest()
+
+
+def complaints(unit, key, known):
     """What clang-tidy says; "" where it passed, now or before with the same texts."""
-    read = included(command, unit)
-    key = hashlib.sha256(b"".join([about.encode(), *(pathlib.Path(path).read_bytes() for path in read)])).hexdigest()
-    if read and (KNOWN / key).exists():
-        os.utime(KNOWN / key)
+    if key in known:
         return ""
     run = subprocess.run(["clang-tidy", "-p", UNITS, "--quiet", "--warnings-as-errors=*", unit],
                          cwd=TREE, capture_output=True, text=True, check=False)
     if run.returncode == 0:
         (KNOWN / key).touch()
         return ""
-    return run.stdout + run.stderr
+    return run.stdout + run.stderr or f"{unit}: clang-tidy ended with {run.returncode}\n"
 
 
 def main():
@@ -90,12 +95,17 @@ def main():
     for old in KNOWN.iterdir():
         if old.stat().st_mtime < time.time() - 30 * 86400:
             old.unlink()
+    known = {path.name for path in KNOWN.iterdir()} | set(RECORD.read_text().split() if RECORD.exists() else ())
     units = write_units()
     about = rules()
-    jobs = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        found = list(pool.map(lambda unit: complaints(unit, units[unit], about), units))
+    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))) as pool:
+        keys = dict(zip(units, pool.map(lambda unit: key_of(units[unit], unit, about), units)))
+        asked = set() if "--all" in sys.argv else known
+        found = list(pool.map(lambda unit: complaints(unit, keys[unit], asked), units))
     print("".join(found), end="")
+    print(f"tidy: {len(units)} units, {sum(key not in asked for key in keys.values())} looked at")
+    if "--record" in sys.argv and not any(found):
+        RECORD.write_text("".join(f"{key}\n" for key in sorted(keys.values())))
     sys.exit(any(found))
 
 

@@ -12,6 +12,7 @@
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "support/edit_invariants.hpp"
+#include "support/mesh_builders.hpp"
 #include "support/obstacles.hpp"
 #include "support/supported_edit.hpp"
 
