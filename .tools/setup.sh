@@ -5,7 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-both=(cmake ninja-build ccache libeigen3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev googletest)
+both=(cmake ninja-build ccache libeigen3-dev libboost-dev libtinygltf-dev libstb-dev nlohmann-json3-dev
+  googletest)
 # Emscripten runs on clang 19, see wasm/emscripten.config.
 page=(emscripten clang-19 lld-19 llvm-19)
 native=(g++ libqrcodegencpp-dev)
@@ -43,7 +44,8 @@ name_missing_tools() {
   for tool in cmake ninja; do
     command -v "$tool" >/dev/null || missing+=("$tool")
   done
-  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp; do
+  for header in eigen3/Eigen/Core tiny_gltf.h stb/stb_image_write.h nlohmann/json.hpp \
+    boost/polygon/polygon.hpp; do
     [ -e "/usr/include/$header" ] || missing+=("/usr/include/$header")
   done
   [ -d /usr/src/googletest ] || missing+=(/usr/src/googletest)

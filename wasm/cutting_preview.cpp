@@ -18,8 +18,9 @@ constexpr double kMargin = 0.03;  ///< around a panel, of its longer side
 
 /// A panel by itself, moved to where a picture begins.
 std::string picture_of(const PanelDrawing& panel, const std::string& unit) {
-  Eigen::Array2d low = panel.cut.rowwise().minCoeff();
-  Eigen::Array2d high = panel.cut.rowwise().maxCoeff();
+  const Outline cut = corners_of(panel.pieces);
+  Eigen::Array2d low = cut.rowwise().minCoeff();
+  Eigen::Array2d high = cut.rowwise().maxCoeff();
   for (const DrawnLoop& loop : panel.drawing.loops) {
     low = low.min(loop.points.rowwise().minCoeff().array());
     high = high.max(loop.points.rowwise().maxCoeff().array());
@@ -40,7 +41,12 @@ struct DrawnPanels {
   std::vector<double> areas;
 };
 
+double spacing_of(const CuttingOptions& options) {
+  return kSheetSpacing / metres_in(options.unit).value();
+}
+
 DrawnPanels draw_panels(const CuttingPlan& plan, int face, CuttingPreview& preview) {
+  const double spacing = spacing_of(plan.options);
   DrawnPanels drawn;
   for (int f = 0; f < plan.mesh.face_count(); ++f) {
     if (plan.drawn[at(f)] == 0) continue;
@@ -49,10 +55,11 @@ DrawnPanels draw_panels(const CuttingPlan& plan, int face, CuttingPreview& previ
       preview.vanished.push_back(f);
       continue;
     }
-    const BoundingRectangle rectangle = bounding_rectangle(panel->cut);
+    const BoundingRectangle rectangle = room_on_sheet(*panel, spacing);
+    note_pieces(plan, f, panel->pieces, preview);
     drawn.faces.push_back(f);
     drawn.items.push_back({rectangle.width, rectangle.height});
-    drawn.areas.push_back(area_of(panel->cut));
+    drawn.areas.push_back(area_of(panel->pieces));
     if (preview.shown >= 0 && f != face) continue;
     preview.shown = f;
     preview.drawing = picture_of(*panel, plan.options.unit);
@@ -62,8 +69,7 @@ DrawnPanels draw_panels(const CuttingPlan& plan, int face, CuttingPreview& previ
 }
 
 void fill_sheets(const CuttingOptions& options, const DrawnPanels& drawn, CuttingPreview& preview) {
-  const double spacing = kSheetSpacing / metres_in(options.unit).value();
-  const SheetSize size{options.sheet_width, options.sheet_height, spacing};
+  const SheetSize size{options.sheet_width, options.sheet_height, spacing_of(options)};
   const auto places = arrange_on_sheets(drawn.items, size);
   double area = 0.0;
   for (std::size_t k = 0; k < places.size(); ++k) {

@@ -54,6 +54,12 @@ export type ShopOrder =
   | { readonly what: "ifc"; readonly options: CuttingOptions }
   | { readonly what: "drawings"; readonly options: DrawingOptions };
 
+/** A panel that the gap cuts into several pieces. */
+export interface PanelApart {
+  readonly panel: string;
+  readonly pieces: number;
+}
+
 /** What of the header of a cutting package or an IFC model is read, see docs/fabrication.md. */
 export interface CuttingHeader {
   readonly counts: { readonly panels: number; readonly drawn: number };
@@ -67,6 +73,10 @@ export interface CuttingHeader {
   /** The same, or 0 where rounding accounts for it. */
   readonly excess_mm_per_m: number;
   readonly vanished: readonly string[];
+  /** Absent if there is none. */
+  readonly apart?: readonly PanelApart[];
+  /** Of which the gap takes whole sides; absent if there is none. */
+  readonly lost_sides?: readonly string[];
   /** Of a package alone. */
   readonly sheets?: {
     readonly count: number;
@@ -109,6 +119,8 @@ export interface CuttingPreview {
   /** The same, or 0 where rounding accounts for it. */
   readonly excess: number;
   readonly vanished: readonly string[];
+  readonly apart: readonly PanelApart[];
+  readonly lostSides: readonly string[];
   readonly oversize: readonly string[];
   readonly sheets: number;
   readonly usedFraction: number;

@@ -39,6 +39,15 @@ val to_value(const CuttingPreview& preview) {
   result.set("flatness", preview.flatness);
   result.set("excess", preview.excess);
   result.set("vanished", panel_names(preview.vanished));
+  val apart = val::array();
+  for (const planish::PanelApart& panel : preview.apart) {
+    val entry = val::object();
+    entry.set("panel", planish::panel_name(panel.face));
+    entry.set("pieces", panel.pieces);
+    apart.call<void>("push", entry);
+  }
+  result.set("apart", apart);
+  result.set("lostSides", panel_names(preview.lost_sides));
   result.set("oversize", panel_names(preview.oversize));
   result.set("sheets", preview.sheets);
   result.set("usedFraction", preview.used_fraction);

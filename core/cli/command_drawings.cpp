@@ -57,6 +57,7 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
 ExitCode run_drawings(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (!output) throw CommandError(kWrongUsage, "-o DRAWINGS.zip is missing");
+  check_zip_name(*output, "a set of drawings");
   const ShopInput input = load_shop_input(arguments);
   const StructureDrawings drawings = write_drawings(input.mesh, drawing_options(arguments, input));
   save_bytes(*output, drawings.zip);

@@ -61,22 +61,29 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   return options;
 }
 
-void print_vanished(const std::vector<int>& vanished) {
-  if (vanished.empty()) return;
-  print_message(std::to_string(vanished.size()) +
-                " panels are not drawn: the gap leaves nothing of them, or they cross themselves; "
-                "the first is " +
-                panel_name(vanished[0]));
+/// `one` of the only panel, or `more` of all of them and which is the first.
+void print_panels(const std::vector<int>& faces, const std::string& one, const std::string& more) {
+  if (faces.empty()) return;
+  const std::string first = panel_name(faces[0]);
+  print_message(faces.size() == 1
+                    ? first + " " + one
+                    : std::to_string(faces.size()) + " panels " + more + "; the first is " + first);
 }
 
-/// What the package does not hold as it was asked for.
-void print_shortfalls(const CuttingReport& report) {
-  print_vanished(report.vanished);
-  if (!report.oversize.empty()) {
-    print_message(std::to_string(report.oversize.size()) +
-                  " panels are larger than a sheet; the first is " +
-                  panel_name(report.oversize[0]));
+/// Whether all of every panel is there but its joints; says so if not.
+bool check_whole(const DrawnReport& report) {
+  print_panels(report.vanished, "is not drawn: the gap leaves nothing of it, or it crosses itself",
+               "are not drawn: the gap leaves nothing of them, or they cross themselves");
+  std::vector<int> apart;
+  std::string pieces;
+  for (const PanelApart& panel : report.apart) {
+    if (apart.empty()) pieces = " into " + std::to_string(panel.pieces) + " pieces";
+    apart.push_back(panel.face);
   }
+  print_panels(apart, "is cut" + pieces + " by the gap",
+               "are cut into pieces by the gap, the first" + pieces);
+  print_panels(report.lost_sides, "loses whole sides to the gap", "lose whole sides to the gap");
+  return report.vanished.empty() && apart.empty();
 }
 
 /// Whether every panel is flat; says so if not.
@@ -105,10 +112,11 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
   save_bytes(output, zip);
   const CuttingReport& report = package.report;
   const bool flat = check_flat(input, report);
-  print_shortfalls(report);
+  const bool whole = check_whole(report);
+  print_panels(report.oversize, "is larger than a sheet", "are larger than a sheet");
   if (!has_link) print_message("the link is too long for a QR code: the labels carry none");
   save_report(arguments, package.header);
-  const bool complete = flat && has_link && report.vanished.empty() && report.oversize.empty();
+  const bool complete = flat && whole && has_link && report.oversize.empty();
   return complete ? kDone : kToleranceNotMet;
 }
 
@@ -124,16 +132,18 @@ ExitCode write_model(const Arguments& arguments, const ShopInput& input,
   save_bytes(output, model.text);
   save_report(arguments, model.header);
   const bool flat = check_flat(input, model.report);
-  print_vanished(model.report.vanished);
-  return flat && model.report.vanished.empty() ? kDone : kToleranceNotMet;
+  const bool whole = check_whole(model.report);
+  return flat && whole ? kDone : kToleranceNotMet;
 }
 
 ExitCode run_panels(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (!output) throw CommandError(kWrongUsage, "-o PACKAGE.zip or -o MODEL.ifc is missing");
+  const bool is_model = extension_of(*output) == "ifc";
+  if (!is_model) check_zip_name(*output, "a cutting package");
   const ShopInput input = load_shop_input(arguments);
   const CuttingOptions options = cutting_options(arguments, input);
-  if (output->ends_with(".ifc")) return write_model(arguments, input, options, *output);
+  if (is_model) return write_model(arguments, input, options, *output);
   if (input.mesh.face_count() > kMostPackagePanels) {
     throw CommandError(kInvalidMesh,
                        "a package holds at most " + std::to_string(kMostPackagePanels) + " panels");

@@ -43,14 +43,37 @@ ShopInput read_glb_input(const std::string& path, const std::string& unit) {
   return input;
 }
 
-/// The last part of a path, without its extension.
+/// The last part of a path.
+std::string file_name_of(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+/// The same without its extension.
 std::string stem_of(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::string name = file_name_of(path);
   return name.substr(0, name.find_last_of('.'));
 }
 
 }  // namespace
+
+std::string extension_of(const std::string& path) {
+  const std::string name = file_name_of(path);
+  const std::size_t point = name.find_last_of('.');
+  std::string extension = point == std::string::npos ? "" : name.substr(point + 1);
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
+void check_zip_name(const std::string& path, const std::string& what) {
+  const std::string extension = extension_of(path);
+  for (const char* other : {"png", "jpg", "jpeg", "pdf", "svg", "dxf", "dwg", "html", "csv", "json",
+                            "ifc", "step", "stl", "obj", "off", "ply", "glb", "gltf", "3dm"}) {
+    if (extension == other) {
+      throw CommandError(
+          kWrongUsage, path + ": " + what + " is a zip file and cannot be written as " + extension);
+    }
+  }
+}
 
 ShopInput load_shop_input(const Arguments& arguments) {
   const std::string path = arguments.only_positional("MESH or DESIGN");

@@ -27,4 +27,11 @@ struct ShopInput {
 /// them. Throws CommandError.
 [[nodiscard]] ShopInput load_shop_input(const Arguments& arguments);
 
+/// In small letters, without its point; "" if the name has none.
+[[nodiscard]] std::string extension_of(const std::string& path);
+
+/// Throws CommandError where the name of a zip says that it is in another format, as a picture.
+/// @param what is written, with its article
+void check_zip_name(const std::string& path, const std::string& what);
+
 }  // namespace planish::cli

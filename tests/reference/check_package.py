@@ -14,6 +14,7 @@ from zipped_dxf import read_csv, read_dxf
 try:
     from shapely.affinity import rotate, translate
     from shapely.geometry import Polygon, box
+    from shapely.ops import unary_union
 except ImportError:
     sys.exit(77)
 
@@ -66,6 +67,7 @@ def check(path):
     assert len(read_csv(archive, "edges.csv")) == package["counts"]["edges"]
     assert len(read_csv(archive, "nodes.csv")) == package["counts"]["nodes"]
     area = {row["panel"]: float(row["area"]) for row in panels}
+    pieces = {row["panel"]: row["pieces"] for row in package.get("apart", [])}
     on_sheets = 0
     for name in archive.namelist():
         if not name.endswith(".dxf"):
@@ -76,13 +78,15 @@ def check(path):
         check_no_overlap(name, outlines)
         if name.startswith("panels/"):
             panel = name.split("/")[1].rsplit("-", 1)[0]
-            assert len(outlines) == 1, name
-            check_texts(name, space, outlines[0])
+            assert len(outlines) == pieces.get(panel, 1), name
+            check_texts(name, space, unary_union(outlines))
             if package["gap"] == 0:
                 assert abs(outlines[0].area - area[panel]) <= 1e-6 * area[panel], name
         if name.startswith("sheets/"):
             sheet = box(0, 0, package["sheets"]["width"], package["sheets"]["height"])
             assert all(sheet.contains(o) for o in outlines), f"{name}: beyond the sheet"
+            gaps = loops_on(space, "GAP")
+            assert all(sheet.covers(o) for o in gaps), f"{name}: a gap outline beyond the sheet"
             on_sheets += sum(o.area for o in outlines)
     if package["sheets"] and package["sheets"]["count"]:
         sheets = package["sheets"]

@@ -107,6 +107,59 @@ TEST_F(Cli, DrawingsAndModelsSayWhatIsWrong) {
   EXPECT_FALSE(fs::exists(directory_ / "b.ifc"));
 }
 
+/// A plate of 1 m with what a gap of 20 mm does more to than make it smaller.
+TEST_F(Cli, WhatTheGapTakesOfAPanelIsNamed) {
+  save("neck.obj",
+       "v 0 0 0\nv 1 0 0\nv 1 0.4925 0\nv 2 0.4925 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\nv 2 1 0\n"
+       "v 2 0.5075 0\nv 1 0.5075 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n");
+  save("chamfer.obj", "v 0 0 0\nv 1 0 0\nv 1 0.995 0\nv 0.995 1 0\nv 0 1 0\nf 1 2 3 4 5\n");
+  save("tab.obj",
+       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.6 1 0\nv 0.6 1.3 0\nv 0.585 1.3 0\nv 0.585 1 0\nv 0 1 0\n"
+       "f 1 2 3 4 5 6 7 8\n");
+  for (const std::string output : {"neck.zip --sheet 4000x2000", "neck.ifc"}) {
+    EXPECT_EQ(run("panels neck.obj --gap 20 --report r.json -o " + output), 4);
+    EXPECT_NE(err().find("P-0001 is cut into 2 pieces by the gap"), std::string::npos) << err();
+    const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+    EXPECT_EQ(report["apart"].dump(), R"([{"panel":"P-0001","pieces":2}])");
+    EXPECT_EQ(report["counts"]["drawn"], 1);
+  }
+  for (const std::string name : {"chamfer", "tab"}) {
+    EXPECT_EQ(run("panels " + name + ".obj --gap 20 --report r.json -o " + name + ".zip"), 0)
+        << err();
+    EXPECT_NE(err().find("P-0001 loses whole sides to the gap"), std::string::npos) << err();
+    const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+    EXPECT_EQ(report["lost_sides"].dump(), R"(["P-0001"])");
+  }
+  EXPECT_EQ(run("panels neck.obj --gap 2000 -o none.zip"), 4);
+  EXPECT_NE(err().find("P-0001 is not drawn"), std::string::npos) << err();
+  // Outlines before the gap that stand out of what is cut by more than lies between panels.
+  EXPECT_EQ(run("panels sample:trihex:9 --gap 80 --sheet 6000x3000 -o wide.zip"), 0) << err();
+  const std::string check = testing::in_tree("tests/reference/check_package.py");
+  const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
+                           "' neck.zip chamfer.zip tab.zip wide.zip 2>err";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "skipped: no ezdxf or shapely";
+  EXPECT_EQ(WEXITSTATUS(status), 0) << err();
+}
+
+TEST_F(Cli, APackageIsNotWrittenUnderTheNameOfAnotherFormat) {
+  for (const std::string name : {"a.png", "a.PDF", "a.dxf", "a.svg", "a.obj", "a.json"}) {
+    for (const std::string command : {"panels", "drawings"}) {
+      EXPECT_EQ(run(command + " sample:vault:4 -o " + name), 2) << name;
+      EXPECT_NE(err().find("is a zip file and cannot be written as"), std::string::npos) << err();
+      EXPECT_FALSE(fs::exists(directory_ / name));
+    }
+  }
+  EXPECT_EQ(run("drawings sample:vault:4 -o a.ifc"), 2);
+  EXPECT_EQ(run("panels sample:vault:4 -o MODEL.IFC"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "MODEL.IFC").substr(0, 13), "ISO-10303-21;");
+  for (const std::string name : {"a.zip", "b.ZIP", "package", "roof.v2"}) {
+    EXPECT_EQ(run("panels sample:vault:4 -o " + name), 0) << err();
+    EXPECT_EQ(contents(directory_ / name).substr(0, 2), "PK");
+  }
+}
+
 TEST_F(Cli, APackageThatLacksSomethingIsExitCodeFourAndSaysWhat) {
   save("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(run("panels bent.obj -o a.zip"), 4);

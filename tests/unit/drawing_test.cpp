@@ -87,33 +87,6 @@ TEST(PlanarMotion, TurnsAndShiftsOutlinesAndTexts) {
   EXPECT_NEAR(drawing.texts[0].degrees, 90.0, 1e-12);
 }
 
-TEST(Inset, MovesEverySideByTheDistance) {
-  const Outline square = outline_of({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
-  EXPECT_LE(
-      (*inset(square, 0.5) - outline_of({{0.5, 0.5}, {3.5, 0.5}, {3.5, 2.5}, {0.5, 2.5}})).norm(),
-      1e-15);
-  const Outline angle = outline_of({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}});
-  EXPECT_LE(
-      (*inset(angle, 0.25) -
-       outline_of(
-           {{0.25, 0.25}, {3.75, 0.25}, {3.75, 0.75}, {0.75, 0.75}, {0.75, 3.75}, {0.25, 3.75}}))
-          .norm(),
-      1e-15);
-  EXPECT_EQ(*inset(square, 0.0), square);
-  const Outline straight = outline_of({{0, 0}, {2, 0}, {4, 0}, {4, 3}, {0, 3}});
-  EXPECT_LE((inset(straight, 0.5)->col(1) - Eigen::Vector2d(2, 0.5)).norm(), 1e-15);
-}
-
-TEST(Inset, SaysWhereNothingIsLeft) {
-  const Outline square = outline_of({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
-  EXPECT_TRUE(inset(square, 1.49));
-  EXPECT_FALSE(inset(square, 1.5));
-  EXPECT_FALSE(inset(square, 2.5));
-  EXPECT_FALSE(inset(outline_of({{0, 0}, {4, 4}, {4, 0}, {0, 3}}), 0.0));  // crosses itself
-  EXPECT_FALSE(
-      inset(outline_of({{0, 0}, {4, 0}, {4, 3}, {3.9, 3}, {0, 3}}), 1.0));  // a side vanishes
-}
-
 TEST(DrawPanel, KeepsItsTextsInsideItself) {
   for (const char* name : {"dome", "hex", "trihex"}) {
     const Mesh mesh = testing::sample(name, 9);
@@ -127,9 +100,9 @@ TEST(DrawPanel, KeepsItsTextsInsideItself) {
       EXPECT_EQ(panel->drawing.texts[0].text, panel_name(f));
       EXPECT_EQ(panel->drawing.texts[1].text, "OUTSIDE UP mm");
       for (const DrawnText& text : panel->drawing.texts) {
-        for (Eigen::Index k = 0; k < panel->cut.cols(); ++k) {
-          const Eigen::Vector2d a = panel->cut.col(k),
-                                b = panel->cut.col((k + 1) % panel->cut.cols());
+        const Outline& cut = panel->pieces[0].corners;
+        for (Eigen::Index k = 0; k < cut.cols(); ++k) {
+          const Eigen::Vector2d a = cut.col(k), b = cut.col((k + 1) % cut.cols());
           const Eigen::Vector2d side = (b - a).normalized(), from = text.position - a;
           EXPECT_GT(side.x() * from.y() - side.y() * from.x(), 0.5 * text.height)
               << name << f << text.text;

@@ -80,6 +80,35 @@ TEST(Ifc, WritesAnyNameAndUnit) {
   EXPECT_NE(model.text.find("IFCAREAMEASURE(1.)"), std::string::npos) << "areas are square metres";
 }
 
+TEST(Ifc, APlateThatFallsApartHasAShapeForEachPiece) {
+  const Mesh mesh = testing::make_mesh({{0, 0, 0},
+                                        {1, 0, 0},
+                                        {1, 0.495, 0},
+                                        {2, 0.495, 0},
+                                        {2, 0, 0},
+                                        {3, 0, 0},
+                                        {3, 1, 0},
+                                        {2, 1, 0},
+                                        {2, 0.505, 0},
+                                        {1, 0.505, 0},
+                                        {1, 1, 0},
+                                        {0, 1, 0}},
+                                       {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}});
+  CuttingOptions options;
+  options.gap = 20.0;
+  for (const double thickness : {0.0, 8.0}) {
+    options.thickness = thickness;
+    const IfcModel model = model_of(mesh, nullptr, options);
+    EXPECT_EQ(model.report.drawn, 1);
+    ASSERT_EQ(model.report.apart.size(), 1U);
+    EXPECT_EQ(model.report.apart[0].pieces, 2);
+    const std::string shape = thickness > 0.0 ? "=IFCEXTRUDEDAREASOLID(" : "=IFCPOLYGONALFACESET(";
+    const std::size_t first = model.text.find(shape);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_NE(model.text.find(shape, first + 1), std::string::npos);
+  }
+}
+
 TEST(Ifc, LeavesOutWhatTheGapLeavesNothingOfAndSaysSo) {
   const Mesh mesh =
       testing::make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1.05, 0, 0}, {1.05, 1, 0}},

@@ -18,11 +18,11 @@
 namespace planish {
 namespace {
 
-/// A panel that is drawn, and the rectangle that it takes.
+/// A panel that is drawn, the rectangle around what is cut, and what it takes on a sheet.
 struct DrawnPanel {
   int face = 0;
   PanelDrawing panel;
-  BoundingRectangle rectangle;
+  BoundingRectangle rectangle, room;
 };
 
 /// Moves a rectangle so that it lies along the axes with its lower left corner at (x, y).
@@ -49,8 +49,10 @@ class PackageWriter {
         report_.vanished.push_back(f);
         continue;
       }
-      const BoundingRectangle rectangle = bounding_rectangle(panel->cut);
-      panels_.push_back({f, *std::move(panel), rectangle});
+      note_pieces(plan, f, panel->pieces, report_);
+      const BoundingRectangle rectangle = bounding_rectangle(corners_of(panel->pieces));
+      const BoundingRectangle room = room_on_sheet(*panel, spacing_);
+      panels_.push_back({f, *std::move(panel), rectangle, room});
     }
     report_.drawn = static_cast<int>(panels_.size());
     measure_flatness(plan, report_);
@@ -123,7 +125,7 @@ class PackageWriter {
   std::vector<SheetPlace> place_on_sheets() {
     std::vector<SheetItem> items;
     items.reserve(panels_.size());
-    for (const DrawnPanel& p : panels_) items.push_back({p.rectangle.width, p.rectangle.height});
+    for (const DrawnPanel& p : panels_) items.push_back({p.room.width, p.room.height});
     const double width = plan_.options.sheet_width;
     const double height = plan_.options.sheet_height;
     auto places = arrange_on_sheets(items, {width, height, spacing_});
@@ -133,7 +135,7 @@ class PackageWriter {
       if (places[k].sheet < 0) {
         report_.oversize.push_back(panels_[k].face);
       } else {
-        area += area_of(panels_[k].panel.cut);
+        area += area_of(panels_[k].panel.pieces);
       }
     }
     if (report_.sheets > 0) report_.used_fraction = area / (report_.sheets * width * height);
@@ -153,7 +155,7 @@ class PackageWriter {
       const SheetPlace& place = places[k];
       if (place.sheet < 0) continue;
       add_moved(sheets[at(place.sheet)], panels_[k].panel.drawing,
-                onto_axes(panels_[k].rectangle, place.x, place.y, place.turned));
+                onto_axes(panels_[k].room, place.x, place.y, place.turned));
     }
     for (std::size_t k = 0; k < sheets.size(); ++k) {
       std::string number = std::to_string(k + 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -99,6 +100,18 @@ CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base, const CuttingO
   }
   plan.drawn = drawn_panels(plan);
   return plan;
+}
+
+void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>& pieces,
+                 DrawnReport& report) {
+  std::set<int> sides;
+  for (const CutPiece& piece : pieces) sides.insert(piece.sides.begin(), piece.sides.end());
+  sides.erase(-1);
+  if (pieces.size() > 1) {
+    report.apart.push_back({face, static_cast<int>(pieces.size())});
+  } else if (sides.size() < plan.mesh.face(face).size()) {
+    report.lost_sides.push_back(face);
+  }
 }
 
 std::string panel_name(int face) { return numbered('P', face); }

@@ -111,6 +111,19 @@ BoundingRectangle bounding_rectangle(const Outline& outline) {
   return lengthwise(best);
 }
 
+BoundingRectangle widened(const BoundingRectangle& r, const Outline& outline, double margin) {
+  constexpr double kRounding = 1e-9;  // of what stands out by the margin itself
+  const double free = (1.0 + kRounding) * margin;
+  const Eigen::Vector2d up(-r.along.y(), r.along.x());
+  const Outline from = outline.colwise() - r.corner;
+  const Eigen::RowVectorXd x = r.along.transpose() * from, y = up.transpose() * from;
+  const double left = std::min(0.0, x.minCoeff() + free);
+  const double low = std::min(0.0, y.minCoeff() + free);
+  const double right = std::max(r.width, x.maxCoeff() - free);
+  const double top = std::max(r.height, y.maxCoeff() - free);
+  return lengthwise({r.corner + left * r.along + low * up, r.along, right - left, top - low});
+}
+
 std::vector<int> setting_out_corners(const Outline& outline) {
   Eigen::Index far = 0;
   (outline.colwise() - outline.col(0)).colwise().squaredNorm().maxCoeff(&far);

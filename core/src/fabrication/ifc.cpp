@@ -9,7 +9,7 @@
 #include "fabrication/plan_header.hpp"
 #include "fabrication/step_file.hpp"
 #include "planish/constraints/planar_polygon.hpp"
-#include "planish/fabrication/panel_drawing.hpp"
+#include "planish/fabrication/inset.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "planish/numeric/index.hpp"
 
@@ -81,11 +81,11 @@ class IfcWriter {
     if (is_surface) points_ = add_points();
     for (int f = 0; f < plan_.mesh.face_count(); ++f) {
       if (plan_.drawn[at(f)] == 0) continue;
-      const int shape = is_surface ? add_polygon(f) : add_cut_panel(f);
-      if (shape == 0) {
+      const auto shapes = is_surface ? std::vector{add_polygon(f)} : add_cut_panel(f);
+      if (shapes.empty()) {
         model_.report.vanished.push_back(f);
       } else {
-        plates.push_back(step_reference(add_plate(f, shape, is_surface)));
+        plates.push_back(step_reference(add_plate(f, shapes, is_surface)));
       }
     }
     if (!plates.empty()) {
@@ -188,34 +188,44 @@ class IfcWriter {
     return file_.add("IFCCARTESIANPOINTLIST3D", step_list(points));
   }
 
-  int add_polygon(int face) {
+  StepValue add_polygon(int face) {
     std::vector<StepValue> corners;
     for (const int v : plan_.mesh.face(face)) corners.push_back({std::to_string(v + 1)});
-    const int polygon = file_.add("IFCINDEXEDPOLYGONALFACE", step_list(corners));
-    return file_.add("IFCPOLYGONALFACESET", step_reference(points_), step_word(".F."),
-                     step_list(std::array{step_reference(polygon)}), nothing());
+    return add_face_set(points_, corners);
   }
 
-  /// In the panel's own axes; 0 if nothing is left of it.
-  int add_cut_panel(int face) {
+  StepValue add_face_set(int points, const std::vector<StepValue>& corners) {
+    const int polygon = file_.add("IFCINDEXEDPOLYGONALFACE", step_list(corners));
+    return step_reference(file_.add("IFCPOLYGONALFACESET", step_reference(points), step_word(".F."),
+                                    step_list(std::array{step_reference(polygon)}), nothing()));
+  }
+
+  /// In the panel's own axes, a shape for each piece that is left of it.
+  std::vector<StepValue> add_cut_panel(int face) {
     const FlatPanel& panel = plan_.panels[at(face)];
-    const auto cut = inset(panel.outline, 0.5 * plan_.options.gap);
-    if (!cut) return 0;
-    if (plan_.options.thickness > 0.0) return add_solid(panel.frame, *cut);
+    const auto pieces = inset(panel.outline, 0.5 * plan_.options.gap);
+    if (!pieces.empty()) note_pieces(plan_, face, pieces, model_.report);
+    std::vector<StepValue> shapes;
+    for (const CutPiece& piece : pieces) {
+      const bool is_solid = plan_.options.thickness > 0.0;
+      shapes.push_back(is_solid ? add_solid(panel.frame, piece.corners)
+                                : add_surface(panel.frame, piece.corners));
+    }
+    return shapes;
+  }
+
+  StepValue add_surface(const PanelFrame& frame, const Outline& outline) {
     std::vector<StepValue> points;
     std::vector<StepValue> corners;
-    for (const auto p : cut->colwise()) {
-      points.push_back(reals(panel.frame.to_model({p.x(), p.y(), 0.0})));
+    for (const auto p : outline.colwise()) {
+      points.push_back(reals(frame.to_model({p.x(), p.y(), 0.0})));
       corners.push_back({std::to_string(points.size())});
     }
-    const int list = file_.add("IFCCARTESIANPOINTLIST3D", step_list(points));
-    const int polygon = file_.add("IFCINDEXEDPOLYGONALFACE", step_list(corners));
-    return file_.add("IFCPOLYGONALFACESET", step_reference(list), step_word(".F."),
-                     step_list(std::array{step_reference(polygon)}), nothing());
+    return add_face_set(file_.add("IFCCARTESIANPOINTLIST3D", step_list(points)), corners);
   }
 
   /// The outline, extruded to the inside.
-  int add_solid(const PanelFrame& frame, const Outline& outline) {
+  StepValue add_solid(const PanelFrame& frame, const Outline& outline) {
     std::vector<StepValue> points;
     for (const auto p : outline.colwise()) points.push_back(reals(p));
     points.push_back(points.front());
@@ -226,16 +236,16 @@ class IfcWriter {
                                   step_reference(curve));
     const int axes = add_axes(frame);
     const int inwards = add_direction(-Eigen::Vector3d::UnitZ());
-    return file_.add("IFCEXTRUDEDAREASOLID", step_reference(profile), step_reference(axes),
-                     step_reference(inwards), step_real(plan_.options.thickness));
+    return step_reference(file_.add("IFCEXTRUDEDAREASOLID", step_reference(profile),
+                                    step_reference(axes), step_reference(inwards),
+                                    step_real(plan_.options.thickness)));
   }
 
-  int add_plate(int face, int shape, bool is_surface) {
+  int add_plate(int face, const std::vector<StepValue>& shapes, bool is_surface) {
     const bool is_solid = !is_surface && plan_.options.thickness > 0.0;
     const int representation =
         file_.add("IFCSHAPEREPRESENTATION", step_reference(context_), step_string("Body"),
-                  step_string(is_solid ? "SweptSolid" : "Tessellation"),
-                  step_list(std::array{step_reference(shape)}));
+                  step_string(is_solid ? "SweptSolid" : "Tessellation"), step_list(shapes));
     const int definition = file_.add("IFCPRODUCTDEFINITIONSHAPE", nothing(), nothing(),
                                      step_list(std::array{step_reference(representation)}));
     const StepValue name = step_string(panel_name(face));

@@ -22,23 +22,6 @@ Eigen::Vector2d side_at(const Outline& outline, Eigen::Index k) {
   return outline.col((k + 1) % outline.cols()) - outline.col(k);
 }
 
-bool on_both_sides(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p,
-                   const Eigen::Vector2d& q) {
-  return turn_between(b - a, p - a) * turn_between(b - a, q - a) < 0.0;
-}
-
-bool has_crossing(const Outline& outline) {
-  const Eigen::Index n = outline.cols();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i + 2; j < n; ++j) {
-      const Eigen::Vector2d a = outline.col(i), b = outline.col((i + 1) % n);
-      const Eigen::Vector2d p = outline.col(j), q = outline.col((j + 1) % n);
-      if (on_both_sides(a, b, p, q) && on_both_sides(p, q, a, b)) return true;
-    }
-  }
-  return false;
-}
-
 bool is_inside(const Outline& outline, const Eigen::Vector2d& p) {
   bool inside = false;
   for (Eigen::Index k = 0; k < outline.cols(); ++k) {
@@ -162,20 +145,29 @@ void add_names(Drawing& drawing, const CuttingPlan& plan, int face, TakenRoom& r
   const std::string side = "OUTSIDE UP " + plan.options.unit;
   const double small = fitting_height(side, 1.2 * room, 0.5 * height);
   drawing.texts.push_back({middle - Eigen::Vector2d(0.0, height), small, 0.0, side});
-  for (const DrawnText& text : drawing.texts) {
-    room_left.taken.push_back(room_of(text, Eigen::Vector2d::UnitX()));
+  for (std::size_t k = drawing.texts.size() - 2; k < drawing.texts.size(); ++k) {
+    room_left.taken.push_back(room_of(drawing.texts[k], Eigen::Vector2d::UnitX()));
   }
 }
 
 constexpr double kSmaller = 0.85;
 constexpr int kTries = 30;  // to 1/130 of the size, which then stands whatever it meets
 
+/// The panel beyond each side of a piece; below 0 there is none.
+std::vector<int> neighbours_along(const CuttingPlan& plan, int face, const CutPiece& piece) {
+  std::vector<int> neighbours;
+  for (const int side : piece.sides) {
+    neighbours.push_back(side < 0 ? -1 : panel_beyond(plan, face, side));
+  }
+  return neighbours;
+}
+
 /// Inside each side, read from the inside; smaller where there is no room, as in acute corners.
-void add_neighbours(Drawing& drawing, const CuttingPlan& plan, int face, double largest,
+void add_neighbours(Drawing& drawing, const std::vector<int>& neighbours, double largest,
                     TakenRoom& room_left) {
   const Outline& cut = room_left.cut;
   for (Eigen::Index k = 0; k < cut.cols(); ++k) {
-    const int neighbour = panel_beyond(plan, face, static_cast<int>(k));
+    const int neighbour = neighbours[at(k)];
     if (neighbour < 0) continue;
     const Eigen::Vector2d side = side_at(cut, k);
     const Eigen::Vector2d middle = cut.col(k) + 0.5 * side, along = side / side.norm();
@@ -226,40 +218,31 @@ void add_corner_mark(Drawing& drawing, double size, TakenRoom& room_left) {
 
 }  // namespace
 
-std::optional<Outline> inset(const Outline& outline, double distance) {
-  if (has_crossing(outline)) return std::nullopt;
-  if (distance == 0.0) return outline;
-  constexpr double kSpike = 1e-6;
-  const Eigen::Index n = outline.cols();
-  Outline result(2, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Vector2d in = side_at(outline, (k + n - 1) % n).normalized();
-    const Eigen::Vector2d out = side_at(outline, k).normalized();
-    const double opening = 1.0 + in.dot(out);
-    if (!(opening > kSpike)) return std::nullopt;  // the sides lie on each other
-    const Eigen::Vector2d sum(-in.y() - out.y(), in.x() + out.x());
-    result.col(k) = outline.col(k) + distance / opening * sum;
-  }
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (!(side_at(result, k).dot(side_at(outline, k)) > 0.0)) return std::nullopt;
-  }
-  if (!(area_of(result) > 0.0) || has_crossing(result)) return std::nullopt;
-  return result;
-}
-
 std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
   const Outline& whole = plan.panels[at(face)].outline;
-  auto cut = inset(whole, 0.5 * plan.options.gap);
-  if (!cut) return std::nullopt;
-  PanelDrawing panel{*std::move(cut), {}};
-  const double size = bounding_rectangle(panel.cut).height;
-  panel.drawing.loops.push_back({DrawingLayer::kCut, panel.cut});
+  PanelDrawing panel{inset(whole, 0.5 * plan.options.gap), {}};
+  if (panel.pieces.empty()) return std::nullopt;
+  for (const CutPiece& piece : panel.pieces) {
+    panel.drawing.loops.push_back({DrawingLayer::kCut, piece.corners});
+  }
   if (plan.options.gap > 0.0) panel.drawing.loops.push_back({DrawingLayer::kGap, whole});
-  TakenRoom room_left{panel.cut, {}};
-  add_names(panel.drawing, plan, face, room_left);
-  add_corner_mark(panel.drawing, 0.1 * size, room_left);
-  add_neighbours(panel.drawing, plan, face, text_height(plan, 0.05 * size, 0.12 * size), room_left);
+  for (const CutPiece& piece : panel.pieces) {
+    const double size = bounding_rectangle(piece.corners).height;
+    TakenRoom room_left{piece.corners, {}};
+    add_names(panel.drawing, plan, face, room_left);
+    if (&piece == &panel.pieces.front()) add_corner_mark(panel.drawing, 0.1 * size, room_left);
+    const double height = text_height(plan, 0.05 * size, 0.12 * size);
+    add_neighbours(panel.drawing, neighbours_along(plan, face, piece), height, room_left);
+  }
   return panel;
+}
+
+BoundingRectangle room_on_sheet(const PanelDrawing& panel, double spacing) {
+  BoundingRectangle room = bounding_rectangle(corners_of(panel.pieces));
+  for (const DrawnLoop& loop : panel.drawing.loops) {
+    if (loop.layer == DrawingLayer::kGap) room = widened(room, loop.points, spacing);
+  }
+  return room;
 }
 
 }  // namespace planish

@@ -21,6 +21,15 @@ std::string remake_text(const CuttingPlan& plan) {
       .text();
 }
 
+std::string apart_text(const DrawnReport& report) {
+  std::string text;
+  for (const PanelApart& panel : report.apart) {
+    text += text.empty() ? "[" : ",";
+    text += JsonObject().add("panel", panel_name(panel.face)).add("pieces", panel.pieces).text();
+  }
+  return text + "]";
+}
+
 }  // namespace
 
 void measure_flatness(const CuttingPlan& plan, DrawnReport& report) {
@@ -62,6 +71,8 @@ JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
       .add("flatness_mm_per_m", report.flatness)
       .add("excess_mm_per_m", report.excess)
       .add("vanished", panel_names(report.vanished));
+  if (!report.apart.empty()) header.raw("apart", apart_text(report));
+  if (!report.lost_sides.empty()) header.add("lost_sides", panel_names(report.lost_sides));
   return header;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planish/fabrication/flat_panel.hpp"
+#include "planish/fabrication/inset.hpp"
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -51,18 +52,29 @@ struct CuttingPlan {
   std::vector<char> drawn;          ///< 1 for each face that the drawings show
 };
 
+/// A panel that a gap cuts into several pieces.
+struct PanelApart {
+  int face = 0, pieces = 0;
+};
+
 /// What came of the panels of a plan; faces by their index.
 struct DrawnReport {
   int drawn = 0;              ///< panels that the drawings or the model show
   double flatness = 0.0;      ///< of the worst panel, mm/m
   double excess = 0.0;        ///< the same, less what rounding accounts for: see FacePlanarity
   std::vector<int> vanished;  ///< the gap leaves nothing of them, or they cross themselves
+  std::vector<PanelApart> apart;
+  std::vector<int> lost_sides;  ///< the gap leaves one piece, but not every side of it
 };
 
 /// @param mesh must have passed check_mesh(); @param base the same, or nullptr; its panels also say
 /// which side x runs along; @param options must have no problem
 [[nodiscard]] CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base,
                                             const CuttingOptions& options);
+
+/// Notes in `report` what is left of a face; `pieces`: one at least.
+void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>& pieces,
+                 DrawnReport& report);
 
 /// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0.
 [[nodiscard]] std::string panel_name(int face);

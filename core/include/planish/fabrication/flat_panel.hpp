@@ -43,6 +43,10 @@ struct FlatPanel {
 /// The smallest rectangle around `outline` by area. O(k²).
 [[nodiscard]] BoundingRectangle bounding_rectangle(const Outline& outline);
 
+/// `rectangle`, larger where `outline` stands out of it by more than `margin`.
+[[nodiscard]] BoundingRectangle widened(const BoundingRectangle& rectangle, const Outline& outline,
+                                        double margin);
+
 /// Three corners that place a panel: corner 0, the farthest from it, and the farthest from the line
 /// through both.
 [[nodiscard]] std::vector<int> setting_out_corners(const Outline& outline);

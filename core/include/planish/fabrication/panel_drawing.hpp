@@ -3,23 +3,25 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "planish/fabrication/cutting_plan.hpp"
 #include "planish/fabrication/drawing.hpp"
+#include "planish/fabrication/inset.hpp"
 
 namespace planish {
 
-/// `outline` with every side moved inwards by `distance`, neighbours intersected; nullopt where a
-/// side would vanish or sides would cross, or where the outline crosses itself already.
-[[nodiscard]] std::optional<Outline> inset(const Outline& outline, double distance);
-
 /// A panel ready for a sheet.
 struct PanelDrawing {
-  Outline cut;      ///< what is cut
-  Drawing drawing;  ///< with its texts and marks, in the panel's own coordinates
+  std::vector<CutPiece> pieces;  ///< what is cut; more than one if the gap takes a neck
+  Drawing drawing;               ///< with its texts and marks, in the panel's own coordinates
 };
 
 /// nullopt if the gap leaves nothing of the panel.
 [[nodiscard]] std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face);
+
+/// What a panel takes on a sheet where `spacing` stays free around it: the rectangle of what is
+/// cut, larger where the panel's outline before the gap stands out of it by more than that.
+[[nodiscard]] BoundingRectangle room_on_sheet(const PanelDrawing& panel, double spacing);
 
 }  // namespace planish

@@ -35,6 +35,8 @@ const NOTHING: CuttingPreview = {
   flatness: 0,
   excess: 0,
   vanished: [],
+  apart: [],
+  lostSides: [],
   oversize: [],
   sheets: 0,
   usedFraction: 0,
@@ -55,6 +57,8 @@ export const headerOf = (preview: CuttingPreview, choice: PackageChoice): Cuttin
   flatness_mm_per_m: preview.flatness,
   excess_mm_per_m: preview.excess,
   vanished: preview.vanished,
+  apart: preview.apart,
+  lost_sides: preview.lostSides,
   sheets:
     choice.sheetWidth > 0
       ? {

@@ -15,6 +15,17 @@ function sheetWords({ sheets }: CuttingHeader): string[] {
   return words;
 }
 
+/** What the joint does to panels beside making them smaller. */
+function gapWords({ apart = [], lost_sides = [] }: CuttingHeader): string[] {
+  const words: string[] = [];
+  if (apart.length > 0) {
+    const each = apart.map(({ panel, pieces }) => `${panel} (${pieces} pieces)`);
+    words.push(`the joint cuts into pieces: ${each.join(", ")}`);
+  }
+  if (lost_sides.length > 0) words.push(`the joint takes whole sides of ${lost_sides.join(", ")}`);
+  return words;
+}
+
 export function summary(header: CuttingHeader): string {
   const { counts, remake, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
   const parts = [`${panels(counts.drawn)} drawn`];
@@ -30,6 +41,7 @@ export function summary(header: CuttingHeader): string {
     parts.push(
       `not drawn, as nothing is left of them or they cross themselves: ${vanished.join(", ")}`,
     );
+  parts.push(...gapWords(header));
   if (excess_mm_per_m > FLAT)
     parts.push(`not flat: a panel is out of its plane by ${decimal(flatness_mm_per_m)} mm/m`);
   return `${parts.join("; ")}.`;
