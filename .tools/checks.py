@@ -62,7 +62,7 @@ def vitest(folder, options=""):
 
 
 WASM_TEST = "node --no-experimental-fetch build/wasm/tests/{}.cjs"
-NIGHTLY = {"PLANISH_NIGHTLY": "1"}
+NIGHTLY = {"PLANISH_NIGHTLY": "1", "PLANISH_INSETS": "100000"}
 
 # Builds and checks in the order in which they start where there is a choice.
 GRAPH = {
