@@ -316,6 +316,10 @@ void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x) {
   lagrangian_.slide(x);
 }
 
+void PatchSystem::add_pulls(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const {
+  jacobian_.add_transposed(y, out);
+}
+
 void PatchSystem::apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
   jacobian_.apply(delta, out);
 }

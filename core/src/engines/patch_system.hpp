@@ -47,6 +47,9 @@ class PatchSystem {
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;
 
+  /// out += Jᵀ y with J of the last factorization. @param out 3 × free
+  void add_pulls(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const;
+
   [[nodiscard]] int factorizations() const { return factorizations_; }
 
  private:

@@ -10,8 +10,9 @@
 namespace planish {
 namespace {
 
-constexpr double kFirstShift = 1e-2;    ///< first ν tried when the system is not positive definite
-constexpr double kLargestShift = 1e6;   ///< beyond it the step is shorter than any progress
+/// A region of no more vertices is the working set at once: nearly all of it moves in the end, and
+/// every set on the way there would have to be cut and analysed anew.
+constexpr std::size_t kWholeRegion = 400;
 constexpr double kSlowProgress = 1e-4;  ///< relative change per step at which a smoothing is spent
 constexpr double kDualActive = 0.9;     ///< ‖w‖ above which a vertex counts as moving
 
@@ -84,7 +85,8 @@ EngineOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span
 void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                                           double relative_smoothing, DisplacementField& field) {
   std::vector<int> next;
-  if (!seeks_support_ && !problem.region.empty()) {
+  const bool at_once = !problem.region.empty() && problem.region.size() <= kWholeRegion;
+  if (at_once || (!seeks_support_ && !problem.region.empty())) {
     next = problem.region;
   } else if (!seeks_support_) {
     next.resize(at(model_.vertex_count()));
@@ -116,76 +118,8 @@ void WorkingSetNewton::choose_working_set(const EditProblem& problem, const Newt
   working_ = std::move(next);
   cutter_.cut(problem, working_, patch_);
   system_.attach(patch_);
+  step_.attach(system_, patch_.free_count);
   field.load(patch_, state_);
-  zero_.setZero(3, patch_.free_count);
-}
-
-/// Backtracks on the augmented Lagrangian F + λ⁺ᵀc + ρ/2 ‖c‖², each trial corrected to second order
-/// with the same factor.
-bool WorkingSetNewton::search_line(const NewtonOptions& options, double smoothing,
-                                   double decrease) {
-  constexpr int kMostHalvings = 10;
-  constexpr double kArmijo = 1e-4;
-  constexpr double kRounding = 1e-11;
-  const auto merit_of = [&](const Eigen::Matrix3Xd& d, const Eigen::VectorXd& c) {
-    return system_.lagrangian().energy(d, smoothing) + new_multipliers_.dot(c) +
-           0.5 * options.merit_penalty * c.squaredNorm();
-  };
-  const double start = merit_of(state_.displacement, residuals_);
-  const double longest = delta_.colwise().norm().maxCoeff();
-  if (!std::isfinite(longest)) return false;
-  double length = std::min(1.0, options.trust / std::max(longest, 1e-300));
-  for (int halving = 0; halving < kMostHalvings; ++halving, length *= 0.5) {
-    trial_ = state_.displacement + length * delta_;
-    system_.lagrangian().residuals(trial_, trial_residuals_);
-    double merit = merit_of(trial_, trial_residuals_);
-    remainder_ = trial_residuals_ - (1.0 - length) * residuals_;
-    system_.step(zero_, remainder_, correction_);
-    correction_ += trial_;
-    system_.lagrangian().residuals(correction_, linear_);
-    const double corrected = merit_of(correction_, linear_);
-    if (corrected < merit || linear_.squaredNorm() < 1e-2 * trial_residuals_.squaredNorm()) {
-      merit = corrected;
-      trial_.swap(correction_);
-      trial_residuals_.swap(linear_);
-    }
-    if (merit <= start - kArmijo * length * decrease + kRounding * std::abs(start)) {
-      step_length_ = length;
-      return true;
-    }
-  }
-  return false;
-}
-
-WorkingSetNewton::StepResult WorkingSetNewton::take_step(const NewtonOptions& options,
-                                                         double smoothing) {
-  system_.lagrangian().residuals(state_.displacement, residuals_);
-  system_.lagrangian().gradient_at(state_, smoothing, gradient_);
-  while (!system_.factorize(state_, smoothing, options.penalty, shift_)) {
-    shift_ = std::max(4.0 * shift_, kFirstShift);
-    if (!(shift_ < kLargestShift)) return StepResult::kBroken;
-  }
-  system_.step(gradient_, residuals_, delta_);
-  system_.apply_jacobian(delta_, linear_);
-  new_multipliers_ = state_.multipliers + options.penalty * (residuals_ + linear_);
-  // Directional derivative of the merit: ∇F·δ + λ⁺ᵀJδ + ρ cᵀJδ.
-  const double decrease = -(gradient_.cwiseProduct(delta_).sum() +
-                            (new_multipliers_ - state_.multipliers).dot(linear_) +
-                            options.merit_penalty * residuals_.dot(linear_));
-  if (!search_line(options, smoothing, decrease)) {
-    shift_ = std::max(10.0 * shift_, kFirstShift);
-    return shift_ < kLargestShift ? StepResult::kRejected : StepResult::kBroken;
-  }
-  largest_move_ = (trial_ - state_.displacement).colwise().norm().maxCoeff();
-  state_.displacement.swap(trial_);  // trial_ is the state before the step from here on
-  state_.multipliers += step_length_ * (new_multipliers_ - state_.multipliers);
-  update_norm_duals(trial_, smoothing, state_);
-  if (step_length_ == 1.0 && shift_ > 0.0) shift_ = shift_ < 1e-3 ? 0.0 : 0.2 * shift_;
-  return StepResult::kAccepted;
-}
-
-double WorkingSetNewton::violation() const {
-  return trial_residuals_.size() > 0 ? trial_residuals_.cwiseAbs().maxCoeff() : 0.0;
 }
 
 void WorkingSetNewton::find_support(double smoothing) {
@@ -208,7 +142,7 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
   double smoothing = options.first_smoothing * scale;
   const double last = options.last_smoothing * scale;
   if (!seeks_support_) smoothing = last;
-  shift_ = 0.0;
+  step_.forget_shift();
   working_.clear();
   std::vector<int> fixed_seeds;
   for (const int v : problem.handles) {
@@ -218,12 +152,12 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
   for (; outcome.steps < options.max_steps; ++outcome.steps) {
     choose_working_set(problem, options, smoothing / scale, field);
     if (patch_.free_count == 0) break;
-    const StepResult result = take_step(options, smoothing);
-    if (result == StepResult::kBroken) {
+    const PrimalDualStep::Result result = step_.take(options.step, smoothing, state_);
+    if (result == PrimalDualStep::Result::kBroken) {
       outcome.status = SolveStatus::kSingularSystem;
       break;
     }
-    if (result == StepResult::kRejected) continue;
+    if (result == PrimalDualStep::Result::kRejected) continue;
     field.store(patch_, state_);
     find_support(smoothing);
     for (const int v : fixed_seeds) {
@@ -233,24 +167,25 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
     const double previous = objective;
     objective = system_.lagrangian().energy(state_.displacement, 0.0);
     outcome.records.push_back({.objective = objective,
-                               .primal_residual = violation(),
-                               .step = largest_move_,
+                               .primal_residual = step_.violation(),
+                               .step = step_.largest_move(),
                                .smoothing = smoothing});
     if (progress && progress(outcome.records.back()) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
       break;
     }
     const double change = std::abs(objective - previous);
-    const bool free_step = step_length_ == 1.0 && shift_ == 0.0;
     if (smoothing > last) {
       // A new smoothing once the last one has been followed closely enough: lowering it too fast
       // lands in worse minima, staying too long only costs time.
-      const bool close = free_step && largest_move_ < 0.5 * std::sqrt(smoothing * scale);
+      const bool close =
+          step_.is_plain() && step_.largest_move() < 0.5 * std::sqrt(smoothing * scale);
       if (close || change <= kSlowProgress * objective) {
         smoothing = std::max(last, options.smoothing_shrink * smoothing);
+        step_.restart();
       }
     } else if (change <= options.stop * objective ||
-               largest_move_ <= options.settled_move * scale) {
+               step_.largest_move() <= options.settled_move * scale) {
       outcome.status = SolveStatus::kConverged;
       ++outcome.steps;
       break;

@@ -9,6 +9,7 @@
 #include "engines/displacement_field.hpp"
 #include "engines/engine_outcome.hpp"
 #include "engines/patch_system.hpp"
+#include "engines/primal_dual_step.hpp"
 #include "engines/working_set.hpp"
 #include "planish/problem/problem.hpp"
 
@@ -27,13 +28,7 @@ struct NewtonOptions {
   int rings = 2;
   /// Rings and lines of the starting set are kept until ε falls below this share.
   double keep_start = 0.003;
-  /// μ > 0 of [WSN-2]; 1/μ regularises nearly dependent constraints.
-  double penalty = 1e6;
-  /// ρ > 0 of the merit F + λᵀc + ρ/2 ‖c‖² that steps are judged by. Small: wanders off the
-  /// constraints; large: short steps along curved ones.
-  double merit_penalty = 1e5;
-  /// Largest movement of a vertex in one step, mean edges, > 0. Large: leaps to other minima.
-  double trust = 0.5;
+  StepOptions step;
   /// Stop when the objective changes by less than this share of itself, > 0.
   double stop = 1e-6;
   /// Stop as well when no vertex moves further than this in a step, share, ≥ 0.
@@ -41,6 +36,9 @@ struct NewtonOptions {
   /// settle() ends a stage when no vertex's ∇L is longer than this, solver units, > 0.
   double stationary = 5e-7;
   int max_steps = 150;
+  /// Of settle(): at the first ε alone, and in all.
+  int max_first_settle_steps = 350;
+  int max_settle_steps = 350;
 };
 
 /// Where a cold start looks first.
@@ -108,18 +106,12 @@ class WorkingSetNewton {
   void set_support(std::vector<int> support) { support_ = std::move(support); }
 
  private:
-  enum class StepResult { kAccepted, kRejected, kBroken };
-
   /// Sets start_ to the vertices of `start`.
   void lay_out(const EditProblem& problem, const StartSet& start);
   EngineOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
                     DisplacementField& field, const Progress& progress);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                           double relative_smoothing, DisplacementField& field);
-  [[nodiscard]] StepResult take_step(const NewtonOptions& options, double smoothing);
-  [[nodiscard]] bool search_line(const NewtonOptions& options, double smoothing, double decrease);
-  /// Largest |c| after the last step.
-  [[nodiscard]] double violation() const;
   void find_support(double smoothing);
   void set_out(const EditProblem& problem);
   void lay_open(const EditProblem& problem, DisplacementField& field);
@@ -142,13 +134,11 @@ class WorkingSetNewton {
 
   Eigen::Matrix3Xd settled_;  ///< 3 × free: what the last settle() ended with, nothing stopped
   double settled_smoothing_ = 0.0;
+  double last_off_ = 0.0;  ///< |c| before the last step of settle()
 
-  // One step's work space, kept so that the loop does not allocate.
-  Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;
-  Eigen::VectorXd residuals_, trial_residuals_, linear_, new_multipliers_, remainder_;
-  double shift_ = 0.0;  ///< ν
-  double step_length_ = 1.0;
-  double largest_move_ = 0.0;
+  PrimalDualStep step_;
+  Eigen::Matrix3Xd gradient_, before_;
+  Eigen::VectorXd residuals_;
 };
 
 }  // namespace planish

@@ -27,7 +27,7 @@ constexpr double kFollowed = 1e-2;       ///< ‖∇L‖ at which a stage ends, 
 constexpr double kStationary = 5e-7;     ///< the same for the last stage
 constexpr double kHeld = 10.0;           ///< |c| / ε at which a stage ends
 constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts as at rest
-constexpr int kMostRuns = 175;           ///< working sets
+constexpr double kStalled = 1e-8;        ///< |c| that need not fall where no step changes it
 constexpr int kStepsPerRun = 2;          ///< on one of them
 constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 
@@ -49,8 +49,8 @@ void WorkingSetNewton::set_out(const EditProblem& problem) {
 void WorkingSetNewton::lay_open(const EditProblem& problem, DisplacementField& field) {
   cutter_.cut_open(problem, working_, patch_);
   system_.attach(patch_);
+  step_.attach(system_, patch_.free_count);
   field.load(patch_, state_);
-  zero_.setZero(3, patch_.free_count);
 }
 
 /// Free vertices beyond the working set that move by more than `rest`.
@@ -78,16 +78,19 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
     system_.lagrangian().residuals(state_.displacement, residuals_);
     system_.lagrangian().gradient_at(state_, smoothing, gradient_);
     const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
+    // Rows among points that cannot move keep what the base has: no step betters them.
+    const bool stalled = off <= kStalled && std::abs(off - last_off_) <= 1e-3 * off;
+    last_off_ = off;
     if (gradient_.colwise().norm().maxCoeff() <= options.stationary &&
-        off <= std::max(kHeld * smoothing, rounding())) {
+        (off <= std::max(kHeld * smoothing, rounding()) || stalled)) {
       return true;
     }
-    StepResult result = StepResult::kRejected;
-    for (int attempt = 0; attempt < 4 && result == StepResult::kRejected; ++attempt) {
-      result = take_step(options, smoothing);
+    PrimalDualStep::Result result = PrimalDualStep::Result::kRejected;
+    for (int attempt = 0; attempt < 4 && result == PrimalDualStep::Result::kRejected; ++attempt) {
+      result = step_.take(options.step, smoothing, state_);
     }
     ++outcome.steps;
-    if (result != StepResult::kAccepted) return false;
+    if (result != PrimalDualStep::Result::kAccepted) return false;
   }
   return false;
 }
@@ -96,7 +99,7 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
 /// corner beyond its bound, all stay where they are: a state beyond it has no merit, and the steps
 /// from there do not see the bound.
 void WorkingSetNewton::shrink_what_rests(double smoothing, double shrink) {
-  trial_ = state_.displacement;
+  before_ = state_.displacement;
   for (int k = 0; k < patch_.free_count; ++k) {
     if (patch_.terms[at(k)].norm_weight <= 0.0) continue;
     if (state_.displacement.col(k).norm() <= kAtRest * smoothing) {
@@ -104,7 +107,7 @@ void WorkingSetNewton::shrink_what_rests(double smoothing, double shrink) {
     }
   }
   if (!std::isfinite(system_.lagrangian().energy(state_.displacement, smoothing))) {
-    state_.displacement.swap(trial_);
+    state_.displacement.swap(before_);
   }
 }
 
@@ -122,7 +125,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   }
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
-  shift_ = 0.0;
+  step_.forget_shift();
   lay_open(problem, field);
   settled_ = state_.displacement;
   settled_smoothing_ = smoothing;
@@ -130,20 +133,23 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       !std::isfinite(system_.lagrangian().energy(state_.displacement, smoothing))) {
     return outcome;
   }
-  for (int run = 0; run < kMostRuns && work < kMostWork; ++run) {
+  last_off_ = 0.0;
+  while (outcome.steps < options.max_settle_steps && work < kMostWork) {
     const bool first_stage = smoothing >= kFirst * scale;
+    if (first_stage && outcome.steps >= options.max_first_settle_steps) break;
     const bool last = !seeks_support_ || smoothing <= kLast * scale;
     exact.stationary = last ? kStationary : kFollowed;
-    exact.penalty = seeks_support_ ? std::clamp(kPenalty / smoothing, options.penalty, kMostPenalty)
-                                   : options.penalty;
+    exact.step.penalty = seeks_support_
+                             ? std::clamp(kPenalty / smoothing, options.step.penalty, kMostPenalty)
+                             : options.step.penalty;
     const int first = outcome.steps;
     const bool done = settle_at(smoothing, exact, outcome);
     work += static_cast<double>((outcome.steps - first) * patch_.free_count);
     field.store(patch_, state_);
     outcome.objective = system_.lagrangian().energy(state_.displacement, 0.0);
     const IterationRecord record{.objective = outcome.objective,
-                                 .primal_residual = violation(),
-                                 .step = largest_move_,
+                                 .primal_residual = step_.violation(),
+                                 .step = step_.largest_move(),
                                  .smoothing = smoothing};
     if (progress && progress(record) == Flow::kStop) {
       outcome.status = SolveStatus::kCancelled;
@@ -161,7 +167,8 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       lay_open(problem, field);
       continue;
     }
-    const bool spent = last && largest_move_ <= rounding();  // no step changes anything any more
+    const bool spent =
+        last && step_.largest_move() <= rounding();  // no step changes anything any more
     if (!done && !spent) continue;
     if (last) {
       outcome.status = SolveStatus::kConverged;
@@ -170,6 +177,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     const double shrink = std::max(kShrink, kLast * scale / smoothing);
     shrink_what_rests(smoothing, shrink);
     smoothing *= shrink;
+    step_.restart();
   }
   settled_ = state_.displacement;
   settled_smoothing_ = smoothing;
