@@ -99,59 +99,6 @@ void HandleEditSolver::State::hold_back(const std::vector<int>& support, ExactDe
   }
 }
 
-/// Whether a barrier acts on what the design moved, so that its weight matters.
-bool HandleEditSolver::State::is_pressed(const ExactDesign& design) const {
-  if (!options_.bounds.empty()) return true;
-  return limits_->keep_outs()->acts(design.faces, verdict_->places(design));
-}
-
-/// Down to the last weight of the barrier before anything is settled: where that is certified,
-/// which it nearly always is, two settlings are saved. nullopt where not, with the search's state
-/// back.
-std::optional<ExactDesign> HandleEditSolver::State::settle_at_last_weight(
-    const NewtonOptions& options, const Progress& progress, SolveReport& report) {
-  const DisplacementField::Snapshot found = trial_->snapshot();
-  const std::vector<int> support = newton_->support();
-  NewtonOptions step = options;
-  step.first_smoothing = step.last_smoothing;
-  SolveReport near = report;
-  while (problem_.limit_weight > kLastLimitWeight && near.status != SolveStatus::kCancelled) {
-    problem_.limit_weight *= kLimitWeightShrink;
-    const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
-    near.iterations += way.steps;
-    near.factorizations += way.factorizations;
-    near.status = way.status;
-  }
-  ExactDesign design = settle(options, progress, near);
-  problem_.limit_weight = kFirstLimitWeight;
-  report.iterations = near.iterations;
-  report.factorizations = near.factorizations;
-  if (near.status == SolveStatus::kConverged || near.status == SolveStatus::kCancelled) {
-    report = std::move(near);
-    return design;
-  }
-  trial_->restore(found);
-  newton_->set_support(support);
-  return std::nullopt;
-}
-
-ExactDesign HandleEditSolver::State::settle_beside_keep_outs(const NewtonOptions& options,
-                                                             const Progress& progress,
-                                                             SolveReport& report) {
-  if (!limits_->keep_outs()->has_rows()) {  // as without any, to the bit
-    ExactDesign design = settle(options, progress, report);
-    if (!options_.bounds.empty()) approach_limits(options, progress, design, report);
-    return design;
-  }
-  // Other limits lose their certificate so more often (decision 15).
-  if (options_.bounds.empty() && report.status == SolveStatus::kConverged) {
-    if (auto design = settle_at_last_weight(options, progress, report)) return std::move(*design);
-  }
-  ExactDesign design = settle(options, progress, report);
-  if (is_pressed(design)) approach_limits(options, progress, design, report);
-  return design;
-}
-
 void hold_resting(const Mesh& mesh, const HandleEditOptions& options, std::vector<int>& held) {
   const Adjacency adjacency = build_adjacency(mesh);
   const MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0},

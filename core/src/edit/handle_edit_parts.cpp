@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The way in parts: for targets that a jump does not reach.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "edit/handle_edit_state.hpp"
@@ -14,9 +15,12 @@ namespace planish {
 ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
   constexpr double kFirstPart = 0.125;
   constexpr double kShortestPart = 0.125 / 16;
-  NewtonOptions options;
+  constexpr int kMostWithinReach = 150;  // factorizations: what took more ended no lower
+  NewtonOptions options = engine_options();
   options.stop = 1e-5;
-  options.max_steps = 60;
+  options.max_steps = follows_softness() ? 25 : 60;
+  const int most = follows_softness() ? report.factorizations + kMostWithinReach
+                                      : std::numeric_limits<int>::max();
   std::vector<Eigen::Vector3d> targets;
   for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);
   ExactDesign best = unmoved();
@@ -25,7 +29,8 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   newton_->set_support(problem_.handles);
   report.status = SolveStatus::kInfeasibleHandles;
   double reached = 0.0;
-  for (double part = kFirstPart; reached < 1.0 && part >= kShortestPart;) {
+  for (double part = kFirstPart;
+       reached < 1.0 && part >= kShortestPart && report.factorizations < most;) {
     const DisplacementField::Snapshot before = trial_->snapshot();
     const std::vector<int> support = newton_->support();
     const double share = std::min(1.0, reached + part);

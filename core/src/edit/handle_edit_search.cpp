@@ -8,14 +8,38 @@
 #include "edit/softness.hpp"
 #include "engines/augmented_lagrangian.hpp"
 #include "engines/cold_search.hpp"
+#include "planish/constraints/mesh_keep_outs.hpp"
 
 namespace planish {
-ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
+namespace {
+
+constexpr double kCoarse = 0.0045;  ///< smoothing that a search within a reach ends at, share
+
+}  // namespace
+
+/// Within a reach the problem is small and steep, its multipliers are large; elsewhere the engine's
+/// own tuning stands.
+NewtonOptions HandleEditSolver::State::engine_options() const {
   NewtonOptions options;
+  if (follows_softness()) {
+    options.step.penalty = 1e8;
+    options.step.poor_share = 0.3;
+    options.max_first_settle_steps = 25;
+    options.max_settle_steps = 80;
+  }
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
-  const bool by_softness = options_.softness > 0.0 && has_reach(options_);
+  return options;
+}
+
+bool HandleEditSolver::State::follows_softness() const {
+  return options_.softness > 0.0 && has_reach(options_);
+}
+
+/// Search, then down to where the limits are, then the certificate.
+ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, SolveReport& report) {
+  const NewtonOptions options = engine_options();
   EngineOutcome outcome = targets_.continuation > 0 ? continue_from_base(options, progress)
-                          : by_softness
+                          : follows_softness()
                               ? soften(options, progress)
                               : find_minimum(problem_, options, *newton_, *trial_, progress);
   report.status = outcome.status;
@@ -23,10 +47,12 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
   report.factorizations += outcome.factorizations;
   report.records = std::move(outcome.records);
   choose_sides(options, progress, report);
-  if (has_keep_outs()) return settle_beside_keep_outs(options, progress, report);
-  ExactDesign design = settle(options, progress, report);
-  if (limits_ != nullptr) approach_limits(options, progress, design, report);
-  return design;
+  const bool limited =
+      !options_.bounds.empty() || (has_keep_outs() && limits_->keep_outs()->has_rows());
+  if (limited) {
+    if (auto design = settle_at_limits(options, progress, report)) return std::move(*design);
+  }
+  return settle(options, progress, report);
 }
 
 /// Whether points on an outline take another side of it than the one they were solved on [SUP-3],
@@ -54,49 +80,65 @@ void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const P
   }
 }
 
-/// From where the search kept clear of the stated limits, to where they are: along the path of
-/// minima as the barrier on them fades, for as long as each is a certified one. [LIM-2]
-void HandleEditSolver::State::approach_limits(const NewtonOptions& options,
-                                              const Progress& progress, ExactDesign& design,
-                                              SolveReport& report) {
+/// From where the search kept clear of limits and keep-outs to where they are, along the path of
+/// minima as the barrier on them fades, and one settling at its end. nullopt where that is not
+/// certified, with the search's state back. [LIM-2]
+std::optional<ExactDesign> HandleEditSolver::State::settle_at_limits(const NewtonOptions& options,
+                                                                     const Progress& progress,
+                                                                     SolveReport& report) {
+  if (report.status == SolveStatus::kCancelled) return std::nullopt;
+  const DisplacementField::Snapshot found = trial_->snapshot();
+  const std::vector<int> support = newton_->support();
   NewtonOptions step = options;
+  if (follows_softness()) step.last_smoothing = kCoarse;
   step.first_smoothing = step.last_smoothing;
-  while (problem_.limit_weight > kLastLimitWeight && report.status == SolveStatus::kConverged) {
+  SolveReport near = report;
+  while (problem_.limit_weight > kLastLimitWeight && near.status != SolveStatus::kCancelled) {
     problem_.limit_weight *= kLimitWeightShrink;
-    SolveReport nearer = report;
     const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
-    nearer.iterations += way.steps;
-    nearer.factorizations += way.factorizations;
-    nearer.status = way.status;
-    ExactDesign next = settle(options, progress, nearer);
-    report.iterations = nearer.iterations;
-    report.factorizations = nearer.factorizations;
-    if (nearer.status != SolveStatus::kConverged) break;
-    report = std::move(nearer);
-    design = std::move(next);
+    near.iterations += way.steps;
+    near.factorizations += way.factorizations;
+    near.status = way.status;
   }
+  ExactDesign design = settle(options, progress, near);
   problem_.limit_weight = kFirstLimitWeight;
+  report.iterations = near.iterations;
+  report.factorizations = near.factorizations;
+  if (near.status == SolveStatus::kConverged || near.status == SolveStatus::kCancelled) {
+    report = std::move(near);
+    return design;
+  }
+  trial_->restore(found);
+  newton_->set_support(support);
+  return std::nullopt;
 }
 
 /// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
-/// step from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
 /// cold start fell into. [SOF-2]
 EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
                                               const Progress& progress) {
-  NewtonOptions coarse = options;
-  coarse.last_smoothing = 0.0045;
-  coarse.stop = 1e-3;
+  constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
+  constexpr double kWarm = 0.015;
+  constexpr int kMostSteps = 40, kMostLastSteps = 60;
+  NewtonOptions step = options;
+  step.last_smoothing = kCoarse;  // settle() goes on from its own first ε
+  step.stop = 1e-3;
+  step.max_steps = std::min(options.max_steps, kMostSteps);
   HandleEditOptions now = options_;
   now.softness = kSoftest;
   terms_->assign(targets_, now, problem_);
   trial_->clear();
-  EngineOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, coarse, *trial_, progress);
+  EngineOutcome outcome = newton_->run_cold(problem_, {3, 16, 0.05}, step, *trial_, progress);
+  step.first_smoothing = kWarm;
   for (bool last = false; !last && outcome.status != SolveStatus::kCancelled;) {
-    now.softness = std::max(options_.softness, now.softness - 1.0);
+    now.softness = std::max(options_.softness, now.softness - kDown);
     last = now.softness == options_.softness;
     terms_->assign(targets_, now, problem_);
-    NewtonOptions step = last ? options : coarse;
-    step.first_smoothing = 0.015;
+    if (last) {
+      step.stop = options.stop;
+      step.max_steps = std::min(options.max_steps, kMostLastSteps);
+    }
     EngineOutcome next = newton_->run_warm(problem_, step, *trial_, progress);
     next.steps += outcome.steps;
     next.factorizations += outcome.factorizations;

@@ -77,14 +77,11 @@ class HandleEditSolver::State {
   [[nodiscard]] bool meets_keep_outs(const ExactDesign& design);
   [[nodiscard]] bool lets_go();
   void hold_back(const std::vector<int>& support, ExactDesign& design);
-  [[nodiscard]] bool is_pressed(const ExactDesign& design) const;
-  std::optional<ExactDesign> settle_at_last_weight(const NewtonOptions& options,
-                                                   const Progress& progress, SolveReport& report);
-  ExactDesign settle_beside_keep_outs(const NewtonOptions& options, const Progress& progress,
-                                      SolveReport& report);
+  [[nodiscard]] NewtonOptions engine_options() const;
+  [[nodiscard]] bool follows_softness() const;
+  std::optional<ExactDesign> settle_at_limits(const NewtonOptions& options,
+                                              const Progress& progress, SolveReport& report);
   void choose_sides(const NewtonOptions& options, const Progress& progress, SolveReport& report);
-  void approach_limits(const NewtonOptions& options, const Progress& progress, ExactDesign& design,
-                       SolveReport& report);
   EngineOutcome follow(bool fresh, DisplacementField& field, const Progress& progress);
   EngineOutcome continue_from_base(const NewtonOptions& options, const Progress& progress);
   EngineOutcome soften(const NewtonOptions& options, const Progress& progress);
