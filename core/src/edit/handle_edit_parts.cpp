@@ -15,11 +15,10 @@ namespace planish {
 ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, SolveReport& report) {
   constexpr double kFirstPart = 0.125;
   constexpr double kShortestPart = 0.125 / 16;
-  constexpr int kMostWithinReach = 150;  // factorizations: what took more ended no lower
   NewtonOptions options = engine_options();
   options.stop = 1e-5;
-  options.max_steps = follows_softness() ? 25 : 60;
-  const int most = follows_softness() ? report.factorizations + kMostWithinReach
+  options.max_steps = follows_softness() ? budget().part : 60;
+  const int most = follows_softness() ? report.factorizations + budget().all_parts
                                       : std::numeric_limits<int>::max();
   std::vector<Eigen::Vector3d> targets;
   for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);

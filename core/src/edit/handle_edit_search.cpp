@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kCoarse = 0.0045;  ///< smoothing that a search within a reach ends at, share
 
+// What takes more ends no lower; where many stated limits act, late steps still pay.
+constexpr SearchBudget kPlain{40, 60, 25, 80, 25, 150};
+constexpr SearchBudget kLimited{80, 120, 60, 150, 40, 300};
+
 }  // namespace
 
 /// Within a reach the problem is small and steep, its multipliers are large; elsewhere the engine's
@@ -24,8 +28,8 @@ NewtonOptions HandleEditSolver::State::engine_options() const {
   if (follows_softness()) {
     options.step.penalty = 1e8;
     options.step.poor_share = 0.3;
-    options.max_first_settle_steps = 25;
-    options.max_settle_steps = 80;
+    options.max_first_settle_steps = budget().first_settle;
+    options.max_settle_steps = budget().settle;
   }
   if (options_.max_iterations > 0) options.max_steps = options_.max_iterations;
   return options;
@@ -33,6 +37,10 @@ NewtonOptions HandleEditSolver::State::engine_options() const {
 
 bool HandleEditSolver::State::follows_softness() const {
   return options_.softness > 0.0 && has_reach(options_);
+}
+
+const SearchBudget& HandleEditSolver::State::budget() const {
+  return options_.bounds.empty() ? kPlain : kLimited;
 }
 
 /// Search, then down to where the limits are, then the certificate.
@@ -120,11 +128,10 @@ EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
                                               const Progress& progress) {
   constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
   constexpr double kWarm = 0.015;
-  constexpr int kMostSteps = 40, kMostLastSteps = 60;
   NewtonOptions step = options;
   step.last_smoothing = kCoarse;  // settle() goes on from its own first ε
   step.stop = 1e-3;
-  step.max_steps = std::min(options.max_steps, kMostSteps);
+  step.max_steps = std::min(options.max_steps, budget().coarse);
   HandleEditOptions now = options_;
   now.softness = kSoftest;
   terms_->assign(targets_, now, problem_);
@@ -137,7 +144,7 @@ EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
     terms_->assign(targets_, now, problem_);
     if (last) {
       step.stop = options.stop;
-      step.max_steps = std::min(options.max_steps, kMostLastSteps);
+      step.max_steps = std::min(options.max_steps, budget().last);
     }
     EngineOutcome next = newton_->run_warm(problem_, step, *trial_, progress);
     next.steps += outcome.steps;

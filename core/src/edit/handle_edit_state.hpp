@@ -23,6 +23,12 @@ namespace planish {
 /// Between two weights of the limits' barrier. [LIM-2]
 inline constexpr double kLimitWeightShrink = 0.1;
 
+/// What an edit within a reach is worth: steps of its searches, of its settling and of a part of
+/// the way, and factorizations of all parts.
+struct SearchBudget {
+  int coarse, last, first_settle, settle, part, all_parts;
+};
+
 class HandleEditSolver::State {
  public:
   State(const Mesh& mesh, const HandleEditOptions& options);
@@ -79,6 +85,7 @@ class HandleEditSolver::State {
   void hold_back(const std::vector<int>& support, ExactDesign& design);
   [[nodiscard]] NewtonOptions engine_options() const;
   [[nodiscard]] bool follows_softness() const;
+  [[nodiscard]] const SearchBudget& budget() const;
   std::optional<ExactDesign> settle_at_limits(const NewtonOptions& options,
                                               const Progress& progress, SolveReport& report);
   void choose_sides(const NewtonOptions& options, const Progress& progress, SolveReport& report);

@@ -103,8 +103,8 @@ bool PrimalDualStep::search_line(const PatchState& state, double decrease) {
   const double start = merit_before_;
   const double reach = longest(delta_);
   if (!std::isfinite(reach)) return false;
-  const double first = std::min(1.0, options_.trust / std::max(reach, 1e-300));
-  length_ = first;
+  length_ = std::min(1.0, options_.trust / std::max(reach, 1e-300));
+  double inside = length_;  // what a bound cuts says nothing about the direction
   for (int halving = 0; halving < kMostHalvings; ++halving, length_ *= 0.5) {
     trial_ = state.displacement + length_ * delta_;
     trial_multipliers_ = state.multipliers + length_ * (new_multipliers_ - state.multipliers);
@@ -122,9 +122,10 @@ bool PrimalDualStep::search_line(const PatchState& state, double decrease) {
       }
     }
     if (merit_after_ <= wanted) {
-      cut_ = length_ / first;
+      cut_ = length_ / inside;
       return true;
     }
+    if (!std::isfinite(merit_after_)) inside = 0.5 * length_;
   }
   return false;
 }
