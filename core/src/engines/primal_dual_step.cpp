@@ -11,11 +11,11 @@ constexpr double kFirstShift = 1e-2;   ///< first ν tried when the system is no
 constexpr double kLargestShift = 1e6;  ///< beyond it the step is shorter than any progress
 constexpr double kLeastShift = 1e-3;   ///< below it ν is dropped
 
-double largest(const Eigen::VectorXd& values) {
+double largest_entry(const Eigen::VectorXd& values) {
   return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
 }
 
-double longest(const Eigen::Matrix3Xd& columns) {
+double longest_column(const Eigen::Matrix3Xd& columns) {
   return columns.cols() > 0 ? columns.colwise().norm().maxCoeff() : 0.0;
 }
 
@@ -27,7 +27,7 @@ void PrimalDualStep::attach(PatchSystem& system, int free_count) {
   fresh_ = true;
 }
 
-double PrimalDualStep::violation() const { return largest(trial_residuals_); }
+double PrimalDualStep::violation() const { return largest_entry(trial_residuals_); }
 
 /// M(d, λ) = F + λₑᵀc + μ/2 ‖c‖² + 1/(2μ) ‖λₑ + μc − λ‖²
 double PrimalDualStep::merit(const Point& point) const {
@@ -43,7 +43,7 @@ double PrimalDualStep::merit(const Point& point) const {
 void PrimalDualStep::hold_estimate(const PatchState& state) {
   constexpr double kOther = 1e-5;  // share of the other measure in each
   constexpr double kFall = 0.5;
-  const double off = largest(residuals_), slope = longest(gradient_);
+  const double off = largest_entry(residuals_), slope = longest_column(gradient_);
   const double feasible = off + kOther * slope, optimal = kOther * off + slope;
   has_new_estimate_ = fresh_;
   if (fresh_) {
@@ -101,7 +101,7 @@ bool PrimalDualStep::search_line(const PatchState& state, double decrease) {
   constexpr double kRounding = 1e-11;
   constexpr double kLeaves = 4.0;  // growth of ‖c‖²
   const double start = merit_before_;
-  const double reach = longest(delta_);
+  const double reach = longest_column(delta_);
   if (!std::isfinite(reach)) return false;
   length_ = std::min(1.0, options_.trust / std::max(reach, 1e-300));
   double inside = length_;  // what a bound cuts says nothing about the direction
@@ -159,7 +159,7 @@ PrimalDualStep::Result PrimalDualStep::take(const StepOptions& options, double s
     shift_ = std::max(10.0 * shift_, kFirstShift);
     return shift_ < kLargestShift ? Result::kRejected : Result::kBroken;
   }
-  largest_move_ = longest(trial_ - state.displacement);
+  largest_move_ = longest_column(trial_ - state.displacement);
   state.displacement.swap(trial_);  // trial_ is the state before the step from here on
   state.multipliers.swap(trial_multipliers_);
   update_norm_duals(trial_, smoothing, state);
