@@ -56,8 +56,9 @@ TEST(MeshRepair, FacesWithoutThreeCornersAreLeftOut) {
   const ReadResult result =
       repair_and_check(mesh, {.vertices = {}, .faces = {11, 12, 13, 14}, .first = 1});
   EXPECT_EQ(faces_of(result), (Faces{{1, 2, 5, 4}, {0, 1, 4, 3}}));
-  EXPECT_EQ(warning_text(result).substr(0, 71),
-            "2 faces have fewer than 3 different corners (first: line 11); left out\n");
+  EXPECT_EQ(warning_text(result).substr(0, 139),
+            "2 faces have fewer than 3 different corners (first: line 11); left out, so panels "
+            "after them have lower numbers and names than in the file\n");
 }
 
 TEST(MeshRepair, TrianglesWithoutAreaStayAndAreNamed) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "mesh/edge_table.hpp"
@@ -83,13 +84,34 @@ Refusal refuse_faces(const Mesh& mesh, const SourceLines& lines) {
   return std::nullopt;
 }
 
-Refusal refuse_edges(const std::vector<EdgeUse>& uses, const SourceLines& lines) {
+/// Two faces of an edge's with the same corners, in whatever order; the later one second.
+std::optional<std::pair<int, int>> given_twice(const Mesh& mesh, std::span<const EdgeUse> edge) {
+  std::vector<std::pair<std::vector<int>, int>> faces;
+  for (const EdgeUse& use : edge) {
+    const auto face = mesh.face(use.face);
+    faces.emplace_back(std::vector<int>(face.begin(), face.end()), use.face);
+    std::sort(faces.back().first.begin(), faces.back().first.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t k = 1; k < faces.size(); ++k) {
+    if (faces[k - 1].first == faces[k].first)
+      return std::pair(faces[k - 1].second, faces[k].second);
+  }
+  return std::nullopt;
+}
+
+Refusal refuse_edges(const Mesh& mesh, const std::vector<EdgeUse>& uses, const SourceLines& lines) {
   for (std::size_t k = 0; k < uses.size();) {
     const auto edge = same_edge(uses, k);
     k += edge.size();
     if (edge.size() <= 2) continue;
     const auto number = [&](int index) { return std::to_string(index + lines.first); };
     const auto face_number = [&](int f) { return std::to_string(lines.number_of_face(f)); };
+    if (const auto twice = given_twice(mesh, edge)) {
+      return at_line(lines.faces, twice->second) + "face " + face_number(twice->second) +
+             " has the same corners as face " + face_number(twice->first) + counting(lines) +
+             "; a panel can be given once";
+    }
     return at_line(lines.faces, edge[2].face) + "the edge between vertices " + number(edge[0].low) +
            " and " + number(edge[0].high) + " is shared by " + std::to_string(edge.size()) +
            " faces, among them " + face_number(edge[0].face) + " and " + face_number(edge[2].face) +
@@ -284,7 +306,7 @@ ReadResult check_mesh(Mesh mesh, const SourceLines& lines) {
   if (Refusal refusal = refuse_positions(mesh, lines)) return ReadError{*refusal};
   if (Refusal refusal = refuse_faces(mesh, lines)) return ReadError{*refusal};
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  if (Refusal refusal = refuse_edges(uses, lines)) return ReadError{*refusal};
+  if (Refusal refusal = refuse_edges(mesh, uses, lines)) return ReadError{*refusal};
   if (Refusal refusal = refuse_zero_size(mesh, uses)) return ReadError{*refusal};
   std::vector<std::string> warnings;
   warn_orientation(mesh, uses, warnings);

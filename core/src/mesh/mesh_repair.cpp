@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planish/mesh/mesh_repair.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -68,20 +69,31 @@ std::vector<int> simple_corners(std::span<const int> face) {
   return corners;
 }
 
-/// A corner that comes again after one or two steps. Faces written with fewer than 3 corners are
-/// no slip of an exporter; check_mesh() refuses them.
-bool names_twice(const Mesh& mesh, int f) {
+/// Too few corners, as written, or one that comes again after one or two steps. A face without any
+/// is no slip of an exporter; check_mesh() refuses it.
+bool needs_repair(const Mesh& mesh, int f) {
   const auto face = mesh.face(f);
   const std::size_t count = face.size();
-  for (std::size_t k = 0; k < count && count >= 3; ++k) {
+  if (count == 1 || count == 2) return true;
+  for (std::size_t k = 0; k < count; ++k) {
     if (face[k] == face[(k + 1) % count] || face[k] == face[(k + 2) % count]) return true;
   }
   return false;
 }
 
-bool any_names_twice(const Mesh& mesh) {
+/// What becomes of the names of panels behind those that are left out.
+std::string left_out_text(const SeparateFaces& faces) {
+  const auto first = std::find(faces.left_out.begin(), faces.left_out.end(), 1);
+  const auto kept_after = std::count(first, faces.left_out.end(), 0);
+  if (kept_after == 0) return "left out";
+  const bool one = std::count(first, faces.left_out.end(), 1) == 1;
+  return one ? "left out, so each panel after it has a number and name one lower than in the file"
+             : "left out, so panels after them have lower numbers and names than in the file";
+}
+
+bool any_needs_repair(const Mesh& mesh) {
   for (int f = 0; f < mesh.face_count(); ++f) {
-    if (names_twice(mesh, f)) return true;
+    if (needs_repair(mesh, f)) return true;
   }
   return false;
 }
@@ -90,7 +102,7 @@ void name_corners_once(const Mesh& mesh, const SourceLines& lines, SeparateFaces
                        std::vector<std::string>& warnings) {
   Fault repeated, gone;
   for (std::size_t f = 0; f < faces.corners.size(); ++f) {
-    if (!names_twice(mesh, static_cast<int>(f))) continue;
+    if (!needs_repair(mesh, static_cast<int>(f))) continue;
     std::vector<int>& face = faces.corners[f];
     std::vector<int> simple = simple_corners(face);
     faces.left_out[f] = simple.size() < 3 ? 1 : 0;
@@ -100,7 +112,7 @@ void name_corners_once(const Mesh& mesh, const SourceLines& lines, SeparateFaces
   repeated.warn("face names a corner twice", "faces name a corner twice", "it is read once",
                 warnings);
   gone.warn("face has fewer than 3 different corners", "faces have fewer than 3 different corners",
-            "left out", warnings);
+            left_out_text(faces), warnings);
 }
 
 /// What is left of the lines, and the file's numbers of the faces.
@@ -119,7 +131,7 @@ SourceLines kept_lines(SourceLines lines, const SeparateFaces& faces) {
 }  // namespace
 
 ReadResult repair_and_check(Mesh mesh, SourceLines lines) {
-  if (!any_names_twice(mesh)) return check_mesh(std::move(mesh), lines);
+  if (!any_needs_repair(mesh)) return check_mesh(std::move(mesh), lines);
   std::vector<std::string> warnings;
   SeparateFaces faces = separate_faces(mesh);
   name_corners_once(mesh, lines, faces, warnings);

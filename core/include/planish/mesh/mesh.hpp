@@ -20,6 +20,7 @@ inline constexpr double kLargestCoordinate = 1e100;
 struct FaceGroup {
   std::string name;
   int first_face = 0;
+  bool one_name = false;  ///< blanks belong to it; else they part the names of several groups
 };
 
 /// Vertices and faces in file order; immutable by convention once it has passed check_mesh().
