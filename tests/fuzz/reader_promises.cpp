@@ -38,6 +38,7 @@ bool same_groups(const Mesh& a, const Mesh& b) {
   for (std::size_t k = 0; k < a.groups.size(); ++k) {
     if (a.groups[k].first_face != b.groups[k].first_face) return false;
     if (a.groups[k].name != b.groups[k].name) return false;
+    if (a.groups[k].one_name != b.groups[k].one_name) return false;
   }
   return true;
 }

@@ -56,6 +56,7 @@ bool same_bits(const Mesh& a, const Mesh& b) {
   if (a.groups.size() != b.groups.size()) return false;
   for (std::size_t k = 0; k < a.groups.size(); ++k) {
     if (a.groups[k].name != b.groups[k].name) return false;
+    if (a.groups[k].one_name != b.groups[k].one_name) return false;
     if (a.groups[k].first_face != b.groups[k].first_face) return false;
   }
   return true;

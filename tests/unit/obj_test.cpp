@@ -85,7 +85,7 @@ TEST(Obj, EveryRefusalNamesTheLine) {
             "line 5: the relative index -5 points before the first vertex");
   EXPECT_EQ(refusal(quad + "f 1 2 99999999999"), "line 5: the index \"99999999999\" is too large");
   EXPECT_EQ(refusal(quad + "f 1 2 a"), "line 5: \"a\" is not a face corner");
-  EXPECT_EQ(refusal(quad + "f 1 2"), "line 5: face 1 has 2 vertices; it needs 3 or more");
+  EXPECT_EQ(refusal(quad + "f"), "line 5: face 1 has 0 vertices; it needs 3 or more");
   EXPECT_EQ(refusal(quad + "f 1 2 3 1 4 3"), "line 5: face 1 uses vertex 1 twice (from 1)");
   EXPECT_EQ(refusal(quad + std::string("\x01", 1)), "line 5: the file is not text");
   EXPECT_EQ(refusal("v 1e120 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3"),

@@ -54,6 +54,23 @@ describe("groups of panels in OBJ", () => {
     ]);
   });
 
+  it("keep blanks where a name stands alone, and before a number sign", () => {
+    const names = (runs: string) => groupsOfRuns(runs, 4).map(({ name }) => name);
+    expect(names("0 Panel #1\n1 Panel  #2\n2 #3 a\n")).toEqual([
+      "Panel #1",
+      "Panel  #2",
+      "#3",
+      "a",
+    ]);
+    expect(names("0 \tNorth roof\n2 South roof\n")).toEqual(["North roof", "South", "roof"]);
+    const north = { ...DOORS, name: "North  roof", members: [0, 1] };
+    expect(runsOfGroups([north], 4)).toBe("0 \tNorth roof\n2 \n");
+    expect(names(runsOfGroups([north], 4))).toEqual(["North roof"]);
+    expect(runsOfGroups([north, { ...GLASS, members: [1, 2] }], 3)).toBe(
+      "0 North_roof\n1 North_roof Glass_1\n2 Glass_1\n",
+    );
+  });
+
   it("of a file end with the file", () => {
     expect(groupsOfRuns("0 a\n2 b\n", 4).map(({ members }) => members)).toEqual([
       [0, 1],

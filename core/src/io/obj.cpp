@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "planish/io/obj.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -58,13 +60,43 @@ std::string take_face(std::string_view words, ObjDraft& draft) {
   return "";
 }
 
+/// The statements of OBJ. A line that begins with one is none that a backslash has broken.
+constexpr std::string_view kStatements[] = {
+    "v",    "vt",   "vn",   "vp",     "f",      "fo",     "l",      "p",          "g",
+    "o",    "s",    "mg",   "usemtl", "mtllib", "usemap", "maplib", "cstype",     "deg",
+    "bmat", "step", "surf", "curv",   "curv2",  "parm",   "trim",   "hole",       "scrv",
+    "sp",   "end",  "con",  "bevel",  "lod",    "ctech",  "stech",  "c_interp",   "d_interp",
+    "call", "csh",  "bsp",  "bzp",    "cdc",    "cdp",    "res",    "shadow_obj", "trace_obj"};
+
+bool begins_statement(std::string_view line) {
+  const std::string_view word = take_word(line);
+  return word.empty() || word.front() == '#' ||
+         std::find(std::begin(kStatements), std::end(kStatements), word) != std::end(kStatements);
+}
+
+/// Numbers without the backslash of a line that the next one does not go on.
+std::string_view without_backslash(std::string_view words) {
+  if (!words.empty() && words.back() == '\\') words.remove_suffix(1);
+  return words;
+}
+
+/// What follows the keyword of `line` up to a '#' with a blank on both sides: "Panel #1" is a name.
+std::string_view name_in(std::string_view line) {
+  static_cast<void>(take_word(line));
+  for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
+    const bool ends = at + 1 == line.size() || is_blank(line[at + 1]);
+    if (ends && is_blank(line[at - 1])) return trimmed(line.substr(0, at));
+  }
+  return trimmed(line);
+}
+
 /// A group without faces leaves no trace: the next one takes its place.
-void start_group(std::string_view name, ObjDraft& draft) {
+void start_group(std::string_view name, bool one_name, ObjDraft& draft) {
   const int first_face = draft.face_count();
   if (!draft.groups.empty() && draft.groups.back().first_face == first_face) {
     draft.groups.pop_back();
   }
-  draft.groups.push_back({std::string(trimmed(name)), first_face});
+  draft.groups.push_back({std::string(name), first_face, one_name});
 }
 
 /// Takes one line into the draft. Returns what is wrong, without the line.
@@ -73,13 +105,18 @@ std::string take_line(const TextLines& line, ObjDraft& draft) {
   const std::string_view keyword = take_word(words);
   if (keyword == "v") {
     draft.lines.vertices.push_back(line.number());
+    words = without_backslash(words);
     return take_point(words, draft.coordinates);
   }
   if (keyword == "f") {
     draft.lines.faces.push_back(line.number());
-    return take_face(words, draft);
+    return take_face(without_backslash(words), draft);
   }
-  if (keyword == "g" || keyword == "o") start_group(words, draft);
+  if (keyword == "g" || keyword == "o") {
+    const std::string_view name = name_in(line.with_comment());
+    const bool blanks = std::any_of(name.begin(), name.end(), is_blank);
+    start_group(name, keyword == "o" && blanks, draft);
+  }
   return "";
 }
 
@@ -128,7 +165,7 @@ ReadResult read_obj(std::string_view bytes) {
   if (Refusal refusal = refuse_as_text(bytes)) return ReadError{*refusal};
   if (bytes.empty()) return ReadError{"the file is empty"};
   ObjDraft draft;
-  TextLines line(bytes, TextLines::Continuation::kBackslash);
+  TextLines line(bytes, begins_statement);
   while (line.next()) {
     if (const std::string problem = take_line(line, draft); !problem.empty()) {
       return ReadError{line_text(line.number(), problem)};
@@ -156,7 +193,7 @@ std::string write_obj(const Mesh& mesh) {
   auto group = mesh.groups.begin();
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (; group != mesh.groups.end() && group->first_face == f; ++group) {
-      text += "g " + one_line(group->name) + '\n';
+      text += (group->one_name ? "o " : "g ") + one_line(group->name) + '\n';
     }
     text += 'f';
     for (const int v : mesh.face(f)) {

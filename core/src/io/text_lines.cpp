@@ -8,8 +8,6 @@
 namespace planish {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
 std::string_view without_comment(std::string_view line) {
   for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
     // A name such as "part#2" keeps its '#'.
@@ -18,10 +16,15 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
+/// What stands before the first line end.
+std::string_view first_line(std::string_view text) {
+  return text.substr(0, text.find_first_of("\n\r"));
+}
+
 }  // namespace
 
-TextLines::TextLines(std::string_view bytes, Continuation continuation)
-    : rest_(bytes), continuation_(continuation) {
+TextLines::TextLines(std::string_view bytes, BeginsAnew begins_anew)
+    : rest_(bytes), begins_anew_(begins_anew) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     rest_.remove_prefix(kByteOrderMark.size());
@@ -29,9 +32,8 @@ TextLines::TextLines(std::string_view bytes, Continuation continuation)
 }
 
 std::string_view TextLines::take_raw_line() {
-  std::size_t end = 0;
-  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
-  const std::string_view line = rest_.substr(0, end);
+  const std::string_view line = first_line(rest_);
+  std::size_t end = line.size();
   if (end < rest_.size() && rest_[end] == '\r') ++end;
   if (end < rest_.size() && rest_[end] == '\n' && (end == line.size() || rest_[end - 1] == '\r')) {
     ++end;
@@ -41,20 +43,27 @@ std::string_view TextLines::take_raw_line() {
   return line;
 }
 
+bool TextLines::goes_on(std::string_view line) const {
+  const std::string_view end = trimmed(line);
+  if (!begins_anew_ || end.empty() || end.back() != '\\') return false;
+  return without_comment(line).size() == line.size() && !begins_anew_(first_line(rest_));
+}
+
 bool TextLines::next() {
   if (rest_.empty()) return false;
   number_ = next_number_;
   std::string_view line = take_raw_line();
-  if (continuation_ == Continuation::kBackslash && !line.empty() && line.back() == '\\') {
+  if (goes_on(line)) {
     joined_.clear();
-    while (!line.empty() && line.back() == '\\') {
-      joined_ += line.substr(0, line.size() - 1);
+    do {
+      joined_ += line.substr(0, line.rfind('\\'));
       joined_ += ' ';
-      line = rest_.empty() ? std::string_view() : take_raw_line();
-    }
+      line = take_raw_line();
+    } while (goes_on(line));
     joined_ += line;
     line = joined_;
   }
+  with_comment_ = trimmed(line);
   text_ = trimmed(without_comment(line));
   return true;
 }
@@ -68,6 +77,8 @@ std::string_view take_word(std::string_view& rest) {
   rest.remove_prefix(end);
   return word;
 }
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

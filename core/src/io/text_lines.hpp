@@ -14,16 +14,21 @@ namespace planish {
 /// `bytes` must outlive the object.
 class TextLines {
  public:
-  /// Whether a line that ends in a backslash goes on in the next one (OBJ).
-  enum class Continuation { kNone, kBackslash };
+  /// Whether a line begins a statement of its own, whatever stands before it.
+  using BeginsAnew = bool (*)(std::string_view line);
 
-  explicit TextLines(std::string_view bytes, Continuation continuation = Continuation::kNone);
+  /// @param begins_anew given where a line that ends in a backslash goes on in the next one (OBJ),
+  ///   unless that one begins anew: names and comments may end in a backslash, too
+  explicit TextLines(std::string_view bytes, BeginsAnew begins_anew = nullptr);
 
   /// Steps to the next line; false at the end of the file.
   bool next();
 
   /// The line with its comment (from '#' at the start or after a blank) and outer blanks removed.
   [[nodiscard]] std::string_view text() const { return text_; }
+
+  /// The line with what text() takes for a comment, without outer blanks.
+  [[nodiscard]] std::string_view with_comment() const { return with_comment_; }
 
   /// Of the line's first part, from 1.
   [[nodiscard]] int number() const { return number_; }
@@ -33,10 +38,11 @@ class TextLines {
 
  private:
   [[nodiscard]] std::string_view take_raw_line();
+  [[nodiscard]] bool goes_on(std::string_view line) const;
 
-  std::string_view rest_, text_;
+  std::string_view rest_, text_, with_comment_;
   std::string joined_;  ///< holds a continued line
-  Continuation continuation_;
+  BeginsAnew begins_anew_;
   int number_ = 0, next_number_ = 1;
 };
 
@@ -45,6 +51,9 @@ class TextLines {
 
 /// `text` without blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Whether a blank stands for it: space, tab, vertical tab, form feed.
+[[nodiscard]] bool is_blank(char c);
 
 /// A sentence if `bytes` hold a control character that no text has, naming its line; also if they
 /// are more than the 2 GiB that 32-bit counts can index.
