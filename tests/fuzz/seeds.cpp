@@ -84,6 +84,11 @@ void add_dialects(Corpus& corpus) {
   corpus.add("off",
              "COFF # c\n4 2 0\n\n0 0 0 255 0 0 255\n1 0 0\n1 1 0\n0 1 0\n"
              "3 0 1 2 1 0 0\n3 0 2 3\n");
+  corpus.add("obj",
+             "# c\\\nv 0 0 0\nv 1 0 \\ \n 0\nv 1 1 0\no a b\\\nf 1 2\nf 1 2 \\\n3\n"
+             "g a #1 # c\nf 1 1 2\n");
+  corpus.add("off", "coff4 2\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1\n2\n3 0 2 3\n");
+  corpus.add("off", "OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3");
   corpus.add("off", "3 1\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n");
   corpus.add("ply",
              "ply\nformat ascii 1.0\ncomment c\nobj_info o\nelement vertex 3\n"
@@ -91,6 +96,11 @@ void add_dialects(Corpus& corpus) {
              "element face 1\nproperty list uchar int vertex_index\n"
              "element edge 1\nproperty int vertex1\nproperty list uint float weights\n"
              "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n7 2 0.5 0.5\n");
+  corpus.add("ply",
+             "ply\nformat ascii 1.0\nMade by hand\nelement vertex 3\nproperty float x\n"
+             "property float y\nproperty float z\nelement face 1\n"
+             "property list uchar int vertex_index\nend_header\n0 0 0 9\n1 0 0 9\n0 1 0\n"
+             "3 0 1 2 8 8\n");
   corpus.add("glb",
              std::string(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
                          R"("nodes":[{"children":[1],"rotation":[0,0,0,1]},{"mesh":0,)"

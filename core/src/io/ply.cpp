@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include "io/ply_header.hpp"
 #include "io/text_lines.hpp"
@@ -53,11 +54,28 @@ double number_from(const char* bytes, PlyType type, bool reversed) {
 /// Hands out the values of the body one after the other. After a failure `problem` says why.
 class ValueStream {
  public:
-  explicit ValueStream(const PlyHeader& header)
+  /// @param row_a_line whether each row of a text file stands on a line of its own
+  ValueStream(const PlyHeader& header, bool row_a_line)
       : encoding_(header.encoding),
+        row_a_line_(row_a_line),
         rest_(header.body),
         lines_(header.body),
         first_line_(header.body_line) {}
+
+  /// Before each row: where it has a line of its own, what is left on the line before is passed
+  /// over.
+  void start_row() {
+    if (row_a_line_) next_line();
+  }
+
+  /// Whether nothing stands on the lines behind the last row.
+  [[nodiscard]] bool ends() {
+    next_line();
+    return words_.empty();
+  }
+
+  /// The first line that held more than its row; 0 for none.
+  [[nodiscard]] int first_long_line() const { return first_long_line_; }
 
   std::optional<double> take(PlyType type) {
     return encoding_ == PlyEncoding::kAscii ? take_text() : take_binary(type);
@@ -72,6 +90,12 @@ class ValueStream {
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
+  void next_line() {
+    if (!trimmed(words_).empty() && first_long_line_ == 0) first_long_line_ = line();
+    words_ = {};
+    while (words_.empty() && lines_.next()) words_ = lines_.text();
+  }
+
   std::optional<double> take_binary(PlyType type) {
     const std::size_t size = ply_size(type);
     if (rest_.size() < size) return fail("the file ends early");
@@ -83,6 +107,7 @@ class ValueStream {
 
   std::optional<double> take_text() {
     std::string_view word = take_word(words_);
+    if (word.empty() && row_a_line_) return fail("the line holds less than its row");
     while (word.empty()) {
       if (!lines_.next()) return fail("the file ends early");
       words_ = lines_.text();
@@ -98,9 +123,10 @@ class ValueStream {
   }
 
   PlyEncoding encoding_;
+  bool row_a_line_;
   std::string_view rest_, words_;
   TextLines lines_;
-  int first_line_;
+  int first_line_, first_long_line_ = 0;
   std::string problem_;
 };
 
@@ -122,6 +148,7 @@ struct PlyDraft {
   std::vector<double> coordinates;
   Mesh mesh;
   SourceLines lines;
+  int first_long_line = 0;  ///< that holds more than its row; 0 for none
 };
 
 /// An index that check_mesh() can judge: anything that is none becomes −1.
@@ -175,6 +202,7 @@ std::string read_element(const PlyElement& element, ValueStream& values, PlyDraf
     roles.push_back(role_of(element, property));
   }
   for (std::uint64_t row = 0; row < element.count; ++row) {
+    values.start_row();
     if (read_row(element, roles, values, draft)) continue;
     const bool known = element.name == "vertex" || element.name == "face";
     const std::string name = known ? element.name : planish::quoted(element.name);
@@ -182,6 +210,23 @@ std::string read_element(const PlyElement& element, ValueStream& values, PlyDraf
            (values.problem().empty() ? "the length of a list is negative" : values.problem());
   }
   return "";
+}
+
+/// All elements. As text each row has a line of its own, or rows follow word by word: then none of
+/// them can hold more than the header declares.
+std::variant<PlyDraft, std::string> read_body(const PlyHeader& header, bool row_a_line) {
+  PlyDraft draft;
+  ValueStream values(header, row_a_line);
+  for (const PlyElement& element : header.elements) {
+    if (std::string problem = read_element(element, values, draft); !problem.empty()) {
+      return problem;
+    }
+  }
+  if (row_a_line && !values.ends()) return std::string("lines are left over");
+  draft.first_long_line = values.first_long_line();
+  draft.mesh.positions = Eigen::Map<const Positions>(
+      draft.coordinates.data(), 3, static_cast<Eigen::Index>(draft.coordinates.size() / 3));
+  return draft;
 }
 
 bool has_role(const PlyElement& element, Role role) {
@@ -261,16 +306,21 @@ ReadResult read_ply(std::string_view bytes) {
   }
   const auto& header = std::get<PlyHeader>(header_or_problem);
   if (std::string problem = refuse_header(header); !problem.empty()) return ReadError{problem};
-  PlyDraft draft;
-  ValueStream values(header);
-  for (const PlyElement& element : header.elements) {
-    if (std::string problem = read_element(element, values, draft); !problem.empty()) {
-      return ReadError{problem};
+  auto read = std::variant<PlyDraft, std::string>(std::string());
+  if (header.encoding == PlyEncoding::kAscii) read = read_body(header, true);
+  if (std::holds_alternative<std::string>(read)) read = read_body(header, false);
+  if (auto* problem = std::get_if<std::string>(&read)) return ReadError{std::move(*problem)};
+  auto& draft = std::get<PlyDraft>(read);
+  ReadResult result = repair_and_check(std::move(draft.mesh), draft.lines);
+  if (auto* file = std::get_if<MeshFile>(&result)) {
+    std::vector<std::string> warnings = header.warnings;
+    if (draft.first_long_line > 0) {
+      warnings.push_back("rows hold more values than the header declares (first: line " +
+                         std::to_string(draft.first_long_line) + "); the rest is passed over");
     }
+    file->warnings.insert(file->warnings.begin(), warnings.begin(), warnings.end());
   }
-  draft.mesh.positions = Eigen::Map<const Positions>(
-      draft.coordinates.data(), 3, static_cast<Eigen::Index>(draft.coordinates.size() / 3));
-  return repair_and_check(std::move(draft.mesh), draft.lines);
+  return result;
 }
 
 std::string write_ply(const Mesh& mesh, PlyEncoding encoding) {

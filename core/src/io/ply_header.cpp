@@ -78,7 +78,12 @@ std::string take_line(std::string_view words, int line, PlyHeader& header) {
   if (keyword == "element") return take_element(words, line, header);
   if (keyword == "property") return take_property(words, header);
   if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return "";
-  return quoted(keyword) + " does not belong in a PLY header";
+  const std::string foreign = quoted(keyword) + " does not belong in a PLY header";
+  if (!header.elements.empty()) return foreign;
+  // A comment without its keyword, as old exporters wrote it. Further down a slip of the pen would
+  // shift what the file holds.
+  header.warnings.push_back(line_text(line, foreign) + "; passed over");
+  return "";
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::string_view body;  ///< what follows end_header
   int body_line = 1;
+  std::vector<std::string> warnings;
 };
 
 /// The header, or a sentence that names the line.

@@ -14,7 +14,9 @@ namespace planish {
 enum class PlyEncoding { kAscii, kBinaryLittleEndian, kBinaryBigEndian };
 
 /// Reads element `vertex` (x, y, z of any number type) and element `face` (vertex_indices or
-/// vertex_index); all other elements and properties are passed over. The result has passed
+/// vertex_index); all other elements and properties are passed over. A text file whose rows hold
+/// more than the header declares is read a row a line, with a warning, as is one whose header
+/// begins with a line that is no statement. The result has passed
 /// repair_and_check(); an error names the line (header, ASCII) or the element.
 /// @param bytes the file, up to 2 GiB; its counts are checked against what is there
 [[nodiscard]] ReadResult read_ply(std::string_view bytes);
