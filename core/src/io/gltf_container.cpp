@@ -6,6 +6,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "io/base64.hpp"
 #include "io/json_depth.hpp"
 #include "io/text_lines.hpp"
 #include "text/sentence.hpp"
@@ -41,27 +42,84 @@ std::string refuse_container(std::string_view bytes) {
   return "";
 }
 
+/// Extensions that say nothing about where panels are, and those that are read here.
+bool is_supported(const std::string& extension) {
+  for (const char* known :
+       {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "MSFT_texture_dds", "FB_ngon_encoding",
+        "KHR_techniques_webgl", "MSFT_packing_normalRoughnessMetallic",
+        "MSFT_packing_occlusionRoughnessMetallic", "EXT_mesh_features", "EXT_structural_metadata",
+        "EXT_feature_metadata", "EXT_mesh_manifold", "KHR_animation_pointer"}) {
+    if (extension == known) return true;
+  }
+  for (const char* start : {"KHR_materials_", "EXT_materials_", "KHR_texture_", "EXT_texture_",
+                            "KHR_lights_", "EXT_lights_", "KHR_xmp",
+                            "KHR_audio", "EXT_audio", "ADOBE_materials_", "AGI_stk_metadata"}) {
+    if (extension.starts_with(start)) return true;
+  }
+  return false;
+}
+
+std::string refuse_extensions(const nlohmann::json& document) {
+  if (!document.contains("extensionsRequired")) return "";
+  const nlohmann::json& required = document["extensionsRequired"];
+  if (!required.is_array()) return "";
+  for (const nlohmann::json& extension : required) {
+    const std::string name = extension.is_string() ? extension.get<std::string>() : "?";
+    if (is_supported(name)) continue;
+    return "the GLB file requires the extension " + printable(name, 64) +
+           ", which is not supported";
+  }
+  return "";
+}
+
 /// Several buffers would each copy the binary chunk; other files cannot be reached.
 std::string refuse_document(const nlohmann::json& document) {
   if (!document.is_object()) return "the GLB file's JSON is damaged";
   if (!document.contains("buffers")) return "the GLB file holds no mesh";
   const nlohmann::json& buffers = document["buffers"];
-  if (!buffers.is_array() || buffers.size() != 1 || !buffers[0].is_object() ||
-      buffers[0].contains("uri")) {
-    return "the GLB file refers to data outside of itself";
+  if (!buffers.is_array() || buffers.empty() || !buffers[0].is_object()) {
+    return "the GLB file holds no data";
   }
-  if (document.contains("extensionsRequired")) {
-    const nlohmann::json& required = document["extensionsRequired"];
-    if (!required.is_array() || required.empty()) return "";
-    const std::string name = required[0].is_string() ? required[0].get<std::string>() : "?";
-    return "the GLB file requires the extension " + name + ", which is not supported";
+  if (buffers.size() != 1) return "the GLB file holds its data in several buffers; it can have one";
+  if (buffers[0].contains("uri")) {
+    const nlohmann::json& uri = buffers[0]["uri"];
+    if (!uri.is_string() || !uri.get_ref<const std::string&>().starts_with("data:")) {
+      return "the GLB file refers to data outside of itself";
+    }
   }
-  return "";
+  return refuse_extensions(document);
+}
+
+/// The bytes of a buffer that stands in the JSON as a data URI; nullopt unless it is base64.
+std::optional<std::string> data_of(const std::string& uri) {
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = uri.substr(0, uri.find(',') + 1).rfind(kMark);
+  if (mark == std::string::npos) return std::nullopt;
+  return decode_base64(std::string_view(uri).substr(mark + kMark.size()));
+}
+
+/// The binary chunks of the file, or one of the data in its JSON, which is taken out there; nullopt
+/// if that is no base64.
+std::optional<std::string> take_chunks(nlohmann::json& document, std::string_view bytes) {
+  const std::size_t end = kHeader + kChunkHeader + word_at(bytes, kHeader);
+  if (!document["buffers"][0].contains("uri")) {
+    return std::string(bytes.substr(end, word_at(bytes, 8) - end));
+  }
+  std::optional<std::string> data =
+      data_of(document["buffers"][0]["uri"].get_ref<const std::string&>());
+  if (!data) return std::nullopt;
+  document["buffers"][0].erase("uri");
+  data->resize((data->size() + 3) / 4 * 4, '\0');
+  const auto length = static_cast<std::uint32_t>(data->size());
+  std::string chunk(sizeof length, '\0');
+  std::memcpy(chunk.data(), &length, sizeof length);
+  return chunk + std::string("BIN\0", 4) + *data;
 }
 
 /// The file with nothing but its geometry: tinygltf takes up to 2 KiB for an empty material that is
 /// 3 bytes in the file, and needs no code of ours for what is not read.
-std::string geometry_only(const nlohmann::json& document, std::string_view bytes) {
+std::string geometry_only(const nlohmann::json& document, std::string_view bytes,
+                          std::string_view chunks) {
   nlohmann::json kept = nlohmann::json::object();
   for (const char* key :
        {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers"}) {
@@ -69,15 +127,13 @@ std::string geometry_only(const nlohmann::json& document, std::string_view bytes
   }
   std::string json = kept.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::size_t end = kHeader + kChunkHeader + word_at(bytes, kHeader);
-  const std::string_view rest = bytes.substr(end, word_at(bytes, 8) - end);
   std::string file(bytes.substr(0, kHeader + kChunkHeader));
-  const auto length = static_cast<std::uint32_t>(file.size() + json.size() + rest.size());
+  const auto length = static_cast<std::uint32_t>(file.size() + json.size() + chunks.size());
   const auto json_length = static_cast<std::uint32_t>(json.size());
   std::memcpy(file.data() + 8, &length, sizeof length);
   std::memcpy(file.data() + kHeader, &json_length, sizeof json_length);
   file += json;
-  return file += rest;
+  return file += chunks;
 }
 
 /// Textures mean nothing for a mesh, so no image is decoded.
@@ -103,9 +159,11 @@ std::variant<tinygltf::Model, std::string> load_glb_model(std::string_view bytes
   if (is_json_deeper_than(json, kDeepest)) return "the GLB file's JSON is nested too deeply";
   std::string file;
   {
-    const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
+    nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
     if (std::string problem = refuse_document(document); !problem.empty()) return problem;
-    file = geometry_only(document, bytes);
+    const std::optional<std::string> chunks = take_chunks(document, bytes);
+    if (!chunks) return "the GLB file holds its data as text that is not base64";
+    file = geometry_only(document, bytes, *chunks);
   }
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(ignore_image, nullptr);

@@ -1,227 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <utility>
 
 #include "io/gltf_axes.hpp"
 #include "io/gltf_container.hpp"
 #include "io/gltf_design.hpp"
+#include "io/gltf_scene.hpp"
 #include "io/polygon_fans.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh_check.hpp"
+#include "planish/mesh/mesh_repair.hpp"
+#include "planish/mesh/point_joining.hpp"
 #include "text/sentence.hpp"
 
 namespace planish {
 namespace {
-
-/// One TRIANGLES primitive, placed in the model frame.
-struct Piece {
-  Positions positions;
-  std::vector<int> triangles;  ///< indices into positions, checked
-  std::optional<std::vector<int>> sizes;
-};
-
-/// The bytes of an accessor: element k starts at data + k · stride.
-struct ElementView {
-  const unsigned char* data = nullptr;
-  std::size_t stride = 0, count = 0;
-};
-
-template <class T>
-const T& element_of(const std::vector<T>& items, int index, const char* what) {
-  if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
-    throw ReadError{std::string("the GLB file refers to ") + what + " " + std::to_string(index) +
-                    ", which it does not have"};
-  }
-  return items[static_cast<std::size_t>(index)];
-}
-
-/// Checks that all of the accessor lies inside its view and the view inside the buffer, in 64 bits:
-/// every sum below stays far from overflow because each term is compared first.
-ElementView view_of(const tinygltf::Model& model, int index, std::uint64_t element_size) {
-  const tinygltf::Accessor& accessor = element_of(model.accessors, index, "accessor");
-  const std::string name = "accessor " + std::to_string(index);
-  if (accessor.sparse.isSparse) throw ReadError{name + " is sparse, which is not supported here"};
-  const auto& view = element_of(model.bufferViews, accessor.bufferView, "buffer view");
-  const auto& buffer = element_of(model.buffers, view.buffer, "buffer");
-  const std::uint64_t size = buffer.data.size(), start = view.byteOffset, length = view.byteLength;
-  const std::uint64_t offset = accessor.byteOffset, count = accessor.count;
-  const std::uint64_t stride = view.byteStride == 0 ? element_size : view.byteStride;
-  const bool view_fits = start <= size && length <= size - start && offset <= length;
-  const bool fits = view_fits && count >= 1 && stride >= element_size && count <= size &&
-                    stride <= size && element_size <= length - offset &&
-                    (count - 1) * stride <= length - offset - element_size;
-  if (!fits) throw ReadError{name + " reaches outside of the file's data"};
-  return {buffer.data.data() + start + offset, static_cast<std::size_t>(stride),
-          static_cast<std::size_t>(count)};
-}
-
-Positions read_points(const tinygltf::Model& model, int index) {
-  const tinygltf::Accessor& accessor = element_of(model.accessors, index, "accessor");
-  if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
-      accessor.type != TINYGLTF_TYPE_VEC3) {
-    throw ReadError{"accessor " + std::to_string(index) + " should hold points of 3 floats"};
-  }
-  const ElementView view = view_of(model, index, 3 * sizeof(float));
-  Positions points(3, static_cast<Eigen::Index>(view.count));
-  for (std::size_t k = 0; k < view.count; ++k) {
-    std::array<float, 3> point;
-    std::memcpy(point.data(), view.data + k * view.stride, sizeof point);
-    for (std::size_t c = 0; c < 3; ++c) {
-      points(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) =
-          static_cast<double>(point[c]);
-    }
-  }
-  return points;
-}
-
-std::size_t index_size(int component) {
-  if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return 1;
-  if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return 2;
-  if (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return 4;
-  throw ReadError{"a list of indices has a type that glTF does not allow"};
-}
-
-std::vector<int> read_indices(const tinygltf::Model& model, int index, Eigen::Index vertex_count) {
-  std::vector<int> indices;
-  if (index < 0) {
-    indices.resize(static_cast<std::size_t>(vertex_count));
-    std::iota(indices.begin(), indices.end(), 0);
-  } else {
-    const tinygltf::Accessor& accessor = element_of(model.accessors, index, "accessor");
-    const std::size_t size = index_size(accessor.componentType);
-    const ElementView view = view_of(model, index, size);
-    indices.reserve(view.count);
-    for (std::size_t k = 0; k < view.count; ++k) {
-      std::uint32_t value = 0;
-      std::memcpy(&value, view.data + k * view.stride, size);
-      if (value >= static_cast<std::uint64_t>(vertex_count)) {
-        throw ReadError{"triangle " + std::to_string(k / 3) + " uses vertex " +
-                        std::to_string(value) + ", but the mesh has " +
-                        count_text(static_cast<std::size_t>(vertex_count), "vertex", "vertices")};
-      }
-      indices.push_back(static_cast<int>(value));
-    }
-  }
-  if (indices.size() % 3 != 0)
-    throw ReadError{"the number of triangle corners is not a multiple of 3"};
-  return indices;
-}
-
-Eigen::Matrix4d local_matrix(const tinygltf::Node& node) {
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  if (node.matrix.size() == 16) return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-  if (node.rotation.size() == 4) {
-    const Eigen::Quaterniond turn(node.rotation[3], node.rotation[0], node.rotation[1],
-                                  node.rotation[2]);
-    matrix.topLeftCorner<3, 3>() = turn.normalized().toRotationMatrix();
-  }
-  if (node.scale.size() == 3) {
-    for (int c = 0; c < 3; ++c) {
-      matrix.block<3, 1>(0, c) *= node.scale[static_cast<std::size_t>(c)];
-    }
-  }
-  if (node.translation.size() == 3) {
-    matrix.block<3, 1>(0, 3) = Eigen::Map<const Eigen::Vector3d>(node.translation.data());
-  }
-  return matrix;
-}
-
-/// mesh.extras.polygonSizes; nullopt where there is none. What is no whole number becomes 0, which
-/// is no size, so that the panels are looked for in another way.
-std::optional<std::vector<int>> recorded_sizes(const tinygltf::Mesh& mesh) {
-  if (!mesh.extras.Has("polygonSizes")) return std::nullopt;
-  const tinygltf::Value& list = mesh.extras.Get("polygonSizes");
-  if (!list.IsArray()) return std::nullopt;
-  std::vector<int> sizes;
-  for (std::size_t k = 0; k < list.ArrayLen(); ++k) {
-    sizes.push_back(whole_number(list.Get(static_cast<int>(k))).value_or(0));
-  }
-  return sizes;
-}
-
-Positions placed(const Positions& points, const Eigen::Matrix4d& matrix) {
-  Positions result(3, points.cols());
-  for (Eigen::Index v = 0; v < points.cols(); ++v) {
-    // Adding zero products would cost the last bit of a file of ours, so skip the identity.
-    Eigen::Vector3d point = points.col(v);
-    if (!matrix.topLeftCorner<3, 3>().isIdentity(0.0)) point = matrix.topLeftCorner<3, 3>() * point;
-    result.col(v) = to_z_up(point + matrix.block<3, 1>(0, 3));
-  }
-  return result;
-}
-
-/// How many more vertices and corners the pieces of a file may hold. Many primitives may refer to
-/// the same data, so a small file could ask for more memory than there is.
-class Allowance {
- public:
-  explicit Allowance(std::size_t count) : left_(count) {}
-
-  void take(std::size_t count) {
-    if (count > left_) throw ReadError{"the GLB file repeats its meshes too often"};
-    left_ -= count;
-  }
-
- private:
-  std::size_t left_;
-};
-
-void append_pieces(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
-                   const Eigen::Matrix4d& matrix, Allowance& allowance,
-                   std::vector<Piece>& pieces) {
-  for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-        primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
-      throw ReadError{"the GLB file holds triangle strips; save it with single triangles"};
-    }
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES) continue;
-    const auto position = primitive.attributes.find("POSITION");
-    if (position == primitive.attributes.end()) continue;
-    Piece piece;
-    piece.positions = placed(read_points(model, position->second), matrix);
-    piece.triangles = read_indices(model, primitive.indices, piece.positions.cols());
-    allowance.take(static_cast<std::size_t>(piece.positions.cols()) + piece.triangles.size());
-    if (mesh.primitives.size() == 1) piece.sizes = recorded_sizes(mesh);
-    pieces.push_back(std::move(piece));
-  }
-}
-
-/// All meshes of the scene in the order of its nodes. A node is entered once, so a cycle ends; the
-/// vertices of all instances together may not outgrow the file.
-std::vector<Piece> collect_pieces(const tinygltf::Model& model, std::size_t byte_count) {
-  std::vector<std::pair<int, Eigen::Matrix4d>> waiting;
-  const auto push = [&](const std::vector<int>& nodes, const Eigen::Matrix4d& matrix) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-      waiting.emplace_back(*node, matrix);
-  };
-  if (model.scenes.empty()) throw ReadError{"the GLB file holds no scene"};
-  const auto& scene = element_of(model.scenes, std::max(model.defaultScene, 0), "scene");
-  push(scene.nodes, Eigen::Matrix4d::Identity());
-  std::vector<char> entered(model.nodes.size(), 0);
-  std::vector<Piece> pieces;
-  Allowance allowance(byte_count);
-  while (!waiting.empty()) {
-    const auto [index, parent] = waiting.back();
-    waiting.pop_back();
-    const tinygltf::Node& node = element_of(model.nodes, index, "node");
-    if (std::exchange(entered[static_cast<std::size_t>(index)], char{1}) != 0) continue;
-    const Eigen::Matrix4d matrix = parent * local_matrix(node);
-    if (node.mesh >= 0) {
-      const tinygltf::Mesh& mesh = element_of(model.meshes, node.mesh, "mesh");
-      if (!mesh.extras.Has(kOffsetLayer)) append_pieces(model, mesh, matrix, allowance, pieces);
-    }
-    push(node.children, matrix);
-  }
-  if (pieces.empty()) throw ReadError{"the GLB file holds no triangles"};
-  return pieces;
-}
 
 /// Whether the file's float32 points are the stored exact ones: nothing moved them since. Apart
 /// from rounding to float, they may differ by the float steps next to zero (a tiny mesh), and by
@@ -249,15 +44,27 @@ FaceList triangle_faces(const std::vector<int>& triangles) {
   return faces;
 }
 
-/// Panels of a piece, by the best evidence there is.
-FaceList panels_of(const Piece& piece, std::vector<std::string>& warnings) {
-  if (!piece.sizes) {
-    warnings.push_back(
-        "the file records no panels, only triangles; every triangle is read as a panel");
-    return triangle_faces(piece.triangles);
+/// The faces with their outside on the other side, each from the same corner.
+FaceList turned_over(FaceList faces) {
+  for (std::size_t f = 1; f < faces.offsets.size(); ++f) {
+    std::reverse(faces.vertices.begin() + faces.offsets[f - 1] + 1,
+                 faces.vertices.begin() + faces.offsets[f]);
   }
+  return faces;
+}
+
+/// Panels of a piece with recorded sizes, by the best evidence there is. Programs that shade panels
+/// flat give each its own points, or each triangle: these are taken as one to find the panels.
+FaceList recorded_panels(const ScenePiece& piece, std::vector<std::string>& warnings) {
   if (auto faces = decode_fans(piece.triangles, *piece.sizes)) return *faces;
-  if (auto faces = merge_coplanar(piece.positions, piece.triangles, *piece.sizes)) {
+  std::vector<int> triangles = piece.triangles;
+  const JoinedPoints joined = find_joined_points(piece.positions, 0.0);
+  for (int& v : triangles) {
+    const int target = joined.target[static_cast<std::size_t>(v)];
+    v = joined.kept[static_cast<std::size_t>(target)];
+  }
+  if (auto faces = decode_fans(triangles, *piece.sizes)) return *faces;
+  if (auto faces = merge_coplanar(piece.positions, triangles, *piece.sizes)) {
     warnings.push_back(
         "another program reordered the triangles; the panels were recovered by joining coplanar "
         "triangles, so their order may have changed");
@@ -267,35 +74,25 @@ FaceList panels_of(const Piece& piece, std::vector<std::string>& warnings) {
       "another program changed the triangles, and the panels cannot be recovered from them"};
 }
 
-/// Other programs store a vertex once per face; faces only hang together once these are joined.
-/// Non-finite points have no order; they stay, for check_mesh() to refuse.
-void weld(Mesh& mesh, std::vector<std::string>& warnings) {
-  if (!mesh.positions.allFinite()) return;
-  std::map<std::array<double, 3>, int> seen;
-  std::vector<int> target;
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index v = 0; v < mesh.positions.cols(); ++v) {
-    const std::array<double, 3> key = {mesh.positions(0, v), mesh.positions(1, v),
-                                       mesh.positions(2, v)};
-    const auto [entry, is_new] = seen.emplace(key, static_cast<int>(kept.size()));
-    if (is_new) kept.push_back(v);
-    target.push_back(entry->second);
+FaceList panels_of(const ScenePiece& piece, std::vector<std::string>& warnings) {
+  FaceList faces;
+  if (piece.sizes) {
+    faces = recorded_panels(piece, warnings);
+  } else {
+    warnings.push_back(
+        "the file records no panels, only triangles; every triangle is read as a panel");
+    faces = triangle_faces(piece.triangles);
   }
-  const std::size_t joined = target.size() - kept.size();
-  if (joined == 0) return;
-  mesh.positions = Positions(mesh.positions(Eigen::all, kept));
-  for (int& v : mesh.face_vertices) v = target[static_cast<std::size_t>(v)];
-  warnings.push_back(count_text(joined, "vertex was", "vertices were") +
-                     " joined with another one at the same place");
+  return piece.mirrored ? turned_over(std::move(faces)) : faces;
 }
 
-Mesh joined_mesh(const std::vector<Piece>& pieces, std::vector<std::string>& warnings) {
+Mesh joined_mesh(const std::vector<ScenePiece>& pieces, std::vector<std::string>& warnings) {
   Mesh mesh;
   Eigen::Index vertex_count = 0;
-  for (const Piece& piece : pieces) vertex_count += piece.positions.cols();
+  for (const ScenePiece& piece : pieces) vertex_count += piece.positions.cols();
   mesh.positions.resize(3, vertex_count);
   Eigen::Index next_vertex = 0;
-  for (const Piece& piece : pieces) {
+  for (const ScenePiece& piece : pieces) {
     std::vector<std::string> piece_warnings;
     const FaceList faces = panels_of(piece, piece_warnings);
     for (std::string& warning : piece_warnings) {
@@ -315,9 +112,54 @@ Mesh joined_mesh(const std::vector<Piece>& pieces, std::vector<std::string>& war
   return mesh;
 }
 
+/// How far apart points of all pieces may be that are one. Where the file records panels, points at
+/// one place may have been two on purpose, so that they may also stay apart.
+std::vector<double> joining_reaches(const Mesh& mesh, const std::vector<ScenePiece>& pieces) {
+  double rounding = 0.0;
+  for (const ScenePiece& piece : pieces) rounding = std::max(rounding, piece.rounding);
+  return {safe_joining(mesh, std::isfinite(rounding) ? rounding : 0.0), 0.0};
+}
+
+/// The checked mesh with its points joined; throws ReadError. Other programs store a vertex once
+/// per face, and each instance has points of its own: faces only hang together once these are
+/// joined. Where that gives no mesh, points within rounding stay apart, then all points of panels.
+MeshFile checked(const Mesh& mesh, const std::vector<ScenePiece>& pieces,
+                 std::vector<std::string> warnings) {
+  ReadResult result = ReadError{};
+  for (const double reach : joining_reaches(mesh, pieces)) {
+    const JoinedPoints joined = find_joined_points(mesh.positions, reach);
+    result = repair_and_check(with_joined_points(mesh, joined));
+    if (!std::holds_alternative<MeshFile>(result)) continue;
+    if (joined.joined() > 0) {
+      warnings.push_back(count_text(joined.joined(), "vertex was", "vertices were") +
+                         " joined with another one at the same place" +
+                         (joined.largest > 0 ? ", to rounding" : ""));
+    }
+    break;
+  }
+  if (std::holds_alternative<ReadError>(result) && pieces[0].sizes) {
+    result = repair_and_check(mesh);
+  }
+  if (auto* error = std::get_if<ReadError>(&result)) throw std::move(*error);
+  auto& file = std::get<MeshFile>(result);
+  file.warnings.insert(file.warnings.begin(), warnings.begin(), warnings.end());
+  return std::move(file);
+}
+
+/// A mesh to which nothing is done: it was whole when it was saved. Throws ReadError.
+MeshFile checked_as_stored(Mesh mesh, std::vector<std::string> warnings) {
+  ReadResult result = check_mesh(std::move(mesh));
+  if (auto* error = std::get_if<ReadError>(&result)) throw std::move(*error);
+  auto& file = std::get<MeshFile>(result);
+  file.warnings.insert(file.warnings.begin(), warnings.begin(), warnings.end());
+  return std::move(file);
+}
+
 /// Puts the stored exact design in place of what the triangles say, where both still agree.
-GlbFile restored(std::vector<Piece> pieces, std::optional<StoredDesign> stored) {
+GlbFile restored(std::vector<ScenePiece> pieces, std::optional<StoredDesign> stored,
+                 std::vector<std::string> warnings) {
   GlbFile glb;
+  glb.file.warnings = std::move(warnings);
   if (stored && pieces.size() == 1 && pieces[0].sizes &&
       still_matches(pieces[0].positions, stored->positions)) {
     pieces[0].positions = stored->positions;  // exact, even if only the panels fit no more
@@ -325,6 +167,7 @@ GlbFile restored(std::vector<Piece> pieces, std::optional<StoredDesign> stored) 
     if (faces && same_up_to_rotation(*faces, stored->faces)) {
       glb.file.mesh = {std::move(stored->positions), std::move(stored->faces.offsets),
                        std::move(stored->faces.vertices), std::move(stored->groups)};
+      glb.file = checked_as_stored(std::move(glb.file.mesh), std::move(glb.file.warnings));
       glb.base = std::move(stored->base);
       glb.design = std::move(stored->design);
       return glb;
@@ -335,8 +178,8 @@ GlbFile restored(std::vector<Piece> pieces, std::optional<StoredDesign> stored) 
         "another program changed the mesh since it was saved here; the stored design does not fit "
         "it any more and is left out");
   }
-  glb.file.mesh = joined_mesh(pieces, glb.file.warnings);
-  if (!pieces[0].sizes) weld(glb.file.mesh, glb.file.warnings);
+  const Mesh mesh = joined_mesh(pieces, glb.file.warnings);
+  glb.file = checked(mesh, pieces, std::move(glb.file.warnings));
   return glb;
 }
 
@@ -358,15 +201,12 @@ std::variant<GlbFile, ReadError> read_glb_design(std::string_view bytes) {
   if (auto* problem = std::get_if<std::string>(&loaded)) return ReadError{std::move(*problem)};
   const auto& model = std::get<tinygltf::Model>(loaded);
   try {
-    GlbFile glb = restored(collect_pieces(model, bytes.size()), load_design(model.asset.extras));
-    ReadResult checked = check_mesh(std::move(glb.file.mesh));
-    if (auto* error = std::get_if<ReadError>(&checked)) return std::move(*error);
-    auto& file = std::get<MeshFile>(checked);
-    glb.file.mesh = std::move(file.mesh);
-    glb.file.warnings.insert(glb.file.warnings.end(), file.warnings.begin(), file.warnings.end());
+    std::vector<std::string> warnings;
+    std::vector<ScenePiece> pieces = collect_pieces(model, bytes.size(), warnings);
+    GlbFile glb = restored(std::move(pieces), load_design(model.asset.extras), std::move(warnings));
     check_base(glb);
     return glb;
-  } catch (const ReadError& error) {  // thrown inside this file only
+  } catch (const ReadError& error) {  // thrown inside the readers of GLB only
     return error;
   }
 }

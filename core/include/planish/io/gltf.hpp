@@ -43,7 +43,8 @@ struct GlbFile {
 /// Reads a GLB. One written here gives the same bits again. After another program has touched it:
 /// panels come from `polygonSizes`, or, where triangles were reordered, from merging coplanar
 /// triangles if that gives the recorded sizes; otherwise it is refused. A GLB without
-/// `polygonSizes` is read as triangles. Every accessor is range-checked.
+/// `polygonSizes` is read as triangles. Points at one place, to single precision, are joined unless
+/// that gives no mesh. Every accessor is range-checked.
 /// @param bytes the file, up to 2 GiB
 [[nodiscard]] ReadResult read_glb(std::string_view bytes);
 
