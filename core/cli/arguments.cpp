@@ -42,6 +42,9 @@ Arguments::Arguments(std::span<const std::string_view> words, std::span<const Op
       options_.emplace_back(name, "");
     } else if (attached) {
       options_.emplace_back(name, *attached);
+    } else if (row->value.front() == '[') {
+      const bool number = k + 1 < words.size() && parse_number(words[k + 1]);
+      options_.emplace_back(name, number ? words[++k] : std::string_view());
     } else if (k + 1 < words.size()) {
       options_.emplace_back(name, words[++k]);
     } else {

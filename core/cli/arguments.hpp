@@ -25,7 +25,7 @@ struct CommandError : std::runtime_error {
 /// An option as --help shows it. `value` is empty for a switch.
 struct OptionRow {
   std::string_view name;   ///< "--size" or "-o"
-  std::string_view value;  ///< what follows it, for example "N"
+  std::string_view value;  ///< what follows it, for example "N"; "[N]" for a number or nothing
   std::string_view help;
 };
 

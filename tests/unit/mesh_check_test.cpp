@@ -84,7 +84,7 @@ TEST(MeshCheck, WarnsOfAFlippedFaceAndAPinch) {
   std::swap(mesh.face_vertices[1], mesh.face_vertices[3]);
   EXPECT_EQ(warning_text(check_mesh(mesh)),
             "2 edges lie between faces of opposite orientation (first: faces 0 and 1); the faces "
-            "are kept as they are\n");
+            "are kept as they are; convert --orient turns them\n");
   const Mesh bow =
       make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   EXPECT_EQ(warning_text(check_mesh(bow)),

@@ -130,11 +130,7 @@ MeshFile checked(const Mesh& mesh, const std::vector<ScenePiece>& pieces,
     const JoinedPoints joined = find_joined_points(mesh.positions, reach);
     result = repair_and_check(with_joined_points(mesh, joined));
     if (!std::holds_alternative<MeshFile>(result)) continue;
-    if (joined.joined() > 0) {
-      warnings.push_back(count_text(joined.joined(), "vertex was", "vertices were") +
-                         " joined with another one at the same place" +
-                         (joined.largest > 0 ? ", to rounding" : ""));
-    }
+    if (joined.joined() > 0) warnings.push_back(joined_text(joined));
     break;
   }
   if (std::holds_alternative<ReadError>(result) && pieces[0].sizes) {

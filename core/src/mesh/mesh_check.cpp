@@ -148,7 +148,7 @@ void warn_orientation(const Mesh& mesh, const std::vector<EdgeUse>& uses,
   if (clashes == 0) return;
   warnings.push_back(count_text(clashes, "edge lies", "edges lie") +
                      " between faces of opposite orientation (first: " + first + "); " +
-                     (orientable ? "the faces are kept as they are"
+                     (orientable ? "the faces are kept as they are; convert --orient turns them"
                                  : "the surface has one side only and is kept as it is"));
 }
 
@@ -284,7 +284,7 @@ void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
   warnings.push_back(count_text(count, "vertex lies", "vertices lie") +
                      " exactly where another one does (first: vertices " +
                      std::to_string(first.first) + " and " + std::to_string(first.second) +
-                     "); they are not joined");
+                     "); they are not joined; convert --join-points joins them");
 }
 
 int component_count(const Mesh& mesh) {

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "planish/mesh/mesh_repair.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {
@@ -64,6 +68,20 @@ int same_place(const std::map<Cell, int>& places, const Eigen::Vector3d& at) {
   return found == places.end() ? -1 : found->second;
 }
 
+/// Of the sides longer than `least`; infinite without any.
+double shortest_side(const Mesh& mesh, double least) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int a = face[k], b = face[(k + 1) % face.size()];
+      const double side = (mesh.positions.col(a) - mesh.positions.col(b)).norm();
+      if (side > least) shortest = std::min(shortest, side);
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
 
 JoinedPoints find_joined_points(const Positions& positions, double within) {
@@ -107,17 +125,35 @@ Mesh with_joined_points(Mesh mesh, const JoinedPoints& joined) {
   return mesh;
 }
 
+std::string joined_text(const JoinedPoints& joined) {
+  return count_text(joined.joined(), "vertex was", "vertices were") +
+         " joined with another one at the same place" +
+         (joined.largest > 0 ? ", up to " + number_text(joined.largest) + " away" : "");
+}
+
 double safe_joining(const Mesh& mesh, double within) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const int a = face[k], b = face[(k + 1) % face.size()];
-      const double side = (mesh.positions.col(a) - mesh.positions.col(b)).norm();
-      if (side > within) shortest = std::min(shortest, side);
-    }
+  return std::min(within, shortest_side(mesh, within) / 10);
+}
+
+ReadResult join_points(const Mesh& mesh, std::optional<double> within) {
+  constexpr double kUsual = 1e-6;
+  const auto& points = mesh.positions;
+  const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  const double shortest = shortest_side(mesh, 0.0);
+  if (within && (!(*within >= 0) || *within >= shortest / 2)) {
+    return ReadError{"points can be joined within less than half the shortest side, which is " +
+                     number_text(shortest) + " long"};
   }
-  return std::min(within, shortest / 10);
+  const JoinedPoints joined =
+      find_joined_points(points, within ? *within : safe_joining(mesh, kUsual * size));
+  ReadResult result = repair_and_check(with_joined_points(mesh, joined));
+  if (auto* error = std::get_if<ReadError>(&result)) {
+    error->message = "once its points are joined, " + error->message;
+  } else if (joined.joined() > 0) {
+    auto& warnings = std::get<MeshFile>(result).warnings;
+    warnings.insert(warnings.begin(), joined_text(joined));
+  }
+  return result;
 }
 
 }  // namespace planish

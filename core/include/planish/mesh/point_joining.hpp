@@ -2,9 +2,12 @@
 /// Panels that were written with points of their own, joined where these lie at one place.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "planish/mesh/mesh.hpp"
+#include "planish/mesh/read_result.hpp"
 
 namespace planish {
 
@@ -21,10 +24,18 @@ struct JoinedPoints {
 /// place only), and is kept where there is none. Points that are not finite stay. O(n log n).
 [[nodiscard]] JoinedPoints find_joined_points(const Positions& positions, double within);
 
+/// "39 vertices were joined with another one at the same place, up to 1e-07 away".
+[[nodiscard]] std::string joined_text(const JoinedPoints& joined);
+
 /// `mesh` with these points. Faces may name a corner twice then: repair_and_check() mends it.
 [[nodiscard]] Mesh with_joined_points(Mesh mesh, const JoinedPoints& joined);
 
 /// `within`, but at most a tenth of the shortest side that is longer than it: no such side is lost.
 [[nodiscard]] double safe_joining(const Mesh& mesh, double within);
+
+/// `mesh` with its points joined within `within` (model units; by default a millionth of its size,
+/// as safe_joining() allows), and a warning that counts them. Refused: no distance, one of half the
+/// shortest side or more, and where joining gives no mesh, as check_mesh() says it.
+[[nodiscard]] ReadResult join_points(const Mesh& mesh, std::optional<double> within = {});
 
 }  // namespace planish
