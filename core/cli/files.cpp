@@ -15,6 +15,7 @@
 #include "arguments.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/shapes/shapes.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish::cli {
 namespace {
@@ -68,7 +69,7 @@ void print_warnings(const std::string& path, const std::vector<std::string>& war
 FileSource file_source(const std::string& path, const Mesh& mesh, std::string bytes) {
   const MeshFormat format = format_of(path);
   FileSource source;
-  source.name = path == "-" ? "mesh.obj" : fs::path(path).filename().string();
+  source.name = path == "-" ? "mesh.obj" : as_utf8(fs::path(path).filename().string());
   source.format = format == MeshFormat::kPly ? "ply" : format == MeshFormat::kOff ? "off" : "obj";
   source.bytes = format == MeshFormat::kGlb ? write_mesh(mesh, MeshFormat::kObj) : std::move(bytes);
   return source;

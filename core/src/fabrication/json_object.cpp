@@ -2,6 +2,7 @@
 #include "fabrication/json_object.hpp"
 
 #include "planish/text/number.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 
@@ -40,7 +41,7 @@ JsonObject& JsonObject::add(std::string_view field, const std::vector<int>& numb
 std::string json_quoted(std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       quoted += '\\';

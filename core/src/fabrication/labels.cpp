@@ -10,6 +10,7 @@
 #include "planish/mesh/mesh_hash.hpp"
 #include "planish/numeric/index.hpp"
 #include "planish/text/number.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 namespace {
@@ -29,7 +30,7 @@ constexpr std::string_view kStyle =
 
 std::string html_quoted(std::string_view text) {
   std::string quoted;
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     if (c == '&') {
       quoted += "&amp;";
     } else if (c == '<') {

@@ -2,27 +2,10 @@
 #include "fabrication/step_file.hpp"
 
 #include "planish/text/number.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 namespace {
-
-/// The code point that starts at `at`, which moves past it; what is not UTF-8 reads as U+FFFD.
-std::uint32_t next_code_point(std::string_view text, std::size_t& at) {
-  constexpr std::uint32_t kReplacement = 0xFFFD;
-  const auto byte = [&](std::size_t k) -> std::uint32_t {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
-  };
-  const std::uint32_t lead = byte(at++);
-  if (lead < 0x80) return lead;
-  const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : 0;
-  if (more == 0) return kReplacement;
-  std::uint32_t code = lead & (0x3Fu >> static_cast<unsigned>(more));
-  for (int k = 0; k < more; ++k) {
-    if ((byte(at) & 0xC0u) != 0x80u) return kReplacement;
-    code = code << 6 | (byte(at++) & 0x3Fu);
-  }
-  return code;
-}
 
 void append_hexadecimal(std::string& text, std::uint32_t value, int digits) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -47,8 +30,8 @@ StepValue step_real(double value) {
 
 StepValue step_string(std::string_view utf8) {
   std::string text = "'";
-  for (std::size_t at = 0; at < utf8.size();) {
-    const std::uint32_t code = next_code_point(utf8, at);
+  while (!utf8.empty()) {
+    const std::uint32_t code = take_code_point(utf8);
     if (code == '\'' || code == '\\') {
       text.append(2, static_cast<char>(code));
     } else if (code >= 0x20 && code < 0x7F) {

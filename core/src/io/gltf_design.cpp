@@ -6,12 +6,11 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/base64.hpp"
 #include "planish/io/face_groups.hpp"
-#include "planish/text/number.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 namespace {
@@ -67,13 +66,6 @@ std::optional<FaceList> unpack_faces(const tinygltf::Value& object, Eigen::Index
     if (v < 0 || v >= vertex_count) return std::nullopt;
   }
   return faces;
-}
-
-/// JSON strings must be UTF-8: anything else is replaced.
-std::string as_utf8(const std::string& text) {
-  const nlohmann::json value = text;
-  const std::string quoted = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return nlohmann::json::parse(quoted).get<std::string>();
 }
 
 }  // namespace
