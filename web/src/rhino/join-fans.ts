@@ -9,6 +9,8 @@ export interface JoinedFans {
   readonly joined: number;
   /** Groups of coplanar triangles that may be panels, or not. */
   readonly uncertain: number;
+  /** Groups with quads in one plane that would be one convex panel each; they stay. */
+  readonly quads: number;
 }
 
 /** Out of plane over extent. What single precision keeps of a flat panel; a fold that is meant is larger. */
@@ -56,12 +58,12 @@ class FanFinder {
     return unit(cross(sub(this.#at(b), at), sub(this.#at(c), at)));
   }
 
-  /** Triangles in the plane of triangle `first` that hang together, `first` among them, none in `done`. */
-  group(first: number, done: ReadonlySet<number>): readonly number[] {
+  /** Faces of at most `most` corners in the plane of face `first` that hang together, `first` among them, none in `done`. */
+  group(first: number, done: ReadonlySet<number>, most = 3): readonly number[] {
     const [normal, origin] = [this.#normal(first), this.#at(this.#faces[first]?.[0] ?? 0)];
     const isIn = (f: number): boolean => {
       const face = this.#faces[f] ?? [];
-      if (done.has(f) || face.length !== 3 || dot(normal, this.#normal(f)) <= 0) return false;
+      if (done.has(f) || face.length > most || dot(normal, this.#normal(f)) <= 0) return false;
       const offsets = face.map((v) => sub(this.#at(v), origin));
       const extent = Math.max(...offsets.map((offset) => Math.hypot(...offset)));
       return offsets.every((offset) => Math.abs(dot(offset, normal)) <= COPLANAR * extent);
@@ -90,8 +92,9 @@ class FanFinder {
       corners.push(v);
       v = next.get(v) ?? -1;
     }
-    // A polygon without points inside has two corners more than triangles.
-    const closes = corners.length === next.size && corners.length === group.length + 2;
+    // A polygon without points inside has two corners more than triangles; a quad is two of them.
+    const triangles = group.reduce((sum, f) => sum + (this.#faces[f]?.length ?? 0) - 2, 0);
+    const closes = corners.length === next.size && corners.length === triangles + 2;
     return closes && this.#isConvex(corners, this.#normal(group[0] ?? 0)) ? corners : null;
   }
 
@@ -102,6 +105,19 @@ class FanFinder {
       return dot(cross(to, unit(sub(this.#at(after), this.#at(v)))), normal) > COPLANAR;
     });
   }
+}
+
+/** Groups of faces, quads among them, in one plane and with one strictly convex outline. */
+function countQuadGroups(mesh: Faces, finder: FanFinder): number {
+  const done = new Set<number>();
+  let count = 0;
+  mesh.faces.forEach((face, f) => {
+    if (face.length !== 4 || done.has(f)) return;
+    const group = finder.group(f, done, 4);
+    for (const member of group) done.add(member);
+    if (group.length > 1 && finder.outline(group)) count += 1;
+  });
+  return count;
 }
 
 /** Two coplanar triangles stay: a panel of four corners would have come as a quad. */
@@ -129,5 +145,5 @@ export function joinFans(mesh: Faces): JoinedFans {
       }
     }
   });
-  return { faces, joined, uncertain };
+  return { faces, joined, uncertain, quads: countQuadGroups(mesh, finder) };
 }

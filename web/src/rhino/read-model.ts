@@ -4,6 +4,7 @@
 import type { Curve, File3dm, File3dmObject, Mesh } from "rhino3dm";
 import type { Unit } from "../quantity/units.ts";
 import type { Context } from "./context.ts";
+import { drawnInUnit, fileUnit, inUnit } from "./file-units.ts";
 import { joinFans } from "./join-fans.ts";
 import {
   DESIGN_KEY,
@@ -13,7 +14,6 @@ import {
   outlinesMark,
   type RhinoModule,
   ROOT,
-  unitOf,
 } from "./model.ts";
 import { orient } from "./orient.ts";
 import { Others } from "./others.ts";
@@ -23,7 +23,7 @@ export interface ReadModel {
   /** The text of the design whose panels these are to the last bit; "" for none. */
   readonly design: string;
   readonly mesh: Faces;
-  /** null where the file has none, or one that the page does not know. */
+  /** null where the file has none, or one of its own. */
   readonly unit: Unit | null;
   /** What is no panel, to be drawn behind the panels; null for nothing. */
   readonly context: Context | null;
@@ -172,8 +172,15 @@ function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
   }
   if (collapsed > 0)
     remarks.push(`${times(collapsed, "outline", "outlines")} without area left out.`);
-  if (!fromMeshes) return { points, faces: orient(faces) };
-  const joins = joinFans({ points, faces });
+  const once = drawnOnce(faces);
+  if (once.length < faces.length)
+    remarks.push(`${times(faces.length - once.length, "panel", "panels")} drawn twice read once.`);
+  const agreeing = orient(once);
+  if (!fromMeshes) return { points, faces: agreeing };
+  const turned = agreeing.filter((face, f) => face !== once[f]).length;
+  if (turned > 0)
+    remarks.push(`${times(turned, "face", "faces")} turned over so that neighbours agree.`);
+  const joins = joinFans({ points, faces: agreeing });
   if (joins.joined > 0)
     remarks.push(
       `${times(joins.joined, "panel", "panels")} of five and more corners put together from coplanar triangles.`,
@@ -182,7 +189,20 @@ function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
     remarks.push(
       `${times(joins.uncertain, "group", "groups")} of coplanar triangles stayed triangles: where their panels end is not certain. Closed polylines say it.`,
     );
+  if (joins.quads > 0)
+    remarks.push(
+      `${times(joins.quads, "group", "groups")} of quads in one plane may be one panel each; they stay as they are. Closed polylines say it.`,
+    );
   return { points, faces: joins.faces };
+}
+
+/** Faces without those whose corners an earlier one has. */
+function drawnOnce(faces: readonly (readonly number[])[]): readonly (readonly number[])[] {
+  const seen = new Set<string>();
+  return faces.filter((face) => {
+    const key = face.toSorted((a, b) => a - b).join(" ");
+    return !seen.has(key) && seen.add(key);
+  });
 }
 
 /** Numbered panels in their order; Rhino may have put them in another. */
@@ -215,10 +235,17 @@ export function readModel(rhino: RhinoModule, bytes: Uint8Array): ReadModel {
   const isSame = outlinesMark(inOrder(found.own)) === stringOf(file, OUTLINES_KEY);
   if (stored && !isSame) remarks.unshift(CHANGED);
   remarks.push(...found.others.remarks());
-  const context = found.others.context();
+  const drawn = found.others.context();
   file.destroy();
-  const unit = unitOf(rhino, modelUnitSystem);
-  return { design: isSame ? stored : "", mesh, unit, context, remarks };
+  const unit = fileUnit(rhino, modelUnitSystem);
+  if (unit.remark) remarks.unshift(unit.remark);
+  return {
+    design: isSame ? stored : "",
+    mesh: inUnit(mesh, unit),
+    unit: unit.unit,
+    context: drawn && drawnInUnit(drawn, unit),
+    remarks,
+  };
 }
 
 /** Every digit of every coordinate. */

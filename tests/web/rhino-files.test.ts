@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Rhino files of other people: their units, outlines drawn twice, meshes turned both ways, quads that
+// are parts of panels.
+import type { ObjectAttributes } from "rhino3dm";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { RhinoModule } from "../../web/src/rhino/model.ts";
+import { type ReadModel, readModel } from "../../web/src/rhino/read-model.ts";
+import { loadRhino } from "../parity/support/rhino.ts";
+
+let rhino: RhinoModule;
+beforeAll(async () => {
+  rhino = await loadRhino();
+});
+
+type Point = readonly [number, number, number];
+const SQUARE: readonly Point[] = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [1, 1, 0],
+  [0, 1, 0],
+];
+const BESIDE: readonly Point[] = SQUARE.map(([x, y, z]) => [x + 1, y, z + 0.1 * x] as const);
+const HEXAGON: readonly Point[] = Array.from({ length: 6 }, (_, k) => [
+  Math.cos((k * Math.PI) / 3),
+  Math.sin((k * Math.PI) / 3),
+  0,
+]);
+
+type Part =
+  | { readonly outline: readonly Point[] }
+  | { readonly points: readonly Point[]; readonly faces: readonly (readonly number[])[] };
+
+/** A file of these, read again. */
+function read(system: string, parts: readonly Part[]): ReadModel {
+  const file = new rhino.File3dm();
+  const systems = rhino.UnitSystem as unknown as Record<string, never>;
+  file.settings().modelUnitSystem = systems[system] as never;
+  const attributes = new rhino.ObjectAttributes() as ObjectAttributes;
+  for (const part of parts) {
+    if ("outline" in part) {
+      const list = new rhino.Point3dList();
+      for (const [x, y, z] of [...part.outline, ...part.outline.slice(0, 1)]) list.add(x, y, z);
+      file.objects().addCurve(new rhino.PolylineCurve(list), attributes);
+      continue;
+    }
+    const mesh = new rhino.Mesh();
+    mesh.vertices().useDoublePrecisionVertices = true;
+    for (const [x, y, z] of part.points) mesh.vertices().addPoint3d(x, y, z);
+    for (const [a = 0, b = 0, c = 0, d = 0] of part.faces) mesh.faces().addQuadFace(a, b, c, d);
+    file.objects().addMesh(mesh, attributes);
+  }
+  return readModel(rhino, file.toByteArray());
+}
+
+const QUAD = [[0, 1, 2, 3]];
+
+describe("the unit of a file", () => {
+  it.each([
+    ["Decimeters", "cm", 10, 1, "decimetres"],
+    ["Microns", "mm", 1, 1000, "microns"],
+    ["Yards", "ft", 3, 1, "yards"],
+    ["Mils", "in", 1, 1000, "mils"],
+    ["Hectometers", "m", 100, 1, "hectometres"],
+    ["Miles", "ft", 5280, 1, "miles"],
+    ["PrinterPoints", "in", 1, 72, "points of printers"],
+    ["NauticalMiles", "m", 1852, 1, "nautical miles"],
+    ["Parsecs", "km", 30856775814913.7, 1, "parsecs"],
+  ])("%s are read in a unit that the page has", (system, unit, times, per, word) => {
+    const { mesh, unit: known, remarks } = read(system, [{ points: SQUARE, faces: QUAD }]);
+    expect(known).toBe(unit);
+    expect([...mesh.points]).toEqual(SQUARE.flat().map((c) => (c * times) / per));
+    expect(remarks).toHaveLength(1);
+    expect(remarks[0]).toContain(`in ${word}, which the page does not have`);
+  });
+
+  it("stays what it is where the page has it", () => {
+    for (const [system, unit] of [
+      ["Millimeters", "mm"],
+      ["Meters", "m"],
+      ["Feet", "ft"],
+    ] as const) {
+      const model = read(system, [{ points: SQUARE, faces: QUAD }]);
+      expect([model.unit, model.remarks, [...model.mesh.points]]).toEqual([
+        unit,
+        [],
+        SQUARE.flat(),
+      ]);
+    }
+  });
+
+  it("is asked for where the file has none, or one of its own", () => {
+    for (const system of ["None", "CustomUnits", "Unset"]) {
+      const model = read(system, [{ points: SQUARE, faces: QUAD }]);
+      expect(model.unit).toBeNull();
+      expect(model.remarks[0]).toMatch(/does not say its unit, or has one of its own/);
+    }
+  });
+
+  it("holds for what lies beside the panels", () => {
+    const panel = { points: SQUARE, faces: QUAD };
+    const { context } = read("Decimeters", [panel, { outline: BESIDE }]);
+    expect(Math.max(...(context?.lines ?? []))).toBe(20);
+  });
+});
+
+describe("panels of a file", () => {
+  it("drawn twice are read once, either way round and from any corner", () => {
+    const again = [SQUARE, SQUARE.toReversed(), [...SQUARE.slice(1), SQUARE[0] as Point]];
+    for (const outline of again) {
+      const { mesh, remarks } = read("Meters", [
+        { outline: SQUARE },
+        { outline: BESIDE },
+        { outline },
+      ]);
+      expect(mesh.faces).toHaveLength(2);
+      expect(remarks).toContain("1 panel drawn twice read once.");
+    }
+  });
+
+  it("are turned so that neighbours agree, which is said of meshes", () => {
+    const turned = { points: BESIDE, faces: [[0, 3, 2, 1]] };
+    const { mesh, remarks } = read("Meters", [{ points: SQUARE, faces: QUAD }, turned]);
+    expect(mesh.faces).toEqual(
+      [
+        [0, 1, 2, 3],
+        [1, 4, 5, 2],
+      ].map((face) => expect.arrayContaining(face)),
+    );
+    expect(remarks).toContain("1 face turned over so that neighbours agree.");
+    const agreeing = read("Meters", [
+      { points: SQUARE, faces: QUAD },
+      { points: BESIDE, faces: QUAD },
+    ]);
+    expect(agreeing.remarks).toEqual([]);
+  });
+
+  it("that are quads in one plane with one convex outline are named, and stay", () => {
+    const halves = [
+      [0, 1, 2, 3],
+      [0, 3, 4, 5],
+    ];
+    const { mesh, remarks } = read("Meters", [{ points: HEXAGON, faces: halves }]);
+    expect(mesh.faces.map((face) => face.length)).toEqual([4, 4]);
+    expect(remarks[0]).toMatch(/^1 group of quads in one plane may be one panel each/);
+    const row = { points: SQUARE.map(([x, y]) => [x + 1, y, 0] as const), faces: QUAD };
+    expect(read("Meters", [{ points: SQUARE, faces: QUAD }, row]).remarks).toEqual([]);
+  });
+});
