@@ -19,6 +19,15 @@ namespace fs = std::filesystem;
 using testing::Cli;
 using testing::contents;
 
+TEST_F(Cli, AFileNameThatIsNoUtf8MakesReadablePackages) {
+  save("lat\xE4in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_EQ(run("panels lat\xE4in.obj -o out.zip --report r.json"), 0) << err();
+  const auto header = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(header["name"], "lat\xEF\xBF\xBDin");
+  ASSERT_EQ(run("edit lat\xE4in.obj --handle 0+=0,0,0.1 --design d.json"), 0) << err();
+  EXPECT_NE(contents(directory_ / "d.json").find("lat\xEF\xBF\xBDin.obj"), std::string::npos);
+}
+
 /// Three squares in a row: the last one turns, the middle one only meets it at another angle.
 TEST_F(Cli, EveryCommandThatEditsSaysWhatMustBeMadeAgain) {
   save("three.obj",

@@ -41,6 +41,21 @@ TEST_F(Cli, ConvertJoinsTrianglesIntoQuads) {
   EXPECT_EQ(load("same.obj").face_count(), 3);
 }
 
+TEST_F(Cli, ConvertJoinsPointsAndTurnsPanels) {
+  save("apart.obj",
+       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0.001\nv 2 0 0\nv 2 1 0\nv 1 1 0\n"
+       "f 1 2 3 4\nf 5 8 7 6\n");
+  ASSERT_EQ(run("convert apart.obj -o exact.obj --join-points"), 0) << err();
+  EXPECT_NE(err().find("1 vertex was joined"), std::string::npos) << err();
+  EXPECT_EQ(load("exact.obj").vertex_count(), 7);
+  ASSERT_EQ(run("convert --join-points 0.01 --orient apart.obj -o near.obj"), 0) << err();
+  EXPECT_NE(err().find("1 panel was turned over"), std::string::npos) << err();
+  EXPECT_EQ(load("near.obj").vertex_count(), 6);
+  EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=0.9"), 3);
+  EXPECT_NE(err().find("half the shortest side"), std::string::npos) << err();
+  EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=x"), 2);
+}
+
 /// A quad bent a little stays one; the nearest flat one to a zigzag as high as it is long crosses
 /// itself.
 TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {

@@ -28,9 +28,12 @@ async function readAll(file: Blob, onPiece: OnPiece): Promise<Uint8Array> {
   return bytes;
 }
 
-/** A reader says what is wrong and on which line; this makes it a sentence about the file. */
-export const aboutFile = (name: string, what: string): string =>
-  `${name}: ${what.endsWith(".") ? what : `${what}.`}`;
+/** A reader says what is wrong and on which line, which a Rhino file has not; this makes it a sentence
+ * about the file. */
+export function aboutFile(name: string, what: string): string {
+  const said = /\.3dm$/i.test(name) ? what.replace(/^line \d+: /, "") : what;
+  return `${name}: ${said.endsWith(".") ? said : `${said}.`}`;
+}
 
 /** The copy of a file that the page keeps. */
 export function keepCopy(name: string, format: FileFormat, bytes: Uint8Array): FileSource {
