@@ -99,10 +99,11 @@ val assemble(const std::string& mesh, const val& base, const val& support, const
   }
 }
 
-/// No bytes where there is no memory.
-val join_triangles(const std::string& mesh) {
+/// OBJ in and out; no bytes where there is no memory.
+template <std::string (*mend)(std::string_view)>
+val mended(const std::string& mesh) {
   try {
-    return copy(planish::join_triangles_of(mesh));
+    return copy(mend(mesh));
   } catch (const std::exception&) {
     return copy(std::string());
   }
@@ -113,7 +114,9 @@ val join_triangles(const std::string& mesh) {
 EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("openGlb", &open);
   emscripten::function("assembleGlb", &assemble);
-  emscripten::function("joinTriangles", &join_triangles);
+  emscripten::function("joinTriangles", &mended<planish::join_triangles_of>);
+  emscripten::function("joinPoints", &mended<planish::join_points_of>);
+  emscripten::function("orient", &mended<planish::orient_of>);
   emscripten::function("readDesign", &read_design);
   emscripten::function("writeDesign", &write_design);
   emscripten::function("defaults", &planish::defaults_value);

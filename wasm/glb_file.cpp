@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "planish/io/obj.hpp"
+#include "planish/mesh/orientation.hpp"
+#include "planish/mesh/point_joining.hpp"
 #include "planish/mesh/triangle_pairs.hpp"
 
 namespace planish {
@@ -41,6 +43,21 @@ std::string join_triangles_of(std::string_view mesh) {
   const ReadResult read = read_obj(mesh);
   const auto* file = std::get_if<MeshFile>(&read);
   return file == nullptr ? "" : write_obj(join_triangles(file->mesh));
+}
+
+std::string join_points_of(std::string_view mesh) {
+  const ReadResult read = read_obj(mesh);
+  const auto* file = std::get_if<MeshFile>(&read);
+  if (file == nullptr) return "";
+  const ReadResult joined = join_points(file->mesh);
+  const auto* whole = std::get_if<MeshFile>(&joined);
+  return whole == nullptr ? "" : write_obj(whole->mesh);
+}
+
+std::string orient_of(std::string_view mesh) {
+  const ReadResult read = read_obj(mesh);
+  const auto* file = std::get_if<MeshFile>(&read);
+  return file == nullptr ? "" : write_obj(oriented(file->mesh).mesh);
 }
 
 }  // namespace planish

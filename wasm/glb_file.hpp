@@ -34,4 +34,11 @@ struct OpenedGlb {
 /// @return OBJ with its triangles joined into quads, or "" if `mesh` cannot be read
 [[nodiscard]] std::string join_triangles_of(std::string_view mesh);
 
+/// The same with the points joined that its panels have of their own; also "" where that gives no
+/// mesh.
+[[nodiscard]] std::string join_points_of(std::string_view mesh);
+
+/// The same with panels turned until neighbours agree.
+[[nodiscard]] std::string orient_of(std::string_view mesh);
+
 }  // namespace planish

@@ -32,6 +32,10 @@ export interface GlbModule {
   ): Uint8Array;
   /** OBJ, its triangles joined into quads; empty without memory. */
   joinTriangles(mesh: Uint8Array): Uint8Array;
+  /** OBJ, the points joined that its panels have of their own; empty where that gives no mesh. */
+  joinPoints(mesh: Uint8Array): Uint8Array;
+  /** OBJ, its panels turned until neighbours agree; empty without memory. */
+  orient(mesh: Uint8Array): Uint8Array;
   /** Any text: a design, or one sentence that names the field. */
   readDesign(text: string): DesignReading;
   /** As docs/formats.md describes it; "" without memory. */

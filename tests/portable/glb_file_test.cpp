@@ -8,6 +8,7 @@
 #include "planish/io/obj.hpp"
 #include "planish/shapes/shapes.hpp"
 #include "support/mesh_builders.hpp"
+#include "support/small_files.hpp"
 
 namespace planish {
 namespace {
@@ -51,6 +52,17 @@ TEST(GlbFile, WithoutADesignTheMeshItselfOpens) {
   EXPECT_TRUE(opened.moved.empty());
   const ReadResult mesh = read_obj(opened.mesh);
   EXPECT_TRUE(same_bits(std::get<MeshFile>(mesh).mesh, made.shown));
+}
+
+TEST(GlbFile, MendsWhatAProgramTook) {
+  const std::string apart = write_obj(testing::points_apart(testing::four_panels()));
+  const ReadResult whole = read_obj(join_points_of(apart));
+  EXPECT_EQ(testing::outcome(whole), "9 points, 4 faces");
+  const std::string turned =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 3 6 5\n";
+  EXPECT_EQ(testing::outcome(read_obj(orient_of(turned))), "6 points, 2 faces");
+  EXPECT_EQ(join_points_of("v 0 0"), "");
+  EXPECT_EQ(orient_of("v 0 0"), "");
 }
 
 TEST(GlbFile, SaysWhatIsWrong) {

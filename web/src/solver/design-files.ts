@@ -4,7 +4,7 @@
 import type { Session } from "@wasm/planish.mjs";
 import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_documents.mjs";
 import { loadDocuments } from "./documents.ts";
-import type { Request, StoredDesign } from "./protocol.ts";
+import type { Mending, Request, StoredDesign } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
 
 interface OpenedGlb {
@@ -36,8 +36,8 @@ export class DesignFiles {
   }
 
   /** OBJ in and out. */
-  async joinTriangles(mesh: Uint8Array): Promise<Uint8Array> {
-    return (await this.#module()).joinTriangles(mesh);
+  async mend(way: Mending, mesh: Uint8Array): Promise<Uint8Array> {
+    return (await this.#module())[way](mesh);
   }
 
   async read(text: string): Promise<DesignReading> {

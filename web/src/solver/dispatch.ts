@@ -154,8 +154,9 @@ export class Dispatcher {
     this.#postOpened(job, keepCopy(name, "obj", mesh), stored);
   }
 
-  async #join({ job, name }: Extract<Request, { kind: "join" }>): Promise<void> {
-    const mesh = await this.#files.joinTriangles(this.#session.write("obj"));
+  async #join({ job, name, way }: Extract<Request, { kind: "join" }>): Promise<void> {
+    const mesh = await this.#files.mend(way, this.#session.write("obj"));
+    if (mesh.length === 0) throw new Error("That gives no mesh: an edge can have two panels.");
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), null);
   }

@@ -93,6 +93,9 @@ export type Source =
       readonly crc: number;
     };
 
+/** Triangles become quads, points of one place one, panels face one way. */
+export type Mending = "joinTriangles" | "joinPoints" | "orient";
+
 export type Request =
   /** The worker holds the lock named `alive` for as long as it lives. */
   | { kind: "start"; job: 0; compiled: WebAssembly.Module; alive: string }
@@ -105,8 +108,8 @@ export type Request =
     } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
-  /** The mesh shown, its triangles joined into quads, as a file of this name. */
-  | { kind: "join"; job: number; name: string } // → opened
+  /** The mesh shown, mended in one of these ways, as a file of this name. */
+  | { kind: "join"; job: number; name: string; way: Mending } // → opened
   /** The mesh shown, which was turned for another axis to go up, as a file of this name. */
   | { kind: "turn"; job: number; name: string; from: UpAxis; to: UpAxis } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */

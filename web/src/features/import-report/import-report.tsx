@@ -14,7 +14,7 @@ import { planarise } from "../../state/opening.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { later } from "../../ui/later.tsx";
 import { AcceptTolerance } from "../planarising/accept-tolerance.tsx";
-import { joinTriangles, mayHaveLostQuads } from "./joining.ts";
+import { joinPoints, joinTriangles, mayHaveLostQuads, turnPanels, warnsOf } from "./joining.ts";
 import { canTurn, guessedUp, turnUp, upAxis } from "./up-axis.ts";
 
 const PlanariseStep = later(() =>
@@ -149,6 +149,15 @@ function UpChooser() {
   );
 }
 
+/** What can be done about what was found: labels of buttons, and what they do. */
+function mendings(page: Page): readonly (readonly [string, (page: Page) => unknown])[] {
+  return [
+    ...(warnsOf(page, "--join-points") ? [["Join points", joinPoints] as const] : []),
+    ...(warnsOf(page, "--orient") ? [["Turn panels to agree", turnPanels] as const] : []),
+    ...(mayHaveLostQuads(page) ? [["Join triangles into quads", joinTriangles] as const] : []),
+  ];
+}
+
 /** What was found in an opened file, and what to do if it is not flat. */
 export function ImportReport() {
   const page = usePage();
@@ -171,18 +180,18 @@ export function ImportReport() {
       {report && !page.baseFlat.value && <PlanariseStep live={true} />}
       <AcceptTolerance />
       {report && <Facts report={report} />}
-      {mayHaveLostQuads(page) && (
-        <p>
+      {mendings(page).map(([label, mend]) => (
+        <p key={label}>
           <button
             type="button"
             class="button"
             disabled={!page.ready.value}
-            onClick={() => void joinTriangles(page)}
+            onClick={() => void mend(page)}
           >
-            Join triangles into quads
+            {label}
           </button>
         </p>
-      )}
+      ))}
       {report?.warnings.map((warning) => (
         <p key={warning} class="quiet">
           {warning}
