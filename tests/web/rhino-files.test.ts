@@ -38,7 +38,7 @@ function read(system: string, parts: readonly Part[]): ReadModel {
   const attributes = new rhino.ObjectAttributes() as ObjectAttributes;
   for (const part of parts) {
     if ("outline" in part) {
-      const list = new rhino.Point3dList();
+      const list = new rhino.Point3dList(part.outline.length + 1);
       for (const [x, y, z] of [...part.outline, ...part.outline.slice(0, 1)]) list.add(x, y, z);
       file.objects().addCurve(new rhino.PolylineCurve(list), attributes);
       continue;
