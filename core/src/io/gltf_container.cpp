@@ -52,8 +52,8 @@ bool is_supported(const std::string& extension) {
     if (extension == known) return true;
   }
   for (const char* start : {"KHR_materials_", "EXT_materials_", "KHR_texture_", "EXT_texture_",
-                            "KHR_lights_", "EXT_lights_", "KHR_xmp",
-                            "KHR_audio", "EXT_audio", "ADOBE_materials_", "AGI_stk_metadata"}) {
+                            "KHR_lights_", "EXT_lights_", "KHR_xmp", "KHR_audio", "EXT_audio",
+                            "ADOBE_materials_", "AGI_stk_metadata"}) {
     if (extension.starts_with(start)) return true;
   }
   return false;
