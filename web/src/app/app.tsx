@@ -16,7 +16,12 @@ export function App() {
   return (
     <FileDrop>
       <TopBar />
-      <main class="work" aria-busy={!page.ready.value} data-fetching={page.fetching}>
+      <main
+        class="work"
+        aria-busy={!page.ready.value}
+        data-fetching={page.fetching}
+        data-unsaved={page.unsaved}
+      >
         <ViewportPane />
         <SheetFold />
         <Inspector />

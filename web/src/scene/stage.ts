@@ -76,6 +76,7 @@ export class Stage {
   #drawMilliseconds = 0;
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
+  #stillTimer: ReturnType<typeof setTimeout> | undefined;
   #finish: Finish | null = null;
   readonly #drawn = new Set<() => void>();
   #target: Object3D | null = null;
@@ -268,11 +269,24 @@ export class Stage {
   }
 
   invalidate(): void {
-    if (this.#pending === 0) this.#pending = requestAnimationFrame(() => this.draw());
+    if (this.#pending !== 0) return;
+    this.#pending = requestAnimationFrame(() => this.draw());
+    this.#stir();
+  }
+
+  /** The canvas says whether its picture still changes: shadows and the finish come last. */
+  #stir(): void {
+    const { dataset } = this.renderer.domElement;
+    dataset.still = "false";
+    clearTimeout(this.#stillTimer);
+    this.#stillTimer = setTimeout(() => {
+      dataset.still = "true";
+    }, 2 * REST);
   }
 
   draw(): void {
     this.#pending = 0;
+    this.#stir();
     const begin = performance.now();
     clip(this.camera, this.orbit.target);
     this.#steps.before(this.pixel());
@@ -310,6 +324,7 @@ export class Stage {
     this.#glide.stop();
     clearTimeout(this.#shadowTimer);
     clearTimeout(this.#restTimer);
+    clearTimeout(this.#stillTimer);
     this.#finish?.dispose();
     this.#finish = null;
     this.orbit.dispose();

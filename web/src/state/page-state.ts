@@ -120,6 +120,8 @@ export class PageState {
   readonly problem = signal<string | null>(null);
   /** Says that designs are not kept here; null while they are. */
   readonly keeping = signal<string | null>(null);
+  /** A change waits to be written, or is being written. */
+  readonly unsaved = signal(false);
   /** Designs kept under a name, oldest first. */
   readonly snapshots = signal<readonly Snapshot[]>([]);
   /** Where the view may look from again, oldest first. */

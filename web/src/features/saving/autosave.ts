@@ -113,7 +113,11 @@ export function saveNow(page: Page): Promise<void> {
   clearTimeout(keeper.timer);
   if (keeper.dirty) {
     keeper.dirty = false;
-    keeper.writing = keeper.writing.then(() => write(page));
+    keeper.writing = keeper.writing
+      .then(() => write(page))
+      .then(() => {
+        page.unsaved.value = keeper.dirty;
+      });
   }
   return keeper.writing;
 }
@@ -121,6 +125,7 @@ export function saveNow(page: Page): Promise<void> {
 function saveSoon(page: Page): void {
   const keeper = own(page);
   keeper.dirty = true;
+  page.unsaved.value = true;
   clearTimeout(keeper.timer);
   keeper.timer = setTimeout(() => void saveNow(page), DELAY);
 }
