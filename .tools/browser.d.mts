@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { Browser } from "playwright-core";
+import type { Browser, BrowserServer } from "playwright-core";
 
 export function launch(how?: { readonly smooth?: boolean }): Promise<Browser>;
+export function launchServer(): Promise<BrowserServer>;

@@ -16,7 +16,7 @@ const push = (page: Page, name: string): Promise<void> =>
 async function lookInto(page: Page, name: string): Promise<void> {
   await push(page, name);
   await page.locator("dialog[open], .menu:popover-open").waitFor();
-  await page.waitForTimeout(100);
+  await idle(page); // what is in it may come later
   await expectClean(page, name);
   await page.keyboard.press("Escape");
 }

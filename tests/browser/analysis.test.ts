@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, pickFile, typeTarget } from "./support/page.ts";
+import { idle, movedCount, pickFile, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -23,7 +23,7 @@ const degrees = async (page: Page): Promise<number[]> =>
   (await column(page, 3)).map(Number.parseFloat);
 
 it("lists panels by any figure, by keyboard, and says which must be made again", async () => {
-  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ draws: true, viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   await expect.poll(() => page.getByText(/^[1-9]\d* panels must be made again/).count()).toBe(1);
   const angle = page.getByRole("columnheader", { name: "Angle" });
@@ -46,13 +46,13 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
     .focus();
   await page.keyboard.press("Enter");
   await expect.poll(() => page.getByText(/^Panel \d+ 4 corners, /).count()).toBe(1);
-  await page.waitForTimeout(800);
+  await still(page);
   expect((await view.screenshot()).equals(before)).toBe(false);
   await page.context().close();
 });
 
 it("colours by every figure, with a legend in mm or mm/m and a histogram", async () => {
-  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  const page = await site.openVault({ draws: true, viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   const moved = await movedCount(page);
   const histogram = page.getByRole("img", { name: /^Histogram: / });
@@ -125,7 +125,7 @@ it("says why a target is refused: how far short, which panels hold it; each can 
   await typeTarget(page, "+10cm");
   // Everything around the point is held: nothing can follow it.
   const why = page.getByRole("region", { name: "Why the target is not reached" });
-  await page.waitForTimeout(500);
+  await idle(page);
   expect(await why.count()).toBe(0);
   await page.getByLabel("3D view").focus();
   for (const way of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowLeft", "ArrowDown", "ArrowDown"])
@@ -164,7 +164,11 @@ it("marks panels that cross themselves, in words too", async () => {
 
 it("shows how the solve went and changes it behind a fold; axe finds nothing", async () => {
   for (const colorScheme of ["light", "dark"] as const) {
-    const page = await site.openVault({ viewport: { width: 1280, height: 900 }, colorScheme });
+    const page = await site.openVault({
+      draws: true,
+      viewport: { width: 1280, height: 900 },
+      colorScheme,
+    });
     await typeTarget(page, "+40cm");
     const before = await movedCount(page);
     await page.getByText("Last solve", { exact: true }).click();

@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { idle, movedCount, typeTarget } from "./support/page.ts";
-import { readPng } from "./support/pixels.ts";
+import { readPng, steady } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
 async function snapshot(page: Page): Promise<number> {
@@ -26,7 +26,7 @@ function bluePixels(png: Buffer): number {
 }
 
 it("compares snapshots by a table, by one camera, and by the difference in colour", async () => {
-  const page = await site.open({ viewport: { width: 1280, height: 900 } });
+  const page = await site.open({ draws: true, viewport: { width: 1280, height: 900 } });
   const open = page.getByRole("button", { name: "Compare", exact: true });
   expect(await open.count()).toBe(0);
   const moved = [await snapshot(page)];
@@ -54,7 +54,7 @@ it("compares snapshots by a table, by one camera, and by the difference in colou
 
   // The event of an earlier closing may come now: what is open stays.
   await page.getByRole("dialog").dispatchEvent("close");
-  await page.waitForTimeout(100);
+  await idle(page);
   expect(await column(1)).toEqual(moved.map(String));
 
   // The first differs from nothing, the others from it; turning one turns all.
@@ -62,8 +62,7 @@ it("compares snapshots by a table, by one camera, and by the difference in colou
   expect(await views.count()).toBe(3);
   const pictures = async (): Promise<Buffer[]> =>
     Promise.all((await views.all()).map((view) => view.screenshot()));
-  await page.waitForTimeout(800);
-  const before = await pictures();
+  const before = await steady(pictures);
   const [first = 0, second = 0] = before.map(bluePixels);
   expect(first).toBe(0);
   expect(second).toBeGreaterThan(200);
@@ -73,8 +72,7 @@ it("compares snapshots by a table, by one camera, and by the difference in colou
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height - 20, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(800);
-  (await pictures()).forEach((picture, k) => {
+  (await steady(pictures)).forEach((picture, k) => {
     expect(picture.equals(before[k] ?? picture)).toBe(false);
   });
 

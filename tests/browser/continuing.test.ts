@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "./support/obj.ts";
-import { idle, movedCount, obj, openAdvanced, typeTarget, usable } from "./support/page.ts";
+import { idle, kept, movedCount, obj, openAdvanced, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -67,7 +67,7 @@ it("a link and a reload hold the new base", async () => {
   await expect.poll(() => other.getByText(/^Verified/).count()).toBe(1);
   expect([await obj(other), await movedCount(other)]).toEqual([edited, moved]);
   await other.context().close();
-  await page.waitForTimeout(700);
+  await kept(page);
   await page.reload();
   await usable(page);
   await idle(page);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A panel can be flat and spoilt all the same: the page says so, in words, wherever it says flat.
 import { expect, it } from "vitest";
-import { exportAs, idle, pickFile, status, typeTarget } from "./support/page.ts";
+import { exportAs, idle, pickFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Panel 0 is a square; the flat quad nearest to panel 1, which is twisted, has no width. */
@@ -64,7 +64,7 @@ it("planarises without spoiling a panel, unless that is asked for", async () => 
   await page.getByRole("button", { name: "Planarise" }).first().click();
   await idle(page);
   await expect.poll(() => status(page)).toContain("planarised first");
-  await page.waitForTimeout(500);
+  await still(page);
   expect(await status(page)).not.toMatch(/collapsed|concave|crossing|turned over/);
   await page.context().close();
 });
@@ -72,7 +72,7 @@ it("planarises without spoiling a panel, unless that is asked for", async () => 
 it("says which panels an edit spoilt once it is finished, and goes to each in turn", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
-  await page.waitForTimeout(500);
+  await still(page);
   expect(await page.getByRole("button", { name: /: show$/ }).count()).toBe(0);
   await page.getByText("Advanced", { exact: true }).click();
   await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();

@@ -5,6 +5,7 @@ import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "./support/obj.ts";
 import {
   idle,
+  kept,
   movedCount,
   obj,
   openAdvanced,
@@ -105,7 +106,7 @@ it("keeps the sliders through undo, redo and a reload", async () => {
   await slide(page, "Variation 1", "-0.25");
   await slide(page, "Variation 1", "0.5");
   expect(await obj(page)).toBe(varied);
-  await page.waitForTimeout(600);
+  await kept(page);
   await page.reload();
   await expect.poll(() => status(page)).toMatch(/[1-9]\d* of 441 points move/);
   await idle(page);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Dragging in the view: locks, steps, several points at once, boxes, pins.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openFile, openSite, type Site } from "./support/page.ts";
+import { exportAs, idle, movedCount, openFile, still } from "./support/page.ts";
+import { site } from "./support/site.ts";
 import {
   type HandleRow,
   handleRows,
@@ -13,12 +14,7 @@ import {
   viewBox,
 } from "./support/view.ts";
 
-let site: Site;
 let base: ObjMesh | null = null;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const ROOMY = { width: 1280, height: 800 };
 
@@ -295,8 +291,7 @@ it("an arrow at the chosen point moves it along its axis alone", async () => {
   const page = await openPage();
   const { x, y } = await hintedPoint(page);
   await page.mouse.click(x, y);
-  // The arrows are fetched with the first chosen point.
-  await page.waitForTimeout(800);
+  await still(page); // the arrows are fetched with the first chosen point
   await press(page, { x, y: y - 40 }, { x: x + 25, y: y - 80 });
   await release(page);
   const [row] = await handleRows(page);
@@ -313,7 +308,7 @@ it("the arrows of several points stand in their middle, and move all of them", a
   await page.keyboard.press("ArrowUp");
   for (let k = 0; k < 4; ++k) await page.keyboard.press("Control+ArrowRight");
   await page.getByText("5 points", { exact: true }).waitFor();
-  await page.waitForTimeout(800);
+  await still(page);
   const marks = await Promise.all(
     (await page.locator(".marker.selected").all()).map((mark) => mark.boundingBox()),
   );
@@ -352,28 +347,17 @@ it("points move by typed amounts along the surface and out of it", async () => {
   await page.context().close();
 });
 
-/** The hinted point once the camera stands still and has been drawn. */
-async function restingPoint(page: Page): Promise<Place> {
-  for (let before = await hintedPoint(page); ; ) {
-    await page.waitForTimeout(700);
-    const now = await hintedPoint(page);
-    if (now.x === before.x && now.y === before.y) return now;
-    before = now;
-  }
-}
-
 it("a clicked panel says its figure, and the camera stays", async () => {
   const page = await openPage();
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("2");
-  await page.waitForTimeout(700);
+  await still(page);
   for (let k = 0; k < 8; ++k) await page.keyboard.press("+");
-  const point = await restingPoint(page);
+  const point = await hintedPoint(page);
   // From above and near enough, the middle of a panel lies right of a point and below it.
   for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
     await page.mouse.click(point.x + k, point.y + k);
-    await page.waitForTimeout(300);
-    await idle(page); // what says the figure comes with the first click
+    await still(page); // what says the figure comes with the first click
   }
   expect(await page.getByText(/ corners, /).textContent()).toMatch(
     /4 corners, flat \(< 0\.000001 mm\/m\)/,

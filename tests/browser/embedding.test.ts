@@ -3,13 +3,13 @@
 import { readFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
-import type { Browser, FrameLocator, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { launch } from "../../.tools/browser.mjs";
+import { type Browser, chromium, type FrameLocator, type Page } from "playwright-core";
+import { afterAll, beforeAll, expect, inject, it } from "vitest";
 import { serve } from "../../.tools/serve.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
+import { SITE } from "./support/server.ts";
 
-const ELEMENT = readFileSync("dist/planish-editor.js");
+const ELEMENT = readFileSync(`${SITE}/planish-editor.js`);
 
 let browser: Browser;
 let hostUrl = "";
@@ -37,9 +37,9 @@ const hostPage = (attributes: string): string => `<!doctype html>
 </script>`;
 
 beforeAll(async () => {
-  browser = await launch();
-  open = await serve("dist", { prefix: "/planish/", open: true });
-  plain = await serve("dist", { prefix: "/planish/" });
+  browser = await chromium.connect(inject("browser"));
+  open = await serve(SITE, { prefix: "/planish/", open: true });
+  plain = await serve(SITE, { prefix: "/planish/" });
   hostServer = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? "/", "http://localhost");
     const script = pathname === "/planish-editor.js";

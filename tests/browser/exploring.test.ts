@@ -58,7 +58,7 @@ it("a slider shows the worst panel while it moves, and is exact when let go", as
 });
 
 it("offers as many directions as asked for, and the smoothest first if wanted", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   await typeTarget(page, "+80cm");
   await page.getByRole("slider", { name: "Dimension" }).fill("3");
   await findVariations(page);
@@ -100,7 +100,7 @@ const tileDifferences = (page: Page): Promise<number[]> =>
   });
 
 it("says what sliders do and where they stop, and shows the design that is pointed at", async () => {
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
   await typeTarget(page, "+50cm");

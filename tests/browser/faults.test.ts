@@ -17,20 +17,19 @@ import {
 } from "./support/faults.ts";
 import {
   idle,
+  kept,
   movedCount,
   obj,
   openFile,
   pickFile,
   status,
+  still,
   typeTarget,
   usable,
 } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const alertText = (page: Page): Promise<string> => page.getByRole("alert").innerText();
-
-/** Longer than the page waits before it writes. */
-const kept = (page: Page): Promise<void> => page.waitForTimeout(700);
 
 async function reload(page: Page): Promise<void> {
   await page.reload();
@@ -120,10 +119,10 @@ describe("a slow file", () => {
 
 describe("the picture", () => {
   it("comes back after the graphics context was lost", async () => {
-    const page = await site.openVault({ reducedMotion: "reduce" });
+    const page = await site.openVault({ draws: true, reducedMotion: "reduce" });
     await typeTarget(page, "+1m");
     const canvas = page.getByLabel("3D view");
-    await page.waitForTimeout(600);
+    await still(page);
     const before = await canvas.screenshot();
     await canvas.evaluate(async (element: HTMLCanvasElement) => {
       const extension = element.getContext("webgl2")?.getExtension("WEBGL_lose_context");
@@ -136,10 +135,9 @@ describe("the picture", () => {
       extension?.restoreContext();
       await restored;
     });
-    await page.waitForTimeout(1200);
-    expect((await canvas.screenshot()).equals(before)).toBe(true);
+    await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(true);
     await typeTarget(page, "+50cm");
-    await page.waitForTimeout(600);
+    await still(page);
     expect((await canvas.screenshot()).equals(before)).toBe(false);
     await page.context().close();
   });

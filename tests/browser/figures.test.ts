@@ -3,8 +3,9 @@
 // engine was changed on purpose, `node .tools/paper.mjs scenes` records them anew.
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, movedCount, openSite, type Site } from "./support/page.ts";
+import { expect, it } from "vitest";
+import { idle, movedCount } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 interface Link {
   readonly name: string;
@@ -16,13 +17,8 @@ const read = <T>(name: string): T =>
   JSON.parse(readFileSync(new URL(`../../docs/scenes/${name}`, import.meta.url), "utf8"));
 const links = read<Link[]>("links.json");
 
-let site: Site;
 /** One page for all: a fresh one for each link would take longer than the links do. */
 let page: Page;
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 const saysVerified = (): Promise<number> => page.getByText(/Verified:/).count();
 

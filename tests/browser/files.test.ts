@@ -136,7 +136,7 @@ it("a mesh with Y up, which is said to be likely, is turned to the bit, as one s
 });
 
 it("the picture out of the page is the view, in its own size", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   await typeTarget(page, "+60cm");
   const png = await exportAs(page, "PNG");
   expect(png.subarray(1, 4).toString()).toBe("PNG");

@@ -2,7 +2,7 @@
 // A fitted model is under nothing that lies over the view.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, openFile, typeTarget } from "./support/page.ts";
+import { exportAs, idle, openFile, still, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
@@ -63,12 +63,12 @@ const startEditing = (page: Page): Promise<void> =>
   page.getByRole("button", { name: "Start editing" }).click();
 
 it("a mesh with as many points as the one before is fitted all the same", async () => {
-  const fresh = await site.open();
+  const fresh = await site.open({ draws: true });
   await openFile(fresh, "steep.obj", sheet(9));
   await startEditing(fresh);
   const wanted = await extent(fresh);
   await fresh.context().close();
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   await openFile(page, "flat.obj", sheet(0));
   await startEditing(page);
   expect(await extent(page)).not.toEqual(wanted);
@@ -79,11 +79,11 @@ it("a mesh with as many points as the one before is fitted all the same", async 
 });
 
 it("one that is made flat is seen from where it was", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   await openFile(page, "bumpy.obj", sheet(0, 0.01));
   await page.getByLabel("3D view").focus();
   for (let k = 0; k < 4; ++k) await page.keyboard.press("-");
-  await page.waitForTimeout(500);
+  await still(page);
   const before = await extent(page);
   await page.getByRole("button", { name: "Planarise", exact: true }).click();
   await idle(page);
@@ -104,15 +104,15 @@ for (const [width, height] of [
   [740, 360],
 ] as const)
   it(`the legend and the views are beside the model at ${width} × ${height}`, async () => {
-    const page = await site.openVault({ viewport: { width, height } });
-    await page.waitForTimeout(500);
+    const page = await site.openVault({ draws: true, viewport: { width, height } });
+    await still(page);
     const colours = page.getByRole("combobox", { name: "Colour by" });
     expect(await edgesUnder(page, "Legend")).toBe(0);
     await typeTarget(page, "+40cm");
     await colours.selectOption("Planarity");
     for (const name of ["Top", "Front", "Side", "Perspective", "Fit"]) {
       await view(page, name);
-      await page.waitForTimeout(500);
+      await still(page);
       expect([name, await edgesUnder(page, "Legend")]).toEqual([name, 0]);
       expect([name, await edgesUnder(page, "Views")]).toEqual([name, 0]);
     }

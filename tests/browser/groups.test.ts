@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, movedCount, obj, openFile, usable } from "./support/page.ts";
+import { idle, kept, movedCount, obj, openFile, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Six flat quads in two rows, the first row in a group, and one of both rows in another. */
@@ -92,7 +92,7 @@ it("lock, stiffen, hide and colour what they hold, survive a reload and travel i
   await idle(page);
   expect(free).toBeGreaterThan(0);
 
-  await page.waitForTimeout(1000); // for the write
+  await kept(page);
   await page.reload();
   await usable(page);
   await expect.poll(() => names(page)).toEqual(["Lantern"]);

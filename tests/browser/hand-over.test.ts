@@ -27,7 +27,7 @@ async function shapes(page: Page): Promise<string[]> {
 }
 
 async function author(): Promise<Page> {
-  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  const page = await site.open({ draws: true, permissions: ["clipboard-read", "clipboard-write"] });
   for (const [k, rise] of ["+20cm", "+15cm", "+30cm"].entries()) {
     await typeTarget(page, rise);
     await page.getByRole("button", { name: "Take snapshot" }).click();

@@ -2,7 +2,7 @@
 // Panels are hidden in the view alone: nothing of them is seen or hit there, and the design keeps them.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, obj, openFile } from "./support/page.ts";
+import { idle, obj, openFile, still } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
 
@@ -35,7 +35,7 @@ it("by keys and by buttons; what is hidden is not hit, and all of it comes back"
   expect(await note(page).textContent()).toContain("1 panel hidden in the view");
   await expect.poll(() => figure(page).count()).toBe(0);
   await page.mouse.click(beside.x, beside.y);
-  await page.waitForTimeout(300);
+  await still(page);
   expect(await figure(page).count()).toBe(0);
   await page.keyboard.press("Shift+H");
   await expect.poll(() => note(page).count()).toBe(0);

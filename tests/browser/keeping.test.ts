@@ -6,19 +6,8 @@ import { expect, it } from "vitest";
 import { encodeRecord } from "../../web/src/design/saved-record.ts";
 import { EDITED, RECORD } from "../web/support/golden-designs.ts";
 import { keptRecords, putRecord, slowStorage } from "./support/faults.ts";
-import { idle, obj, status, typeTarget, usable } from "./support/page.ts";
+import { idle, kept, obj, status, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
-
-/** Until the page has written: longer than it waits before, and then no change for a while. */
-async function kept(page: Page): Promise<void> {
-  let before = "";
-  for (let same = 0; same < 3; ) {
-    await page.waitForTimeout(350);
-    const now = JSON.stringify(await keptRecords(page));
-    same = now === before && now !== "{}" ? same + 1 : 0;
-    before = now;
-  }
-}
 
 async function visit(page: Page, search = ""): Promise<void> {
   await page.goto(site.url + search);
@@ -27,7 +16,7 @@ async function visit(page: Page, search = ""): Promise<void> {
 }
 
 it("storage that answers late costs neither the page nor what is kept", async () => {
-  const page = await site.open({ serviceWorkers: "block" }, "", slowStorage(12_000));
+  const page = await site.open({ serviceWorkers: "block" }, "", slowStorage(9_000));
   await typeTarget(page, "+60cm");
   const before = await obj(page);
   await kept(page);
@@ -36,10 +25,9 @@ it("storage that answers late costs neither the page nor what is kept", async ()
   expect(await status(page)).toMatch(/0 of 425 points move/);
   expect(await page.getByText(/does not let the page keep your design/).count()).toBe(1);
   await typeTarget(page, "+10cm");
-  // The storage arrives meanwhile.
-  await page.waitForTimeout(12_000);
+  await page.waitForFunction(() => "storageCame" in window);
   await typeTarget(page, "+5cm");
-  await page.waitForTimeout(1000);
+  await kept(page);
   await visit(page);
   expect(await keptRecords(page)).toEqual(records);
   expect(await obj(page)).toBe(before);

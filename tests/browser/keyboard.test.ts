@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The first minute without a pointer: Tab, Enter, arrows and typing, nothing else.
-import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, movedCount, status } from "./support/page.ts";
+import { downloaded, idle, movedCount, status } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** The accessible name of what has the focus. */
@@ -77,7 +76,7 @@ it("edits, explores, makes exact, shares and exports", async () => {
   await tabTo(page, "OBJ");
   const download = page.waitForEvent("download");
   await page.keyboard.press("Enter");
-  expect((await readFile(await (await download).path())).length).toBeGreaterThan(1000);
+  expect((await downloaded(await download)).length).toBeGreaterThan(1000);
   await tabTo(page, "Share");
   await page.keyboard.press("Enter");
   await page.getByRole("dialog").waitFor();

@@ -2,18 +2,14 @@
 // Links that are not what they were: each opens with a sentence that says so, or with how far its
 // design is from the one that was shared.
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Recipe } from "../../web/src/design/recipe.ts";
-import { exportAs, idle, openSite, type Site, status, typeTarget } from "./support/page.ts";
+import { exportAs, idle, status, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
-let site: Site;
 let shared: Recipe;
 let fragment = "";
-beforeAll(async () => {
-  site = await openSite();
-});
-afterAll(() => site.close());
 
 it("a link is shown with its length", async () => {
   const page = await site.open();

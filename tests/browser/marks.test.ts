@@ -2,7 +2,7 @@
 // What the view says about points: under the pointer, chosen, and where a handle came from.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { idle, movedCount, openAdvanced, status, typeTarget } from "./support/page.ts";
+import { idle, movedCount, openAdvanced, status, still, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
@@ -21,7 +21,7 @@ async function pixels(page: Page, { x, y }: Place, size = 24): Promise<string> {
 
 describe("the pointer on a point", () => {
   it("marks it and says its figure; beside the model neither", async () => {
-    const page = await site.openVault({ reducedMotion: "reduce" });
+    const page = await site.openVault({ draws: true, reducedMotion: "reduce" });
     const at = await hintedPoint(page);
     const { x, y, height } = await viewBox(page);
     const beside = { x: x + 20, y: y + height / 2 };
@@ -39,7 +39,7 @@ describe("the pointer on a point", () => {
   });
 
   it("draws a ring about it", async () => {
-    const page = await site.openVault({ reducedMotion: "reduce" });
+    const page = await site.openVault({ draws: true, reducedMotion: "reduce" });
     await typeTarget(page, "+60cm");
     await page.getByRole("button", { name: "Top", exact: true }).click();
     const { x, y, width, height } = await viewBox(page);
@@ -58,7 +58,7 @@ describe("the pointer on a point", () => {
   });
 
   it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
-    const page = await site.openVault({ reducedMotion: "reduce" });
+    const page = await site.openVault({ draws: true, reducedMotion: "reduce" });
     const at = await hintedPoint(page);
     await press(page, at, { x: at.x, y: at.y - 50 });
     const largest = async (): Promise<string> =>
@@ -77,7 +77,11 @@ describe("the pointer on a point", () => {
 });
 
 it("a line goes from where a handle was to where it is pulled, and hides with Before", async () => {
-  const page = await site.open({ reducedMotion: "reduce", viewport: { width: 1280, height: 800 } });
+  const page = await site.open({
+    draws: true,
+    reducedMotion: "reduce",
+    viewport: { width: 1280, height: 800 },
+  });
   const start = await hintedPoint(page);
   const end = { x: start.x, y: start.y - 90 };
   // Off the ring of the first visit, on the way of the pull and on its start.
@@ -113,7 +117,7 @@ it("a ticked box in the table of handles shows a tick", async () => {
   await pin.check();
   await idle(page);
   await page.mouse.move(2, 2);
-  await page.waitForTimeout(300);
+  await still(page);
   const picture = readPng(await pin.screenshot());
   const light: number[] = [];
   for (let x = 8; x < picture.width - 8; ++x)

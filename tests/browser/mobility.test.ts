@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, movedCount, status } from "./support/page.ts";
+import { idle, movedCount, status, still } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const colourBy = (page: Page, what: string) =>
@@ -17,6 +17,19 @@ async function progress(page: Page): Promise<readonly [number, number]> {
 }
 const measured = async (page: Page): Promise<number> => (await progress(page))[0];
 
+/** How many it is in the end: the point that was being measured may still come. */
+async function lastMeasured(page: Page): Promise<number> {
+  let before = await measured(page);
+  const stays = async (): Promise<boolean> => {
+    const now = await measured(page);
+    const same = now === before;
+    before = now;
+    return same;
+  };
+  await expect.poll(stays, { interval: 500 }).toBe(true);
+  return before;
+}
+
 it("a map of mobility fills in, is stopped and goes on, and the page answers meanwhile", async () => {
   const page = await site.openVault();
   await colourBy(page, "Mobility");
@@ -28,10 +41,10 @@ it("a map of mobility fills in, is stopped and goes on, and the page answers mea
   expect(before).toBeLessThan(all);
   expect(all).toBe(441);
   await page.getByRole("button", { name: "Stop" }).click();
-  // The point that was being measured may still come.
-  await page.waitForTimeout(1500);
-  const stopped = await measured(page);
-  await page.waitForTimeout(1500);
+  const stopped = await lastMeasured(page);
+  // It stays so while something else is done.
+  await page.getByRole("button", { name: "Undo" }).click();
+  await still(page);
   expect(await measured(page)).toBe(stopped);
   await page.getByRole("button", { name: "Go on" }).click();
   await expect.poll(() => measured(page)).toBeGreaterThan(stopped);
@@ -44,7 +57,7 @@ it("the best places open as edits that get there", async () => {
   const places = page.getByRole("list", { name: "Best places to change the shape" });
   await expect.poll(() => places.getByRole("button").count()).toBeGreaterThan(1);
   await page.getByRole("button", { name: "Stop" }).click();
-  await page.waitForTimeout(1500);
+  await lastMeasured(page);
   const first = places.getByRole("button").first();
   const words = await first.innerText();
   expect(words).toMatch(

@@ -2,7 +2,7 @@
 // Views that are kept under a name, gone back to, and there again after a reload.
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, usable } from "./support/page.ts";
+import { idle, kept, still, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 it("a view is kept, named, gone back to by button and by command, and survives a reload", async () => {
@@ -14,7 +14,7 @@ it("a view is kept, named, gone back to by button and by command, and survives a
     const box = await page.locator(".marker.handle").boundingBox();
     return { x: box?.x ?? Number.NaN, y: box?.y ?? Number.NaN };
   };
-  await page.waitForTimeout(500); // until it is drawn
+  await still(page);
   const at = await handle();
   const gap = async (): Promise<number> => {
     const { x, y } = await handle();
@@ -35,7 +35,7 @@ it("a view is kept, named, gone back to by button and by command, and survives a
   await away();
   await section.getByRole("button", { name: "Show From the street" }).click();
   await back();
-  await page.waitForTimeout(1000); // for the write
+  await kept(page);
   await page.reload();
   await usable(page);
   await idle(page);

@@ -3,21 +3,17 @@
 // the edit back to the last bit, or one sentence, and nothing has changed.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { catchExports, Hands } from "./support/hands.ts";
-import { openFile, openSite, type Site, typeTarget } from "./support/page.ts";
+import { openFile, typeTarget } from "./support/page.ts";
+import { site } from "./support/site.ts";
 
 const FOLDER = new URL("../../../shared/meshes/nasty/", import.meta.url);
 const NAMES = existsSync(FOLDER) ? readdirSync(FOLDER).sort() : [];
 
 describe.skipIf(NAMES.length === 0)("a nasty file", () => {
-  let site: Site;
   let page: Page;
   let before: string;
-  beforeAll(async () => {
-    site = await openSite();
-  });
-  afterAll(() => site.close());
 
   it("finds an edit", async () => {
     const viewport = { width: 600, height: 480 };

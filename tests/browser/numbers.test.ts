@@ -2,6 +2,7 @@
 // Numbers on the model are those of tables and reports, and only of what is in sight.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
+import { still } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 interface Label {
@@ -59,7 +60,7 @@ it("of what lies behind are left out, and come when it is turned to", async () =
   const front = new Set((await labels(page, "point")).map(({ number }) => number));
   await page.getByLabel("3D view").focus();
   for (let k = 0; k < 30; ++k) await page.keyboard.press("Shift+ArrowRight");
-  await page.waitForTimeout(500);
+  await still(page);
   const turned = (await labels(page, "point")).map(({ number }) => number);
   expect(turned.filter((number) => !front.has(number)).length).toBeGreaterThan(5);
   expect([...front].filter((number) => !turned.includes(number)).length).toBeGreaterThan(5);

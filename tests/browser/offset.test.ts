@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, obj, openFile, status, typeTarget } from "./support/page.ts";
+import { exportAs, idle, obj, openFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -73,7 +73,7 @@ async function pick(page: Page): Promise<string> {
 }
 
 it("a second layer is shown, follows the design, and is in its GLB", async () => {
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
@@ -83,7 +83,7 @@ it("a second layer is shown, follows the design, and is in its GLB", async () =>
     .getByRole("button", { name: /^Show panel/ })
     .first()
     .click();
-  await page.waitForTimeout(400);
+  await still(page);
   const picked = await pick(page);
   const picture = async () => (await exportAs(page, "PNG")).toString("base64");
   const before = await picture();

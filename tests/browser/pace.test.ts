@@ -3,15 +3,8 @@
 // clock, which on a busy machine says more about the machine. What the clock says is printed.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import {
-  exportAs,
-  idle,
-  movedCount,
-  openFile,
-  type Prepare,
-  status,
-  typeTarget,
-} from "./support/page.ts";
+import type { Prepare } from "./support/open.ts";
+import { exportAs, idle, movedCount, openFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Points along one side. */
@@ -72,10 +65,14 @@ async function scriptSeconds(page: Page): Promise<() => Promise<number>> {
 
 it("a drag on 5041 points: every frame's script stays far below a long task", async () => {
   const viewport = { width: 480, height: 360 };
-  const page = await site.open({ viewport, reducedMotion: "reduce" }, "", countAnswers);
+  const page = await site.open(
+    { draws: true, viewport, reducedMotion: "reduce" },
+    "",
+    countAnswers,
+  );
   await openFile(page, "roof.obj", curvedRoof());
   await page.getByRole("button", { name: "Start editing" }).click();
-  await page.waitForTimeout(500);
+  await still(page);
   const spent = await scriptSeconds(page);
   const box = await page.getByLabel("3D view").boundingBox();
   if (!box) throw new Error("no 3D view");

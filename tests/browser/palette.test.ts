@@ -92,7 +92,7 @@ describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
     await page.getByRole("button", { name: "Help" }).tap();
     await page.getByRole("button", { name: "All commands" }).tap();
     await field(page).waitFor();
-    await page.waitForTimeout(100);
+    await idle(page);
     await expectClean(page, "the palette");
     const box = await page.getByRole("dialog").boundingBox();
     if (!box) throw new Error("no palette");

@@ -3,7 +3,7 @@
 // leads to its panels; and words that need no paper to be read.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, openFile, pickFile, typeTarget } from "./support/page.ts";
+import { idle, kept, openFile, pickFile, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
@@ -78,7 +78,7 @@ it("goes on by keyboard, and lists those alone that must be made again", async (
 });
 
 it("says and colours how many panels must be made again after the edit", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ draws: true, viewport: { width: 1440, height: 900 } });
   const note = page.getByRole("button", { name: /^\d+ panels to make again$/ });
   await typeTarget(page, "+40cm");
   await expect.poll(() => note.count()).toBe(1);
@@ -137,7 +137,7 @@ it("says that the planarity scale is logarithmic, with ticks ten times apart", a
 });
 
 it("mirrors stripes in the surface, and shows those panels first that fold most", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ draws: true, viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
   const view = page.getByLabel("3D view");
   const shares = async (): Promise<readonly number[]> => {
@@ -194,7 +194,7 @@ it("names the figure that was chosen, until another mesh is opened", async () =>
   // Also of what was made of it, after a reload.
   await page.getByRole("checkbox", { name: "Pinned" }).first().click();
   await idle(page);
-  await page.waitForTimeout(600);
+  await kept(page);
   expect(new URL(page.url()).hash).toBe("");
   await page.reload();
   await expect.poll(chosen).toBe(figure);

@@ -6,6 +6,7 @@ import { expect, it } from "vitest";
 import { unitSystem } from "../../web/src/rhino/model.ts";
 import { loadRhino } from "../parity/support/rhino.ts";
 import { exportAs, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import { SITE } from "./support/server.ts";
 import { site } from "./support/site.ts";
 
 /** Files of its library that are kept for use without a network. */
@@ -17,7 +18,7 @@ const kept = (page: Page): Promise<number> =>
   });
 
 it("opens again as the design, to the last bit; its library comes when asked for", async () => {
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   await page.evaluate("navigator.serviceWorker.ready");
   await expect
     .poll(() => page.evaluate(() => navigator.serviceWorker.controller !== null))
@@ -33,7 +34,7 @@ it("opens again as the design, to the last bit; its library comes when asked for
   expect(await kept(page)).toBe(2);
   await page.context().setOffline(true);
   expect((await exportAs(page, "3DM")).length).toBeGreaterThan(100_000);
-  const visitor = await site.open();
+  const visitor = await site.open({ draws: true });
   await openFile(visitor, "design.3dm", file);
   await expect.poll(() => movedCount(visitor)).toBe(moved);
   await expect.poll(() => visitor.getByText(/^Verified/).count()).toBe(1);
@@ -77,7 +78,7 @@ it("gives the panels of another program's polylines, in its unit, and names the 
   }
   file.objects().addTextDot("north", [0, 0, 0], new rhino.ObjectAttributes());
   file.objects().addCurve(new rhino.Circle(6).toNurbsCurve(), new rhino.ObjectAttributes());
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   await openFile(page, "facade.3dm", Buffer.from(file.toByteArray()));
   await expect.poll(() => page.getByRole("heading", { name: "facade.3dm" }).count()).toBe(1);
   expect(await page.getByText("3 quads").count()).toBe(1);
@@ -98,8 +99,8 @@ it("gives the panels of another program's polylines, in its unit, and names the 
 });
 
 it("makes no code of text, whatever the server sends as policy", () => {
-  const scripts = readdirSync("dist/assets").filter((name) => name.endsWith(".js"));
-  const texts = scripts.map((name) => readFileSync(`dist/assets/${name}`, "utf8"));
+  const scripts = readdirSync(`${SITE}/assets`).filter((name) => name.endsWith(".js"));
+  const texts = scripts.map((name) => readFileSync(`${SITE}/assets/${name}`, "utf8"));
   expect(scripts.some((name) => name.startsWith("rhino3dm"))).toBe(true);
   expect(scripts.filter((_, k) => /new Function\b|\beval\(/.test(texts[k] ?? ""))).toEqual([]);
 });

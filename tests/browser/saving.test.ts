@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is saved beside the mesh: the design as JSON, which opens again, and the panels as a table.
-import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import { idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { downloaded, idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 interface Saved {
@@ -16,7 +15,7 @@ async function saved(page: Page, press: () => Promise<void>): Promise<Saved> {
   const download = page.waitForEvent("download");
   await press();
   const file = await download;
-  return { name: file.suggestedFilename(), text: (await readFile(await file.path())).toString() };
+  return { name: file.suggestedFilename(), text: (await downloaded(file)).toString() };
 }
 
 const saveDesign = (page: Page): Promise<Saved> =>

@@ -8,7 +8,9 @@ import { encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { EDITED, FILE, MARK } from "../web/support/golden-designs.ts";
 import { flatRoof } from "./support/faults.ts";
-import { openFile, openSite, type Prepare, typeTarget, usable } from "./support/page.ts";
+import { openSite, type Prepare } from "./support/open.ts";
+import { kept, openFile, still, typeTarget, usable } from "./support/page.ts";
+import { SITE } from "./support/server.ts";
 import { site } from "./support/site.ts";
 
 const PAYLOAD = `<img src=x onerror="window.owned=1"><svg onload="window.owned=1">`;
@@ -30,7 +32,7 @@ const trapMarkup: Prepare = async (context) => {
 };
 
 async function expectUnharmed(page: Page): Promise<void> {
-  await page.waitForTimeout(200);
+  await still(page);
   expect(await page.evaluate("window.owned")).toBeUndefined();
   expect(await page.locator("img[src='x'], [onerror], [onload]").count()).toBe(0);
   const markup = await page.evaluate<string[]>("window.markup");
@@ -60,7 +62,7 @@ describe("markup in data stays text", () => {
     const name = page.getByRole("textbox", { name: "Name of Snapshot 1" });
     await name.fill(PAYLOAD);
     await name.press("Enter");
-    await page.waitForTimeout(700);
+    await kept(page);
     await page.reload();
     await usable(page);
     await expect.poll(() => page.getByRole("button", { name: /^Adopt <img/ }).count()).toBe(1);
@@ -84,7 +86,7 @@ describe("markup in data stays text", () => {
 });
 
 describe("the policy", () => {
-  const html = readFileSync("dist/index.html", "utf8");
+  const html = readFileSync(`${SITE}/index.html`, "utf8");
   const written = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(html)?.[1] ?? "";
   const policy = written.replaceAll("&#39;", "'");
 

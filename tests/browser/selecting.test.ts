@@ -2,7 +2,7 @@
 // What is selected is what was clicked, and the arrows stand where the selected point is.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, openFile } from "./support/page.ts";
+import { exportAs, idle, openFile, still } from "./support/page.ts";
 import { type Picture, readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, viewBox } from "./support/view.ts";
@@ -73,7 +73,7 @@ it("a panel chosen in the table can be seen: a click on it in the view selects i
   for (const panel of [0, 1, 2, 3, 4, 5]) {
     await page.getByRole("button", { name: `Show panel ${panel}`, exact: true }).click();
     await expect.poll(() => figure.textContent()).toContain(`Panel ${panel} `);
-    await page.waitForTimeout(400);
+    await still(page);
     await page.getByLabel("3D view").press("Escape");
     await expect.poll(() => figure.count()).toBe(0);
     // The camera's axis is in the middle of what the tools leave free.
@@ -86,18 +86,18 @@ it("a panel chosen in the table can be seen: a click on it in the view selects i
 it("the arrows stand at the selected point, before it is moved and after", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Top", exact: true }).click();
-  await page.waitForTimeout(500);
+  await still(page);
   const point = await hintedPoint(page);
   await page.getByRole("button", { name: "Add handle" }).click();
   await idle(page);
-  await page.waitForTimeout(800);
+  await still(page);
   const first = await arrowsAt(page);
   expect(Math.hypot(first.x - point.x, first.y - point.y)).toBeLessThan(3);
   const fields = page.getByRole("table", { name: "Handles" });
   await fields.getByRole("spinbutton", { name: "X" }).fill("+1m");
   await fields.getByRole("spinbutton", { name: "X" }).press("Enter");
   await idle(page);
-  await page.waitForTimeout(800);
+  await still(page);
   const second = await arrowsAt(page);
   expect(second.x - first.x).toBeGreaterThan(18);
   expect(Math.abs(second.y - first.y)).toBeLessThan(3);

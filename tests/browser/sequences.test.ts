@@ -10,7 +10,7 @@ import { flatRoof } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
 import { type Entry, Journal } from "./support/journal.ts";
 import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
-import { openFile, usable } from "./support/page.ts";
+import { kept, openFile, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const ACTIONS = Number(process.env.PLANISH_ACTIONS ?? 75);
@@ -163,7 +163,7 @@ class Visitor {
 
   #reload(): Action {
     const act = async () => {
-      await this.#page.waitForTimeout(700);
+      await kept(this.#page);
       await this.#page.reload();
       await usable(this.#page);
       await this.#hands.settle();

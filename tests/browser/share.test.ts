@@ -7,9 +7,11 @@ import { flatRoof } from "./support/faults.ts";
 import {
   exportAs,
   idle,
+  kept,
   movedCount,
   openFile,
   status,
+  still,
   typeTarget,
   usable,
 } from "./support/page.ts";
@@ -65,7 +67,7 @@ it("a link holds file, unit, families and camera: shared again it is the same li
   await vary(page, "Variation 1", "0.4");
   await vary(page, "Variation 2", "-0.3");
   await page.getByRole("button", { name: "Top", exact: true }).click();
-  await page.waitForTimeout(500);
+  await still(page);
   const link = await linkOf(page);
   const file = await exportAs(page, "OBJ");
   await page.context().close();
@@ -114,8 +116,8 @@ it("a link opened over a kept design keeps that one; after an edit a reload keep
   await typeTarget(page, "+30cm");
   const link = await linkOf(page);
   await typeTarget(page, "+20cm");
-  const kept = await exportAs(page, "OBJ");
-  await page.waitForTimeout(700);
+  const design = await exportAs(page, "OBJ");
+  await kept(page);
   const tab = await page.context().newPage();
   await page.close();
   await tab.goto(link);
@@ -123,13 +125,13 @@ it("a link opened over a kept design keeps that one; after an edit a reload keep
   await idle(tab);
   await typeTarget(tab, "+10cm");
   const edited = await exportAs(tab, "OBJ");
-  await tab.waitForTimeout(700);
+  await kept(tab);
   await tab.reload();
   await usable(tab);
   await idle(tab);
   expect(await exportAs(tab, "OBJ")).toEqual(edited);
   await tab.getByRole("button", { name: "Adopt Before the link" }).click();
   await idle(tab);
-  expect(await exportAs(tab, "OBJ")).toEqual(kept);
+  expect(await exportAs(tab, "OBJ")).toEqual(design);
   await tab.context().close();
 });

@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { obj, typeTarget } from "./support/page.ts";
+import { downloaded, obj, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -29,7 +29,7 @@ async function saved(page: Page, dialog: Locator, button: string) {
   const download = page.waitForEvent("download");
   await dialog.getByRole("button", { name: button }).click();
   const file = await download;
-  return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+  return { name: file.suggestedFilename(), bytes: await downloaded(file) };
 }
 
 /** As the page names the design: the command line takes the name of its file. */

@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { type ObjMesh, readObj } from "./support/obj.ts";
-import { idle, movedCount, obj, typeTarget, usable } from "./support/page.ts";
+import { idle, kept, movedCount, obj, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const supports = (page: Page) => page.getByText(/^Supports/).filter({ visible: true });
@@ -70,7 +70,7 @@ it("a boundary that only goes up and down keeps every x and y, also after a relo
   await supports(page).click();
   await stand(page, "only go up and down");
   const before = readObj(await obj(page));
-  await page.waitForTimeout(700); // longer than the page waits before it writes
+  await kept(page);
   await page.reload();
   await usable(page);
   const boundary = boundaryOf(before);

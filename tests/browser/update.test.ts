@@ -6,13 +6,15 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { holdSolvers, killNow } from "./support/faults.ts";
-import { exportAs, idle, openSite, type Site, typeTarget, usable } from "./support/page.ts";
+import { openSite, type Site } from "./support/open.ts";
+import { exportAs, idle, typeTarget, usable } from "./support/page.ts";
+import { SITE } from "./support/server.ts";
 
 let directory: string;
 let site: Site;
 beforeAll(async () => {
   directory = await mkdtemp(join(tmpdir(), "planish-update-"));
-  await cp("dist", directory, { recursive: true });
+  await cp(SITE, directory, { recursive: true });
   site = await openSite(directory);
 });
 afterAll(async () => {

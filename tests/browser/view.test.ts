@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, movedCount } from "./support/page.ts";
+import { idle, movedCount, still } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { openPhone, slide } from "./support/touch.ts";
@@ -59,7 +59,7 @@ describe("fingers", () => {
   });
 
   it("one that drags a point sees it in a loupe, clear of the finger, until it is lifted", async () => {
-    const { page, touch } = await openPhone();
+    const { page, touch } = await openPhone(true);
     const at = await hintedPoint(page);
     const loupe = page.locator(".loupe");
     await touch("touchStart", [at]);
@@ -206,25 +206,31 @@ const countDraws = (page: Page): Promise<void> =>
 const draws = (page: Page): Promise<number> =>
   page.evaluate(() => (window as unknown as { draws: number }).draws);
 
+/** Waits until the browser has made so many pictures of the page. */
+const frames = (page: Page, count: number): Promise<void> =>
+  page.evaluate(async (many) => {
+    for (let k = 0; k < many; ++k) await new Promise(requestAnimationFrame);
+  }, count);
+
 describe("drawing", () => {
   it("happens on demand only", async () => {
-    const page = await site.open();
+    const page = await site.open({ draws: true });
     await hintedPoint(page);
-    await page.waitForTimeout(1500);
+    await still(page);
     await countDraws(page);
-    await page.waitForTimeout(1500);
+    await frames(page, 60);
     expect(await draws(page)).toBe(0);
     await page.getByRole("button", { name: "Top", exact: true }).click();
     await expect.poll(() => draws(page)).toBeGreaterThan(0);
-    await page.waitForTimeout(1500);
+    await still(page);
     const after = await draws(page);
-    await page.waitForTimeout(1000);
+    await frames(page, 60);
     expect(await draws(page)).toBe(after);
     await page.context().close();
   });
 
   it("goes on after the graphics card was lost", async () => {
-    const page = await site.open();
+    const page = await site.open({ draws: true });
     await hintedPoint(page);
     await page.getByLabel("3D view").evaluate(async (canvas: HTMLCanvasElement) => {
       const lose = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
@@ -232,7 +238,7 @@ describe("drawing", () => {
       await new Promise((resolve) => setTimeout(resolve, 100));
       lose?.restoreContext();
     });
-    await page.waitForTimeout(500);
+    await still(page);
     await countDraws(page);
     const at = await hintedPoint(page);
     await press(page, at, { x: at.x, y: at.y - 30 });
@@ -244,20 +250,20 @@ describe("drawing", () => {
 });
 
 it("Before and the key B show the base while held", async () => {
-  const page = await site.open({ reducedMotion: "reduce" });
+  const page = await site.open({ draws: true, reducedMotion: "reduce" });
   const at = await hintedPoint(page);
   await press(page, at, { x: at.x, y: at.y - 60 });
   await page.mouse.up();
   await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
   await idle(page);
-  await page.waitForTimeout(800);
+  await still(page);
   const picture = (): Promise<Buffer> => page.getByLabel("3D view").screenshot();
   const before = page.getByRole("button", { name: "Before" });
   const edited = await picture();
   await page.getByLabel("3D view").focus();
   await page.keyboard.down("b");
   await expect.poll(() => before.getAttribute("aria-pressed")).toBe("true");
-  await page.waitForTimeout(800);
+  await still(page);
   expect(await picture()).not.toEqual(edited);
   await page.keyboard.up("b");
   await expect.poll(() => before.getAttribute("aria-pressed")).toBe("false");
@@ -270,12 +276,12 @@ it("Before and the key B show the base while held", async () => {
 });
 
 it("at rest, without figures in its colours, the ground beside the model is shaded", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   const view = page.getByLabel("3D view");
   const colour = page.getByRole("combobox", { name: "Colour by" });
   const picture = async () => readPng(await view.screenshot());
   await colour.selectOption("Planarity");
-  await page.waitForTimeout(500);
+  await still(page);
   const plain = await picture();
   const [paper] = plain.at(plain.width - 4, plain.height >> 1);
   /** Pixels of bare paper that are darker now. */

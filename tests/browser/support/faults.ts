@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Things that go wrong, made to happen: inside the page, inside the solver's worker, in storage.
 import type { Page } from "playwright-core";
-import type { Prepare } from "./page.ts";
+import type { Prepare } from "./open.ts";
 
 interface FaultyWindow extends Window {
   solvers: Worker[];
@@ -89,7 +89,7 @@ export const fillStorage: Prepare = async (context) => {
   });
 };
 
-/** Holds back the database of a page that is loaded with `?slow` for `milliseconds`. */
+/** Holds back the database of a page that is loaded with `?slow` for `milliseconds`; `storageCame` then says so. */
 export const slowStorage =
   (milliseconds: number): Prepare =>
   async (context) => {
@@ -100,7 +100,10 @@ export const slowStorage =
         const request = open.apply(this, given);
         const set = (listener: (event: Event) => void): void =>
           request.addEventListener("success", (event) =>
-            setTimeout(() => listener.call(request, event), wait),
+            setTimeout(() => {
+              listener.call(request, event);
+              Object.assign(window, { storageCame: true });
+            }, wait),
           );
         Object.defineProperty(request, "onsuccess", { set });
         return request;

@@ -1,87 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A real browser on the built site, served as plain files under a sub-path.
-import { readFile } from "node:fs/promises";
-import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playwright-core";
+// What a visitor does and sees, in a browser or in a page without one (tests/page).
+import { buffer } from "node:stream/consumers";
+import type { Download, Page } from "playwright-core";
 import { expect } from "vitest";
-import { launch } from "../../../.tools/browser.mjs";
-import { serve } from "../../../.tools/serve.mjs";
-import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
-import { encodeLink } from "../../../web/src/design/link.ts";
-import type { Recipe } from "../../../web/src/design/recipe.ts";
-
-export type Prepare = (context: BrowserContext) => Promise<void>;
-
-export interface Site {
-  readonly url: string;
-  /** A new visitor; `prepare` runs before the page loads. */
-  open(options?: BrowserContextOptions, hash?: string, prepare?: Prepare): Promise<Page>;
-  /** A visitor who opens a link to the vault under the raw weights, which nobody has edited. */
-  openVault(options?: BrowserContextOptions, prepare?: Prepare): Promise<Page>;
-  /** One more tab of the same visitor. */
-  openTab(page: Page): Promise<Page>;
-  close(): Promise<void>;
-}
-
-/** Fails the test that uses the page if anything is logged as an error or fetched from elsewhere. */
-function watch(page: Page, origin: string, complaints: string[]): void {
-  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.message}`));
-  page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(`console: ${message.text()}`);
-  });
-  page.on("request", (request) => {
-    const { protocol, origin: from } = new URL(request.url());
-    if (protocol.startsWith("http") && from !== origin)
-      complaints.push(`request: ${request.url()}`);
-  });
-}
-
-const VAULT: Recipe = {
-  source: { kind: "sample", name: "vault", size: 21 },
-  planarised: null,
-  handles: [],
-  settings: DEFAULT_SETTINGS,
-  families: [],
-  unit: "m",
-  camera: null,
-  mark: { hash: 0, moved: 0, probes: [] }, // of no shape
-};
 
 /** Waits until the page can be used. */
 export const usable = (page: Page): Promise<void> =>
   expect.poll(() => status(page)).not.toContain("loading");
-
-/** PLANISH_SITE names another build to test, so that a long run survives the next one. */
-export async function openSite(directory = process.env.PLANISH_SITE ?? "dist"): Promise<Site> {
-  const { server, url } = await serve(directory, { prefix: "/under/a/path/" });
-  const browser: Browser = await launch();
-  const complaints: string[] = [];
-  const tabIn = async (context: BrowserContext, hash: string): Promise<Page> => {
-    const page = await context.newPage();
-    watch(page, new URL(url).origin, complaints);
-    await page.goto(url + hash);
-    await usable(page);
-    return page;
-  };
-  const open: Site["open"] = async (options = {}, hash = "", prepare = async () => {}) => {
-    const viewport = { width: 900, height: 640 };
-    // What pulses is drawn without a graphics card here, and takes half a core from the solver.
-    const context = await browser.newContext({ viewport, reducedMotion: "reduce", ...options });
-    if (process.env.CI) context.setDefaultTimeout(90_000); // as patient as vitest.config.ts
-    await prepare(context);
-    return tabIn(context, hash);
-  };
-  return {
-    url,
-    open,
-    openVault: async (options, prepare) => open(options, await encodeLink(VAULT), prepare),
-    openTab: (page) => tabIn(page.context(), ""),
-    async close() {
-      await browser.close();
-      server.close();
-      expect(complaints).toEqual([]);
-    },
-  };
-}
 
 export const status = async (page: Page): Promise<string> =>
   (await page.getByRole("status").textContent()) ?? "";
@@ -97,6 +22,18 @@ export const idle = (page: Page): Promise<void> =>
       return fetching === "0" && page.getByRole("button", { name: "Cancel" }).isDisabled();
     })
     .toBe(true);
+
+/** Waits until all that is to be kept has been written. */
+export async function kept(page: Page): Promise<void> {
+  await idle(page);
+  await page.locator("main[data-unsaved=false]").waitFor();
+}
+
+/** Waits until the view shows what it will go on showing: no camera glides, shadows are cast. */
+export async function still(page: Page): Promise<void> {
+  await idle(page);
+  await page.locator("canvas#view[data-still=true]").waitFor();
+}
 
 /** Unfolds what few need: there the raw weights are. */
 export async function openAdvanced(page: Page): Promise<void> {
@@ -133,13 +70,18 @@ export async function pickFile(
   await page.evaluate(() => 0);
   await page.evaluate(() => 0);
   await press(page);
-  const buffer = Buffer.from(content);
-  await (await chooser).setFiles({ name, mimeType: "application/octet-stream", buffer });
+  const file = { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) };
+  await (await chooser).setFiles(file);
 }
 
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
   await pickFile(page, name, content);
   await idle(page);
+}
+
+/** The browser may run elsewhere: it hands over what it saved. */
+export async function downloaded(file: Download): Promise<Buffer> {
+  return buffer(await file.createReadStream());
 }
 
 export async function exportAs(
@@ -149,7 +91,7 @@ export async function exportAs(
   await page.getByRole("button", { name: "Export" }).click();
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: format, exact: true }).click();
-  return readFile(await (await download).path());
+  return downloaded(await download);
 }
 
 /** The design as it would be saved for other programs. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colours of a screenshot.
 import { inflateSync } from "node:zlib";
+import { expect } from "vitest";
 
 export interface Picture {
   readonly width: number;
@@ -58,4 +59,17 @@ export function readPng(png: Buffer): Picture {
     return [byte(y, k), byte(y, k + 1), byte(y, k + 2)];
   };
   return { width, height, at };
+}
+
+/** Pictures once they stay as they are. */
+export async function steady(take: () => Promise<Buffer[]>): Promise<Buffer[]> {
+  let before = await take();
+  const stays = async (): Promise<boolean> => {
+    const now = await take();
+    const same = now.every((picture, k) => picture.equals(before[k] ?? Buffer.of()));
+    before = now;
+    return same;
+  };
+  await expect.poll(stays, { interval: 200 }).toBe(true);
+  return before;
 }

@@ -10,8 +10,9 @@ export type Touch = (
   places: readonly Place[],
 ) => Promise<void>;
 
-export async function openPhone(): Promise<{ page: Page; touch: Touch }> {
+export async function openPhone(draws = false): Promise<{ page: Page; touch: Touch }> {
   const page = await site.open({
+    draws,
     viewport: { width: 360, height: 740 },
     hasTouch: true,
     isMobile: true,

@@ -2,6 +2,7 @@
 // Where things are in the 3D view, by what the page itself says and shows.
 import type { Page } from "playwright-core";
 import { expect } from "vitest";
+import { still } from "./page.ts";
 
 export interface Place {
   readonly x: number;
@@ -20,7 +21,7 @@ async function middlePoint(page: Page): Promise<Place> {
   // It is put in its place with the next picture.
   const place = async (): Promise<string> =>
     (await marker.evaluate((element: HTMLElement) => element.style.transform)) ?? "";
-  await page.waitForTimeout(100);
+  await still(page);
   await expect.poll(place).not.toBe("");
   const box = await marker.boundingBox();
   if (!box) throw new Error("no point");

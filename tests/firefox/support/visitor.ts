@@ -7,6 +7,7 @@ import { join } from "node:path";
 import puppeteer, { type Page } from "puppeteer-core";
 import { expect } from "vitest";
 import { serve } from "../../../.tools/serve.mjs";
+import { SITE } from "../../browser/support/server.ts";
 
 export interface Visitor {
   readonly page: Page;
@@ -33,7 +34,7 @@ export const usable = ({ status }: Visitor): Promise<void> =>
 
 /** Goes there; the page may still be loading. */
 export async function visit(): Promise<Visitor> {
-  const { server, url } = await serve("dist", { prefix: "/under/a/path/" });
+  const { server, url } = await serve(SITE, { prefix: "/under/a/path/" });
   const saved = await mkdtemp(join(tmpdir(), "planish-firefox-"));
   const browser = await puppeteer.launch({
     browser: "firefox",

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// What the page asks of a browser and a DOM alone has not: dialogs above the page, menus that pop over it,
+// files that are picked and saved. vitest runs it before each file of tests.
+import { Blob as NodeBlob, File as NodeFile } from "node:buffer";
+import * as streams from "node:stream/web";
+import { provideView } from "./view.ts";
+
+// Bytes are those of node: streams of a DOM's own blobs do not go through its compression.
+Object.assign(globalThis, {
+  Blob: NodeBlob,
+  File: NodeFile,
+  CompressionStream: streams.CompressionStream,
+  DecompressionStream: streams.DecompressionStream,
+  ReadableStream: streams.ReadableStream,
+  WritableStream: streams.WritableStream,
+});
+
+provideView();
+
+/** The colours and the pace of a person who wants no motion, as in the tests with a browser. */
+window.matchMedia = (query: string) =>
+  Object.assign(new EventTarget(), {
+    matches: query.includes("prefers-reduced-motion: reduce"),
+    media: query,
+    onchange: null,
+    addListener: () => {},
+    removeListener: () => {},
+  }) as MediaQueryList;
+
+const OPEN = "data-popover-open";
+
+function toggled(menu: HTMLElement, open: boolean): void {
+  if (menu.hasAttribute(OPEN) === open) return;
+  menu.toggleAttribute(OPEN, open);
+  const states = { oldState: open ? "closed" : "open", newState: open ? "open" : "closed" };
+  menu.dispatchEvent(Object.assign(new Event("toggle"), states));
+}
+
+Object.assign(HTMLElement.prototype, {
+  showPopover(this: HTMLElement) {
+    toggled(this, true);
+  },
+  hidePopover(this: HTMLElement) {
+    toggled(this, false);
+  },
+  scrollIntoView() {},
+  scrollTo() {},
+  checkVisibility(this: HTMLElement) {
+    return this.isConnected && !this.closest("[hidden]");
+  },
+});
+
+/** Selectors that a DOM without layers does not know. */
+const known = (selector: string): string =>
+  selector.replaceAll(":popover-open", `[${OPEN}]`).replaceAll(":modal", "dialog[open]");
+
+for (const { prototype } of [Document, Element]) {
+  const { querySelector, querySelectorAll } = prototype;
+  prototype.querySelector = function (this: Element, selector: string) {
+    return querySelector.call(this, known(selector));
+  } as never;
+  prototype.querySelectorAll = function (this: Element, selector: string) {
+    return querySelectorAll.call(this, known(selector));
+  } as never;
+}
+
+/** What the page offered to save last, and the file that it was asked to open. */
+export interface Hold {
+  saved: { readonly name: string; readonly blob: Blob }[];
+  asked: HTMLInputElement[];
+}
+
+const hold: Hold = { saved: [], asked: [] };
+Object.assign(globalThis, { planishHold: hold });
+
+const blobs = new Map<string, Blob>();
+URL.createObjectURL = (blob: Blob): string => {
+  const name = `blob:planish/${blobs.size}`;
+  blobs.set(name, blob);
+  return name;
+};
+URL.revokeObjectURL = () => {};
+
+const { click } = HTMLElement.prototype;
+HTMLAnchorElement.prototype.click = function (this: HTMLAnchorElement): void {
+  const blob = blobs.get(this.href);
+  if (blob && this.download) hold.saved.push({ name: this.download, blob });
+  else click.call(this);
+};
+HTMLInputElement.prototype.click = function (this: HTMLInputElement): void {
+  if (this.type === "file") hold.asked.push(this);
+  else click.call(this);
+};
