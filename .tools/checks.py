@@ -54,9 +54,9 @@ def sharded(command):
     )
 
 
-def vitest(folder, options=""):
+def vitest(folder, options="", config="web/vitest.config.ts"):
     return (
-        f"npx --no-install vitest run --config web/vitest.config.ts --dir tests/{folder} "
+        f"npx --no-install vitest run --config {config} --dir tests/{folder} "
         f"--reporter=default --reporter=junit --outputFile.junit=$OUT/vitest.xml {options}"
     )
 
@@ -79,11 +79,10 @@ GRAPH = {
     "build-sanitize": compiled("sanitize", "planish", "planish_quick_tests"),
     "build-fuzz": compiled("fuzz", "all"),
     "unit": Check(vitest("web"), ("build-wasm",)),
-    "page": Check(vitest("page"), ("build-wasm",)),
+    "page": Check(vitest("page", config="web/vitest.page.config.ts"), ("build-wasm",)),
     "parity": Check(vitest("parity"), ("build-native", "build-wasm")),
     "native": Check(sharded("build/native/tests/planish_tests"), ("build-native",), cores=CORES),
-    # A page keeps one core busy for most of its time: two run beside each other.
-    "browser": Check(vitest("browser", "--fileParallelism --maxWorkers=2"), ("build-site",), cores=CORES),
+    "browser": Check(vitest("browser", config="web/vitest.browser.config.ts"), ("build-site",), cores=CORES),
     # The second engine draws only on a screen, even one that nobody looks at.
     "firefox": Check(
         "bash .tools/setup.sh firefox && xvfb-run -a -s '-screen 0 1500x1000x24' " + vitest("firefox"), ("build-site",)),

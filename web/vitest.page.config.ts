@@ -28,7 +28,7 @@ export default mergeConfig(
     plugins: [wasmFiles()],
     test: {
       dir: "tests/page",
-      environment: "happy-dom",
+      environment: fileURLToPath(new URL("../tests/page/support/environment.ts", import.meta.url)),
       setupFiles: [
         fileURLToPath(new URL("../tests/page/support/surroundings.ts", import.meta.url)),
       ],

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: axe.
 // axe finds nothing in any state of the page: light and dark, on a desk and on a telephone.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";

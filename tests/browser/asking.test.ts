@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: layout.
 // The "?" beside controls: each opens a sentence with a moving picture, inside the window, and closes again.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: pointer.
 // The camera follows the work: it zooms to the pointer, turns about the edit and fits what is selected.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
@@ -55,28 +56,6 @@ async function selectTwo(page: Page): Promise<Place> {
   await expect.poll(async () => (await marks(page)).length).toBe(2);
   return mark(page);
 }
-
-describe("the wheel", () => {
-  it.each(["Perspective", "Top"])("keeps the point under the pointer: %s", async (view) => {
-    const page = await site.open();
-    await selectTwo(page);
-    await page.getByRole("button", { name: view, exact: true }).click();
-    await rest(page);
-    const [at, before] = [await mark(page), await size(page)];
-    await page.mouse.move(at.x, at.y);
-    for (let tick = 0; tick < 10; ++tick) {
-      await page.mouse.wheel(0, -120);
-      await rest(page);
-      expect(gap(await mark(page), at)).toBeLessThan(2);
-    }
-    expect(await size(page)).toBeGreaterThan(1.5 * before);
-    for (let tick = 0; tick < 10; ++tick) await page.mouse.wheel(0, 120);
-    await rest(page);
-    expect(gap(await mark(page), at)).toBeLessThan(2);
-    expect(Math.abs((await size(page)) - before)).toBeLessThan(2);
-    await page.context().close();
-  });
-});
 
 /** A place at the lower edge of the view where a press turns it, whatever is selected. */
 async function emptyPlace(page: Page): Promise<Place> {
@@ -188,14 +167,6 @@ describe("the keys of the view", () => {
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     await page.keyboard.press("x");
     await expect.poll(() => isLocked(page)).toBe(true);
-    await page.context().close();
-  });
-
-  it("step from point to point with the focus on a tool", async () => {
-    const page = await site.open();
-    await page.getByRole("button", { name: "Snap", exact: true }).focus();
-    await page.keyboard.press("ArrowRight");
-    await expect.poll(() => page.locator(".marker.selected").count()).toBe(1);
     await page.context().close();
   });
 });

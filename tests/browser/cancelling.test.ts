@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: workers.
 // Cancel gives the page back at once: nobody waits for the solver that replaces the stopped one.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

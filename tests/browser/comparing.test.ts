@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: pixels.
 // Snapshots held against each other: side by side or swiped, one camera, a table, the difference in colour.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Needs: storage.
 // An edit starts from the base and says so when it leaves a variation behind; a shape that shall be
 // kept becomes the new base.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { idle, kept, movedCount, obj, openAdvanced, typeTarget, usable } from "./support/page.ts";
+import { idle, kept, movedCount, obj, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -24,36 +24,6 @@ async function vary(page: Page, value: string): Promise<void> {
   if (value !== "0") await slide(page, "Variation 1", value);
 }
 
-/** How often it can be read. */
-const leftBehind = (page: Page): Promise<number> =>
-  page
-    .getByText(/^The variation was left behind/)
-    .filter({ visible: true })
-    .count();
-
-it("the shape becomes the base: its own bits, no handles, one step back", async () => {
-  const page = await site.openVault();
-  await vary(page, "0.6");
-  const varied = await obj(page);
-  await press(page, "Continue from this shape");
-  await page.getByText(/^This shape is the new start/).waitFor();
-  expect(await obj(page)).toBe(varied);
-  expect(await movedCount(page)).toBe(0);
-  const table = page.getByRole("table", { name: "Handles" });
-  expect(await table.getByRole("spinbutton").count()).toBe(0);
-  expect(await page.getByRole("slider", { name: /^Variation/ }).count()).toBe(0);
-  // What the next edit does not move keeps the bits of the shape that it started from.
-  await typeTarget(page, "+20cm");
-  const [before, after] = [readObj(varied).lines, readObj(await obj(page)).lines];
-  const moved = await movedCount(page);
-  expect(after.filter((line, v) => line !== before[v]).length).toBe(moved);
-  for (let k = 0; k < 3; ++k) await press(page, "Undo");
-  expect(await obj(page)).toBe(varied);
-  const first = page.getByRole("slider", { name: "Variation 1", exact: true });
-  expect(await first.inputValue()).toBe("0.6");
-  await page.context().close();
-});
-
 it("a link and a reload hold the new base", async () => {
   const page = await site.openVault();
   await vary(page, "-0.4");
@@ -72,24 +42,5 @@ it("a link and a reload hold the new base", async () => {
   await usable(page);
   await idle(page);
   expect([await obj(page), await movedCount(page)]).toEqual([edited, moved]);
-  await page.context().close();
-});
-
-it("an edit says that it leaves a variation behind, and only then", async () => {
-  const page = await site.openVault();
-  await openAdvanced(page);
-  await vary(page, "0");
-  await slide(page, "Locality", "2");
-  expect(await leftBehind(page)).toBe(0);
-  await press(page, "Find variations");
-  await slide(page, "Variation 1", "0.5");
-  const varied = await obj(page);
-  await slide(page, "Locality", "1.5");
-  expect(await leftBehind(page)).toBe(1);
-  await press(page, "Undo");
-  expect(await leftBehind(page)).toBe(0);
-  expect(await obj(page)).toBe(varied);
-  await typeTarget(page, "+5cm");
-  expect(await leftBehind(page)).toBe(1);
   await page.context().close();
 });

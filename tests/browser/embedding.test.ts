@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: frames.
 // The page within other people's pages, which live at another origin.
 import { readFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";

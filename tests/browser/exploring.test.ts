@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Needs: pixels.
 // Sliders act without a solve and are exact on release; the other order of the directions.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { readObj, worstFlatness } from "./support/obj.ts";
-import { idle, obj, status, typeTarget } from "./support/page.ts";
+import { idle, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 async function findVariations(page: Page): Promise<void> {
@@ -25,61 +25,6 @@ const letGo = (page: Page, name: string): Promise<void> =>
     .getByRole("slider", { name, exact: true })
     .dispatchEvent("change")
     .then(() => idle(page));
-
-const worst = async (page: Page): Promise<number> =>
-  Number(/worst panel ([\d.]+) mm/.exec(await status(page))?.[1]);
-
-it("a slider shows the worst panel while it moves, and is exact when let go", async () => {
-  const page = await site.openVault();
-  await typeTarget(page, "+80cm");
-  const edited = await obj(page);
-  await findVariations(page);
-  await hold(page, "Variation 1", 0.3);
-  await expect.poll(() => worst(page)).toBeGreaterThan(0);
-  const near = await worst(page);
-  await hold(page, "Variation 1", 0.9);
-  await expect.poll(() => worst(page)).toBeGreaterThan(2 * near);
-  expect(await page.getByText(/^Worst panel [\d.]+ mm out of flat/).count()).toBe(1);
-  // Nothing was solved: at zero the sliders give the edit again.
-  await hold(page, "Variation 1", 0);
-  await expect.poll(() => worst(page)).toBe(0);
-  await hold(page, "Variation 1", 0.9);
-  await expect.poll(() => worst(page)).toBeGreaterThan(0);
-  await letGo(page, "Variation 1");
-  expect(await worst(page)).toBe(0);
-  const varied = await obj(page);
-  expect(worstFlatness(readObj(varied))).toBeLessThan(1e-6);
-  expect(varied).not.toBe(edited);
-  // The whole ride was one step.
-  await page.getByRole("button", { name: "Undo" }).click();
-  await idle(page);
-  expect(await obj(page)).toBe(edited);
-  await page.context().close();
-});
-
-it("offers as many directions as asked for, and the smoothest first if wanted", async () => {
-  const page = await site.openVault({ draws: true });
-  await typeTarget(page, "+80cm");
-  await page.getByRole("slider", { name: "Dimension" }).fill("3");
-  await findVariations(page);
-  const sliders = page.getByRole("slider", { name: /^Variation \d+$/ });
-  expect(await sliders.count()).toBe(3);
-  const firstOne = async (): Promise<string> => {
-    await hold(page, "Variation 1", 0.5);
-    await letGo(page, "Variation 1");
-    const text = await obj(page);
-    expect(worstFlatness(readObj(text))).toBeLessThan(1e-6);
-    return text;
-  };
-  const local = await firstOne();
-  await page.getByRole("button", { name: "Undo" }).click();
-  await idle(page);
-  await page.getByRole("checkbox", { name: "Smoothest first" }).check();
-  await findVariations(page);
-  expect(await sliders.count()).toBe(3);
-  expect(await firstOne()).not.toBe(local);
-  await page.context().close();
-});
 
 /** How far apart neighbouring pictures of the gallery are: mean over all pixels, share of the range. */
 const tileDifferences = (page: Page): Promise<number[]> =>

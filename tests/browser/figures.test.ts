@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: workers.
 // Every scene of docs/paper.md opens from its link and is the recorded design to the last bit. If an
 // engine was changed on purpose, `node .tools/paper.mjs scenes` records them anew.
 import { readFileSync } from "node:fs";
@@ -15,6 +16,7 @@ interface Link {
 
 const read = <T>(name: string): T =>
   JSON.parse(readFileSync(new URL(`../../docs/scenes/${name}`, import.meta.url), "utf8"));
+
 const links = read<Link[]>("links.json");
 
 /** One page for all: a fresh one for each link would take longer than the links do. */
@@ -24,15 +26,12 @@ const saysVerified = (): Promise<number> => page.getByText(/Verified:/).count();
 
 /** A page with nothing said and nothing moved. */
 async function startAfresh(): Promise<void> {
+  page ??= await site.open({ viewport: { width: 480, height: 360 } });
   await page.getByRole("combobox", { name: "Sample" }).selectOption("vault");
   await expect.poll(() => movedCount(page)).toBe(0);
   await idle(page);
   expect(await saysVerified()).toBe(0);
 }
-
-it("opens", async () => {
-  page = await site.open({ viewport: { width: 480, height: 360 } });
-});
 
 it.each(links)("$name opens from its link, verified", async ({ link, moved }) => {
   await startAfresh();

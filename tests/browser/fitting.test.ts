@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: pixels.
 // A fitted model is under nothing that lies over the view.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Needs: storage, axe.
 // Groups: made from what is selected, there from an OBJ and back into one, locked, stiffened, hidden,
 // coloured, kept by a reload and handed over.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { idle, kept, movedCount, obj, openFile, usable } from "./support/page.ts";
+import { idle, kept, movedCount, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
-
-/** Six flat quads in two rows, the first row in a group, and one of both rows in another. */
-const GRID = `
-${Array.from({ length: 12 }, (_, k) => `v ${k % 4} ${Math.floor(k / 4)} 0`).join("\n")}
-g West wing
-f 1 2 6 5
-f 2 3 7 6
-g West
-f 3 4 8 7
-g
-f 5 6 10 9
-f 6 7 11 10
-g Doors
-f 7 8 12 11
-`;
 
 const section = (page: Page) => page.getByRole("region", { name: "Groups" });
 
@@ -31,25 +17,6 @@ const names = (page: Page): Promise<string[]> =>
 
 const press = (page: Page, name: string): Promise<void> =>
   section(page).getByRole("button", { name, exact: true }).click();
-
-it("those of an OBJ are there, and go back into one with those made here", async () => {
-  const page = await site.open();
-  await openFile(page, "wings.obj", GRID);
-  await expect.poll(() => names(page)).toEqual(["West", "wing", "Doors"]);
-  expect(await section(page).getByText("3 panels").count()).toBe(1);
-  const untouched = await obj(page);
-  expect(untouched).toMatch(/g West wing\nf 1 2 6 5\nf 2 3 7 6\ng West\nf 3 4 8 7\ng *\nf 5/);
-  await press(page, "Select Doors");
-  await press(page, "Group panels");
-  await section(page).getByRole("textbox", { name: "Name of Group 1" }).fill("New doors");
-  await page.keyboard.press("Enter");
-  await press(page, "Delete wing");
-  expect(await names(page)).toEqual(["West", "Doors", "New doors"]);
-  expect(await obj(page)).toMatch(
-    /g West\nf 1 2 6 5\n.*\n.*\ng *\nf 5.*\n.*\ng Doors New_doors\nf 7/,
-  );
-  await page.context().close();
-});
 
 it("lock, stiffen, hide and colour what they hold, survive a reload and travel in a link", async () => {
   const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });

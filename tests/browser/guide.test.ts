@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: network, axe.
 // The guide that is served with the page: reached from Help, readable by everybody, no link that leads nowhere.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: pixels.
 // Three variants with a view and a note are handed over, as a link and as a file, and are all there in
 // the browser of someone else, verified.
 import type { Page } from "playwright-core";

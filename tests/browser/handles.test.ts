@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Needs: layout.
 // The table of handles: every digit can be read, and many points are one row.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, openFile } from "./support/page.ts";
+import { idle, openFile } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { handleRows, hintedPoint, type Place, press } from "./support/view.ts";
+import { handleRows } from "./support/view.ts";
 
 const SIDE = 101;
+
 const [EAST, NORTH] = [2599980.1234, -2599980.1234];
 
 /** A flat square far from the origin; the nearer a point to the middle, the higher its number. */
@@ -81,69 +83,5 @@ it("shows every digit of what fits into one line", async () => {
     expect(await fits(page)).toBe(false);
     await field.press("Escape");
   }
-  await page.context().close();
-});
-
-/** Selects a square of points about a place. */
-async function selectMany(page: Page, { x, y }: Place): Promise<void> {
-  await page.keyboard.down("Shift");
-  await press(page, { x: x - 90, y: y - 60 }, { x: x + 90, y: y + 60 });
-  await page.mouse.up();
-  await page.keyboard.up("Shift");
-}
-
-it("many pins are one row, which selects, lists and removes them; P leaves no handles", async () => {
-  const page = await site.openVault();
-  await selectMany(page, await hintedPoint(page));
-  await page.keyboard.press("p");
-  await idle(page);
-  const group = table(page).getByRole("rowheader", { name: /^\d+ pinned/ });
-  await expect.poll(() => group.count()).toBe(1);
-  const pinned = Number.parseInt((await group.textContent()) ?? "", 10);
-  expect(pinned).toBeGreaterThan(24);
-  // The row of all of them and that of the point that leads.
-  const rows = table(page).locator("tbody").getByRole("row");
-  expect(await rows.count()).toBe(2);
-  await page.getByRole("button", { name: "List" }).click();
-  await expect.poll(() => rows.count()).toBeGreaterThan(24);
-  await page.getByRole("button", { name: "List" }).click();
-  await page.keyboard.press("Escape");
-  await expect.poll(() => rows.count()).toBe(1);
-  await page.getByRole("button", { name: "Select", exact: true }).click();
-  await page.keyboard.press("p");
-  await idle(page);
-  await expect.poll(() => rows.count()).toBe(0);
-  await page.getByRole("button", { name: "Undo" }).click();
-  await idle(page);
-  await expect.poll(() => group.count()).toBe(1);
-  await table(page).getByRole("button", { name: "Remove" }).first().click();
-  await idle(page);
-  await expect.poll(() => rows.count()).toBe(0);
-  await page.context().close();
-});
-
-it("Add handle takes one of many, a drag of many is one row, and all can be removed", async () => {
-  const page = await site.openVault();
-  const at = await hintedPoint(page);
-  await selectMany(page, at);
-  await page.getByRole("button", { name: "Add handle" }).click();
-  await idle(page);
-  expect((await handleRows(page)).length).toBe(1);
-  await selectMany(page, at);
-  await press(page, at, { x: at.x, y: at.y - 40 });
-  await page.mouse.up();
-  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
-  await idle(page);
-  const group = table(page).getByRole("rowheader", { name: /^\d+ handles/ });
-  await expect.poll(() => group.count()).toBe(1);
-  expect(Number.parseInt((await group.textContent()) ?? "", 10)).toBeGreaterThan(24);
-  expect(await table(page).locator("tbody").getByRole("row").count()).toBe(2);
-  await page.getByRole("button", { name: "Remove all" }).click();
-  await idle(page);
-  expect(await movedCount(page)).toBe(0);
-  expect(await table(page).locator("tbody").getByRole("row").count()).toBe(0);
-  await page.getByRole("button", { name: "Undo" }).click();
-  await idle(page);
-  expect(await movedCount(page)).toBeGreaterThan(0);
   await page.context().close();
 });

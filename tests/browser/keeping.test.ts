@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: storage.
 // What was kept is never written over unseen: by a page that its storage kept waiting, by one older
 // than the record, by one that cannot open it. A tab that is killed leaves the old or the new design.
 import type { Page } from "playwright-core";

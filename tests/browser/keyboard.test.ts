@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: focus, axe.
 // The first minute without a pointer: Tab, Enter, arrows and typing, nothing else.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: layout.
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { describe, expect, it } from "vitest";

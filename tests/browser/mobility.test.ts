@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: workers, axe.
 // Where the mesh can move, as colours that fill in while the page goes on.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

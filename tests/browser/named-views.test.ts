@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: storage, axe.
 // Views that are kept under a name, gone back to, and there again after a reload.
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";

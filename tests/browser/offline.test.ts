@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: network.
 import { expect, it } from "vitest";
 import { exportAs, idle, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Needs: workers.
 // What a drag on five thousand points costs: processor time of the page's own thread, not the
 // clock, which on a busy machine says more about the machine. What the clock says is printed.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
+import { NIGHTLY } from "../patience.ts";
 import type { Prepare } from "./support/open.ts";
 import { exportAs, idle, movedCount, openFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
@@ -11,7 +13,10 @@ import { site } from "./support/site.ts";
 const SIDE = 71;
 
 /** Updates that the share of one is taken over: how long they take is the machine's affair. */
-const UPDATES = 30;
+const UPDATES = NIGHTLY ? 30 : 10;
+
+/** Moves of the pointer, at least. */
+const MOVES = NIGHTLY ? 120 : 30;
 
 /** A doubly curved roof of parallelograms: every panel is flat. */
 function curvedRoof(): string {
@@ -93,7 +98,7 @@ it("a drag on 5041 points: every frame's script stays far below a long task", as
   });
   const [begun, scriptBefore] = [Date.now(), await spent()];
   const answered = () => page.evaluate(() => (window as unknown as PacedWindow).answers);
-  for (let k = 0; k < 120 || (await answered()) - before <= UPDATES; ++k) {
+  for (let k = 0; k < MOVES || (await answered()) - before <= UPDATES; ++k) {
     await page.mouse.move(x + 12 * Math.sin(k / 9), y - 6 - 12 * Math.sin(k / 19) ** 2);
     await page.waitForTimeout(8);
   }

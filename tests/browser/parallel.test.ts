@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: pixels.
 // Top, Front and Side are seen in parallel, as on a drawing; also after turning and reloading.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

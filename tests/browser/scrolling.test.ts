@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: layout.
 // The page is as high as its window in every state, so the wheel never moves it out of sight.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";

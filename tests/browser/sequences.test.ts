@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Needs: workers, storage.
 // Long random sequences of what a user can do, against a model that lives outside the page. After
 // every action: the page's file is the model's to the last digit, every panel is flat, what is not
 // counted as moved has its old digits, and the status line says what the file says.
-// PLANISH_ACTIONS sets how many actions each seed makes, PLANISH_SEED adds a seed.
+// PLANISH_ACTIONS sets how many actions each seed makes, PLANISH_SEED adds a seed; every night they are long.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
+import { NIGHTLY } from "../patience.ts";
 import { randomFrom } from "../web/support/mutations.ts";
 import { flatRoof } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
@@ -13,8 +15,12 @@ import { type ObjMesh, readObj, worstFlatness } from "./support/obj.ts";
 import { kept, openFile, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
-const ACTIONS = Number(process.env.PLANISH_ACTIONS ?? 75);
-const SEEDS = [1, 2, ...(process.env.PLANISH_SEED ? [Number(process.env.PLANISH_SEED)] : [])];
+const ACTIONS = Number(process.env.PLANISH_ACTIONS ?? (NIGHTLY ? 75 : 12));
+const SEEDS = [
+  1,
+  ...(NIGHTLY ? [2] : []),
+  ...(process.env.PLANISH_SEED ? [Number(process.env.PLANISH_SEED)] : []),
+];
 const TOLERANCE = 1e-6;
 
 const SAMPLES = ["vault", "dome", "freeform", "hex", "trihex"];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: storage.
 
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: network.
 // Export → Cutting package…, Drawings…, IFC…: dialogs that say what they saved; their module comes when
 // asked for, and writes the bytes of the command line.
 import { execFileSync } from "node:child_process";
@@ -14,9 +15,11 @@ import { site } from "./support/site.ts";
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
 
 let folder: string;
+
 beforeAll(() => {
   folder = mkdtempSync(join(tmpdir(), "planish-shop-"));
 });
+
 afterAll(() => rmSync(folder, { recursive: true }));
 
 async function openDialog(page: Page, name: string) {
@@ -88,44 +91,5 @@ it("a package has the bytes of the command line, and says what must be made agai
     .getByText(/verified/i)
     .first()
     .waitFor();
-  await page.context().close();
-});
-
-it("draws what is selected, plans and models with the bytes of the command line", async () => {
-  const page = await site.open();
-  await editVault(page);
-  const ifc = await openDialog(page, "IFC…");
-  await ifc.getByLabel("Plates of").selectOption({ index: 2 });
-  await ifc.getByLabel("Thickness").fill("8");
-  const model = await saved(page, ifc, "Save IFC");
-  expect(model.name).toMatch(/\.ifc$/);
-  const plates = [...model.bytes.toString().matchAll(/=IFCPLATE\('.{22}',\$,'P-(\d+)'/g)];
-  expect(plates).toHaveLength(4); // the panels at the point that was moved
-  const scope = plates.map(([, number]) => Number(number) - 1).join(",");
-  const words = `-o cli.ifc --against base.obj --thickness 8 --scope ${scope}`;
-  command(["panels", FILE, ...words.split(" ")]);
-  expect(model.bytes.toString()).toBe(await readFile(join(folder, "cli.ifc"), "utf8"));
-  await ifc.getByText(/4 panels drawn/).waitFor();
-  await page.keyboard.press("Escape");
-
-  const dialog = await openDialog(page, "Drawings…");
-  await dialog.getByLabel("Section").selectOption("Across y, seen from the front");
-  await dialog.getByLabel("Section at y").fill("3.25");
-  const drawings = await saved(page, dialog, "Save drawings");
-  expect(drawings.name).toMatch(/-drawings\.zip$/);
-  command(["drawings", FILE, "-o", "cli.zip", "--section", "y=3.25"]);
-  expect(drawings.bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
-  await dialog.getByText(/Drawn at 1 : \d+\./).waitFor();
-  await page.context().close();
-});
-
-it("says what is wrong with a sheet of one length, and saves nothing", async () => {
-  const page = await site.open();
-  const dialog = await openDialog(page, "Cutting package…");
-  await dialog.getByLabel("Sheet width").fill("6000");
-  await dialog.getByRole("button", { name: "Save package" }).click();
-  await expect
-    .poll(() => page.locator("[role=alert]").textContent())
-    .toMatch(/sheet must be two lengths/);
   await page.context().close();
 });

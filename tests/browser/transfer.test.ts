@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: network.
 // How much a first visit has to load before it can drag: as bytes after gzip, which every static
 // server can send. What is kept for later (offline, GLB) does not count.
 import { gzipSync } from "node:zlib";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: network.
 // A new version of the page is put beside the running one: it is offered, never forced, and the
 // design survives the change.
 import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";

@@ -34,6 +34,13 @@ interface FilterOptions {
   readonly visible?: boolean;
 }
 
+/** What an option of a list is chosen by. */
+interface Choice {
+  readonly label?: string;
+  readonly value?: string;
+  readonly index?: number;
+}
+
 type Query = () => Element[];
 
 export const turn = (milliseconds = 0): Promise<void> =>
@@ -99,7 +106,7 @@ function withText(roots: readonly Element[], words: Words, exact: boolean): Elem
     if (mine) found.push(element);
     return mine;
   };
-  for (const root of roots) for (const child of root.children) walk(child);
+  for (const root of roots) walk(root);
   return found;
 }
 
@@ -295,15 +302,15 @@ export class LocatorHere {
   check = (): Promise<void> => this.setChecked(true);
   uncheck = (): Promise<void> => this.setChecked(false);
 
-  async selectOption(wanted: string | { readonly label: string }): Promise<void> {
+  async selectOption(wanted: string | Choice): Promise<void> {
     const select = (await this.#usable()) as HTMLSelectElement;
-    const label = typeof wanted === "string" ? wanted : wanted.label;
-    const isIt = (option: HTMLOptionElement): boolean =>
-      oneLine(option.textContent ?? "") === label ||
-      (typeof wanted === "string" && option.value === wanted);
+    const { label, value, index }: Choice =
+      typeof wanted === "string" ? { label: wanted, value: wanted } : wanted;
+    const isIt = (option: HTMLOptionElement, k: number): boolean =>
+      k === index || oneLine(option.textContent ?? "") === label || option.value === value;
     const option = await until(
       () => [...select.querySelectorAll("option")].find(isIt) ?? null,
-      () => `${this.#name}: no option ${label}`,
+      () => `${this.#name}: no option ${label ?? value ?? index}`,
     );
     select.value = option.value;
     for (const type of ["input", "change"])
@@ -370,7 +377,10 @@ export class LocatorHere {
     return await ask(await this.#there(), given);
   }
 
-  async evaluateAll<T>(ask: (elements: Element[]) => T): Promise<Awaited<T>> {
-    return await ask(this.#query());
+  async evaluateAll<A, T>(
+    ask: (elements: Element[], given: A) => T,
+    given: A,
+  ): Promise<Awaited<T>> {
+    return await ask(this.#query(), given);
   }
 }

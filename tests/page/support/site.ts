@@ -2,7 +2,7 @@
 // The whole page in this process: its components in a DOM, its solver the wasm core behind the worker's own
 // dispatcher, its view WebGL that draws nothing. A visitor is driven by as much of Playwright's API as the
 // tests use, so that a test reads the same with and without a browser (tests/browser/support/page.ts).
-import { buffer } from "node:stream/consumers";
+import { runInThisContext } from "node:vm";
 import type { Page as BrowserPage, Download } from "playwright-core";
 import { h, render } from "preact";
 import { afterEach, expect } from "vitest";
@@ -16,11 +16,11 @@ import { openFirst } from "../../../web/src/state/opening.ts";
 import type { Page } from "../../../web/src/state/page.ts";
 import { say } from "../../../web/src/state/telling.ts";
 import { PageProvider } from "../../../web/src/ui/page-context.ts";
-import { PATIENCE } from "../../patience.ts";
 import { pageHere } from "../../web/support/page-here.ts";
 import { heldKeys, keyDown, keyUp, pressKey } from "./hands.ts";
 import { LocatorHere, turn, until } from "./locator.ts";
 import type { Hold } from "./surroundings.ts";
+import { resizeWindow, type Size } from "./view.ts";
 
 const hold = (): Hold => (globalThis as unknown as { planishHold: Hold }).planishHold;
 
@@ -29,19 +29,30 @@ class Mouse {
   #at = { x: 0, y: 0 };
   #buttons = 0;
 
-  #send(type: string): void {
+  #init() {
     const { x: clientX, y: clientY } = this.#at;
-    const button = type === "pointermove" ? -1 : 0;
-    const pointer = { pointerId: 1, pointerType: "mouse", isPrimary: true };
-    const init = { bubbles: true, cancelable: true, clientX, clientY, button, ...heldKeys() };
-    const event = new PointerEvent(type, { ...init, ...pointer, buttons: this.#buttons });
+    return { bubbles: true, cancelable: true, clientX, clientY, ...heldKeys() };
+  }
+
+  #dispatch(event: Event): void {
     document.querySelector("canvas")?.dispatchEvent(event);
   }
 
-  async move(x: number, y: number): Promise<void> {
-    this.#at = { x, y };
-    this.#send("pointermove");
-    await turn();
+  #send(type: string): void {
+    const button = type === "pointermove" ? -1 : 0;
+    const pointer = { pointerId: 1, pointerType: "mouse", isPrimary: true };
+    const init = { ...this.#init(), button, buttons: this.#buttons };
+    this.#dispatch(new PointerEvent(type, { ...init, ...pointer }));
+  }
+
+  async move(x: number, y: number, { steps = 1 } = {}): Promise<void> {
+    const from = this.#at;
+    for (let k = 1; k <= steps; ++k) {
+      const share = k / steps;
+      this.#at = { x: from.x + (x - from.x) * share, y: from.y + (y - from.y) * share };
+      this.#send("pointermove");
+      await turn();
+    }
   }
 
   async down(): Promise<void> {
@@ -60,6 +71,19 @@ class Mouse {
     await this.move(x, y);
     await this.down();
     await this.up();
+  }
+
+  async dblclick(x: number, y: number): Promise<void> {
+    await this.click(x, y);
+    await this.click(x, y);
+    this.#dispatch(new MouseEvent("dblclick", this.#init()));
+    await turn();
+  }
+
+  async wheel(_right: number, deltaY: number): Promise<void> {
+    const turned = { deltaX: 0, deltaY, deltaMode: 0 };
+    this.#dispatch(Object.assign(new MouseEvent("wheel", this.#init()), turned));
+    await turn();
   }
 }
 
@@ -126,8 +150,50 @@ console.error = (...said: unknown[]) => complaints.push(said.map(String).join(" 
 window.addEventListener("error", (event) => complaints.push(String(event.message)));
 afterEach(() => expect(complaints.splice(0)).toEqual([]));
 
-/** Of the page that is open; another one takes its place. */
-let leave = (): void => {};
+interface Listening {
+  readonly target: EventTarget;
+  readonly given: Parameters<EventTarget["addEventListener"]>;
+}
+
+/** A page in this process; only one of them is in the document. */
+interface Visitor {
+  readonly root: HTMLElement;
+  readonly listening: Listening[];
+  address: string;
+}
+
+let current: Visitor | null = null;
+
+// What a page hears of the window and the document it hears while it is there.
+for (const target of [window, document]) {
+  const add = target.addEventListener.bind(target);
+  target.addEventListener = ((...given: Listening["given"]): void => {
+    current?.listening.push({ target, given });
+    add.apply(target, given as never);
+  }) as typeof target.addEventListener;
+}
+
+const setAddress = (url: string): void =>
+  (window as unknown as { happyDOM: { setURL(url: string): void } }).happyDOM.setURL(url);
+
+function park(): void {
+  if (!current) return;
+  const { root, listening } = current;
+  current.address = location.href;
+  for (const { target, given } of listening)
+    target.removeEventListener(given[0], given[1], given[2]);
+  root.remove();
+  current = null;
+}
+
+function show(visitor: Visitor): void {
+  if (current === visitor) return;
+  park();
+  setAddress(visitor.address);
+  document.body.append(visitor.root);
+  for (const { target, given } of visitor.listening) target.addEventListener(...given);
+  current = visitor;
+}
 
 /** What happens when the page opens, but for what browsers keep. */
 async function begin(page: Page): Promise<void> {
@@ -143,31 +209,35 @@ async function begin(page: Page): Promise<void> {
 /** The address of a page that a server would have. */
 const ADDRESS = "http://localhost/under/a/path/";
 
-async function openPage(hash: string): Promise<BrowserPage> {
-  leave();
-  location.href = ADDRESS + hash;
+async function openPage(size: Size, hash: string): Promise<BrowserPage> {
+  resizeWindow(size);
   const page = pageHere();
   page.ready.value = false;
   const root = document.createElement("div");
   root.id = "app";
-  document.body.replaceChildren(root);
+  const visitor: Visitor = { root, listening: [], address: ADDRESS + hash };
+  show(visitor);
   render(h(PageProvider, { value: page }, h(App, {})), root);
   keepPanelFigures(page);
   keepFreedom(page);
-  leave = () => {
+  const leave = (): void => {
+    show(visitor);
     render(null, root);
-    root.remove();
-    leave = () => {};
+    park();
   };
   await begin(page);
   page.ready.value = true;
   await turn();
-  const whole = new LocatorHere(() => [document.documentElement], "page");
+  const whole = new LocatorHere(() => {
+    show(visitor);
+    return [document.documentElement];
+  }, "page");
   const here = {
     keyboard,
     mouse: new Mouse(),
     context: () => ({ close: async () => leave() }),
-    evaluate: async (ask: (given: unknown) => unknown, given: unknown) => await ask(given),
+    evaluate: async (ask: ((given: unknown) => unknown) | string, given: unknown) =>
+      typeof ask === "string" ? runInThisContext(ask) : await ask(given),
     waitForEvent: (name: string) => {
       const next = EVENTS[name];
       if (!next) throw new Error(`tests/page knows no event ${name}`);
@@ -179,6 +249,7 @@ async function openPage(hash: string): Promise<BrowserPage> {
   };
   return new Proxy(here, {
     get(own, name) {
+      if (name !== "context" && name !== "then") show(visitor);
       if (name in own) return own[name as keyof typeof own];
       const found: unknown = whole[name as keyof LocatorHere];
       if (typeof found === "function") return found.bind(whole);
@@ -199,12 +270,22 @@ const VAULT = {
   mark: { hash: 0, moved: 0, probes: [] },
 } as const;
 
+/** What browsers are told of a visitor; of it all the size of the window matters here. */
+interface Visit {
+  readonly viewport?: Size;
+  readonly draws?: boolean;
+  readonly permissions?: readonly string[];
+  readonly reducedMotion?: "reduce";
+}
+
+const DESK = { width: 900, height: 640 };
+
 export const site = {
   url: ADDRESS,
   /** A new visitor; the one before has gone. */
-  open: (_options: object = {}, hash = ""): Promise<BrowserPage> => openPage(hash),
+  open: ({ viewport = DESK }: Visit = {}, hash = ""): Promise<BrowserPage> =>
+    openPage(viewport, hash),
   /** A visitor who opens a link to the vault under the raw weights, which nobody has edited. */
-  openVault: async (): Promise<BrowserPage> => openPage(await encodeLink(VAULT)),
+  openVault: async ({ viewport = DESK }: Visit = {}): Promise<BrowserPage> =>
+    openPage(viewport, await encodeLink(VAULT)),
 };
-void buffer;
-void PATIENCE;

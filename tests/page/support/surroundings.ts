@@ -2,6 +2,7 @@
 // What the page asks of a browser and a DOM alone has not: dialogs above the page, menus that pop over it,
 // files that are picked and saved. vitest runs it before each file of tests.
 import { Blob as NodeBlob, File as NodeFile } from "node:buffer";
+import { readFile } from "node:fs/promises";
 import * as streams from "node:stream/web";
 import { provideView } from "./view.ts";
 
@@ -17,6 +18,13 @@ Object.assign(globalThis, {
 
 provideView();
 
+/** Parts of the core come from files (web/vitest.page.config.ts). */
+globalThis.fetch = (async (path: string) => {
+  const bytes = await readFile(path);
+  return { ok: true, status: 200, arrayBuffer: async () => new Uint8Array(bytes).buffer };
+}) as unknown as typeof fetch;
+Object.assign(WebAssembly, { instantiateStreaming: undefined });
+
 /** The colours and the pace of a person who wants no motion, as in the tests with a browser. */
 window.matchMedia = (query: string) =>
   Object.assign(new EventTarget(), {
@@ -26,6 +34,17 @@ window.matchMedia = (query: string) =>
     addListener: () => {},
     removeListener: () => {},
   }) as MediaQueryList;
+
+let copied = "";
+Object.defineProperty(navigator, "clipboard", {
+  configurable: true,
+  value: {
+    readText: async () => copied,
+    async writeText(text: string) {
+      copied = text;
+    },
+  },
+});
 
 const OPEN = "data-popover-open";
 
@@ -49,6 +68,29 @@ Object.assign(HTMLElement.prototype, {
     return this.isConnected && !this.closest("[hidden]");
   },
 });
+
+/** What had the focus before each open dialog took it, which gives it back. */
+const before = new WeakMap<HTMLDialogElement, Element | null>();
+const { showModal, close } = HTMLDialogElement.prototype;
+Object.assign(HTMLDialogElement.prototype, {
+  showModal(this: HTMLDialogElement) {
+    before.set(this, document.activeElement);
+    showModal.call(this);
+    this.querySelector<HTMLElement>("[autofocus], input, button, select")?.focus();
+  },
+  close(this: HTMLDialogElement) {
+    if (!this.open) return;
+    close.call(this);
+    (before.get(this) as HTMLElement | null | undefined)?.focus();
+  },
+});
+
+/** Who selects the text of a field takes the focus there. */
+const { select } = HTMLInputElement.prototype;
+HTMLInputElement.prototype.select = function (this: HTMLInputElement): void {
+  if (document.activeElement !== this) this.focus();
+  select.call(this);
+};
 
 /** Selectors that a DOM without layers does not know. */
 const known = (selector: string): string =>

@@ -2,7 +2,28 @@
 // A 3D view without a screen: WebGL that draws nothing, in a canvas that says where it is. Cameras, rays and
 // points on screen are those of the page.
 
-const VIEW = { x: 0, y: 52, width: 600, height: 540 };
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The window without the bar above, the inspector beside and the status line under the view. */
+const inside = ({ width, height }: Size) => ({
+  x: 0,
+  y: 52,
+  width: width - 300,
+  height: height - 100,
+});
+
+/** Pixels from the tip of the first visit's sentence to its point (tests/browser/support/view.ts). */
+const TIP = 26;
+
+let view = inside({ width: 900, height: 640 });
+
+/** From now on the window is so large. */
+export function resizeWindow(size: Size): void {
+  view = inside(size);
+}
 
 /** Where an element is: of the canvas its place, of a marker over it where the page has put it. */
 export function boxOf(element: Element): { x: number; y: number; width: number; height: number } {
@@ -21,8 +42,8 @@ const LIMITS: Readonly<Record<number, unknown>> = {
   3379: 4096, // MAX_TEXTURE_SIZE
   3386: new Int32Array([4096, 4096]), // MAX_VIEWPORT_DIMS
   7938: "WebGL 2.0", // VERSION
-  2978: new Int32Array([0, 0, VIEW.width, VIEW.height]), // VIEWPORT
-  3088: new Int32Array([0, 0, VIEW.width, VIEW.height]), // SCISSOR_BOX
+  2978: new Int32Array([0, 0, 600, 540]), // VIEWPORT
+  3088: new Int32Array([0, 0, 600, 540]), // SCISSOR_BOX
   34921: 16, // MAX_VERTEX_ATTRIBS
   34930: 16, // MAX_TEXTURE_IMAGE_UNITS
   35660: 16, // MAX_VERTEX_TEXTURE_IMAGE_UNITS
@@ -63,8 +84,8 @@ function drawingNothing(canvas: HTMLCanvasElement): unknown {
         return number;
       }
       if (name.startsWith("create")) return () => ({});
-      if (name === "drawingBufferWidth") return VIEW.width;
-      if (name === "drawingBufferHeight") return VIEW.height;
+      if (name === "drawingBufferWidth") return view.width;
+      if (name === "drawingBufferHeight") return view.height;
       return () => undefined;
     },
   });
@@ -118,12 +139,24 @@ export function provideView(): void {
   } as never;
   HTMLCanvasElement.prototype.toDataURL = () => "data:image/webp;base64,UklGRg==";
   Element.prototype.getBoundingClientRect = function (this: Element): DOMRect {
-    if (this.id === "view") return new DOMRect(VIEW.x, VIEW.y, VIEW.width, VIEW.height);
+    if (this.id === "view") return new DOMRect(view.x, view.y, view.width, view.height);
+    // The words stand over the point that they speak of.
+    const hint = this.closest<HTMLElement>(".hint:not([hidden])");
+    const tip = hint && placeOf(hint);
+    if (tip) return new DOMRect(view.x + tip.x, view.y + tip.y - TIP, 0, 0);
     const at = this instanceof HTMLElement && !this.hidden ? placeOf(this) : null;
-    return at ? new DOMRect(VIEW.x + at.x, VIEW.y + at.y, 0, 0) : new DOMRect(0, 0, 0, 0);
+    return at ? new DOMRect(view.x + at.x, view.y + at.y, 0, 0) : new DOMRect(0, 0, 0, 0);
   };
-  const page = globalThis as { setPointerCapture?: unknown };
-  void page;
+  for (const [name, size] of [
+    ["clientWidth", () => view.width],
+    ["clientHeight", () => view.height],
+  ] as const)
+    Object.defineProperty(Element.prototype, name, {
+      configurable: true,
+      get(this: Element) {
+        return this.id === "view" ? size() : 0;
+      },
+    });
   Element.prototype.setPointerCapture = () => {};
   Element.prototype.releasePointerCapture = () => {};
   Element.prototype.hasPointerCapture = () => false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A panel can be flat and spoilt all the same: the page says so, in words, wherever it says flat.
 import { expect, it } from "vitest";
-import { exportAs, idle, pickFile, status, still, typeTarget } from "./support/page.ts";
+import { exportAs, idle, pickFile, status, still, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Panel 0 is a square; the flat quad nearest to panel 1, which is twisted, has no width. */

@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/design/link.ts";
-import { exportAs, idle, openAdvanced, typeTarget } from "./support/page.ts";
+import { exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {

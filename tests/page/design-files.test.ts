@@ -2,16 +2,25 @@
 // Designs as text, opened over an edit: the design, or one sentence and nothing has changed.
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { flatRoof } from "./support/faults.ts";
-import { idle, movedCount, obj, openAdvanced, openFile, typeTarget } from "./support/page.ts";
+import { flatRoof } from "../browser/support/faults.ts";
+import {
+  idle,
+  movedCount,
+  obj,
+  openAdvanced,
+  openFile,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const scene = (name: string): string =>
   readFileSync(new URL(`../../docs/scenes/${name}.json`, import.meta.url), "utf8");
 
 const ROOF = flatRoof(6);
+
 const given = (source: object, more: object = {}): string =>
   JSON.stringify({ format: "planish-design", version: 1, source, ...more });
+
 const WHOLE = { file: "roof.obj", format: "obj", bytes: btoa(ROOF) };
 
 it("opens recipes of the paper as the same designs, as one step", async () => {
@@ -59,6 +68,7 @@ describe("says in one sentence what is wrong, and nothing has changed", () => {
     ],
     ["mesh.json", given({ ...WHOLE, bytes: btoa("v 0 0\n") }), /line 1/],
   ];
+
   it.each(cases)("%s", async (name, text, sentence) => {
     const page = await site.openVault();
     await typeTarget(page, "+40cm");

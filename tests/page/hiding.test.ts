@@ -2,15 +2,17 @@
 // Panels are hidden in the view alone: nothing of them is seen or hit there, and the design keeps them.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, obj, openFile, still } from "./support/page.ts";
+import { idle, obj, openFile, still } from "../browser/support/page.ts";
+import { hintedPoint, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { hintedPoint, press } from "./support/view.ts";
 
 const ROOMY = { viewport: { width: 1440, height: 900 } };
 
 const note = (page: Page) => page.getByRole("region", { name: "Hidden panels" });
+
 const tool = (page: Page, name: string) =>
   page.getByRole("toolbar", { name: "Drag tools" }).getByRole("button", { name });
+
 const figure = (page: Page) => page.getByText(/^Panel \d+ \d corners/);
 
 it("by keys and by buttons; what is hidden is not hit, and all of it comes back", async () => {

@@ -12,10 +12,11 @@ import {
   openFile,
   status,
   typeTarget,
-} from "./support/page.ts";
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const CIRCULAR = "Keep panels circular";
+
 const CONICAL = "Keep nodes conical";
 
 it("a mesh of circular panels offers to keep them so, and a design says that it does", async () => {

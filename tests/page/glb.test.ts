@@ -5,8 +5,8 @@ import { KHRMaterialsVariants, type MappingList } from "@gltf-transform/extensio
 import { validateBytes } from "gltf-validator";
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { type ObjMesh, readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openFile, typeTarget } from "./support/page.ts";
+import { type ObjMesh, readObj } from "../browser/support/obj.ts";
+import { exportAs, idle, movedCount, openFile, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 async function expectValid(glb: Buffer): Promise<void> {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An edit of one point edits its images in the page, until the symmetry is switched off.
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { exportAs, idle, movedCount, obj, openFile, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 it("all that a roof has is found; what is typed for one point moves its images", async () => {
@@ -43,6 +43,7 @@ it("all that a roof has is found; what is typed for one point moves its images",
   expect(await movedCount(page)).toBe(together);
   await page.getByRole("button", { name: "None", exact: true }).click();
   await expect.poll(() => section.innerText()).toBe("Symmetry");
+  await idle(page);
   expect(await movedCount(page)).toBeLessThan(together);
   await page.getByRole("button", { name: "Undo" }).click();
   await expect.poll(() => section.innerText()).toBe("Symmetry (4 images)");

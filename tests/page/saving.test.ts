@@ -2,8 +2,15 @@
 // What is saved beside the mesh: the design as JSON, which opens again, and the panels as a table.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { flatRoof } from "./support/faults.ts";
-import { downloaded, idle, movedCount, obj, openFile, typeTarget } from "./support/page.ts";
+import { flatRoof } from "../browser/support/faults.ts";
+import {
+  downloaded,
+  idle,
+  movedCount,
+  obj,
+  openFile,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 interface Saved {

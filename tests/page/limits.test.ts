@@ -4,9 +4,17 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/design/link.ts";
-import { exportAs, idle, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  obj,
+  openFile,
+  status,
+  typeTarget,
+} from "../browser/support/page.ts";
+import { hintedPoint, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { hintedPoint, press } from "./support/view.ts";
 
 /** Degrees; more than a tenth above a limit would break it. */
 async function sharpestFold(page: Page): Promise<number> {

@@ -2,7 +2,7 @@
 // Numbers on the model are those of tables and reports, and only of what is in sight.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { still } from "./support/page.ts";
+import { still } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 interface Label {

@@ -2,10 +2,10 @@
 // What the page says of handles that are not where they were asked to be, against its own file.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { exportAs, idle, typeTarget } from "./support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { exportAs, idle, typeTarget } from "../browser/support/page.ts";
+import { handleRows } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { handleRows } from "./support/view.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();

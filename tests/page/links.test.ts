@@ -5,10 +5,11 @@ import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Recipe } from "../../web/src/design/recipe.ts";
-import { exportAs, idle, status, typeTarget } from "./support/page.ts";
+import { exportAs, idle, status, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 let shared: Recipe;
+
 let fragment = "";
 
 it("a link is shown with its length", async () => {
@@ -46,13 +47,17 @@ it("a result that is not the shared one opens with how far it is off", async () 
 
 describe("a link that cannot be opened says why, and the page still works", () => {
   const cut = (): string => fragment.slice(0, fragment.length - 9);
+
   const turned = (): string => {
     const k = Math.floor(fragment.length / 2);
     return fragment.slice(0, k) + (fragment[k] === "A" ? "B" : "A") + fragment.slice(k + 1);
   };
+
   /** Three directions are there when three are asked for. */
   const family = { coefficients: [0.1, 0.1], asked: 3, eigenbasis: false };
+
   const handle = { vertex: 5000, target: [0, 0, 0], pinned: false } as const;
+
   const cases: readonly (readonly [string, () => string | Promise<string>, RegExp])[] = [
     ["cut", cut, /damaged: part of it is missing or was changed/],
     ["changed", turned, /damaged/],
@@ -74,6 +79,7 @@ describe("a link that cannot be opened says why, and the page still works", () =
       /sets 2 variations where its edit has 3/,
     ],
   ];
+
   it.each(cases)("%s", async (_, make, sentence) => {
     const page = await openWith(await make());
     expect(await page.getByRole("alert").textContent()).toMatch(sentence);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is measured between selected points is what is exported, and can be copied with every digit.
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { obj, typeTarget } from "./support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { obj, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 it("the box and the levels of the selected points are those of the file, also after an edit", async () => {

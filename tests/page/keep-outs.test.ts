@@ -2,10 +2,10 @@
 // Where nothing may go is added, moved and removed in the page, and edits keep to it wherever they go.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { idle, obj, pickFile, typeTarget } from "./support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { idle, obj, pickFile, typeTarget } from "../browser/support/page.ts";
+import { press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { press } from "./support/view.ts";
 
 const section = (page: Page) => page.locator("summary", { hasText: "Keep-outs" });
 

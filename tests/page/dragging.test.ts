@@ -2,9 +2,8 @@
 // Dragging in the view: locks, steps, several points at once, boxes, pins.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { type ObjMesh, readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openFile, still } from "./support/page.ts";
-import { site } from "./support/site.ts";
+import { type ObjMesh, readObj } from "../browser/support/obj.ts";
+import { exportAs, idle, movedCount, openFile, still } from "../browser/support/page.ts";
 import {
   type HandleRow,
   handleRows,
@@ -12,7 +11,8 @@ import {
   type Place,
   press,
   viewBox,
-} from "./support/view.ts";
+} from "../browser/support/view.ts";
+import { site } from "./support/site.ts";
 
 let base: ObjMesh | null = null;
 

@@ -2,12 +2,13 @@
 // Advanced settings: they do what they say, and they stay when another mesh is opened.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { readObj, worstFlatness } from "./support/obj.ts";
-import { exportAs, idle, movedCount, openFile, typeTarget } from "./support/page.ts";
+import { readObj, worstFlatness } from "../browser/support/obj.ts";
+import { exportAs, idle, movedCount, openFile, typeTarget } from "../browser/support/page.ts";
+import { handleRows } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { handleRows } from "./support/view.ts";
 
 const field = (page: Page, name: string) => page.getByRole("combobox", { name });
+
 const exactTargets = (page: Page) =>
   page.getByRole("checkbox", { name: "Meet the targets exactly" });
 

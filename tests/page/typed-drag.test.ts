@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A number typed while the button is down says how far a drag goes.
 import { expect, it } from "vitest";
-import { readObj } from "./support/obj.ts";
-import { exportAs, idle, movedCount } from "./support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { exportAs, idle, movedCount } from "../browser/support/page.ts";
+import { handleRows, hintedPoint, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-import { handleRows, hintedPoint, press } from "./support/view.ts";
 
 it("a drag goes as far as is typed, the way of the pointer; Enter ends it there", async () => {
   const page = await site.openVault({ viewport: { width: 900, height: 640 } });

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// What the edit's limits promise: nothing beyond the reach moves, a kept boundary stays, and a drag is
+// held back before panels fold sharply. A new visitor has them.
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { type ObjMesh, readObj } from "../browser/support/obj.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openAdvanced,
+  status,
+  typeTarget,
+} from "../browser/support/page.ts";
+import { handleRows, hintedPoint, press } from "../browser/support/view.ts";
+import { site } from "./support/site.ts";
+
+async function slide(page: Page, name: string, value: string): Promise<void> {
+  await page.getByRole("slider", { name }).fill(value);
+  await idle(page);
+}
+
+const exported = async (page: Page): Promise<ObjMesh> =>
+  readObj((await exportAs(page, "OBJ")).toString());
+
+/** Points on edges that one panel alone uses. */
+function boundaryOf({ faces }: ObjMesh): Set<number> {
+  const uses = new Map<string, number>();
+  const sides = faces.flatMap((face) =>
+    face.map((v, k) => [v, face[(k + 1) % face.length] ?? v].sort((a, b) => a - b)),
+  );
+  for (const side of sides) uses.set(side.join(), (uses.get(side.join()) ?? 0) + 1);
+  return new Set(sides.filter((side) => uses.get(side.join()) === 1).flat());
+}
+
+function within({ faces }: ObjMesh, from: number, rings: number): Set<number> {
+  let inside = new Set([from]);
+  for (let ring = 0; ring < rings; ++ring) {
+    inside = new Set([...faces.filter((f) => f.some((v) => inside.has(v))).flat(), ...inside]);
+  }
+  return inside;
+}
+
+const movedIn = (edited: ObjMesh, base: ObjMesh): number[] =>
+  edited.lines.flatMap((line, v) => (line === base.lines[v] ? [] : [v]));
+
+async function handle(page: Page): Promise<number> {
+  const [row] = await handleRows(page);
+  if (!row) throw new Error("no handle");
+  return row.vertex;
+}
+
+it("a new visitor's edit stays in its reach, and the boundary stays, to the last digit", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  expect(await page.getByRole("slider", { name: "Reach" }).inputValue()).toBe("6");
+  expect(await page.getByRole("slider", { name: "Softness" }).inputValue()).toBe("5");
+  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(true);
+  const base = await exported(page);
+  await typeTarget(page, "+50cm");
+  const boundary = boundaryOf(base);
+  // Whatever the sliders say.
+  for (const [reach, softness] of [
+    ["6", "5"],
+    ["4", "10"],
+    ["2", "1"],
+  ] as const) {
+    await slide(page, "Reach", reach);
+    await slide(page, "Softness", softness);
+    const moved = movedIn(await exported(page), base);
+    const near = within(base, await handle(page), Number(reach));
+    expect(moved.length).toBeGreaterThan(2);
+    expect(moved.filter((v) => !near.has(v))).toEqual([]);
+    expect(moved.filter((v) => boundary.has(v))).toEqual([]);
+    const effect = moved.length === 1 ? "1 point moves" : `${moved.length} points move`;
+    await page.getByText(effect, { exact: true }).waitFor();
+    await page
+      .getByText(/^sharpest fold [\d.]+° \(was [\d.]+°\)$/)
+      .first()
+      .waitFor();
+  }
+  expect(await status(page)).toMatch(/ · sharpest fold [\d.]+° \(was [\d.]+°\) · /);
+  await page.context().close();
+});
+
+it("a point on a kept boundary moves where it is dragged, alone of the boundary", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  const base = await exported(page);
+  const boundary = boundaryOf(base);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  for (let k = 0; k < 12; ++k) await page.keyboard.press("ArrowLeft");
+  await typeTarget(page, "+10cm");
+  const vertex = await handle(page);
+  expect(boundary.has(vertex)).toBe(true);
+  const moved = movedIn(await exported(page), base);
+  expect(moved.filter((v) => boundary.has(v))).toEqual([vertex]);
+  await page.context().close();
+});
+
+/** Distance of a point from the nearest boundary edge of `base`. */
+function offOutline(base: ObjMesh, point: readonly number[]): number {
+  const uses = new Map<string, [number, number, number]>();
+  for (const face of base.faces) {
+    for (const [k, a] of face.entries()) {
+      const b = face[(k + 1) % face.length] ?? a;
+      const key = [a, b].sort((x, y) => x - y).join();
+      uses.set(key, [a, b, (uses.get(key)?.[2] ?? 0) + 1]);
+    }
+  }
+  const edges = [...uses.values()].filter(([, , count]) => count === 1);
+  const at = (v: number): readonly number[] => base.points[v] ?? [];
+  const distances = edges.map(([a, b]) => {
+    const along = at(a).map((x, c) => (at(b)[c] ?? 0) - x);
+    const way = at(a).map((x, c) => (point[c] ?? 0) - x);
+    const dot = (u: readonly number[], w: readonly number[]): number =>
+      u.reduce((sum, x, c) => sum + x * (w[c] ?? 0), 0);
+    const share = Math.min(1, Math.max(0, dot(way, along) / dot(along, along)));
+    return Math.hypot(...way.map((x, c) => x - share * (along[c] ?? 0)));
+  });
+  return Math.min(...distances);
+}
+
+it("a boundary that moves stays on its level or its outline, and the design says so", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  const base = await exported(page);
+  const boundary = boundaryOf(base);
+  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
+  const slides = page.getByRole("combobox", { name: "Boundary that moves" });
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  // A point whose sides slope one way: on top of an arch nothing could go up.
+  for (let k = 0; k < 14; ++k) await page.keyboard.press("ArrowRight");
+  await typeTarget(page, "+30cm");
+  const vertex = await handle(page);
+  expect(boundary.has(vertex)).toBe(true);
+  const free = await exported(page);
+  expect(free.points[vertex]?.[2]).not.toBe(base.points[vertex]?.[2]);
+
+  await slides.selectOption("keeps its level");
+  await idle(page);
+  const level = await exported(page);
+  for (const v of boundary) expect(level.points[v]?.[2]).toBe(base.points[v]?.[2]);
+
+  await slides.selectOption("stays on its outline");
+  await idle(page);
+  const outline = await exported(page);
+  for (const v of boundary) {
+    expect(offOutline(base, outline.points[v] ?? [])).toBeLessThan(1e-8);
+  }
+  expect(movedIn(outline, base).length).toBeGreaterThan(2);
+  const design = JSON.parse((await exportAs(page, "JSON")).toString());
+  expect(design.supports).toEqual(["outline:boundary"]);
+  await page.context().close();
+});
+
+it("raw weights are the command line's, in Advanced; Softness takes over again", async () => {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  await typeTarget(page, "+50cm");
+  const soft = await movedCount(page);
+  await openAdvanced(page);
+  const locality = page.getByRole("slider", { name: "Locality" });
+  expect(await locality.isDisabled()).toBe(true);
+  const choice = page.getByRole("combobox", { name: "Bends by" });
+  await choice.selectOption("Raw weights");
+  await idle(page);
+  expect(await locality.isDisabled()).toBe(false);
+  expect(await locality.inputValue()).toBe("1");
+  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(false);
+  await page.getByText("no limit", { exact: true }).first().waitFor();
+  const raw = await movedCount(page);
+  expect(raw).not.toBe(soft);
+  const vault = await site.openVault();
+  await typeTarget(vault, "+50cm");
+  expect(await movedCount(vault)).toBe(raw);
+  await vault.context().close();
+  await choice.selectOption("Reach and softness");
+  await idle(page);
+  expect(await movedCount(page)).toBe(soft);
+  await page.context().close();
+});
+
+/** Millimetres that panels allow, and that were asked for, of the note that says so. */
+async function allowed(page: Page): Promise<readonly number[]> {
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  const [, got, asked] = /allow (\d+) of (\d+) mm/.exec((await why.textContent()) ?? "") ?? [];
+  return [Number(got), Number(asked)];
+}
+
+it("where a drag stops, one press each goes on towards the same target", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 140 });
+  await page.getByText(/^Held back: /).waitFor();
+  await expect.poll(() => page.locator(".pull.open").count()).toBe(1);
+  await page.mouse.up();
+  await idle(page);
+  const [got, asked] = await allowed(page);
+  expect(got).toBeLessThan(0.8 * (asked ?? Number.NaN));
+  let before = got ?? Number.NaN;
+  for (const way of ["Reach 9 panels", "Softer"]) {
+    await page.getByRole("button", { name: way, exact: true }).click();
+    await idle(page);
+    const [now, same] = await allowed(page);
+    expect(same).toBe(asked);
+    expect(now, way).toBeGreaterThan(before);
+    before = now ?? Number.NaN;
+  }
+  await page.getByRole("button", { name: "Meet it exactly" }).click();
+  await idle(page);
+  expect(await page.getByText(/^Panels allow/).count()).toBe(0);
+  await expect.poll(() => page.locator(".pull.open").count()).toBe(0);
+  const [there] = await handleRows(page);
+  expect(there?.target[2]).toBeGreaterThan(9.5);
+  await page.context().close();
+});

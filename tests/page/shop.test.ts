@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Export → Cutting package…, Drawings…, IFC…: dialogs that say what they saved; their module comes when
+// asked for, and writes the bytes of the command line.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Locator, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { downloaded, obj, typeTarget } from "../browser/support/page.ts";
+import { site } from "./support/site.ts";
+
+const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
+
+let folder: string;
+
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), "planish-shop-"));
+});
+
+afterAll(() => rmSync(folder, { recursive: true }));
+
+async function openDialog(page: Page, name: string) {
+  await page.getByRole("button", { name: "Export" }).click();
+  await page.getByRole("button", { name }).click();
+  return page.getByRole("dialog", { name: name.replace("…", "") });
+}
+
+async function saved(page: Page, dialog: Locator, button: string) {
+  const download = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: button }).click();
+  const file = await download;
+  return { name: file.suggestedFilename(), bytes: await downloaded(file) };
+}
+
+/** As the page names the design: the command line takes the name of its file. */
+const FILE = "Roof.obj";
+
+/** Writes base.obj and the design. */
+async function editVault(page: Page): Promise<void> {
+  writeFileSync(join(folder, "base.obj"), await obj(page));
+  await typeTarget(page, "+40cm");
+  writeFileSync(join(folder, FILE), await obj(page));
+}
+
+const command = (words: readonly string[]) => execFileSync(CLI, words, { cwd: folder });
+
+it("draws what is selected, plans and models with the bytes of the command line", async () => {
+  const page = await site.open();
+  await editVault(page);
+  const ifc = await openDialog(page, "IFC…");
+  await ifc.getByLabel("Plates of").selectOption({ index: 2 });
+  await ifc.getByLabel("Thickness").fill("8");
+  const model = await saved(page, ifc, "Save IFC");
+  expect(model.name).toMatch(/\.ifc$/);
+  const plates = [...model.bytes.toString().matchAll(/=IFCPLATE\('.{22}',\$,'P-(\d+)'/g)];
+  expect(plates).toHaveLength(4); // the panels at the point that was moved
+  const scope = plates.map(([, number]) => Number(number) - 1).join(",");
+  const words = `-o cli.ifc --against base.obj --thickness 8 --scope ${scope}`;
+  command(["panels", FILE, ...words.split(" ")]);
+  expect(model.bytes.toString()).toBe(await readFile(join(folder, "cli.ifc"), "utf8"));
+  await ifc.getByText(/4 panels drawn/).waitFor();
+  await page.keyboard.press("Escape");
+
+  const dialog = await openDialog(page, "Drawings…");
+  await dialog.getByLabel("Section").selectOption("Across y, seen from the front");
+  await dialog.getByLabel("Section at y").fill("3.25");
+  const drawings = await saved(page, dialog, "Save drawings");
+  expect(drawings.name).toMatch(/-drawings\.zip$/);
+  command(["drawings", FILE, "-o", "cli.zip", "--section", "y=3.25"]);
+  expect(drawings.bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
+  await dialog.getByText(/Drawn at 1 : \d+\./).waitFor();
+  await page.context().close();
+});
+
+it("says what is wrong with a sheet of one length, and saves nothing", async () => {
+  const page = await site.open();
+  const dialog = await openDialog(page, "Cutting package…");
+  await dialog.getByLabel("Sheet width").fill("6000");
+  await dialog.getByRole("button", { name: "Save package" }).click();
+  await expect
+    .poll(() => page.locator("[role=alert]").textContent())
+    .toMatch(/sheet must be two lengths/);
+  await page.context().close();
+});
