@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, obj, openFile, still, typeTarget } from "./support/page.ts";
+import { exportAs, idle, obj, openFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -73,6 +73,26 @@ async function pick(page: Page): Promise<string> {
   return figure.innerText();
 }
 
+/** Of a design without the offset that is asked for the dialog says what it misses. */
+async function saysWhatIsMissing(): Promise<void> {
+  const page = await site.open();
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
+  await idle(page);
+  expect(await layOut(page, "0.2", "Points at the distance")).toMatch(
+    /^No second layer: points at one distance have no parallel edges: panel \d+ misses a circle by [\d.]+ deg\. Make panels circular \(Advanced\) makes it so\.$/,
+  );
+  expect(await page.getByRole("region", { name: "Second layer" }).count()).toBe(0);
+  expect(await layOut(page, "-0.2")).toMatch(
+    /^Edges are parallel; points lie at -\d+ mm to -\d+ mm\./,
+  );
+  await page.getByRole("region", { name: "Second layer" }).waitFor();
+  // It goes with its mesh.
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
+  await expect.poll(() => page.getByRole("region", { name: "Second layer" }).count()).toBe(0);
+  expect(await status(page)).not.toContain("offset");
+  await page.context().close();
+}
+
 it("a second layer is shown, follows the design, and is in its GLB", async () => {
   const page = await site.open({ draws: true });
   const requests: string[] = [];
@@ -110,4 +130,5 @@ it("a second layer is shown, follows the design, and is in its GLB", async () =>
   await page.getByText(/^Verified:/).waitFor();
   expect(await obj(page)).toBe(edited);
   await page.context().close();
+  await saysWhatIsMissing();
 });
