@@ -92,39 +92,46 @@ TEST(HostileGeometry, GivesARightAnswerOrAnHonestStatus) {
   }
 }
 
-/// Every readable mesh among the shared real and nasty ones.
-TEST(HostileGeometry, RealMeshesCanBePlanarisedAndEdited) {
+/// Names of the shared meshes, real and nasty; "" where there are none.
+std::vector<std::string> shared_meshes() {
   const std::filesystem::path folder = testing::in_shared_meshes("");
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared meshes here";
+  if (!std::filesystem::exists(folder)) return {""};
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const auto name = std::filesystem::relative(entry.path(), folder).string();
     if (format_from_name(name)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
-  for (const std::string& name : names) {
-    SCOPED_TRACE(name);
-    const ReadResult read = read_mesh(*testing::shared_mesh_bytes(name), *format_from_name(name));
-    if (std::holds_alternative<ReadError>(read)) continue;
-    Mesh mesh = std::get<MeshFile>(read).mesh;
-    const Clock clock;
-    ProjectionResult flat = planarise(mesh, {});
-    EXPECT_TRUE(is_valid_projection(mesh, {}, flat));
-    if (!flat.report.usable()) {  // an edit takes the nearest flat mesh then
-      flat = planarise(mesh, kNearestFlat);
-      EXPECT_TRUE(is_valid_projection(mesh, {}, flat));
-    }
-    mesh.positions = testing::apply(mesh, flat);
-    const int handle = mesh.face(mesh.face_count() / 2)[0];
-    const SolveStatus small = edit(mesh, handle, 0.5);
-    const SolveStatus large = edit(mesh, handle, 3.0);
-    std::cout << "  " << name << ": " << status_name(flat.report.status) << " "
-              << flat.report.planarity_before << " -> " << flat.report.planarity_after << ", edits "
-              << status_name(small) << ", " << status_name(large) << ", " << clock.seconds()
-              << " s\n";
-    EXPECT_LT(clock.seconds(), 3 * kPatience);
-  }
+  return names;
 }
+
+class RealMeshes : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(RealMeshes, CanBePlanarisedAndEdited) {
+  const std::string& name = GetParam();
+  if (name.empty()) GTEST_SKIP() << "skipped: no shared meshes";
+  const ReadResult read = read_mesh(*testing::shared_mesh_bytes(name), *format_from_name(name));
+  if (std::holds_alternative<ReadError>(read)) return;
+  Mesh mesh = std::get<MeshFile>(read).mesh;
+  const Clock clock;
+  ProjectionResult flat = planarise(mesh, {});
+  EXPECT_TRUE(is_valid_projection(mesh, {}, flat));
+  if (!flat.report.usable()) {  // an edit takes the nearest flat mesh then
+    flat = planarise(mesh, kNearestFlat);
+    EXPECT_TRUE(is_valid_projection(mesh, {}, flat));
+  }
+  mesh.positions = testing::apply(mesh, flat);
+  const int handle = mesh.face(mesh.face_count() / 2)[0];
+  const SolveStatus small = edit(mesh, handle, 0.5);
+  const SolveStatus large = edit(mesh, handle, 3.0);
+  std::cout << "  " << name << ": " << status_name(flat.report.status) << " "
+            << flat.report.planarity_before << " -> " << flat.report.planarity_after << ", edits "
+            << status_name(small) << ", " << status_name(large) << ", " << clock.seconds()
+            << " s\n";
+  EXPECT_LT(clock.seconds(), 3 * kPatience);
+}
+
+INSTANTIATE_TEST_SUITE_P(HostileGeometry, RealMeshes, ::testing::ValuesIn(shared_meshes()));
 
 }  // namespace
 }  // namespace planish

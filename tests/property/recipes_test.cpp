@@ -46,29 +46,30 @@ constexpr bool kRecordedHere = false;
 constexpr bool kRecordedHere = true;
 #endif
 
-TEST(Recipes, AllGiveTheirRecordedResult) {
+TEST(Recipes, AreThirty) { EXPECT_EQ(recipes().size(), 30u); }
+
+class RecordedRecipes : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(RecordedRecipes, GiveTheirRecordedResult) {
   constexpr double kNear = 0.01;  // of the mean edge
-  const std::vector<std::string> names = recipes();
-  EXPECT_EQ(names.size(), 30u);
-  for (const std::string& name : names) {
-    SCOPED_TRACE(name);
-    const auto design = read_design(text_of(name));
-    ASSERT_TRUE(std::holds_alternative<Design>(design)) << std::get<std::string>(design);
-    const auto replayed = replay(std::get<Design>(design));
-    ASSERT_TRUE(std::holds_alternative<Replay>(replayed)) << std::get<std::string>(replayed);
-    const Replay& result = std::get<Replay>(replayed);
-    if (kRecordedHere || is_certified(std::get<Design>(design))) {
-      EXPECT_TRUE(result.agrees) << "by " << result.deviation;
-      EXPECT_EQ(result.mark.moved, std::get<Design>(design).result->moved);
-    } else {
-      EXPECT_LE(result.deviation, kNear * mean_edge_length(result.base));
-    }
-    if (std::get<Design>(design).options.keep_shape) {
-      EXPECT_EQ(testing::spoilt_count(result.base, result.shape), 0)
-          << "a figure of what the product makes";
-    }
+  const auto design = read_design(text_of(GetParam()));
+  ASSERT_TRUE(std::holds_alternative<Design>(design)) << std::get<std::string>(design);
+  const auto replayed = replay(std::get<Design>(design));
+  ASSERT_TRUE(std::holds_alternative<Replay>(replayed)) << std::get<std::string>(replayed);
+  const Replay& result = std::get<Replay>(replayed);
+  if (kRecordedHere || is_certified(std::get<Design>(design))) {
+    EXPECT_TRUE(result.agrees) << "by " << result.deviation;
+    EXPECT_EQ(result.mark.moved, std::get<Design>(design).result->moved);
+  } else {
+    EXPECT_LE(result.deviation, kNear * mean_edge_length(result.base));
+  }
+  if (std::get<Design>(design).options.keep_shape) {
+    EXPECT_EQ(testing::spoilt_count(result.base, result.shape), 0)
+        << "a figure of what the product makes";
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RecordedRecipes, ::testing::ValuesIn(recipes()));
 
 }  // namespace
 }  // namespace planish

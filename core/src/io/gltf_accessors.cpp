@@ -87,7 +87,8 @@ void fill(const ElementView& view, const Component& component, bool normalized,
     const auto column =
         columns ? static_cast<Eigen::Index>((*columns)[k]) : static_cast<Eigen::Index>(k);
     for (Eigen::Index c = 0; c < vectors.rows(); ++c) {
-      const std::size_t at = k * view.stride + static_cast<std::size_t>(c) * component.size;
+      const auto at =
+          static_cast<std::size_t>(k * view.stride) + static_cast<std::size_t>(c) * component.size;
       vectors(c, column) = component.read(view.data + at, normalized);
     }
   }
