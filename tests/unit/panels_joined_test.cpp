@@ -46,10 +46,11 @@ TEST(PanelsJoined, WithinADistance) {
   Mesh apart = points_apart(four_panels());
   for (Eigen::Index v = 0; v < 16; ++v) apart.positions(2, v) += 1e-4 * static_cast<double>(v);
   EXPECT_EQ(outcome(join_points(apart)).substr(0, 19), "16 points, 4 faces");
-  EXPECT_EQ(outcome(join_points(apart, 0.01)).find(
-                "9 points, 4 faces | 7 vertices were joined with another one at the same place, up "
+  EXPECT_EQ(
+      outcome(join_points(apart, 0.01))
+          .find("9 points, 4 faces | 7 vertices were joined with another one at the same place, up "
                 "to 0.00"),
-            0u);
+      0u);
   const std::string refusal =
       "points can be joined within less than half the shortest side, which is 1.51327 long";
   for (const double within : {-1.0, 0.8, 100.0}) {
