@@ -11,7 +11,7 @@ import type {
   VariationFamily,
 } from "./planish_designs.d.ts";
 import type { MobilityModule } from "./planish_mobility.d.ts";
-import type { MeshReport, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
+import type { MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 import type { SymmetryModule } from "./planish_symmetry.d.ts";
 
 export type * from "./planish_analysis.d.ts";
@@ -23,17 +23,6 @@ export type * from "./planish_symmetry.d.ts";
 /** Opaque enumerator. */
 export interface EnumValue {
   readonly value: number;
-}
-
-/** What replaying gave, beside the shape that is shown. */
-export interface Replayed {
-  /** Found for each variation. */
-  readonly directions: Int32Array;
-  /** What the last variation was found around; empty without any. */
-  readonly moved: Int32Array;
-  readonly positions: Float64Array;
-  /** From the design's result, model units; 0: the same to the last bit, or nothing to compare. */
-  readonly deviation: number;
 }
 
 export interface Session {

@@ -86,3 +86,14 @@ export interface VariationsReport {
   readonly supportSizes: readonly number[];
   readonly seconds: number;
 }
+
+/** What replaying gave, beside the shape that is shown. */
+export interface Replayed {
+  /** Found for each variation. */
+  readonly directions: Int32Array;
+  /** What the last variation was found around; empty without any. */
+  readonly moved: Int32Array;
+  readonly positions: Float64Array;
+  /** From the design's result, model units; 0: the same to the last bit, or nothing to compare. */
+  readonly deviation: number;
+}
