@@ -75,10 +75,10 @@ it("where a limit stops a handle, how far it got is said before that the limit h
   const page = await site.open();
   await openVault(page);
   await type(page, "Folds up to", "12");
-  await typeTarget(page, "+3m");
+  await typeTarget(page, "+6m");
   const standing = page.getByText(/the limit on folds holds (a panel|\d+ panels) back/i);
   expect(await standing.textContent()).toMatch(
-    /^\d+ of 3000 mm reached: the limit .* back \(asked 12°, is 1[12]\.\d\d°\)/,
+    /^\d+ of 6000 mm reached: the limit .* back \(asked 12°, is 1[12]\.\d\d°\)/,
   );
   await page.context().close();
 });
