@@ -137,18 +137,18 @@ MeshFile checked(const Mesh& mesh, const std::vector<ScenePiece>& pieces,
     result = repair_and_check(mesh);
   }
   if (auto* error = std::get_if<ReadError>(&result)) throw std::move(*error);
-  auto& file = std::get<MeshFile>(result);
+  MeshFile file = std::get<MeshFile>(std::move(result));
   file.warnings.insert(file.warnings.begin(), warnings.begin(), warnings.end());
-  return std::move(file);
+  return file;
 }
 
 /// A mesh to which nothing is done: it was whole when it was saved. Throws ReadError.
 MeshFile checked_as_stored(Mesh mesh, std::vector<std::string> warnings) {
   ReadResult result = check_mesh(std::move(mesh));
   if (auto* error = std::get_if<ReadError>(&result)) throw std::move(*error);
-  auto& file = std::get<MeshFile>(result);
+  MeshFile file = std::get<MeshFile>(std::move(result));
   file.warnings.insert(file.warnings.begin(), warnings.begin(), warnings.end());
-  return std::move(file);
+  return file;
 }
 
 /// Puts the stored exact design in place of what the triangles say, where both still agree.
