@@ -10,9 +10,9 @@
 namespace planish {
 namespace {
 
-using Corners = std::vector<std::pair<double, double>>;
+using PointPairs = std::vector<std::pair<double, double>>;
 
-Outline outline_of(const Corners& corners) {
+Outline outline_of(const PointPairs& corners) {
   Outline outline(2, static_cast<Eigen::Index>(corners.size()));
   for (std::size_t k = 0; k < corners.size(); ++k) {
     outline.col(static_cast<Eigen::Index>(k)) << corners[k].first, corners[k].second;
@@ -28,7 +28,8 @@ Outline askew(const Outline& outline) {
 }
 
 /// What is left, in the same order and from the same corner on, to the rounding of the numbers.
-void expect_pieces(const Corners& outline, double distance, const std::vector<Corners>& expected) {
+void expect_pieces(const PointPairs& outline, double distance,
+                   const std::vector<PointPairs>& expected) {
   for (const bool turned : {false, true}) {
     const Outline whole = turned ? askew(outline_of(outline)) : outline_of(outline);
     const auto pieces = inset(whole, distance);
@@ -42,8 +43,8 @@ void expect_pieces(const Corners& outline, double distance, const std::vector<Co
   }
 }
 
-const Corners kSquare = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
-const Corners kSmaller = {{10, 10}, {990, 10}, {990, 990}, {10, 990}};
+const PointPairs kSquare = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+const PointPairs kSmaller = {{10, 10}, {990, 10}, {990, 990}, {10, 990}};
 
 TEST(Inset, MovesEverySideByTheDistance) {
   const Outline square = outline_of({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
@@ -76,7 +77,7 @@ TEST(Inset, LeavesNothingOfWhatCrossesItself) {
     EXPECT_TRUE(inset(outline_of({{0, 0}, {4, 4}, {4, 0}, {0, 3}}), distance).empty());
     EXPECT_TRUE(inset(outline_of({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}), distance).empty());
     // Through a corner: no two sides cross between their ends.
-    const Corners ears = {{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}};
+    const PointPairs ears = {{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}};
     EXPECT_TRUE(inset(outline_of({ears[0], ears[1], ears[3], ears[2], ears[4], ears[5]}), distance)
                     .empty());
     // Twice around.
@@ -88,10 +89,11 @@ TEST(Inset, LeavesNothingOfWhatCrossesItself) {
 
 TEST(Inset, ANeckNarrowerThanTheGapCutsInTwo) {
   const auto necked = [](double low, double high) {
-    return Corners{{0, 0},       {1000, 0},    {1000, low},  {2000, low},  {2000, 0},    {3000, 0},
-                   {3000, 1000}, {2000, 1000}, {2000, high}, {1000, high}, {1000, 1000}, {0, 1000}};
+    return PointPairs{{0, 0},       {1000, 0},    {1000, low},  {2000, low},
+                      {2000, 0},    {3000, 0},    {3000, 1000}, {2000, 1000},
+                      {2000, high}, {1000, high}, {1000, 1000}, {0, 1000}};
   };
-  const Corners right = {{2010, 10}, {2990, 10}, {2990, 990}, {2010, 990}};
+  const PointPairs right = {{2010, 10}, {2990, 10}, {2990, 990}, {2010, 990}};
   for (const double half : {0.0, 1e-7, 1.0, 7.5, 9.99, 10.0}) {
     SCOPED_TRACE(half);
     expect_pieces(necked(500 - half, 500 + half), 10.0, {kSmaller, right});
@@ -188,8 +190,8 @@ TEST(Inset, ASlotMeetsTheFarSide) {
 
 TEST(Inset, SidesThatLieOnEachOtherAreNoWayThrough) {
   // A key hole without width, from the outline to a square hole: what is left has that cut in it.
-  const Corners hole = {{0, 0},     {500, 0},   {500, 400}, {400, 400}, {400, 600},   {600, 600},
-                        {600, 400}, {500, 400}, {500, 0},   {1000, 0},  {1000, 1000}, {0, 1000}};
+  const PointPairs hole = {{0, 0},     {500, 0},   {500, 400}, {400, 400}, {400, 600},   {600, 600},
+                           {600, 400}, {500, 400}, {500, 0},   {1000, 0},  {1000, 1000}, {0, 1000}};
   expect_pieces(hole, 10.0,
                 {{{10, 10},
                   {490, 10},
