@@ -92,7 +92,7 @@ GRAPH = {
         "build/python/venv/bin/python -m pytest -q -p no:cacheprovider --junitxml=$OUT/pytest.xml tests/python",
         ("build-wheel",)),
     # One set of recipes through all of them, and what leads from one to another.
-    "doors": Check(vitest("doors"), ("build-wheel", "build-package", "build-site")),
+    "doors": Check(vitest("doors", config="web/vitest.browser.config.ts"), ("build-wheel", "build-package", "build-site")),
     "sanitize": Check(sharded("build/sanitize/tests/planish_quick_tests"), ("build-sanitize",), cores=CORES),
     "wasm": Check(sharded(WASM_TEST.format("planish_wasm_tests")), ("build-wasm-tests",), cores=CORES),
     "tidy": Check("python3 .tools/tidy.py", cores=CORES),
