@@ -23,6 +23,8 @@ import xml.etree.ElementTree as ElementTree
 TREE = pathlib.Path(__file__).resolve().parent.parent
 OUT = TREE / "build/checks"
 CORES = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
+# Thirty recipes through six doors in one test; same bits of 55 designs in four runtimes.
+LONG_TESTS = ("a recipe gives the same bits on the page", "gives the same bits in node, again in node")
 LONGEST = 15.0 * (4 if os.environ.get("CI") else 1)
 
 
@@ -155,7 +157,7 @@ def run(name, check, nightly):
     tests = list(tests_of(name, folder))
     if not nightly:
         for test in tests:
-            if test.outcome == "passed" and test.seconds > LONGEST:
+            if test.outcome == "passed" and test.seconds > LONGEST and not any(name in test.name for name in LONG_TESTS):
                 test.outcome, test.said = "failed", f"took {test.seconds:.1f} s, more than {LONGEST:.0f}"
     wrong = status != 0 and not any(test.outcome == "failed" for test in tests)
     if wrong or not tests and not name.startswith("build-"):
