@@ -38,7 +38,7 @@ export default mergeConfig(
   defineConfig({
     test: {
       dir: "tests/browser",
-      exclude: NIGHTLY ? [] : OWED.map((name) => `**/browser/${name}.test.ts`),
+      exclude: NIGHTLY ? [] : OWED.map((name) => `**/${name}.test.ts`),
       globalSetup: ["tests/browser/support/server.ts"],
       fileParallelism: true,
       maxWorkers: Math.min(2, availableParallelism()),
