@@ -23,8 +23,9 @@ import xml.etree.ElementTree as ElementTree
 TREE = pathlib.Path(__file__).resolve().parent.parent
 OUT = TREE / "build/checks"
 CORES = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
-# Thirty recipes through six doors in one test; same bits of 55 designs in four runtimes.
-LONG_TESTS = ("a recipe gives the same bits on the page", "gives the same bits in node, again in node")
+# Thirty recipes through six doors, the same bits of 55 designs in four runtimes, twenty models a mesh.
+LONG_TESTS = ("a recipe gives the same bits on the page", "gives the same bits in node, again in node",
+              "NoPanelEntersOneThatIsAModel")
 LONGEST = 15.0 * (4 if os.environ.get("CI") else 1)
 
 

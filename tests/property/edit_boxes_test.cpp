@@ -69,7 +69,7 @@ TEST_P(EditBoxes, NoPanelEntersOne) {
 /// The same boxes as models of six panels, which edits first go through and are then made again.
 TEST_P(EditBoxes, NoPanelEntersOneThatIsAModel) {
   int certified = 0, made = 0, moved = 0;
-  for (const BoxInTheWay& one : boxes_near(mesh, 61, std::min(edits(), 15))) {
+  for (const BoxInTheWay& one : boxes_near(mesh, 61, std::min(edits(), 20))) {
     SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
     const EditTargets targets = testing::pull(mesh, one.vertex, one.move);
     HandleEditOptions options = options_for(one);
