@@ -2,6 +2,7 @@
 #include "engines/fair_flat.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "engines/patch_newton.hpp"
@@ -16,11 +17,36 @@ struct FairFlatTuning {
   static constexpr double kFlat = 1e-5;   ///< residual that the exact finish takes to rounding
   static constexpr double kRough = 1e-3;  ///< step that ends all stages but the last
   static constexpr int kStageSteps = 25;  ///< of all stages but the last
+  static constexpr int kPatience = 15;    ///< steps in which |c| must fall
+  static constexpr double kFall = 0.7;    ///< to this share of the least before
+  static constexpr double kHopelessPull = 1e3;  ///< |λ| that no flat mesh near by would need
+  static constexpr double kNearlyFlat = 1e-3;   ///< |c| at which nothing is hopeless
 };
 
-/// One stage; true when it ended by itself.
+/// Whether the rows pull ever harder and the panels do not become flatter: no flat mesh is near,
+/// or none that the bound allows.
+class Hopelessness {
+ public:
+  [[nodiscard]] bool is_seen(double violation, double pull) {
+    if (violation <= FairFlatTuning::kFall * least_) {
+      least_ = violation;
+      since_ = 0;
+    } else {
+      ++since_;
+    }
+    return since_ >= FairFlatTuning::kPatience && least_ > FairFlatTuning::kNearlyFlat &&
+           pull > FairFlatTuning::kHopelessPull;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int since_ = 0;  ///< steps
+};
+
+/// One stage; true when it ended by itself, false where nothing comes of it or it was stopped.
 bool run_stage(PatchNewton& solver, int most_steps, double settled, const Progress& progress,
                EngineOutcome& outcome) {
+  Hopelessness hopelessness;
   for (int k = 0; k < most_steps; ++k) {
     ++outcome.steps;
     if (!solver.step()) return false;
@@ -32,6 +58,7 @@ bool run_stage(PatchNewton& solver, int most_steps, double settled, const Progre
       return false;
     }
     if (solver.length() <= settled) return true;
+    if (hopelessness.is_seen(solver.violation(), solver.pull())) return false;
   }
   return false;
 }

@@ -15,8 +15,8 @@ struct FairFlatOptions {
   /// μ of the first stage, > 0; every stage multiplies it by 100 up to 1e6. Small: the mesh becomes
   /// flat gradually, and corners that come to their bound give way to others; costs more steps.
   double first_penalty = 1e6;
-  int max_steps = 120;    ///< > 0, over all stages
-  double settled = 1e-6;  ///< step at which the last stage ends, mean edges, > 0
+  int max_steps = 100;    ///< > 0, over all stages
+  double settled = 1e-7;  ///< step at which the last stage ends, mean edges, > 0
 };
 
 /// Newton's method on the Lagrangian of [PB-1] without norm terms, with the exact curvature of rows

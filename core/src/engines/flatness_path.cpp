@@ -15,7 +15,7 @@ struct FlatnessPathTuning {
 }  // namespace
 
 FlatnessPath::FlatnessPath(const Patch& patch)
-    : solver_(PatchNewton::Factors::kChords, PatchNewton::Rows::kSprings) {
+    : solver_(PatchNewton::Factors::kChords, RowRule::kSprings) {
   attach(patch);
   outcome_.status = SolveStatus::kConverged;
 }

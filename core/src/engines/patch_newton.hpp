@@ -5,24 +5,20 @@
 #include <Eigen/Core>
 
 #include "engines/patch_system.hpp"
+#include "engines/primal_dual_step.hpp"
 #include "planish/problem/problem.hpp"
 
 namespace planish {
 
-/// With the exact curvature of rows, bound and norms. Steps are judged by F_ε + λ⁺ᵀc + ρ/2 ‖c‖²
-/// along a line, each trial corrected to second order with the same factor. No state on the way is
-/// beyond the bound.
+/// With the exact curvature of rows, bound and norms; no state on the way is beyond the bound.
 class PatchNewton {
  public:
   /// A factor serves one step, or as many full steps as halve.
   enum class Factors { kFresh, kChords };
 
-  /// What the rows do: hold at zero, or pull there with μ c alone, so that the state settles where
-  /// F + μ/2 ‖c‖² is least. [PRO-7]
-  enum class Rows { kEquations, kSprings };
-
-  explicit PatchNewton(Factors factors, Rows rows = Rows::kEquations)
-      : factors_(factors), rows_(rows) {}
+  explicit PatchNewton(Factors factors, RowRule rows = RowRule::kEquations) : factors_(factors) {
+    options_.rows = rows;
+  }
 
   /// @param patch must outlive this, or the next attach()
   /// @param state within the bound
@@ -42,6 +38,10 @@ class PatchNewton {
   [[nodiscard]] double violation() const {
     return residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
   }
+  /// Largest |λ|.
+  [[nodiscard]] double pull() const {
+    return state_.multipliers.size() > 0 ? state_.multipliers.cwiseAbs().maxCoeff() : 0.0;
+  }
   [[nodiscard]] double objective() const {
     return system_.lagrangian().energy(state_.displacement, 0.0);
   }
@@ -53,30 +53,20 @@ class PatchNewton {
   void pulls(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
 
  private:
-  static constexpr double kTrust = 0.5;          ///< longest step of a vertex, mean edges
-  static constexpr double kFirstShift = 1e-2;    ///< ν
-  static constexpr double kLargestShift = 1e6;   ///< ν beyond which no step leads anywhere
-  static constexpr double kMeritPenalty = 1e5;   ///< ρ at most: larger shortens steps along curves
   static constexpr double kChordProgress = 0.5;  ///< of a chord step's length to the last one's
 
-  [[nodiscard]] bool factorize();
-  void find_direction();
   [[nodiscard]] bool take_chord();
-  [[nodiscard]] double merit(const Eigen::Matrix3Xd& d, const Eigen::VectorXd& c) const;
-  [[nodiscard]] bool search_line();
-  void accept(double share);
 
   Factors factors_;
-  Rows rows_;
+  StepOptions options_;
   PatchSystem system_;
+  PrimalDualStep step_;
   PatchState state_;
   double smoothing_ = 1.0;
-  double penalty_ = 1.0;
-  double shift_ = 0.0;     ///< ν
   double length_ = 1.0;    ///< of the last step, mean edges
   bool factored_ = false;  ///< the last factor may serve a chord step
-  Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;
-  Eigen::VectorXd residuals_, trial_residuals_, linear_, new_multipliers_, remainder_;
+  Eigen::Matrix3Xd gradient_, delta_, trial_;
+  Eigen::VectorXd residuals_, trial_residuals_, linear_, no_residuals_;
 };
 
 }  // namespace planish

@@ -61,7 +61,9 @@ void PrimalDualStep::hold_estimate(const PatchState& state) {
   if (is_flatter) optimal_record_ *= kFall;
   has_new_estimate_ = has_new_estimate_ || is_nearer || is_flatter;
   constexpr double kMostMultiplier = 1e6;
-  if (has_new_estimate_) {
+  if (options_.rows == RowRule::kSprings) {
+    estimate_.setZero(residuals_.size());
+  } else if (has_new_estimate_) {
     estimate_ = state.multipliers.cwiseMax(-kMostMultiplier).cwiseMin(kMostMultiplier);
   }
 }

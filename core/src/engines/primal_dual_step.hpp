@@ -9,6 +9,10 @@
 
 namespace planish {
 
+/// What the rows do: hold at zero, or pull there with μ c alone, so that the state settles where
+/// F + μ/2 ‖c‖² is least: the estimate stays zero. [PRO-7]
+enum class RowRule { kEquations, kSprings };
+
 /// Lengths in mean edges.
 struct StepOptions {
   /// μ > 0 of [WSN-2]; 1/μ regularises nearly dependent constraints. Small: cuts corners through
@@ -19,6 +23,7 @@ struct StepOptions {
   /// A step that the merit cuts to less than this share raises the shift, as Levenberg and
   /// Marquardt do; 0: no step does.
   double poor_share = 0.0;
+  RowRule rows = RowRule::kEquations;
 };
 
 /// Steps of one patch at a time; what they need between them is kept here.
