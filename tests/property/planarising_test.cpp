@@ -151,6 +151,88 @@ INSTANTIATE_TEST_SUITE_P(Meshes, KeptBoundaries,
                                            KeptBoundary{"quad_chebyshev_sphere", true},
                                            KeptBoundary{"quad_eight_genus2", true}));
 
+/// A ring of corners that stand up and down in turn.
+Mesh crown(int corners, double height) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<int> face;
+  for (int k = 0; k < corners; ++k) {
+    const double t = 2.0 * M_PI * k / corners;
+    points.emplace_back(std::cos(t), std::sin(t), k % 2 == 0 ? height : -height);
+    face.push_back(k);
+  }
+  return testing::make_mesh(points, {face});
+}
+
+/// A panel that can lie down flat where it is neither tips over nor shrinks.
+TEST(SoundProjection, ACrownLiesDownWhereItIs) {
+  for (const int corners : {4, 6, 8, 12, 16}) {
+    for (const double height : {0.02, 0.1, 0.2}) {
+      const Mesh mesh = crown(corners, height);
+      const ProjectionResult result = planarise(mesh, {});
+      const std::string what = std::to_string(corners) + ' ' + std::to_string(height);
+      EXPECT_EQ(result.report.status, SolveStatus::kConverged) << what;
+      const Positions positions = testing::apply(mesh, result);
+      expect_flat(mesh, positions);
+      EXPECT_LE(result.max_move, 1.01 * height) << what;
+      const double area = area_vector(positions, mesh.face(0)).norm();
+      EXPECT_GE(area, 0.95 * area_vector(mesh.positions, mesh.face(0)).norm()) << what;
+    }
+  }
+}
+
+/// A dome of quads whose points at the pole lie on one another, each panel with its own.
+Mesh dome_apart_at_the_pole(double noise) {
+  constexpr int kAround = 12, kRings = 5;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::vector<int>> faces;
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int k = 0; k < kAround; ++k) {
+      const double t = 2.0 * M_PI * k / kAround, s = 0.5 * M_PI * ring / kRings;
+      points.emplace_back(5.0 * std::sin(s) * std::cos(t), 5.0 * std::sin(s) * std::sin(t),
+                          5.0 * std::cos(s));
+      const int next = (k + 1) % kAround;
+      if (ring == 0) continue;
+      faces.push_back({(ring - 1) * kAround + k, ring * kAround + k, ring * kAround + next,
+                       (ring - 1) * kAround + next});
+    }
+  }
+  Mesh mesh = testing::make_mesh(points, faces);
+  const Positions shaken = noise * testing::random_points(3, mesh.vertex_count());
+  mesh.positions.rightCols(mesh.vertex_count() - kAround) +=
+      shaken.rightCols(mesh.vertex_count() - kAround);
+  return mesh;
+}
+
+/// Nobody hears "cannot become flat" where the nearest flat mesh is sound.
+TEST(SoundProjection, IsFlatWhereverTheNearestFlatMeshIsSound) {
+  std::vector<std::pair<std::string, Mesh>> meshes;
+  for (const double noise : {0.02, 0.05, 0.1}) {
+    meshes.emplace_back("dome " + std::to_string(noise), dome_apart_at_the_pole(noise));
+  }
+  for (const double twist : {0.01, 0.05, 0.2}) {
+    meshes.emplace_back("twist " + std::to_string(twist),
+                        testing::quad_grid(9, 9, [&](double x, double y) {
+                          return twist * (x - 4.0) * (y - 4.0) + 0.1 * std::sin(2.0 * x + y);
+                        }));
+  }
+  int possible = 0;
+  for (const auto& [name, mesh] : meshes) {
+    ProjectionOptions nearest;
+    nearest.fairness_weight = 0.0;
+    nearest.keep_shape = false;
+    const Positions flat = testing::apply(mesh, project_to_planar(mesh, nearest));
+    Mesh left = mesh;
+    left.positions = flat;
+    const bool is_flat = planarity_summary(left).max_excess <= 1e-6;
+    if (!is_flat || testing::spoilt_count(mesh, flat) > 0) continue;
+    ++possible;
+    const ProjectionResult result = planarise(mesh, {});
+    EXPECT_TRUE(result.report.usable()) << name;
+    expect_flat(mesh, testing::apply(mesh, result));
+  }
+  EXPECT_GE(possible, 4);
+}
+
 /// Surfaces whose lines are far from conjugate: not all have a sound flat mesh close by.
 TEST(SoundProjection, NeverSpoilsAPanelWhateverTheSurface) {
   int flat = 0;

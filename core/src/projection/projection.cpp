@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
+#include "engines/tangent_newton.hpp"
 #include "engines/working_set.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/numeric/index.hpp"
@@ -117,6 +119,12 @@ void say_if_confined(ProjectionResult& result) {
   if (result.report.usable()) result.report.status = SolveStatus::kNearestConfined;
 }
 
+/// Whether no panel lost its shape or was tipped over.
+bool is_sound(const Task& task, const Positions& after) {
+  return spoilt_faces(task.mesh, task.base.positions, after).empty() &&
+         tipped_faces(task.mesh, task.mesh.positions, after).empty();
+}
+
 /// Whatever becomes of the panels' shape.
 Positions project_freely(const Task& task, const Progress& progress, ProjectionResult& result) {
   Mesh current = task.mesh;
@@ -170,30 +178,124 @@ std::vector<int> surroundings(const Task& task, const MeshModel& model, int ring
   return free;
 }
 
-/// With every panel's shape kept, in growing surroundings of the panels that fail. With a history,
-/// what does not become flat stays as it is: a variation half made exact is of no use.
-ProjectionResult project_within_bounds(const Task& task, const Progress& progress) {
-  const auto& [mesh, base, reference, options, pins, kept, adjacency, before] = task;
-  const MeshModel model(mesh, options.fairness);
-  const int everything = mesh.vertex_count();
+/// As fair as asked for, with every panel's shape kept. Where that is not flat, sound and
+/// certified, or far away, the nearest flat mesh if it is sound; then less fair, which asks less of
+/// a panel that folds or tips over; then, for panels that are not flat yet, fairer, since a smooth
+/// displacement seldom folds one.
+class SoundSearch {
+ public:
+  SoundSearch(const Task& task, const Progress& progress) : task_(task), progress_(progress) {}
+
+  [[nodiscard]] ProjectionResult run();
+
+ private:
+  static constexpr Rung kAsked[] = {{1.0, false}, {1.0, true}};
+  static constexpr Rung kLessFair[] = {{0.1, false}, {0.1, true}};
+  static constexpr Rung kFairer[] = {{10.0, true}, {100.0, true}};
+
+  [[nodiscard]] SoundProjection project_around(std::span<const Rung> ladder) const;
+  void climb(std::span<const Rung> ladder);
+  [[nodiscard]] std::optional<ProjectionResult> nearest() const;
+  [[nodiscard]] bool is_done() const;
+  [[nodiscard]] bool goes_far() const;
+  [[nodiscard]] bool is_half_as_far(double squared_move) const {
+    return squared_move < 0.25 * best_.squared_move;
+  }
+  [[nodiscard]] ProjectionResult result();
+
+  const Task& task_;
+  const Progress& progress_;
+  SoundProjection best_;
+};
+
+/// In growing surroundings of the panels that fail.
+SoundProjection SoundSearch::project_around(std::span<const Rung> ladder) const {
+  const MeshModel model(task_.mesh, task_.options.fairness);
+  const int everything = task_.mesh.vertex_count();
   std::vector<int> last;
   SoundProjection best;
-  for (const int rings : {8, 32, reference != nullptr ? 32 : everything}) {
-    std::vector<int> free = surroundings(task, model, rings);
+  for (const int rings : {8, 32, task_.reference != nullptr ? 32 : everything}) {
+    std::vector<int> free = surroundings(task_, model, rings);
     if (free.size() == last.size()) continue;
-    SoundProjection next = project_soundly(mesh, base, options, free, pins, progress);
+    SoundProjection next =
+        project_soundly(task_.mesh, task_.base, task_.options, free, task_.pins, ladder, progress_);
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
     if (cancelled || best.is_flat()) break;
     last = std::move(free);
   }
+  return best;
+}
+
+/// Keeps the better one; a flat one gives way only to what is half as far.
+void SoundSearch::climb(std::span<const Rung> ladder) {
+  SoundProjection other = project_around(ladder);
+  const int iterations = best_.report.iterations + other.report.iterations;
+  const int factorizations = best_.report.factorizations + other.report.factorizations;
+  const bool cancelled = other.report.status == SolveStatus::kCancelled;
+  const bool stays = best_.is_flat() && !is_half_as_far(other.squared_move);
+  if (!stays && other.is_better_than(best_)) best_ = std::move(other);
+  if (cancelled) best_.report.status = SolveStatus::kCancelled;
+  best_.report.iterations = iterations;
+  best_.report.factorizations = factorizations;
+}
+
+/// The nearest flat mesh, where it is sound as it is and better than what was found.
+std::optional<ProjectionResult> SoundSearch::nearest() const {
+  ProjectionOptions options = task_.options;
+  options.fairness_weight = 0.0;
+  const Task task{task_.mesh, task_.base, task_.reference, options,
+                  task_.pins, task_.kept, task_.adjacency, task_.before};
   ProjectionResult result;
-  result.report = std::move(best.report);
-  result.fairness_weight = best.fairness_weight;
-  const bool useful = reference == nullptr ? best.found() : best.is_flat();
-  Mesh after = mesh;
-  if (useful) after.positions = std::move(best.positions);
-  conclude(task, after.positions, measure_standing(after, adjacency, kept), result);
+  const Positions after = project_freely(task, progress_, result);
+  if (!result.report.usable() || !is_sound(task, after)) return std::nullopt;
+  const double squares = result.rms_move * result.rms_move * task.mesh.vertex_count();
+  if (best_.is_flat() && !is_half_as_far(squares)) return std::nullopt;
+  result.report.iterations += best_.report.iterations;
+  result.report.factorizations += best_.report.factorizations;
+  return result;
+}
+
+/// Nothing better need be looked for. What has more points than are factored is never looked at
+/// twice once it is flat.
+bool SoundSearch::is_done() const {
+  if (best_.report.status == SolveStatus::kCancelled) return true;
+  return task_.mesh.vertex_count() > kMostFactored ? best_.is_flat() : best_.is_final();
+}
+
+/// Whether points move so far that another mesh may be meant: a strong α_f bends and stretches a
+/// panel rather than let its corners move against each other.
+bool SoundSearch::goes_far() const {
+  constexpr double kFar = 1.0;  // mean edges
+  if (!best_.found() || task_.mesh.vertex_count() > kMostFactored) return false;
+  const Positions moves = best_.positions - task_.mesh.positions;
+  return moves.colwise().norm().maxCoeff() > kFar * mean_edge_length(task_.mesh);
+}
+
+ProjectionResult SoundSearch::run() {
+  best_ = project_around(kAsked);
+  const bool was_asked = task_.reference == nullptr && task_.options.fairness_weight > 0.0;
+  const bool looks_on = was_asked ? !is_done() || goes_far() : !is_done() && !best_.is_flat();
+  if (looks_on && best_.report.status != SolveStatus::kCancelled) {
+    if (was_asked) {
+      if (auto other = nearest()) return std::move(*other);
+    }
+    climb(kLessFair);
+  }
+  if (!is_done() && !best_.is_flat()) climb(kFairer);
+  return result();
+}
+
+/// With a history, what does not become flat stays as it is: a variation half made exact is of no
+/// use.
+ProjectionResult SoundSearch::result() {
+  ProjectionResult result;
+  result.report = std::move(best_.report);
+  result.fairness_weight = best_.fairness_weight;
+  const bool useful = task_.reference == nullptr ? best_.found() : best_.is_flat();
+  Mesh after = task_.mesh;
+  if (useful) after.positions = std::move(best_.positions);
+  conclude(task_, after.positions, measure_standing(after, task_.adjacency, task_.kept), result);
   return result;
 }
 
@@ -247,16 +349,16 @@ ProjectionResult project(const Mesh& mesh, const Positions* reference,
   // Fair meshes seldom need the bound, but the engine that knows it is the faster one as well.
   const bool fair = options.keep_shape && reference == nullptr && options.fairness_weight > 0.0 &&
                     options.engine == Engine::kNewton;
-  if (fair) return project_within_bounds(task, progress);
+  if (fair) return SoundSearch(task, progress).run();
   const Positions after = project_freely(task, progress, result);
   if (!options.keep_shape || result.report.status == SolveStatus::kCancelled ||
-      spoilt_faces(mesh, base.positions, after).empty()) {
+      is_sound(task, after)) {
     return result;
   }
   if (reference != nullptr && options.engine == Engine::kNewton) {
     if (auto shaped = project_in_shape(task, progress)) return std::move(*shaped);
   }
-  ProjectionResult sound = project_within_bounds(task, progress);
+  ProjectionResult sound = SoundSearch(task, progress).run();
   if (reference != nullptr) sound.confined_because = ConfinedBecause::kSpoiltPanels;
   say_if_confined(sound);
   // A variation must become flat; what that spoils is reported.

@@ -130,6 +130,8 @@ void SoundProjector::judge(Positions positions, SoundProjection& best) const {
   const bool better = !best.found() || failing.size() < best.failing.size();
   if (!better || !none_is_worse(mesh, failing)) return;
   if (!spoilt_faces(mesh, base_.positions, mesh.positions).empty()) return;
+  if (!tipped_faces(mesh, model_.mesh.positions, mesh.positions).empty()) return;
+  best.squared_move = (mesh.positions - model_.mesh.positions).squaredNorm();
   best.positions = std::move(mesh.positions);
   best.failing = std::move(failing);
 }
@@ -219,6 +221,30 @@ bool is_unmoved(std::span<const int> face, const Positions& before, const Positi
 
 }  // namespace
 
+bool SoundProjection::is_better_than(const SoundProjection& other) const {
+  if (!found() || !other.found()) return found();
+  if (failing.size() != other.failing.size()) return failing.size() < other.failing.size();
+  if (!is_flat()) return false;
+  if (is_final() != other.is_final()) return is_final();
+  return squared_move < other.squared_move;
+}
+
+std::vector<int> tipped_faces(const Mesh& mesh, const Positions& before, const Positions& after) {
+  constexpr double kTurn = 0.5;   // cos 60°
+  constexpr double kSeen = 0.25;  // of the area
+  std::vector<int> tipped;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (is_unmoved(face, before, after)) continue;
+    const Eigen::Vector3d was = area_vector(before, face), is = area_vector(after, face);
+    const double seen = was.dot(is);
+    if (seen < kSeen * was.squaredNorm() && seen < kTurn * was.norm() * is.norm()) {
+      tipped.push_back(f);
+    }
+  }
+  return tipped;
+}
+
 std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const Positions& after) {
   std::vector<int> spoilt;
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -230,24 +256,23 @@ std::vector<int> spoilt_faces(const Mesh& mesh, const Positions& before, const P
 
 SoundProjection project_soundly(const Mesh& mesh, const Mesh& base,
                                 const ProjectionOptions& options, const std::vector<int>& free,
-                                const std::vector<int>& pins, const Progress& progress) {
+                                const std::vector<int>& pins, std::span<const Rung> ladder,
+                                const Progress& progress) {
   const Stopwatch watch;
   SoundProjector projector(mesh, base, options, free, pins);
   const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
-  const std::pair<double, double> ladder[] = {{asked, kAtOnce},
-                                              {asked, kGradually},
-                                              {10.0 * asked, kGradually},
-                                              {100.0 * asked, kGradually}};
   SoundProjection best;
   int iterations = 0;
   int factorizations = 0;
-  for (const auto& [fairness, penalty] : ladder) {
-    SoundProjection next = projector.attempt(fairness, penalty, progress);
+  for (const Rung& rung : ladder) {
+    SoundProjection next =
+        projector.attempt(rung.share * asked, rung.gradual ? kGradually : kAtOnce, progress);
     iterations += next.report.iterations;
     factorizations += next.report.factorizations;
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
-    if (best.is_flat() || cancelled) break;
+    const bool large = mesh.vertex_count() > kMostFactored;
+    if (cancelled || (large ? best.is_flat() : best.is_final())) break;
   }
   best.report.iterations = iterations;
   best.report.factorizations = factorizations;
