@@ -28,6 +28,7 @@ ExitCode run_project(const Arguments& arguments) {
   const Json json = projection_json(mesh, reference ? *reference : mesh, result, options);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(not_flat_sentence(result, options));
+  print_sentence(lost_height_sentence(mesh, result));
   print_sentence(confined_sentence(result));
   save_report(arguments, json);
   return exit_code(result.report);

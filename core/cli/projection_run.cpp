@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "projection_run.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <string>
 
 #include "edit_options.hpp"
+#include "planish/measures/metrics.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/text/number.hpp"
 
@@ -144,9 +146,31 @@ std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
            three_digits(result.report.planarity_after) + " mm/m: panels keep their shape" +
            (options.within > 0.0 ? ", and no vertex moves farther than --within" : "");
   }
-  return std::to_string(result.failing_faces.size()) +
-         " panels cannot become flat and keep their shape; --bound shape=off gives up the shape, a "
+  const std::size_t count = result.failing_faces.size();
+  return std::to_string(count) + (count == 1 ? " panel" : " panels") +
+         " cannot become flat and keep their shape; --bound shape=off gives up the shape, a "
          "higher --smooth goes farther away";
+}
+
+std::optional<std::string> lost_height_sentence(const Mesh& mesh, const ProjectionResult& result) {
+  constexpr double kMostLost = 0.5;
+  const Positions& before = mesh.positions;
+  if (before.cols() == 0) return std::nullopt;
+  const Eigen::Matrix3Xd off = before.colwise() - before.rowwise().mean();
+  // Across the mesh: where it extends least.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(off * off.transpose());
+  const Eigen::RowVector3d across = axes.eigenvectors().col(0).transpose();
+  const auto height = [&](const Positions& positions) {
+    const Eigen::RowVectorXd along = across * positions;
+    return along.maxCoeff() - along.minCoeff();
+  };
+  const double was = height(before), is = height(projected(mesh, result));
+  if (!(is < (1.0 - kMostLost) * was)) return std::nullopt;
+  // What single panels are out of flat is theirs to lose.
+  if (was <= 2.0 * planarity_summary(mesh).max_gap) return std::nullopt;
+  return "flat panels take the shape with them: the height goes from " + three_digits(was) +
+         " to " + three_digits(is) + ", points move by up to " + three_digits(result.max_move) +
+         "; --within D stays nearer and less flat, --bound shape=off lets panels be concave";
 }
 
 }  // namespace planish::cli

@@ -39,4 +39,9 @@ namespace planish::cli {
 [[nodiscard]] std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
                                                            const ProjectionOptions& options);
 
+/// That a mesh lost half or more of its height, or rise, and what keeps it; nullopt where it did
+/// not.
+[[nodiscard]] std::optional<std::string> lost_height_sentence(const Mesh& mesh,
+                                                              const ProjectionResult& result);
+
 }  // namespace planish::cli

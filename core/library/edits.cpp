@@ -136,6 +136,7 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
   Shape shape{mesh.mesh, cli::projected(mesh.mesh, result), report.dump(2), {}};
   add(shape.messages, cli::damage_sentence(report["spoilt_faces"]));
   add(shape.messages, cli::not_flat_sentence(result, options));
+  add(shape.messages, cli::lost_height_sentence(mesh.mesh, result));
   add(shape.messages, cli::confined_sentence(result));
   return shape;
 }

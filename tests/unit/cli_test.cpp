@@ -11,6 +11,7 @@
 #include <string>
 
 #include "planish/shapes/shapes.hpp"
+#include "support/circles.hpp"
 #include "support/mesh_builders.hpp"
 
 namespace planish {
@@ -92,6 +93,31 @@ TEST_F(Cli, PlanarisingGoesFromCloseToFairAndKeepsTheBoundary) {
   const Mesh kept = load("flat.obj");
   for (int v = 0; v < 9; ++v) EXPECT_EQ(kept.positions.col(v), bumpy.positions.col(v)) << v;
   EXPECT_EQ(run("project bumpy.obj --smooth -1 -o flat.obj"), 2);
+}
+
+/// Hexagons cannot be flat and convex on a saddle: what they take from the shape is said.
+TEST_F(Cli, PlanarisingSaysWhatBecomesOfTheHeight) {
+  Mesh waves = testing::honeycomb_on_sphere(9);
+  for (auto point : waves.positions.colwise()) {
+    point.z() = std::sin(0.5 * point.x()) * std::sin(0.5 * point.y());
+  }
+  save("waves.obj", write_mesh(waves, MeshFormat::kObj));
+  EXPECT_EQ(run("project waves.obj -o flat.obj"), 0) << err();
+  EXPECT_NE(err().find("the height goes from 2 to 0.0"), std::string::npos) << err();
+  EXPECT_NE(err().find("--bound shape=off"), std::string::npos) << err();
+  for (auto point : waves.positions.colwise()) point.z() *= 0.01;
+  save("nearly.obj", write_mesh(waves, MeshFormat::kObj));
+  EXPECT_EQ(run("project nearly.obj -o flat.obj"), 0) << err();
+  save("roof.obj", write_mesh(testing::honeycomb_on_sphere(5), MeshFormat::kObj));
+  EXPECT_EQ(run("project roof.obj -o flat.obj"), 0) << err();
+  EXPECT_EQ(err(), "");
+}
+
+TEST_F(Cli, OnePanelIsOnePanel) {
+  save("cross.obj", "v 0 0 0\nv 1 0 1.5\nv 1 1 0\nv 0 1 1.5\nf 1 2 3 4\n");
+  const int code = run("project cross.obj --pin 0,1,2,3 -o flat.obj");
+  EXPECT_EQ(code, 4) << err();
+  EXPECT_EQ(err().find("1 panels"), std::string::npos) << err();
 }
 
 TEST_F(Cli, InfoPrintsJson) {
