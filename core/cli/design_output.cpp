@@ -13,7 +13,9 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
                    std::vector<DesignVariation> variations, const Positions& shape) {
   Design design;
   design.source = run.source;
-  if (auto* file = std::get_if<FileSource>(&design.source)) file->hash = mesh_hash(run.base.mesh);
+  const bool as_opened = !run.base.planarised && !run.symmetry;
+  auto* file = std::get_if<FileSource>(&design.source);
+  if (file != nullptr && as_opened) file->hash = mesh_hash(run.base.mesh);
   if (run.base.planarised) design.planarised = run.base.how;
   design.unit = run.unit;
   design.targets = run.targets;

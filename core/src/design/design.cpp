@@ -95,8 +95,11 @@ std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* give
   if (symmetry && !make_symmetric(base, *symmetry, design.options.tolerance, progress).symmetric) {
     return "symmetry: the mesh cannot be made flat and symmetric";
   }
+  // Making a mesh flat, or symmetric, rounds differently elsewhere: what the design's mark says of
+  // the result is all that can be held against such a base.
+  const bool as_opened = !design.planarised && !symmetry;
   const auto* file = std::get_if<FileSource>(&design.source);
-  if (file != nullptr && file->hash && *file->hash != mesh_hash(base)) {
+  if (as_opened && file != nullptr && file->hash && *file->hash != mesh_hash(base)) {
     return "the mesh is not the one that the design was made on";
   }
   return opened;
