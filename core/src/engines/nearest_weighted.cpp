@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -114,10 +113,7 @@ void NearestWeighted::scale_what_rests(double smoothing, double factor) {
 bool NearestWeighted::let_in_movers(const EditProblem& problem, double smoothing) {
   const std::vector<int> movers = movers_at_rim(smoothing);
   if (movers.empty()) return false;
-  std::vector<int> joined;
-  std::set_union(working_.begin(), working_.end(), movers.begin(), movers.end(),
-                 std::back_inserter(joined));
-  working_ = std::move(joined);
+  working_ = set_union(working_, movers);
   lay_open(problem);
   return true;
 }

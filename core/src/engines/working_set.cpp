@@ -2,10 +2,18 @@
 #include "engines/working_set.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "planish/numeric/index.hpp"
 
 namespace planish {
+
+std::vector<int> set_union(std::span<const int> one, std::span<const int> other) {
+  std::vector<int> both;
+  std::set_union(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
+  return both;
+}
+
 WorkingSetGrower::WorkingSetGrower(const MeshModel& model)
     : model_(model),
       mark_(at(model.vertex_count()), 0),

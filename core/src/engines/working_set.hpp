@@ -9,6 +9,9 @@
 
 namespace planish {
 
+/// The vertices of either of two sets; both and the result ascending, no duplicates.
+[[nodiscard]] std::vector<int> set_union(std::span<const int> one, std::span<const int> other);
+
 class WorkingSetGrower {
  public:
   explicit WorkingSetGrower(const MeshModel& model);

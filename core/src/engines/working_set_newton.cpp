@@ -38,11 +38,7 @@ void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start
     const std::vector<int> through = grower_.lines_through(v, start.line_length);
     lines.insert(lines.end(), through.begin(), through.end());
   }
-  const std::vector<int> band = grower_.grow(lines, 1);
-  std::vector<int> joined;
-  std::set_union(start_.begin(), start_.end(), band.begin(), band.end(),
-                 std::back_inserter(joined));
-  start_ = std::move(joined);
+  start_ = set_union(start_, grower_.grow(lines, 1));
 }
 
 EngineOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const StartSet& start,
@@ -93,12 +89,7 @@ void WorkingSetNewton::choose_working_set(const EditProblem& problem, const Newt
     std::iota(next.begin(), next.end(), 0);
   } else {
     next = grower_.grow(support_, options.rings);
-    if (relative_smoothing > options.keep_start && !start_.empty()) {
-      std::vector<int> joined;
-      std::set_union(next.begin(), next.end(), start_.begin(), start_.end(),
-                     std::back_inserter(joined));
-      next = std::move(joined);
-    }
+    if (relative_smoothing > options.keep_start) next = set_union(next, start_);
   }
   // A set that still holds the support with its rings, and not much more, need not be cut again.
   constexpr double kSlack = 1.05;

@@ -39,10 +39,7 @@ void WorkingSetNewton::set_out(const EditProblem& problem) {
   std::vector<int> fixed;
   std::copy_if(problem.handles.begin(), problem.handles.end(), std::back_inserter(fixed),
                [&](int v) { return problem.terms[at(v)].fixed; });
-  const std::vector<int> beside = grower_.grow(fixed, 1);
-  working_.clear();
-  std::set_union(support_.begin(), support_.end(), beside.begin(), beside.end(),
-                 std::back_inserter(working_));
+  working_ = set_union(support_, grower_.grow(fixed, 1));
 }
 
 /// The working set and everything that shares a row with it; the state comes from `field`.
@@ -160,10 +157,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     if (!movers.empty()) {
       // The basin is found by now: along the lines that leave the set more will move.
       if (!first_stage) movers = grower_.with_lines_ahead(movers, working_, kLinesAhead);
-      std::vector<int> joined;
-      std::set_union(working_.begin(), working_.end(), movers.begin(), movers.end(),
-                     std::back_inserter(joined));
-      working_ = std::move(joined);
+      working_ = set_union(working_, movers);
       lay_open(problem, field);
       continue;
     }

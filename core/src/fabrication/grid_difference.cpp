@@ -45,6 +45,7 @@ std::vector<Outline> grid_difference(const Outline& outline, const std::vector<O
   std::vector<GridPolygon> polygons;
   rest.get(polygons);
   std::vector<Outline> parts;
+  parts.reserve(polygons.size());
   for (const GridPolygon& polygon : polygons) parts.push_back(from_grid(polygon, scale));
   return parts;
 }

@@ -140,6 +140,7 @@ std::vector<CutPiece> clipped(const Outline& outline, double distance) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<CutPiece> result;
+  result.reserve(pieces.size());
   for (auto& [squared, piece] : pieces) result.push_back(std::move(piece));
   return result;
 }

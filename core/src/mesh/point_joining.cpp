@@ -28,8 +28,9 @@ class PointGrid {
   void visit_near(const Eigen::Vector3d& at, Visit visit) const {
     const Cell centre = cell_of(at);
     for (int k = 0; k < 27; ++k) {
-      const Cell cell = {centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1, centre[2] + k / 9 - 1};
-      const auto found = cells_.find(cell);
+      const std::array<int, 3> step = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+      const auto found =
+          cells_.find({centre[0] + step[0], centre[1] + step[1], centre[2] + step[2]});
       if (found == cells_.end()) continue;
       for (const int number : found->second) visit(number);
     }
