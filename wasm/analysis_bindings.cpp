@@ -18,9 +18,9 @@ using emscripten::val;
 using planish::Analysis;
 using planish::copy;
 using planish::EditFreedom;
-using planish::EditTargets;
 using planish::FairnessKind;
 using planish::HoldingPanel;
+using planish::to_handles;
 using planish::to_indices;
 using planish::to_mesh;
 using planish::to_positions;
@@ -75,14 +75,8 @@ val to_value(const std::optional<EditFreedom>& freedom) {
   object.set("holding", holding);
   return object;
 }
-/// `handles` holds vertex, x, y, z for each.
 val freedom(const Analysis& a, const val& handles, const val& pins) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
-  EditTargets targets{.handles = {}, .pins = to_indices(pins)};
-  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
-    targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
-  }
-  return to_value(a.freedom(targets));
+  return to_value(a.freedom({.handles = to_handles(handles), .pins = to_indices(pins)}));
 }
 
 }  // namespace

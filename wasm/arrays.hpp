@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
 
 namespace planish {
@@ -41,6 +42,16 @@ inline Positions to_positions(const emscripten::val& numbers) {
 
 inline std::vector<int> to_indices(const emscripten::val& numbers) {
   return emscripten::convertJSArrayToNumberVector<int>(numbers);
+}
+
+/// @param numbers vertex, x, y, z a handle
+inline std::vector<Handle> to_handles(const emscripten::val& numbers) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  std::vector<Handle> handles;
+  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
+    handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
+  }
+  return handles;
 }
 
 /// Not checked: the page took the arrays from a session.

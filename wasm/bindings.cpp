@@ -29,6 +29,7 @@ using planish::IterationRecord;
 using planish::Positions;
 using planish::Refusal;
 using planish::Session;
+using planish::to_handles;
 using planish::to_indices;
 using planish::to_positions;
 
@@ -49,15 +50,11 @@ std::string attempt(const Operation& operation) {
                    &operation);
 }
 
-/// `handles` holds vertex, x, y, z for each.
 EditTargets to_targets(const val& handles, const val& pins, int continuation = 0) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(handles);
-  EditTargets targets{
-      .handles = {}, .pins = to_indices(pins), .supports = {}, .continuation = continuation};
-  for (std::size_t k = 0; k + 3 < flat.size(); k += 4) {
-    targets.handles.push_back({static_cast<int>(flat[k]), {flat[k + 1], flat[k + 2], flat[k + 3]}});
-  }
-  return targets;
+  return {.handles = to_handles(handles),
+          .pins = to_indices(pins),
+          .supports = {},
+          .continuation = continuation};
 }
 
 std::string open_sample(Session& s, const std::string& name, int size) {
