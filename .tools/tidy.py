@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""clang-tidy over the core and the session. Twelve files are looked at as one, because most of
-the time goes into Eigen's headers: a quarter of the time of each file for itself. A unit that passed
-before, with the same text of all that it includes, rules and clang-tidy, is skipped; what passed is
-remembered outside the tree, and with --record in .tools/tidy-passed.txt, so that CI on a new machine asks
-only about what changed since; --all (nightly) asks about everything again."""
+"""clang-tidy over the core and the session, a folder at a time, because most of the time goes into
+Eigen's headers. At every commit it looks at what changed since .tools/tidy-passed.txt was recorded: each
+source in its unit, each header in one unit that includes it. What a changed header means for the other
+units is nightly's (--all --record): a header that most units include would else ask about all of them for
+each of the commits that follow. --record asks about everything, and writes the record where nothing is found.
+
+A unit that passed before on this machine, with the same text of all that it includes, rules and clang-tidy,
+is skipped, but not by --all. PLANISH_JOBS or CORES: how many at once."""
 
 import concurrent.futures
 import hashlib
@@ -17,12 +20,14 @@ import sys
 import time
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
-TOGETHER = 12
+MOST = 15
 DATABASE = TREE / "build/tidy/database"
 UNITS = TREE / "build/tidy/units"
 KNOWN = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "planish/tidy"
 RECORD = TREE / ".tools/tidy-passed.txt"
+RULES = ".clang-tidy"
 PACKAGES = ["libeigen3-dev", "libstdc++-12-dev"]
+JOBS = int(os.environ.get("CORES") or os.environ.get("PLANISH_JOBS") or os.cpu_count() or 1)
 
 
 def said(*command):
@@ -30,37 +35,44 @@ def said(*command):
 
 
 def sources():
-    """Files, twelve at a time, in the order of their folders."""
+    """Files by folder, as the build takes them together: names without linkage are unique in a folder. A large
+    folder is dealt out to parts of equal size."""
     listed = said("git", "ls-files", "core/src/*.cpp", "wasm/session*.cpp", "wasm/keep_out_lines.cpp").split()
-    files = sorted(listed, key=lambda f: (os.path.dirname(f), f))
-    for start in range(0, len(files), TOGETHER):
-        yield f"unit_{start // TOGETHER}", files[start : start + TOGETHER]
+    for folder in sorted({os.path.dirname(file) for file in listed}):
+        files = sorted(file for file in listed if os.path.dirname(file) == folder)
+        parts = -(-len(files) // MOST)
+        for part in range(parts):
+            name = folder.replace("/", "_") + (f"_{part}" if parts > 1 else "")
+            yield name, files[part * len(files) // parts : (part + 1) * len(files) // parts]
 
 
 def write_units():
-    """One file that includes twelve, with how it is compiled: as the first of them."""
+    """One file that includes those of a unit, with how it is compiled: as the first of them. Gives the files
+    that each unit is made of."""
     subprocess.run(["cmake", "--preset", "native", "-B", DATABASE, "-DPLANISH_UNITY=OFF", "--log-level=WARNING"],
                    cwd=TREE, check=True, stdout=subprocess.DEVNULL)
     commands = {entry["file"]: entry for entry in json.loads((DATABASE / "compile_commands.json").read_text())}
     UNITS.mkdir(parents=True, exist_ok=True)
-    units = {}
-    entries = []
+    entries, units = [], {}
     for name, files in sources():
         unit = str(UNITS / f"{name}.cpp")
         lines = [f'#include "{TREE / file}"  // NOLINT(bugprone-suspicious-include)\n' for file in files]
         pathlib.Path(unit).write_text("".join(lines))
         entry = commands[str(TREE / files[0])]
         entries.append({**entry, "file": unit, "command": entry["command"].replace(entry["file"], unit)})
-        units[unit] = entries[-1]["command"]
+        units[unit] = files
     (UNITS / "compile_commands.json").write_text(json.dumps(entries))
-    return units
+    return units, {entry["file"]: entry["command"] for entry in entries}
 
 
-def rules():
-    """What the answer depends on beside the text: the checks, how it is compiled, the versions."""
-    texts = [(TREE / name).read_bytes() for name in [".clang-tidy", "CMakeLists.txt", "core/CMakeLists.txt"]]
-    words = said("dpkg-query", "-W", "clang-tidy-14", *PACKAGES)
-    return hashlib.sha256(b"".join([words.encode(), *texts])).hexdigest()
+def digest(*texts):
+    return hashlib.sha256(b"".join(texts)).hexdigest()
+
+
+def conditions():
+    """What the answer depends on beside the text and the checks: how it is compiled, the versions."""
+    texts = [(TREE / name).read_bytes() for name in ["CMakeLists.txt", "core/CMakeLists.txt"]]
+    return b"".join([said("dpkg-query", "-W", "clang-tidy-14", *PACKAGES).encode(), *texts])
 
 
 def included(command, unit):
@@ -69,13 +81,28 @@ def included(command, unit):
     options = [word for word in words[1:] if word.startswith(("-I", "-D", "-std"))]
     systems = [f"-isystem{after}" for word, after in zip(words, words[1:]) if word == "-isystem"]
     listed = said("clang++", "-MM", *options, *systems, unit).replace("\\\n", " ").split()
-    return sorted({path for path in listed[1:] if path.startswith(str(TREE)) and "/build/" not in path})
+    inside = (path for path in listed[1:] if path.startswith(f"{TREE}/") and "/build/" not in path)
+    return {str(pathlib.Path(path).resolve().relative_to(TREE)) for path in inside}
 
 
-def key_of(command, unit, about):
-    """Of everything that the answer depends on."""
-    texts = [pathlib.Path(path).read_bytes() for path in included(command, unit)]
-    return hashlib.sha256(b"".join([about.encode(), *texts])).hexdigest()
+def recorded():
+    """The texts with which all passed: path and digest. The rules count as a text of every unit."""
+    lines = RECORD.read_text().splitlines() if RECORD.exists() else []
+    return dict(line.split() for line in lines)
+
+
+def to_look_at(units, reads, texts):
+    """The units of what changed since the record, then few that read the headers which these do not."""
+    before = recorded()
+    changed = {path for path, text in texts.items() if before.get(path) != text}
+    if RULES in changed:
+        return list(units)
+    chosen = [unit for unit, files in units.items() if changed & set(files)]
+    left = changed.difference(*(reads[unit] for unit in chosen))
+    while left:
+        chosen.append(max(units, key=lambda unit: (len(left & reads[unit]), -len(reads[unit]))))
+        left -= reads[chosen[-1]]
+    return chosen
 
 
 def complaints(unit, key, known):
@@ -90,22 +117,30 @@ def complaints(unit, key, known):
     return run.stdout + run.stderr or f"{unit}: clang-tidy ended with {run.returncode}\n"
 
 
-def main():
+def remembered():
+    """The keys of units that passed on this machine; those of long ago are forgotten."""
     KNOWN.mkdir(parents=True, exist_ok=True)
     for old in KNOWN.iterdir():
         if old.stat().st_mtime < time.time() - 30 * 86400:
             old.unlink()
-    known = {path.name for path in KNOWN.iterdir()} | set(RECORD.read_text().split() if RECORD.exists() else ())
-    units = write_units()
-    about = rules()
-    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))) as pool:
-        keys = dict(zip(units, pool.map(lambda unit: key_of(units[unit], unit, about), units)))
-        asked = set() if "--all" in sys.argv else known
-        found = list(pool.map(lambda unit: complaints(unit, keys[unit], asked), units))
+    return {path.name for path in KNOWN.iterdir()}
+
+
+def main():
+    units, commands = write_units()
+    about = conditions()
+    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
+        reads = dict(zip(units, pool.map(lambda unit: included(commands[unit], unit) | {RULES}, units)))
+        texts = {path: digest((TREE / path).read_bytes())[:16] for path in set().union(*reads.values())}
+        every = "--all" in sys.argv or "--record" in sys.argv
+        chosen = list(units) if every else to_look_at(units, reads, texts)
+        keys = {unit: digest(about, *(texts[path].encode() for path in sorted(reads[unit]))) for unit in chosen}
+        known = set() if "--all" in sys.argv else remembered()
+        found = list(pool.map(lambda unit: complaints(unit, keys[unit], known), chosen))
     print("".join(found), end="")
-    print(f"tidy: {len(units)} units, {sum(key not in asked for key in keys.values())} looked at")
+    print(f"tidy: {sum(key not in known for key in keys.values())} of {len(units)} units looked at")
     if "--record" in sys.argv and not any(found):
-        RECORD.write_text("".join(f"{key}\n" for key in sorted(keys.values())))
+        RECORD.write_text("".join(f"{path} {texts[path]}\n" for path in sorted(texts)))
     sys.exit(any(found))
 
 
