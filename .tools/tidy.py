@@ -31,7 +31,7 @@ JOBS = int(os.environ.get("CORES") or os.environ.get("PLANISH_JOBS") or os.cpu_c
 
 
 def said(*command):
-    return subprocess.run(command, cwd=TREE, capture_output=True, text=True, check=False).stdout
+    return subprocess.run(command, cwd=TREE, stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
 def sources():
