@@ -76,6 +76,22 @@ describe("a panel seen almost from the edge", () => {
     expect(pick(moved(foot, 12), false, narrow)).toBe(2);
   });
 
+  it("is chosen by a click on it, although its middle is hidden and a neighbour's is not", () => {
+    // Panels 0 and 1, 3 pixels wide, lie side by side; panel 2 hides the middle of panel 0.
+    const covered = prepareDisplay({
+      display: Float32Array.of(
+        ...[0, -1, 0, 0.03, -1, 0, 0.03, 1, 0, 0, 1, 0],
+        ...[0.04, 0.5, 0, 0.07, 0.5, 0, 0.07, 0.9, 0, 0.04, 0.9, 0],
+        ...[-0.3, -0.3, 0.5, 0.3, -0.3, 0.5, 0.3, 0.3, 0.5, -0.3, 0.3, 0.5],
+      ),
+      offsets: Int32Array.of(0, 4, 8, 12),
+      vertices: Int32Array.from({ length: 12 }, (_, k) => k),
+    });
+    expect(pick(pixel(0.015, 0, 0), false, covered)).toBe(2);
+    expect(pick(pixel(0.015, 0.7, 0), false, covered)).toBe(0);
+    expect(pick(pixel(0.055, 0.7, 0), false, covered)).toBe(1);
+  });
+
   it("is not chosen through another one", () => {
     expect(pick(pixel(-0.49, 0, -1.5))).toBe(0);
   });
