@@ -39,6 +39,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(outcome_sentence(run.report));
   print_sentence(not_exact_sentence(run, family, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
+  print_sentence(exact_outcome_sentence(variation));
   save_report(arguments, json);
   return code;
 }

@@ -30,6 +30,7 @@ ExitCode run_project(const Arguments& arguments) {
   print_sentence(not_flat_sentence(result, options));
   print_sentence(lost_height_sentence(mesh, result));
   print_sentence(confined_sentence(result));
+  print_sentence(outcome_sentence(result.report));
   save_report(arguments, json);
   return exit_code(result.report);
 }

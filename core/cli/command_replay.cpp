@@ -34,6 +34,7 @@ ExitCode run_replay(const Arguments& arguments) {
   save_design(arguments, again);
   if (output) save_bytes(*output, shape_bytes(*output, again, replayed));
   save_report(arguments, replay_json(opened.design, replayed));
+  print_sentence(outcome_sentence(replayed.report));
   print_sentence(deviation_sentence(opened.design, replayed));
   if (opened.design.result && !replayed.agrees) return kToleranceNotMet;
   return exit_code(replayed.report);

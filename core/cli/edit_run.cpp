@@ -58,7 +58,10 @@ std::optional<std::string> planarised_sentence(const FlatBase& base) {
   if (!base.planarised) return std::nullopt;
   return "not flat; planarised first, which moved " +
          std::to_string(base.planarised->moved.size()) + " vertices by up to " +
-         three_digits(base.planarised->max_move) + " (units of the mesh)";
+         three_digits(base.planarised->max_move) + " (units of the mesh)" +
+         (base.planarised->report.status == SolveStatus::kIterationLimit
+              ? ", not certified to be the best flat mesh near"
+              : "");
 }
 
 std::optional<std::string> evened_sentence(const EditRun& run) {

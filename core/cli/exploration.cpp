@@ -147,6 +147,12 @@ Design variation_design(const EditRun& run, const Family& family, const Variatio
   return make_design(run, family.edit, {recipe}, variation.positions);
 }
 
+std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
+  if (!variation.exact) return std::nullopt;
+  const auto sentence = outcome_sentence(variation.exact->report);
+  return sentence ? std::optional("made exact: " + *sentence) : std::nullopt;
+}
+
 std::optional<std::string> not_exact_sentence(const EditRun& run, const Family& family,
                                               const Variation& variation) {
   if (variation.exact) return std::nullopt;

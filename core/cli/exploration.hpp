@@ -64,6 +64,9 @@ struct Variation {
 [[nodiscard]] Json exploration_json(const EditRun& run, const Family& family,
                                     const Variation& variation);
 
+/// Where making it exact has no certificate; nullopt where it has, or was not asked for.
+[[nodiscard]] std::optional<std::string> exact_outcome_sentence(const Variation& variation);
+
 /// By how much a variation that was not made exact is out of flat; nullopt where it is flat.
 [[nodiscard]] std::optional<std::string> not_exact_sentence(const EditRun& run,
                                                             const Family& family,

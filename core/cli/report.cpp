@@ -117,7 +117,7 @@ std::optional<std::string> outcome_sentence(const SolveReport& report) {
             ? ", " + three_digits(report.handle_error) + " short of a target (units of the mesh)"
             : "";
     return "not converged" + short_of +
-           ": every panel is as it should be, but the edit is not certified to be the best one "
+           ": every panel is as it should be, but the result is not certified to be the best one "
            "near";
   }
   return std::nullopt;

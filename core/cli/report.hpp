@@ -52,7 +52,7 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 /// Where `fold_json` has a fold that is much sharper than before; nullopt else.
 [[nodiscard]] std::optional<std::string> fold_sentence(const Json& fold);
 
-/// Where an edit stopped short of a target or has no certificate; nullopt where all is well.
+/// Where a solve stopped short of a target or has no certificate; nullopt where all is well.
 [[nodiscard]] std::optional<std::string> outcome_sentence(const SolveReport& report);
 
 /// Says `sentence`, if there is one, on standard error.

@@ -108,6 +108,7 @@ Shape shape_of(const EditVariation& variation) {
   Shape shape{run.base.mesh, variation.variation.positions, report.dump(2),
               edit_messages(run, report)};
   add(shape.messages, cli::not_exact_sentence(run, family, variation.variation));
+  add(shape.messages, cli::exact_outcome_sentence(variation.variation));
   return shape;
 }
 
@@ -138,6 +139,7 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
   add(shape.messages, cli::not_flat_sentence(result, options));
   add(shape.messages, cli::lost_height_sentence(mesh.mesh, result));
   add(shape.messages, cli::confined_sentence(result));
+  add(shape.messages, cli::outcome_sentence(result.report));
   return shape;
 }
 
@@ -183,6 +185,7 @@ Replayed make_replay(const cli::OpenedDesign& opened, const OpenMesh* base,
   Replayed replayed{opened.design, std::get<Replay>(std::move(result)), {}};
   const Replay& done = replayed.replay;
   replayed.shape = {done.base, done.shape, cli::replay_json(opened.design, done).dump(2), {}};
+  add(replayed.shape.messages, cli::outcome_sentence(done.report));
   add(replayed.shape.messages, cli::deviation_sentence(opened.design, done));
   replayed.design.result = done.mark;
   return replayed;

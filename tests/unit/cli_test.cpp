@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
 #include <string>
 
 #include "planish/shapes/shapes.hpp"
@@ -71,6 +74,28 @@ TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {
   report = nlohmann::json::parse(contents(directory_ / "r.json"));
   EXPECT_EQ(report["spoilt_faces"].size(), 1U) << report;
   EXPECT_NE(err().find("flat, but spoilt: 1 "), std::string::npos) << err();
+}
+
+/// On a polygon of twelve corners, up and down in turn, the engine alm is given up before its end.
+TEST_F(Cli, PlanarisingThatDidNotConvergeSaysSo) {
+  std::string crown, face = "f";
+  for (int k = 0; k < 12; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / 12;
+    crown += "v " + std::to_string(std::cos(turn)) + ' ' + std::to_string(std::sin(turn)) +
+             (k % 2 == 0 ? " 0.2\n" : " -0.2\n");
+    face += ' ' + std::to_string(k + 1);
+  }
+  save("crown.obj", crown + face + '\n');
+  std::set<std::string> seen;
+  for (const std::string options : {"--smooth 0", "--solver alm"}) {
+    EXPECT_EQ(run("project crown.obj -o flat.obj --report r.json " + options), 0) << err();
+    const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+    const bool limited = report["status"] == "iteration_limit";
+    const bool said = err().find("not converged: every panel is as it should be") < err().size();
+    EXPECT_EQ(said, limited) << options << ": " << err();
+    seen.insert(report["status"].get<std::string>());
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"converged", "iteration_limit"}));
 }
 
 TEST_F(Cli, PlanarisingGoesFromCloseToFairAndKeepsTheBoundary) {

@@ -1,7 +1,29 @@
 // SPDX-License-Identifier: MIT
+import { readFile } from "node:fs/promises";
 import { expect, it } from "vitest";
 import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/design/design.ts";
 import { readSettings, writeSettings } from "../../web/src/design/reading.ts";
+
+const isUsual = (key: string, value: unknown): boolean =>
+  Object.entries(DEFAULT_SETTINGS).some(([name, usual]) => name === key && usual === value);
+
+it("docs/command-line.md says all that the page begins with and the command line does not", async () => {
+  const names = {
+    softness: "--softness",
+    reach: "--reach",
+    keepBoundary: "--keep-boundary",
+    attraction: "--attraction",
+  };
+  const other = Object.fromEntries(
+    Object.entries(FIRST_SETTINGS).filter(([key, value]) => !isUsual(key, value)),
+  );
+  expect(Object.keys(other).sort()).toEqual(Object.keys(names).sort());
+  const words = Object.entries(names).map(([key, option]) =>
+    other[key] === true ? option : `${option} ${other[key]}`,
+  );
+  const page = new URL("../../docs/command-line.md", import.meta.url);
+  expect(await readFile(page, "utf8")).toContain(`the page begins with \`${words.join(" ")}\``);
+});
 
 it("another mesh starts with what the page has controls for, and with nothing unseen", () => {
   const shown = {
