@@ -66,8 +66,8 @@ std::optional<std::string> planarised_sentence(const FlatBase& base) {
 
 std::optional<std::string> evened_sentence(const EditRun& run) {
   if (run.evened.max_move == 0.0) return std::nullopt;
-  return "not exactly symmetric; made so first, which moved vertices by up to " +
-         three_digits(run.evened.max_move) + " (units of the mesh)";
+  return "not exactly symmetric; made so first, which moved " + std::to_string(run.evened.moved) +
+         " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
 std::optional<std::string> moved_support_sentence(const EditRun& run) {
@@ -219,7 +219,10 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   add_supports(json, run.targets.supports, run.base.mesh, after);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
-    if (run.evened.max_move > 0.0) json["symmetry"]["base_moved_by"] = run.evened.max_move;
+    if (run.evened.max_move > 0.0) {
+      json["symmetry"]["base_moved_by"] = run.evened.max_move;
+      json["symmetry"]["base_moved_vertices"] = run.evened.moved;
+    }
   }
   return json;
 }

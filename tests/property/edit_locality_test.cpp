@@ -7,6 +7,7 @@
 
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/projection/planarising.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -31,6 +32,49 @@ TEST(EditLocality, NoSmoothnessMovesOnlyTheCloseNeighbourhood) {
   EXPECT_LE(moved.size(), 16u);
   EXPECT_TRUE(std::includes(near.begin(), near.end(), moved.begin(), moved.end()));
   EXPECT_LE(planarity_summary(mesh, apply(mesh, result)).max, 1e-6);
+}
+
+/// Hard handles leave some thirty points of their reach to be corrected that have nothing to do.
+TEST(EditLocality, NoPointMovesByRoundingAlone) {
+  constexpr double kRounding = 1e-11;  // mean edges
+  for (const double away : {0.0, 1e4}) {
+    for (const char* name : {"roof", "vault", "dome", "freeform", "hex", "trihex"}) {
+      Mesh mesh = testing::sample(name, 13);
+      mesh.positions.array() += away;
+      const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, 0.3});
+      const double tolerance = away > 0.0 ? 1e-4 : 1e-6;  // mm/m
+      HandleEditOptions options;
+      options.hard_handles = true;
+      options.tolerance = tolerance;
+      options.reach = 6;
+      const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+      ASSERT_TRUE(result.report.usable()) << name;
+      const double least = kRounding * mean_edge_length(mesh);
+      for (std::size_t k = 0; k < result.moved.size(); ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        const Eigen::Vector3d move =
+            result.moved_positions.col(column) - mesh.positions.col(result.moved[k]);
+        EXPECT_GT(move.norm(), least) << name << ' ' << away << ": vertex " << result.moved[k];
+      }
+      EXPECT_LE(planarity_summary(mesh, apply(mesh, result)).max_excess, tolerance) << name;
+    }
+  }
+}
+
+/// A panel that is bent alone is mended where it is: far away no point changes its bits.
+TEST(EditLocality, NoPointOfAPlanarisedMeshMovesByRoundingAlone) {
+  Mesh mesh = testing::sample("vault", 25);
+  const int bent = testing::middle_vertex(mesh);
+  mesh.positions(2, bent) += 0.01;
+  const ProjectionResult result = planarise(mesh, kNearestFlat);
+  ASSERT_TRUE(result.report.usable());
+  ASSERT_FALSE(result.moved.empty());
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const Eigen::Vector3d move =
+        result.moved_positions.col(column) - mesh.positions.col(result.moved[k]);
+    EXPECT_GT(move.norm(), 1e-11 * mean_edge_length(mesh)) << "vertex " << result.moved[k];
+  }
 }
 
 /// Fig. 3: the higher ω_f, the wider and smoother.

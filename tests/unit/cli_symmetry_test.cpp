@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "planish/measures/metrics.hpp"
 #include "support/cli.hpp"
 #include "support/mesh_builders.hpp"
 
@@ -53,6 +54,25 @@ TEST_F(Cli, WithoutASymmetryAnEditHasTheBitsThatItHad) {
   ASSERT_EQ(run(none + "b.obj --design b.json --symmetry auto"), 0) << err();
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
   EXPECT_EQ(contents(directory_ / "a.json"), contents(directory_ / "b.json"));
+}
+
+/// What moves the base counts by itself: the edit is compared with what it started from.
+TEST_F(Cli, ABaseThatIsMadeSymmetricFirstSaysHowManyPointsThatMoved) {
+  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
+  Mesh off = load("v.obj");
+  for (int v = 0; v < off.vertex_count(); ++v) off.positions(2, v) += v % 2 == 0 ? 1e-9 : 0.0;
+  save("off.obj", write_mesh(off, MeshFormat::kObj));
+  ASSERT_EQ(run("edit off.obj --handle 65+=0,0,0.2 --reach 3 --softness 5 --tolerance 1e-5 "
+                "--symmetry x -o e.obj --report r.json"),
+            0)
+      << err();
+  const auto report = nlohmann::json::parse(contents(directory_ / "r.json"));
+  const int first = report["symmetry"]["base_moved_vertices"].get<int>();
+  EXPECT_NE(err().find("made so first, which moved " + std::to_string(first) + " vertices"),
+            std::string::npos)
+      << err();
+  EXPECT_GT(first, report["moved_vertices"].get<int>());
+  EXPECT_GE(moved_vertex_count(off.positions, load("e.obj").positions), first);
 }
 
 TEST_F(Cli, ASymmetryThatIsNoneIsRefusedInWords) {

@@ -253,6 +253,7 @@ SymmetricBase make_symmetric(Mesh& flat, const MeshSymmetry& symmetry, double to
     flat.positions(Eigen::all, again.moved) = again.moved_positions;
   }
   result.max_move = (flat.positions - given).colwise().norm().maxCoeff();
+  result.moved = moved_vertex_count(given, flat.positions);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engines/constraint_correction.hpp"
 #include "planish/constraints/elements.hpp"
@@ -14,6 +15,17 @@ namespace planish {
 namespace {
 
 constexpr int kMostPasses = 8;
+
+/// A correction moves points of the support that have nothing to do by up to 1e-12 mean edges;
+/// moves that an edit wants are above 1e-9.
+constexpr double kNoMove = 1e-11;
+
+/// Up to there a move is rounding, mean edges: four steps of the largest coordinate, or more.
+double largest_rounding(const MeshModel& model) {
+  constexpr double kSteps = 4.0 * std::numeric_limits<double>::epsilon();
+  const double largest = model.mesh.positions.cwiseAbs().maxCoeff();
+  return std::max(kNoMove, kSteps * largest / model.unit());
+}
 
 /// Where a held handle is: a keep-out may have come to hold it since the last step, and a step ends
 /// near a surface.
@@ -33,6 +45,7 @@ ExactFinish::ExactFinish(const MeshModel& model)
       cutter_(model.vertex_count(), model.mesh.face_count(),
               static_cast<int>(model.fairness.rows())),
       grower_(model),
+      rounding_(largest_rounding(model)),
       local_of_(at(model.vertex_count()), -1),
       face_mark_(at(model.mesh.face_count()), 0) {}
 
@@ -157,7 +170,28 @@ ExactDesign ExactFinish::finish(const EditProblem& problem, std::span<const int>
     }
   }
   best.factorizations = factorizations;
-  return best;
+  return is_within(best.worst, kept) ? without_rounding(std::move(best), problem, kept)
+                                     : std::move(best);
+}
+
+ExactDesign ExactFinish::without_rounding(ExactDesign design, const EditProblem& problem,
+                                          const KeptKinds& kept) {
+  std::vector<Eigen::Index> moves;
+  ExactDesign rest;
+  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const int v = design.vertices[k];
+    const bool told = problem.terms[at(v)].fixed;
+    if (!told && design.displacement.col(column).norm() <= rounding_) continue;
+    moves.push_back(column);
+    rest.vertices.push_back(v);
+  }
+  if (rest.vertices.size() == design.vertices.size()) return design;
+  rest.displacement = design.displacement(Eigen::all, moves);
+  rest.positions = design.positions(Eigen::all, moves);
+  rest.factorizations = design.factorizations;
+  measure(rest);
+  return is_within(rest.worst, kept) ? rest : design;
 }
 
 Eigen::Matrix3Xd displacement_on(const Patch& patch, const ExactDesign& design) {

@@ -34,7 +34,7 @@ class ExactFinish {
 
   /// Corrects `field` on `support` with the handles held, then free, then on a wider support, until
   /// every touched panel is within the tolerances of `kept`; the best attempt is returned in any
-  /// case.
+  /// case. Moves that are no more than rounding are none, unless the kinds need them.
   [[nodiscard]] ExactDesign finish(const EditProblem& problem, std::span<const int> support,
                                    const DisplacementField& field, const KeptKinds& kept);
 
@@ -45,6 +45,8 @@ class ExactFinish {
  private:
   ExactDesign attempt(const EditProblem& problem, std::span<const int> support,
                       const DisplacementField& field, bool hold_handles);
+  [[nodiscard]] ExactDesign without_rounding(ExactDesign design, const EditProblem& problem,
+                                             const KeptKinds& kept);
   void measure(ExactDesign& design);
   void find_stars(ExactDesign& design);
   void measure_element(Element element, std::span<const int> vertices, ExactDesign& design);
@@ -53,6 +55,7 @@ class ExactFinish {
   PatchCutter cutter_;
   WorkingSetGrower grower_;
   Patch patch_;
+  double rounding_;            ///< mean edges: up to there a move is none
   std::vector<int> local_of_;  ///< mesh vertex → column of the design being measured, or −1
   std::vector<int> face_mark_;
   int stamp_ = 0;

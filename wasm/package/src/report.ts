@@ -35,6 +35,7 @@ export interface Report {
     readonly images: number;
     readonly asymmetry_mean_edges: number;
     readonly base_moved_by?: number;
+    readonly base_moved_vertices?: number;
   };
   readonly planarised_first?: Readonly<Record<string, number>>;
   /** Panels that came out flat but crossing, turned over, collapsed or concave. */

@@ -34,6 +34,7 @@ inline constexpr double kMostEvened = 0.01;
 struct SymmetricBase {
   bool symmetric = true;  ///< false: no mesh that is flat and symmetric was found
   double max_move = 0.0;  ///< model units; 0: nothing moved
+  int moved = 0;          ///< points whose bits are not those given
 };
 
 /// Moves what was found symmetric within kSymmetryReach to where it is within kSymmetric, flat
