@@ -19,6 +19,41 @@ async function reportOf(page: Page, name: string): Promise<string> {
   return (await page.getByRole("region", { name }).innerText()).replace(/\s+/g, " ");
 }
 
+/** The corners of each panel, by their coordinates. */
+type Soup = readonly (readonly string[])[];
+
+/** The panels of an OBJ file, some of them the other way round. */
+function panelsApart(obj: string, isTurned = (panel: number): boolean => panel % 2 === 1): Soup {
+  const points = [...obj.matchAll(/^v (.*)$/gm)].map(([, point]) => point ?? "");
+  return [...obj.matchAll(/^f (.*)$/gm)].map(([, face], panel) => {
+    const corners = (face ?? "").split(" ").map((v) => points[Number(v) - 1] ?? "");
+    return isTurned(panel) ? corners.reverse() : corners;
+  });
+}
+
+const asObj = (soup: Soup): string =>
+  [
+    ...soup.flat().map((point) => `v ${point}`),
+    ...soup.map((face, f) => `f ${face.map((_, k) => 4 * f + k + 1).join(" ")}`),
+    "",
+  ].join("\n");
+
+const asPly = (soup: Soup): string =>
+  [
+    `ply\nformat ascii 1.0\nelement vertex ${soup.flat().length}`,
+    "property double x\nproperty double y\nproperty double z",
+    `element face ${soup.length}\nproperty list uchar int vertex_indices\nend_header`,
+    ...soup.flat(),
+    ...soup.map((face, f) => `4 ${face.map((_, k) => 4 * f + k).join(" ")}`),
+    "",
+  ].join("\n");
+
+/** A panel from its first corner in the order of words, the way round that it has. */
+function upright(face: readonly string[]): readonly string[] {
+  const first = face.indexOf(face.toSorted()[0] ?? "");
+  return [...face.slice(first), ...face.slice(0, first)];
+}
+
 describe("a mesh opens", () => {
   it("by keyboard alone, also in OFF", async () => {
     const page = await site.openVault();
@@ -51,6 +86,33 @@ describe("a mesh opens", () => {
     expect((await exportAs(page, "OBJ")).toString().match(/^f .*$/gm)?.length).toBe(72);
     await page.context().close();
   });
+
+  it.each(["obj", "ply"])(
+    "with points of its own for each panel, every second one turned over, and is made whole: %s",
+    async (format) => {
+      const page = await site.openVault();
+      const soup = panelsApart(flatRoof(6));
+      await openFile(page, `soup.${format}`, format === "obj" ? asObj(soup) : asPly(soup));
+      expect(await reportOf(page, `soup.${format}`)).toMatch(/Points 144 .*Separate parts 36/);
+      const opened = await exportAs(page, "OBJ");
+      await page.getByRole("button", { name: "Join points" }).click();
+      await expect.poll(() => reportOf(page, `soup.${format}`)).toMatch(/Points 49 .*parts 1 /);
+      expect(await page.getByText("95 points were joined with another one.").count()).toBe(1);
+      expect(await page.getByRole("button", { name: "Join points" }).count()).toBe(0);
+      await page.getByRole("button", { name: "Turn panels to agree" }).click();
+      await expect.poll(() => reportOf(page, `soup.${format}`)).not.toMatch(/opposite/);
+      expect(await page.getByText("Neighbouring panels agree.").count()).toBe(1);
+      expect(await page.getByRole("button", { name: "Turn panels to agree" }).count()).toBe(0);
+      const whole = panelsApart((await exportAs(page, "OBJ")).toString(), () => false);
+      expect(whole.map(upright)).toEqual(panelsApart(flatRoof(6), () => false).map(upright));
+      for (let step = 0; step < 2; ++step) {
+        await page.getByRole("button", { name: "Undo" }).click();
+        await idle(page);
+      }
+      expect(await exportAs(page, "OBJ")).toEqual(opened);
+      await page.context().close();
+    },
+  );
 
   it("with a report of what it is, in the unit that its numbers are in", async () => {
     const page = await site.openVault();
