@@ -11,6 +11,7 @@
 #include "design_values.hpp"
 #include "glb_file.hpp"
 #include "planish/design/design_text.hpp"
+#include "planish/mesh/point_joining.hpp"
 
 namespace {
 
@@ -109,6 +110,15 @@ val mended(const std::string& mesh) {
   }
 }
 
+/// None where there is no memory.
+val joined_points(const val& points, double within) {
+  try {
+    return copy(planish::find_joined_points(to_positions(points), within).target);
+  } catch (const std::exception&) {
+    return copy(std::vector<int>());
+  }
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(planish_glb) {
@@ -116,6 +126,7 @@ EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("assembleGlb", &assemble);
   emscripten::function("joinTriangles", &mended<planish::join_triangles_of>);
   emscripten::function("joinPoints", &mended<planish::join_points_of>);
+  emscripten::function("joinedPoints", &joined_points);
   emscripten::function("orient", &mended<planish::orient_of>);
   emscripten::function("readDesign", &read_design);
   emscripten::function("writeDesign", &write_design);

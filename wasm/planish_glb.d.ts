@@ -36,6 +36,9 @@ export interface GlbModule {
   joinPoints(mesh: Uint8Array): Uint8Array;
   /** OBJ, its panels turned until neighbours agree; empty without memory. */
   orient(mesh: Uint8Array): Uint8Array;
+  /** Of each point (x, y, z) the number of the one whose place it takes, from 0 in the order of those
+   * that keep theirs; none without memory. `within`: model units. */
+  joinedPoints(points: Float64Array, within: number): Int32Array;
   /** Any text: a design, or one sentence that names the field. */
   readDesign(text: string): DesignReading;
   /** As docs/formats.md describes it; "" without memory. */

@@ -6,14 +6,17 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { csvRows } from "../../web/src/rhino/csv-rows.ts";
 import { type RhinoModule, unitSystem } from "../../web/src/rhino/model.ts";
 import { readModel, writeObj } from "../../web/src/rhino/read-model.ts";
+import type { JoinPoints } from "../../web/src/rhino/weld.ts";
 import { type Model, writeModel } from "../../web/src/rhino/write-model.ts";
 import { plainOptions } from "../../web/src/solver/cutting-options.ts";
 import { loadDocuments, loadPlanish } from "./support/planish.ts";
 import { loadRhino } from "./support/rhino.ts";
 
 let rhino: RhinoModule;
+let join: JoinPoints;
 beforeAll(async () => {
   rhino = await loadRhino();
+  join = (await loadDocuments()).joinedPoints;
 });
 
 const SHOP = plainOptions("m", "m");
@@ -110,7 +113,7 @@ describe.each(SAMPLES)("an edited %s", (sample) => {
   it("is read again as the design, and as a mesh once a panel was changed elsewhere", async () => {
     const model = await edited(sample, 12, 0.3);
     const { bytes } = writeModel(rhino, model);
-    const read = readModel(rhino, bytes);
+    const read = readModel(rhino, bytes, join);
     expect([read.design, read.unit, read.remarks]).toEqual([model.design, "m", []]);
     const corners = read.mesh.faces.map((face) =>
       face.flatMap((v) => [...read.mesh.points.slice(3 * v, 3 * v + 3)]),
@@ -120,7 +123,7 @@ describe.each(SAMPLES)("an edited %s", (sample) => {
         [...face].flatMap((v) => [...model.positions.subarray(3 * v, 3 * v + 3)]),
       ),
     );
-    const changed = readModel(rhino, withLiftedCorner(bytes));
+    const changed = readModel(rhino, withLiftedCorner(bytes), join);
     expect(changed.design).toBe("");
     expect(changed.remarks[0]).toMatch(/^The panels were changed after the file was saved here/);
     expect(changed.mesh.faces.length).toBe(model.faces.length);
@@ -167,7 +170,7 @@ function mesh(points: Corners, faces: readonly (readonly number[])[]): Mesh {
   return made;
 }
 
-const readFaces = (file: File3dm) => readModel(rhino, file.toByteArray());
+const readFaces = (file: File3dm) => readModel(rhino, file.toByteArray(), join);
 
 describe("a file from elsewhere", () => {
   it("gives the doubles of a mesh, welded where panels touch", () => {
@@ -294,7 +297,7 @@ describe("a file of triangles or of little", () => {
     expect(() => readFaces(surface)).toThrow(
       "It holds no mesh and no closed polyline. It holds 1 surface. In Rhino, DupFaceBorder",
     );
-    expect(() => readModel(rhino, Uint8Array.of(1, 2, 3))).toThrow(/not a Rhino model/);
+    expect(() => readModel(rhino, Uint8Array.of(1, 2, 3), join)).toThrow(/not a Rhino model/);
   });
 });
 
@@ -349,7 +352,7 @@ describe("what lies beside the panels", () => {
   it("stays beside a design of ours, whose own layers are no context", async () => {
     const { bytes } = writeModel(rhino, await edited("roof", 6, 0.3));
     const file = rhino.File3dm.fromByteArray(bytes);
-    expect(readModel(rhino, bytes).context).toBeNull();
+    expect(readModel(rhino, bytes, join).context).toBeNull();
     const layer = new rhino.Layer();
     layer.name = "Site";
     const attributes = plain();

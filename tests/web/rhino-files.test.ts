@@ -5,11 +5,15 @@ import type { ObjectAttributes } from "rhino3dm";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { RhinoModule } from "../../web/src/rhino/model.ts";
 import { type ReadModel, readModel } from "../../web/src/rhino/read-model.ts";
+import type { JoinPoints } from "../../web/src/rhino/weld.ts";
+import { loadDocuments } from "../parity/support/planish.ts";
 import { loadRhino } from "../parity/support/rhino.ts";
 
 let rhino: RhinoModule;
+let join: JoinPoints;
 beforeAll(async () => {
   rhino = await loadRhino();
+  join = (await loadDocuments()).joinedPoints;
 });
 
 type Point = readonly [number, number, number];
@@ -49,7 +53,7 @@ function read(system: string, parts: readonly Part[]): ReadModel {
     for (const [a = 0, b = 0, c = 0, d = 0] of part.faces) mesh.faces().addQuadFace(a, b, c, d);
     file.objects().addMesh(mesh, attributes);
   }
-  return readModel(rhino, file.toByteArray());
+  return readModel(rhino, file.toByteArray(), join);
 }
 
 const QUAD = [[0, 1, 2, 3]];

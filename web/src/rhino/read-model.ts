@@ -17,7 +17,7 @@ import {
 } from "./model.ts";
 import { orient } from "./orient.ts";
 import { Others } from "./others.ts";
-import { weld } from "./weld.ts";
+import { type JoinPoints, weld } from "./weld.ts";
 
 export interface ReadModel {
   /** The text of the design whose panels these are to the last bit; "" for none. */
@@ -155,7 +155,7 @@ const times = (n: number, one: string, several: string): string =>
   `${n} ${n === 1 ? one : several}`;
 
 /** What is there to read, the surest first. */
-function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
+function meshOf(found: Found, tolerance: number, join: JoinPoints, remarks: string[]): Faces {
   const own = inOrder(found.own);
   const meshes = [...found.ownMeshes, ...found.meshes];
   const fromMeshes = own.length === 0 && meshes.length > 0;
@@ -165,7 +165,7 @@ function meshOf(found: Found, tolerance: number, remarks: string[]): Faces {
   if (own.length > 0 || fromMeshes)
     for (const outline of found.polylines) found.others.polyline(outline);
   const whole = fromMeshes ? together(meshes) : fromOutlines(outlines);
-  const { points, faces, moved, largest, collapsed } = weld(whole, tolerance);
+  const { points, faces, moved, largest, collapsed } = weld(whole, tolerance, join);
   if (moved > 0) {
     const way = `the longest way is ${largest.toPrecision(2)} in the file's unit`;
     remarks.push(`${times(moved, "point", "points")} became one with a neighbour; ${way}.`);
@@ -224,13 +224,13 @@ const CHANGED =
   "The panels were changed after the file was saved here: they are opened as a mesh, without the design that they came from.";
 
 /** Throws an UnreadableModel. */
-export function readModel(rhino: RhinoModule, bytes: Uint8Array): ReadModel {
+export function readModel(rhino: RhinoModule, bytes: Uint8Array, join: JoinPoints): ReadModel {
   const file = rhino.File3dm.fromByteArray(bytes) as File3dm | null;
   if (!file) throw new UnreadableModel("This is not a Rhino model that can be read.");
   const { modelUnitSystem, modelAbsoluteTolerance } = file.settings();
   const found = search(rhino, file);
   const remarks: string[] = [];
-  const mesh = meshOf(found, modelAbsoluteTolerance, remarks);
+  const mesh = meshOf(found, modelAbsoluteTolerance, join, remarks);
   const stored = stringOf(file, DESIGN_KEY);
   const isSame = outlinesMark(inOrder(found.own)) === stringOf(file, OUTLINES_KEY);
   if (stored && !isSame) remarks.unshift(CHANGED);

@@ -11,35 +11,9 @@ export interface Welded extends Faces {
   readonly collapsed: number;
 }
 
-/** Points by the cell of a grid that they are in; cells of one number are told apart by distance. */
-class Grid {
-  readonly #cells = new Map<number, number[]>();
-  readonly #size: number;
-
-  constructor(size: number) {
-    this.#size = size;
-  }
-
-  #cell(x: number, y: number, z: number): number {
-    return (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) >>> 0;
-  }
-
-  add(point: number, at: readonly number[]): void {
-    const [x = 0, y = 0, z = 0] = at.map((c) => Math.floor(c / this.#size));
-    const cell = this.#cell(x, y, z);
-    const there = this.#cells.get(cell);
-    if (there) there.push(point);
-    else this.#cells.set(cell, [point]);
-  }
-
-  /** Points in the cells around `at`, and maybe others. */
-  *near(at: readonly number[]): Iterable<number> {
-    const [x = 0, y = 0, z = 0] = at.map((c) => Math.floor(c / this.#size));
-    for (let i = -1; i <= 1; ++i)
-      for (let j = -1; j <= 1; ++j)
-        for (let k = -1; k <= 1; ++k) yield* this.#cells.get(this.#cell(x + i, y + j, z + k)) ?? [];
-  }
-}
+/** The core's: of each point the number of the one whose place it takes, from 0 in the order of those
+ * that keep theirs. @param within model units */
+export type JoinPoints = (points: Float64Array, within: number) => Int32Array;
 
 const pointAt = (points: Faces["points"], v: number): readonly [number, number, number] => [
   points[3 * v] ?? 0,
@@ -62,29 +36,20 @@ function shortestSide({ points, faces }: Faces): number {
 }
 
 /** Never above a tenth of the shortest side, so that no side is lost. */
-const safeTolerance = (mesh: Faces, tolerance: number): number => {
-  const least = Number.MIN_VALUE; // the same point only
-  return Math.max(Math.min(tolerance, shortestSide(mesh) / 10), least);
-};
+const safeTolerance = (mesh: Faces, tolerance: number): number =>
+  Math.min(tolerance, shortestSide(mesh) / 10);
 
-/** Each point takes the place of the first one within `tolerance` (model units) of it. */
-export function weld(mesh: Faces, tolerance: number): Welded {
-  const reach = safeTolerance(mesh, tolerance);
-  const grid = new Grid(Math.max(reach, 1e-12));
+/** Each point takes the place of an earlier one within `tolerance` (model units) of it. */
+export function weld(mesh: Faces, tolerance: number, join: JoinPoints): Welded {
+  const places = join(Float64Array.from(mesh.points), safeTolerance(mesh, tolerance));
   const kept: number[] = [];
   let [moved, largest] = [0, 0];
-  const places = new Int32Array(mesh.points.length / 3).map((_, v) => {
+  places.forEach((place, v) => {
     const at = pointAt(mesh.points, v);
-    for (const other of grid.near(at)) {
-      const off = between(at, pointAt(kept, other));
-      if (off > reach) continue;
-      if (off > 0) moved += 1;
-      largest = Math.max(largest, off);
-      return other;
-    }
-    grid.add(kept.length / 3, at);
-    kept.push(...at);
-    return kept.length / 3 - 1;
+    if (3 * place === kept.length) kept.push(...at);
+    const off = between(at, pointAt(kept, place));
+    if (off > 0) moved += 1;
+    largest = Math.max(largest, off);
   });
   const faces = mesh.faces
     .map((face) => face.map((v) => places[v] ?? 0))

@@ -3,6 +3,7 @@
 // Meshes pass between it and the session as OBJ, which keeps every bit.
 import type { Session } from "@wasm/planish.mjs";
 import type { DesignReading, DesignValue, GlbModule } from "@wasm/planish_documents.mjs";
+import type { JoinPoints } from "../rhino/weld.ts";
 import { loadDocuments } from "./documents.ts";
 import type { Mending, Request, StoredDesign } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
@@ -62,6 +63,16 @@ export class DesignFiles {
       offset ?? new Float64Array(),
       withBase(session, design),
     );
+  }
+
+  /** What joins points that the panels of a file have of their own. */
+  async joinPoints(): Promise<JoinPoints> {
+    const files = await this.#module();
+    return (points, within) => {
+      const places = files.joinedPoints(points, within);
+      if (3 * places.length === points.length) return places;
+      throw new Error("There is not enough memory for this model in the browser.");
+    };
   }
 
   async #module(): Promise<GlbModule> {

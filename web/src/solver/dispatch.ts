@@ -218,7 +218,7 @@ export class Dispatcher {
   async #unpack({ job, file, name }: Extract<Request, { kind: "unpack" }>): Promise<void> {
     const bytes = await readGiven(file, name, this.#onPiece);
     const { openRhino } = await rhinoPart();
-    const model = await openRhino(name, bytes);
+    const model = await openRhino(name, bytes, await this.#files.joinPoints());
     const { lines, triangles, points } = model.context ?? {};
     const drawn = [lines, triangles, points].flatMap((list) => (list ? [list.buffer] : []));
     this.#post({ kind: "unpacked", job, model }, [model.mesh.buffer, ...drawn]);

@@ -7,6 +7,7 @@ import type { Unit } from "../quantity/units.ts";
 import { csvRows } from "../rhino/csv-rows.ts";
 import type { RhinoModule } from "../rhino/model.ts";
 import { readModel, UnreadableModel, writeObj } from "../rhino/read-model.ts";
+import type { JoinPoints } from "../rhino/weld.ts";
 import { type WrittenModel, writeModel } from "../rhino/write-model.ts";
 import type { OpenedModel } from "./protocol.ts";
 import { aboutFile } from "./reading.ts";
@@ -23,10 +24,14 @@ async function loadRhino(): Promise<RhinoModule> {
 }
 
 /** A mesh or a design; throws a sentence if the file has neither. */
-export async function openRhino(name: string, bytes: Uint8Array): Promise<OpenedModel> {
+export async function openRhino(
+  name: string,
+  bytes: Uint8Array,
+  join: JoinPoints,
+): Promise<OpenedModel> {
   const rhino = await loadRhino();
   try {
-    const { mesh, ...others } = readModel(rhino, bytes);
+    const { mesh, ...others } = readModel(rhino, bytes, join);
     return { ...others, mesh: writeObj(mesh) };
   } catch (error) {
     const what = error instanceof UnreadableModel ? error.message : "It is damaged, or too large.";
