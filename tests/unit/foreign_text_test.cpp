@@ -103,6 +103,17 @@ TEST(ForeignObj, FacesLeftOutSayThatNamesShift) {
   EXPECT_EQ(outcome(read_obj(obj({"f\n"}))), "line 10: face 1 has 0 vertices; it needs 3 or more");
 }
 
+TEST(ForeignOff, FacesLeftOutSayThatNamesShift) {
+  for (const char* face : {"2 0 1", "1 0", "3 0 1 0", "4 0 0 1 1"}) {
+    const std::string file =
+        "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + std::string(face) + "\n4 0 1 2 3\n";
+    EXPECT_EQ(outcome(read_off(file)),
+              "4 points, 1 faces | 1 face has fewer than 3 different corners (first: line 7); left "
+              "out, so each panel after it has a number and name one lower than in the file")
+        << face;
+  }
+}
+
 TEST(ForeignObj, AFaceGivenTwiceIsNamed) {
   EXPECT_EQ(outcome(read_obj(obj({}, "f 5 4 1 2\n"))),
             "line 14: face 5 has the same corners as face 1 (from 1); a panel can be given once");

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Rhino files of other people: their units, outlines drawn twice, meshes turned both ways, quads that
 // are parts of panels.
+import { existsSync } from "node:fs";
+import { readFile } from "node:fs/promises";
 import type { ObjectAttributes } from "rhino3dm";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { RhinoModule } from "../../web/src/rhino/model.ts";
-import { type ReadModel, readModel } from "../../web/src/rhino/read-model.ts";
+import { type ReadModel, readModel, writeObj } from "../../web/src/rhino/read-model.ts";
 import type { JoinPoints } from "../../web/src/rhino/weld.ts";
-import { loadDocuments } from "../parity/support/planish.ts";
+import { loadDocuments, loadPlanish } from "../parity/support/planish.ts";
 import { loadRhino } from "../parity/support/rhino.ts";
 
 let rhino: RhinoModule;
@@ -24,11 +26,12 @@ const SQUARE: readonly Point[] = [
   [0, 1, 0],
 ];
 const BESIDE: readonly Point[] = SQUARE.map(([x, y, z]) => [x + 1, y, z + 0.1 * x] as const);
-const HEXAGON: readonly Point[] = Array.from({ length: 6 }, (_, k) => [
-  Math.cos((k * Math.PI) / 3),
-  Math.sin((k * Math.PI) / 3),
-  0,
-]);
+const regular = (corners: number): readonly Point[] =>
+  Array.from({ length: corners }, (_, k) => [
+    Math.cos((k * 2 * Math.PI) / corners),
+    Math.sin((k * 2 * Math.PI) / corners),
+    0,
+  ]);
 
 type Part =
   | { readonly outline: readonly Point[] }
@@ -50,7 +53,9 @@ function read(system: string, parts: readonly Part[]): ReadModel {
     const mesh = new rhino.Mesh();
     mesh.vertices().useDoublePrecisionVertices = true;
     for (const [x, y, z] of part.points) mesh.vertices().addPoint3d(x, y, z);
-    for (const [a = 0, b = 0, c = 0, d = 0] of part.faces) mesh.faces().addQuadFace(a, b, c, d);
+    for (const [a = 0, b = 0, c = 0, d] of part.faces)
+      if (d === undefined) mesh.faces().addTriFace(a, b, c);
+      else mesh.faces().addQuadFace(a, b, c, d);
     file.objects().addMesh(mesh, attributes);
   }
   return readModel(rhino, file.toByteArray(), join);
@@ -108,6 +113,13 @@ describe("the unit of a file", () => {
 });
 
 describe("panels of a file", () => {
+  it("of meshes drawn twice are read once, too", () => {
+    const panel = { points: SQUARE, faces: QUAD };
+    const { mesh, remarks } = read("Meters", [panel, { points: BESIDE, faces: QUAD }, panel]);
+    expect(mesh.faces).toHaveLength(2);
+    expect(remarks).toEqual(["1 panel drawn twice read once."]);
+  });
+
   it("drawn twice are read once, either way round and from any corner", () => {
     const again = [SQUARE, SQUARE.toReversed(), [...SQUARE.slice(1), SQUARE[0] as Point]];
     for (const outline of again) {
@@ -131,6 +143,12 @@ describe("panels of a file", () => {
       ].map((face) => expect.arrayContaining(face)),
     );
     expect(remarks).toContain("1 face turned over so that neighbours agree.");
+    const alone = { points: SQUARE.map(([x, y, z]) => [x + 9, y, z] as const), faces: QUAD };
+    const apart = read("Meters", [{ points: SQUARE, faces: QUAD }, turned, alone]);
+    expect(apart.remarks).toContain("1 face turned over so that neighbours agree.");
+    const below = { points: BESIDE, faces: [[3, 2, 1, 0]] };
+    const first = read("Meters", [{ points: SQUARE, faces: [[3, 2, 1, 0]] }, below, turned]);
+    expect(first.remarks[0]).toMatch(/drawn twice read once/);
     const agreeing = read("Meters", [
       { points: SQUARE, faces: QUAD },
       { points: BESIDE, faces: QUAD },
@@ -138,15 +156,74 @@ describe("panels of a file", () => {
     expect(agreeing.remarks).toEqual([]);
   });
 
-  it("that are quads in one plane with one convex outline are named, and stay", () => {
-    const halves = [
-      [0, 1, 2, 3],
-      [0, 3, 4, 5],
-    ];
-    const { mesh, remarks } = read("Meters", [{ points: HEXAGON, faces: halves }]);
-    expect(mesh.faces.map((face) => face.length)).toEqual([4, 4]);
+  it.each([
+    [
+      "a hexagon of two quads",
+      6,
+      [
+        [0, 1, 2, 3],
+        [0, 3, 4, 5],
+      ],
+    ],
+    [
+      "a hexagon of a quad and two triangles",
+      6,
+      [
+        [0, 1, 2, 3],
+        [0, 3, 4],
+        [0, 4, 5],
+      ],
+    ],
+    [
+      "a pentagon of a quad and a triangle",
+      5,
+      [
+        [0, 1, 2, 3],
+        [0, 3, 4],
+      ],
+    ],
+    [
+      "an octagon of three quads",
+      8,
+      [
+        [0, 1, 2, 3],
+        [0, 3, 4, 7],
+        [4, 5, 6, 7],
+      ],
+    ],
+  ])("that may be one are named, and stay: %s", (_, corners, faces) => {
+    const { mesh, remarks } = read("Meters", [{ points: regular(corners), faces }]);
+    expect(mesh.faces.map((face) => face.length)).toEqual(faces.map((face) => face.length));
     expect(remarks[0]).toMatch(/^1 group of quads in one plane may be one panel each/);
+  });
+
+  it("that are quads in one plane with a straight or hollow outline are panels", () => {
     const row = { points: SQUARE.map(([x, y]) => [x + 1, y, 0] as const), faces: QUAD };
     expect(read("Meters", [{ points: SQUARE, faces: QUAD }, row]).remarks).toEqual([]);
+    const above = { points: SQUARE.map(([x, y]) => [x, y + 1, 0] as const), faces: QUAD };
+    expect(read("Meters", [{ points: SQUARE, faces: QUAD }, row, above]).remarks).toEqual([]);
+  });
+});
+
+const CASES = new URL("../../../shared/cases/", import.meta.url);
+
+/** Of each shared file: its panels, and what is said first. */
+const SHARED = [
+  ["3dm-in-decimetres.3dm", 4, /in decimetres, which the page does not have/],
+  ["3dm-in-microns.3dm", 4, /in microns, which the page does not have/],
+  ["3dm-polylines-drawn-twice.3dm", 4, /^4 panels drawn twice read once\.$/],
+  ["3dm-hexagons-of-two-quads.3dm", 74, /^37 groups of quads in one plane may be one panel each/],
+  ["3dm-meshes-turned-both-ways.3dm", 4, /turned over so that neighbours agree\.$/],
+] as const;
+
+describe.skipIf(!existsSync(CASES))("a shared file opens, and says why it looks as it does", () => {
+  it.each(SHARED)("%s", async (name, panels, said) => {
+    const { mesh, remarks } = readModel(rhino, await readFile(new URL(name, CASES)), join);
+    expect(mesh.faces).toHaveLength(panels);
+    expect(remarks[0]).toMatch(said);
+    const session = new (await loadPlanish()).Session();
+    expect(session.openFile(writeObj(mesh), "obj")).toBe("");
+    expect(session.meshReport().warnings).toEqual([]);
+    session.delete();
   });
 });
