@@ -42,6 +42,22 @@ TEST(PanelsJoined, AFileSaysHowAndIsJoined) {
   }
 }
 
+/// Bays that a program turned about an axis, each with points of its own.
+TEST(PanelsJoined, PointsThatDifferByRoundingAreFoundAndJoined) {
+  Mesh apart = points_apart(four_panels());
+  for (Eigen::Index v = 0; v < 16; ++v) apart.positions(2, v) += 1e-9 * static_cast<double>(v);
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly}) {
+    const ReadResult read = read_mesh(write_mesh(apart, format), format);
+    EXPECT_EQ(
+        outcome(read),
+        "16 points, 4 faces | 7 vertices lie within 1e-08 of another one (first: vertices 1 and "
+        "4); they are not joined; convert --join-points joins them");
+    const ReadResult joined = join_points(std::get<MeshFile>(read).mesh);
+    EXPECT_EQ(outcome(joined).find("9 points, 4 faces | 7 vertices were joined"), 0u);
+    EXPECT_EQ(summarize(std::get<MeshFile>(joined).mesh).components, 1);
+  }
+}
+
 TEST(PanelsJoined, WithinADistance) {
   Mesh apart = points_apart(four_panels());
   for (Eigen::Index v = 0; v < 16; ++v) apart.positions(2, v) += 1e-4 * static_cast<double>(v);

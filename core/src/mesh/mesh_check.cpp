@@ -12,6 +12,7 @@
 
 #include "mesh/edge_table.hpp"
 #include "numeric/disjoint_sets.hpp"
+#include "planish/mesh/point_joining.hpp"
 #include "planish/text/refusal.hpp"
 #include "text/sentence.hpp"
 
@@ -300,6 +301,40 @@ int component_count(const Mesh& mesh) {
   return count;
 }
 
+/// Vertices of edges that one face has, ascending.
+std::vector<int> boundary_points(const std::vector<EdgeUse>& uses) {
+  std::vector<int> points;
+  for (std::size_t k = 0; k < uses.size();) {
+    const auto edge = same_edge(uses, k);
+    if (edge.size() == 1) points.insert(points.end(), {edge[0].low, edge[0].high});
+    k += edge.size();
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Where parts meet, points that differ by rounding.
+void warn_nearly_coincident(const Mesh& mesh, const std::vector<EdgeUse>& uses,
+                            std::vector<std::string>& warnings) {
+  if (component_count(mesh) < 2) return;
+  const std::vector<int> points = boundary_points(uses);
+  const Positions places = mesh.positions(Eigen::all, points);
+  const JoinedPoints joined = find_joined_points(places, usual_joining(mesh));
+  if (joined.largest == 0.0) return;
+  std::size_t count = 0;
+  std::pair<int, int> first{-1, -1};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const int kept = joined.kept[static_cast<std::size_t>(joined.target[k])];
+    if (places.col(static_cast<Eigen::Index>(k)) == places.col(kept)) continue;
+    if (count++ == 0) first = {points[static_cast<std::size_t>(kept)], points[k]};
+  }
+  warnings.push_back(count_text(count, "vertex lies", "vertices lie") + " within " +
+                     number_text(joined.largest) + " of another one (first: vertices " +
+                     std::to_string(first.first) + " and " + std::to_string(first.second) +
+                     "); they are not joined; convert --join-points joins them");
+}
+
 }  // namespace
 
 ReadResult check_mesh(Mesh mesh, const SourceLines& lines) {
@@ -314,6 +349,7 @@ ReadResult check_mesh(Mesh mesh, const SourceLines& lines) {
   warn_isolated(mesh, warnings);
   warn_flattened(mesh, warnings);
   warn_coincident(mesh, warnings);
+  warn_nearly_coincident(mesh, uses, warnings);
   return MeshFile{std::move(mesh), std::move(warnings)};
 }
 

@@ -136,17 +136,21 @@ double safe_joining(const Mesh& mesh, double within) {
   return std::min(within, shortest_side(mesh, within) / 10);
 }
 
-ReadResult join_points(const Mesh& mesh, std::optional<double> within) {
+double usual_joining(const Mesh& mesh) {
   constexpr double kUsual = 1e-6;
   const auto& points = mesh.positions;
   const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  return safe_joining(mesh, kUsual * size);
+}
+
+ReadResult join_points(const Mesh& mesh, std::optional<double> within) {
   const double shortest = shortest_side(mesh, 0.0);
   if (within && (!(*within >= 0) || *within >= shortest / 2)) {
     return ReadError{"points can be joined within less than half the shortest side, which is " +
                      number_text(shortest) + " long"};
   }
   const JoinedPoints joined =
-      find_joined_points(points, within ? *within : safe_joining(mesh, kUsual * size));
+      find_joined_points(mesh.positions, within ? *within : usual_joining(mesh));
   ReadResult result = repair_and_check(with_joined_points(mesh, joined));
   if (auto* error = std::get_if<ReadError>(&result)) {
     error->message = "once its points are joined, " + error->message;

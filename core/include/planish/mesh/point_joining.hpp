@@ -33,9 +33,13 @@ struct JoinedPoints {
 /// `within`, but at most a tenth of the shortest side that is longer than it: no such side is lost.
 [[nodiscard]] double safe_joining(const Mesh& mesh, double within);
 
-/// `mesh` with its points joined within `within` (model units; by default a millionth of its size,
-/// as safe_joining() allows), and a warning that counts them. Refused: no distance, one of half the
-/// shortest side or more, and where joining gives no mesh, as check_mesh() says it.
+/// A millionth of the size of `mesh`, as safe_joining() allows: what is told apart by less differs
+/// by rounding alone.
+[[nodiscard]] double usual_joining(const Mesh& mesh);
+
+/// `mesh` with its points joined within `within` (model units; by default usual_joining()), and a
+/// warning that counts them. Refused: no distance, one of half the shortest side or more, and where
+/// joining gives no mesh, as check_mesh() says it.
 [[nodiscard]] ReadResult join_points(const Mesh& mesh, std::optional<double> within = {});
 
 }  // namespace planish
