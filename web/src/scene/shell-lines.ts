@@ -35,6 +35,7 @@ export class ShellLines {
 
   /** Draws these edges in place of those before; `points`: where they are now. */
   draw(topology: Topology, points: Float32Array): void {
+    if (topology === this.#topology) return;
     this.group.remove(this.#edges.object);
     this.#edges.dispose();
     this.#topology = topology;

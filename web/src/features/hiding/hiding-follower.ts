@@ -12,15 +12,17 @@ export function followHiding(sight: Sight): () => void {
   const hide = async (): Promise<void> => {
     const { shell } = sight;
     const panels = hiddenPanels(page).value;
+    if (!shell) return;
     const whole = panels.size === 0;
+    // At once, since the page says so and nobody shall hit what is hidden; its edges go a little later.
+    shell.hide(panels, whole ? shell.topology : shell.drawn);
+    stage.moved();
     const part = whole ? null : await fetchPart(page, () => import("../../mesh/panel-edges.ts"));
-    if (!shell || shell !== sight.shell || panels !== hiddenPanels(page).peek()) return;
-    if (whole) shell.hide(panels, shell.topology);
-    else if (part)
-      shell.hide(
-        panels,
-        part.edgesOfPanels(shell, (panel) => !panels.has(panel)),
-      );
+    if (!part || shell !== sight.shell || panels !== hiddenPanels(page).peek()) return;
+    shell.hide(
+      panels,
+      part.edgesOfPanels(shell, (panel) => !panels.has(panel)),
+    );
     stage.moved();
   };
   return effect(() => void hide());
