@@ -71,16 +71,25 @@ it("an edit keeps them, and the page leads to the panels that they hold back", a
   await page.context().close();
 });
 
-// Owed: with the new path (decision 49) no handle of this edit is said to stop short; find one that does.
-it.skip("where a limit stops a handle, how far it got is said before that the limit holds", async () => {
+it("where a limit stops a handle, how far it got is said before that the limit holds", async () => {
   const page = await site.open();
   await openVault(page);
   await type(page, "Folds up to", "12");
-  await typeTarget(page, "+6m");
+  await typeTarget(page, "+5m");
   const standing = page.getByText(/the limit on folds holds (a panel|\d+ panels) back/i);
   expect(await standing.textContent()).toMatch(
-    /^\d+ of 6000 mm reached: the limit .* back \(asked 12°, is 1[12]\.\d\d°\)/,
+    /^\d+ of 5000 mm reached: the limit .* back \(asked 12°, is 1[12]\.\d\d°\)/,
   );
+  await page.context().close();
+});
+
+it("where no way within the limits was found, it is not said that none holds the edit back", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await type(page, "Folds up to", "12");
+  await typeTarget(page, "+9m");
+  await page.getByText(/^\d+ of 9000 mm reached: within the limits no flat panels/).waitFor();
+  expect(await page.getByText("No limit holds this edit back.").count()).toBe(0);
   await page.context().close();
 });
 

@@ -164,6 +164,13 @@ function costWords(page: Page): string {
   return found ? `${gotWords(found.stop, page.unit.value)} reached: the` : "The";
 }
 
+/** No panel is at its limit: either none is in the way, or no way within them was found. */
+function freeWords(page: Page): string {
+  const found = stopped(page).value;
+  if (found?.reason !== "limits") return "No limit holds this edit back.";
+  return `${gotWords(found.stop, page.unit.value)} reached: within the limits no flat panels were found any nearer.`;
+}
+
 /** Which limits hold the edit back, and the way to the panels. */
 function Standing() {
   const page = usePage();
@@ -173,7 +180,7 @@ function Standing() {
   const held = Object.entries(bounds).filter(
     ([name, panels]) => name !== "keep-out" && panels.length > 0,
   );
-  if (held.length === 0) return <p class="quiet small">No limit holds this edit back.</p>;
+  if (held.length === 0) return <p class="quiet small">{freeWords(page)}</p>;
   return (
     <>
       {held.map(([name, panels], k) => (
