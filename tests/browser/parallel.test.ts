@@ -42,7 +42,7 @@ const view = (page: Page, name: string): Promise<void> =>
   page.getByRole("button", { name, exact: true }).click();
 
 it("a wall is a line from above, until Perspective; turning keeps the lens", async () => {
-  const page = await site.open();
+  const page = await site.open({ draws: true });
   await openFile(page, "walls.obj", WALLS);
   await page.getByRole("button", { name: "Start editing" }).click();
   await view(page, "Top");
@@ -65,7 +65,7 @@ it("a wall is a line from above, until Perspective; turning keeps the lens", asy
 });
 
 it("what is kept comes back in parallel, at its size", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   const at = await hintedPoint(page);
   await press(page, at, { x: at.x, y: at.y - 40 });
   await page.mouse.up();
@@ -76,7 +76,7 @@ it("what is kept comes back in parallel, at its size", async () => {
   const before = await edges(page);
   await page.getByRole("button", { name: "Share" }).click();
   const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
-  const other = await site.open({}, new URL(link).hash);
+  const other = await site.open({ draws: true }, new URL(link).hash);
   await usable(other);
   await idle(other);
   await expect.poll(() => movedCount(other)).toBeGreaterThan(0);
@@ -92,7 +92,7 @@ it("what is kept comes back in parallel, at its size", async () => {
 });
 
 it("a point dragged in the plan follows the pointer, wherever it is high", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   await view(page, "Top");
   const { left, right } = await edges(page);
   const from = await hintedPoint(page);

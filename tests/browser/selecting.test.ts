@@ -41,7 +41,7 @@ const FOUR = `${[0, 1, 2].flatMap((y) => [0, 1, 2].map((x) => `v ${x} ${y} 0`)).
 f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n`;
 
 it("a click in the view selects the panel under it, and beside the model none", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ draws: true });
   await openFile(page, "four.obj", FOUR);
   await page.getByRole("button", { name: "Start editing" }).click();
   await page.getByRole("button", { name: "Top", exact: true }).click();
@@ -62,7 +62,7 @@ it("a click in the view selects the panel under it, and beside the model none", 
 });
 
 it("the arrows stand at the selected point, before it is moved and after", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ draws: true, viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Top", exact: true }).click();
   await still(page);
   const point = await hintedPoint(page);
