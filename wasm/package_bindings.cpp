@@ -115,6 +115,9 @@ val project(const MeshHold& mesh, const val& words, const MeshHold& reference,
     return shared(make_projection(*mesh, to_words(words), reference.get(), to_progress(progress)));
   });
 }
+val convert(const MeshHold& mesh, const val& words) {
+  return answer([&] { return shared(make_conversion(*mesh, to_words(words))); });
+}
 val offset(const MeshHold& mesh, const val& words) {
   return answer([&] { return shared(make_offset(*mesh, to_words(words))); });
 }
@@ -265,6 +268,7 @@ EMSCRIPTEN_BINDINGS(planish_package) {
   function("explore", &explore);
   function("variation", &variation);
   function("project", &project);
+  function("convert", &convert);
   function("offset", &offset);
   function("mobility", &mobility);
   function("readDesign", &read_design_text);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "conversion_run.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
@@ -209,9 +210,11 @@ std::vector<cli::OptionRow> option_rows(const std::string& command) {
   if (command == "project") return cli::projection_option_rows();
   if (command == "offset") return cli::offset_option_rows();
   if (command == "mobility") return cli::mobility_option_rows();
-  throw CommandError(cli::kWrongUsage,
-                     "there is no command \"" + command +
-                         "\" with options; use edit, explore, project, offset or mobility");
+  if (command == "convert") return cli::conversion_option_rows();
+  throw CommandError(
+      cli::kWrongUsage,
+      "there is no command \"" + command +
+          "\" with options; use edit, explore, project, offset, mobility or convert");
 }
 
 }  // namespace planish::library

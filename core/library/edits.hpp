@@ -90,7 +90,8 @@ struct Replayed {
 /// @param name must end in .json
 [[nodiscard]] std::string bytes_of(const Design& design, const std::string& name);
 
-/// Rows (name, value, help) that `command` takes: edit, explore, project, offset or mobility.
+/// Rows (name, value, help) that `command` takes: edit, explore, project, offset, mobility or
+/// convert.
 [[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
 
 }  // namespace planish::library

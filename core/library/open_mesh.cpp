@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "open_mesh.hpp"
 
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "arguments.hpp"
+#include "conversion_run.hpp"
 #include "files.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/mesh/mesh_check.hpp"
@@ -64,6 +66,15 @@ OpenMesh read_mesh_bytes(const std::string& name, std::string bytes) {
 OpenMesh mesh_with(const Mesh& mesh, const Positions& positions) {
   OpenMesh result{mesh, FileSource{kArrayName, {}, "", ""}, {}, "the mesh"};
   result.mesh.positions = positions;
+  return result;
+}
+
+OpenMesh make_conversion(const OpenMesh& mesh, const std::vector<std::string>& words) {
+  const std::vector<std::string_view> views(words.begin(), words.end());
+  cli::Converted converted =
+      cli::run_conversion(mesh.mesh, cli::Arguments(views, cli::conversion_option_rows()));
+  OpenMesh result = mesh_with(converted.mesh, converted.mesh.positions);
+  result.warnings = std::move(converted.messages);
   return result;
 }
 

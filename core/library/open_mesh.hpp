@@ -32,6 +32,10 @@ struct OpenMesh {
 /// `mesh` with other positions, as a mesh of its own. @param positions 3 × n
 [[nodiscard]] OpenMesh mesh_with(const Mesh& mesh, const Positions& positions);
 
+/// `mesh` with its points joined, its panels turned or its triangles joined; what was done is among
+/// its warnings. @param words as `planish convert` has them
+[[nodiscard]] OpenMesh make_conversion(const OpenMesh& mesh, const std::vector<std::string>& words);
+
 /// The source of `open` with the bytes that make a design complete.
 [[nodiscard]] DesignSource complete_source(const OpenMesh& open);
 

@@ -8,7 +8,7 @@ from .edits import Edit, Family, Variation, edit
 from .errors import Error, MeshError, UsageError
 from .mesh import Mesh
 from .mobilities import Mobility, mobility
-from .operations import Offset, Projection, info, offset, options, project
+from .operations import Offset, Projection, convert, info, offset, options, project
 from .report import Report
 from .shape import Shape
 from .sweeps import Job, Plan, gather, sweep
@@ -32,6 +32,7 @@ __all__ = [
     "Variation",
     "__version__",
     "catalogue",
+    "convert",
     "edit",
     "gather",
     "info",

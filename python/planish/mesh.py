@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, picture
-from .errors import MeshError
+from .errors import MeshError, wording
 from .report import Report
 
 Points = npt.NDArray[np.float64]
@@ -86,7 +86,7 @@ class Mesh:
     @property
     def warnings(self) -> list[str]:
         """What is odd about the mesh and what is done about it, one sentence each."""
-        return self._core.warnings
+        return [wording(warning) for warning in self._core.warnings]
 
     def info(self) -> Report:
         """Counts, edge length, degrees of freedom and flatness."""

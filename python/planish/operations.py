@@ -67,13 +67,32 @@ def offset(mesh: Mesh, distance: float, *, kind: str | None = None, **more: Any)
     return Offset(_core.offset(mesh._core, words))
 
 
+def convert(
+    mesh: Mesh,
+    *,
+    join_points: bool | float | None = None,
+    orient: bool | None = None,
+    join_triangles: bool | None = None,
+    **more: Any,
+) -> Mesh:
+    """A mesh mended as `planish convert` does it; `warnings` of it say how much was.
+
+    Args:
+        join_points: True, or model units > 0: panels that have points of their own share them.
+        orient: neighbours agree, the outside out or up.
+        join_triangles: two by two, into the quads that a program split.
+    """
+    options = {"join_points": join_points, "orient": orient, "join_triangles": join_triangles}
+    return Mesh._of(_core.convert(mesh._core, option_words("convert", {**options, **more})))
+
+
 def info(mesh: Mesh) -> Report:
     """Figures of a mesh: `planish info`."""
     return mesh.info()
 
 
 def options(command: str) -> dict[str, str]:
-    """What "edit", "explore", "project" or "offset" takes: each option with what it does."""
+    """What "edit", "explore", "project", "offset" or "convert" takes: each option with what it does."""
     return {
         name.lstrip("-").replace("-", "_"): " ".join(help_text.split())
         for name, _, help_text in _core.options(command)

@@ -70,7 +70,7 @@ def option_words(command: str, options: Mapping[str, Any]) -> list[str]:
         if flag not in rows and flag.endswith("s") and flag[:-1] in rows:
             texts = [value] if isinstance(value, str) else value
             words += [f"{flag[:-1]}={text}" for text in _SPELLED.get(name, _plain_texts)(texts)]
-        elif flag in rows and not rows[flag]:
+        elif flag in rows and (not rows[flag] or _may_be_switch(rows[flag], value)):
             words += _switch(name, flag, value)
         else:
             # Unknown names too: the core says so.
@@ -88,6 +88,11 @@ def _plain_texts(values: Iterable[Any]) -> list[str]:
 
 def _is_switch(value: Any) -> bool:
     return isinstance(value, bool) or type(value).__name__ == "bool_"
+
+
+def _may_be_switch(row: str, value: Any) -> bool:
+    """What takes a value only perhaps, such as join_points, is also on or off."""
+    return row.startswith("[") and _is_switch(value)
 
 
 def _switch(name: str, flag: str, value: Any) -> list[str]:

@@ -241,6 +241,12 @@ void bind_functions(py::module_& module) {
         });
       },
       py::arg("mesh"), py::arg("words"), py::arg("reference").none(true), py::arg("progress"));
+  module.def(
+      "convert",
+      [](const OpenMesh& mesh, const Words& words) {
+        return std::make_shared<OpenMesh>(make_conversion(mesh, words));
+      },
+      py::call_guard<py::gil_scoped_release>());
   module.def("offset", &make_offset, py::call_guard<py::gil_scoped_release>());
   module.def("options", [](const std::string& command) {
     std::vector<std::tuple<std::string, std::string, std::string>> rows;

@@ -251,6 +251,34 @@ it("mobility says of each point what the command says, and a watch stops it", as
   }
 });
 
+it("convert joins points and turns panels, and says how many", async () => {
+  const answer = await script<unknown>(`
+    import { convert, Mesh, options } from "planish";
+    const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 1, 2, 1, 1];
+    const apart = await Mesh.from(points, [0, 4, 8], [0, 1, 2, 3, 4, 5, 7, 6]);
+    const whole = convert(apart, { joinPoints: true, orient: true });
+    const near = convert(apart, { joinPoints: 0.01 });
+    let sentence = "";
+    try {
+      convert(apart, { joinPoints: 0.9 });
+    } catch (error) {
+      sentence = error.message;
+    }
+    console.log(JSON.stringify([
+      apart.warnings[0], [...whole.faceVertices], whole.warnings, near.points.length / 3, sentence,
+      convert(apart, { joinPoints: false }).points.length / 3, Object.keys(await options("convert")),
+    ]));`);
+  expect(answer).toEqual([
+    expect.stringContaining("convert joinPoints joins them"),
+    [0, 1, 2, 3, 1, 4, 5, 2],
+    [expect.stringMatching(/^2 vertices were joined/), "1 panel was turned over"],
+    6,
+    expect.stringContaining("half the shortest side"),
+    8,
+    ["joinPoints", "orient", "joinTriangles"],
+  ]);
+});
+
 it("what the solver dropped from its memory comes back with the same bits", async () => {
   const [same, exact, megabytes] = await script<[boolean, boolean, number]>(`
     let memory;

@@ -67,6 +67,29 @@ class Meshes(InFolder):
         self.assertEqual(pickle.loads(pickle.dumps(report)), report)
         self.assertEqual(copy.deepcopy(report), report)
 
+    def test_own_points_are_joined_and_panels_turned_as_the_command_does_it(self):
+        apart = [*POINTS[:4], *POINTS[[1, 2, 4]], (2, 1, 1.001)]
+        mesh = planish.Mesh(apart, [(0, 1, 2, 3), (4, 5, 7, 6)])
+        mesh.write("apart.obj")
+        whole = planish.convert(mesh, join_points=True, orient=True)
+        self.assertEqual(len(whole), 6)
+        self.assertEqual(whole.faces, [(0, 1, 2, 3), (1, 4, 5, 2)])
+        self.assertRegex(whole.warnings[0], "^2 vertices were joined")
+        self.assertEqual(whole.warnings[1], "1 panel was turned over")
+        self.command("convert", "apart.obj", "-o", "whole.obj", "--join-points", "--orient")
+        self.assert_same(planish.Mesh.read("whole.obj"), whole)
+        self.assertEqual(len(planish.convert(mesh, join_points=0.01)), 6)
+        self.assertEqual(len(planish.convert(mesh, join_points=False)), 8)
+        triangles = planish.Mesh(POINTS[:4], [(0, 1, 2), (0, 2, 3)])
+        self.assertEqual(planish.convert(triangles, join_triangles=True).faces, [(0, 1, 2, 3)])
+        with self.assertRaisesRegex(planish.MeshError, "half the shortest side"):
+            planish.convert(mesh, join_points=0.9)
+        with self.assertRaisesRegex(planish.UsageError, "glue"):
+            planish.convert(mesh, glue=1)
+        self.assertEqual(
+            set(planish.options("convert")), {"join_points", "orient", "join_triangles"}
+        )
+
     def test_odd_meshes_are_taken_with_a_warning(self):
         mesh = planish.Mesh([*POINTS, (9, 9, 9)], FACES)
         self.assertEqual(len(mesh.warnings), 1)

@@ -6,7 +6,14 @@ export { Edit, type EditOptions, type ExploreOptions, edit, Family, Variation } 
 export { type ErrorKind, PlanishError } from "./error.ts";
 export { Mesh, type MeshFormat } from "./mesh.ts";
 export { Mobility, type MobilityOptions, type MobilityRow, mobility } from "./mobility.ts";
-export { type OffsetOptions, offset, type ProjectOptions, project } from "./operations.ts";
+export {
+  type ConvertOptions,
+  convert,
+  type OffsetOptions,
+  offset,
+  type ProjectOptions,
+  project,
+} from "./operations.ts";
 export type { BoundReport, Report, Violation } from "./report.ts";
 export { type Progress, Shape } from "./shape.ts";
 export type { Bounds, Constraints, HandleTarget } from "./words.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is done to a whole mesh.
 import { insist } from "./error.ts";
-import type { Mesh } from "./mesh.ts";
+import { Mesh } from "./mesh.ts";
 import { type Progress, Shape } from "./shape.ts";
 import { type Constraints, optionWords } from "./words.ts";
 
@@ -30,6 +30,23 @@ export interface OffsetOptions {
   /** Model units; positive is outside. */
   readonly distance: number;
   readonly kind?: string;
+}
+
+/** Options of `planish convert`. */
+export interface ConvertOptions {
+  /** Panels that have points of their own share them: at one place, or within that many model units. */
+  readonly joinPoints?: boolean | number;
+  /** Panels are turned until neighbours agree, the outside out or up. */
+  readonly orient?: boolean;
+  /** Two by two into the quads that a program split. */
+  readonly joinTriangles?: boolean;
+}
+
+/** A mended mesh, whose `warnings` say how much was. @throws PlanishError */
+export function convert(mesh: Mesh, options: ConvertOptions): Mesh {
+  const { core } = mesh;
+  const words = optionWords(core, "convert", options);
+  return new Mesh(core, () => insist(core.module.convert(mesh.handle(), words)));
 }
 
 /** Makes every panel flat, close by and fair. @throws PlanishError */

@@ -102,6 +102,7 @@ export interface PackageModule {
     reference: MeshHandle | null,
     watch: Watch | null,
   ): Answer<ShapeHandle>;
+  convert(mesh: MeshHandle, words: readonly string[]): Answer<MeshHandle>;
   offset(mesh: MeshHandle, words: readonly string[]): Answer<ShapeHandle>;
   mobility(mesh: MeshHandle, words: readonly string[]): Answer<MobilityHandle>;
   readDesign(text: string): Answer<DesignHandle>;

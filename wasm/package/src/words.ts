@@ -82,6 +82,9 @@ export function optionWords(core: Core, command: Command, options: object): stri
     if (value === undefined || value === null) return [];
     const flag = flagOf(name);
     if (name in OTHER_FLAGS) return texts(name, value).map((text) => `${flag}=${text}`);
-    return rows.get(flag) === "" ? switchWord(name, flag, value) : [`${flag}=${value}`];
+    const row = rows.get(flag);
+    // What takes a value only perhaps, such as joinPoints, is also on or off.
+    const isSwitch = row === "" || (row?.startsWith("[") && typeof value === "boolean");
+    return isSwitch ? switchWord(name, flag, value) : [`${flag}=${value}`];
   });
 }
