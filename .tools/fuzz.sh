@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Fuzzes the readers: 10 s each (PLANISH_FUZZ_SECONDS), or with --long until 1,000,000 inputs each
-# (PLANISH_FUZZ_INPUTS). With names, only those: obj off ply glb design, and web: the page's own
-# decoders of links and kept designs, 1,000,000 inputs each (the unit check gives them 20,000; part of
-# --long without names). What is learnt is kept outside the tree, in PLANISH_FUZZ_CORPUS or
+# Fuzzes the readers: 10 s each (PLANISH_FUZZ_SECONDS), or with --long until 10,000,000 inputs each
+# (PLANISH_FUZZ_INPUTS), which takes hours. With names, only those: obj off ply glb design, and web:
+# the page's own decoders of links and kept designs, 1,000,000 inputs each (the unit check gives them
+# 20,000; part of --long without names). What is learnt is kept outside the tree, in PLANISH_FUZZ_CORPUS or
 # ~/.cache/planish/fuzz; a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-known=(obj off ply glb design)
+known=(glb obj off ply design) # the slowest first
 corpora=${PLANISH_FUZZ_CORPUS:-${XDG_CACHE_HOME:-$HOME/.cache}/planish/fuzz}
 # The short run always starts alike, so that a finding comes back; the long one starts anew each time.
 limit=(-max_total_time="${PLANISH_FUZZ_SECONDS:-10}" -seed=1)
@@ -18,7 +18,7 @@ for word in "$@"; do
   esac
   [ "$word" = web ] && web=yes && continue
   [ "$word" = --long ] || { echo "fuzz: unknown word '$word' (--long, ${known[*]}, web)" >&2 && exit 2; }
-  long=yes limit=(-runs="${PLANISH_FUZZ_INPUTS:-1000000}")
+  long=yes limit=(-runs="${PLANISH_FUZZ_INPUTS:-10000000}")
 done
 [ ${#readers[@]} -gt 0 ] || [ -n "$web" ] || { readers=("${known[@]}") && web=$long; }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Writes the seed corpus: small samples in every format and dialect, by the project's own writers.
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "planish/design/design_text.hpp"
 #include "planish/io/gltf.hpp"
@@ -115,6 +117,62 @@ void add_dialects(Corpus& corpus) {
                              36));
 }
 
+/// Two triangles as a GLB of others has them, in the parts that read_glb_fuzzer wraps. The binary
+/// data are four points, six corners, one and two points more, and one corner more.
+std::string foreign_glb(const std::string& node, const std::string& primitive,
+                        const std::string& document) {
+  const std::vector<float> points = {0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, -1, 0, 0.5, 0, 0, 0, 2};
+  const std::vector<std::uint16_t> corners = {0, 1, 2, 0, 2, 3, 2, 0};
+  std::string binary(reinterpret_cast<const char*>(points.data()), points.size() * 4);
+  binary.append(reinterpret_cast<const char*>(corners.data()), corners.size() * 2);
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" +
+         node + R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1)" +
+         primitive +
+         R"(}]}],"accessors":[)"
+         R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+         R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},)"
+         R"({"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"},)"
+         R"({"bufferView":0,"componentType":5122,"count":4,"type":"VEC3","normalized":true,)"
+         R"("byteOffset":0},{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,)"
+         R"("indices":{"bufferView":3,"componentType":5123},"values":{"bufferView":2}}}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":72,)"
+         R"("byteLength":12},{"buffer":0,"byteOffset":48,"byteLength":24},)"
+         R"({"buffer":0,"byteOffset":84,"byteLength":4}],"buffers":[{"byteLength":88}])" +
+         document + "}" + '\0' + binary;
+}
+
+/// What other programs put into a GLB and our writer does not.
+void add_foreign_glb(Corpus& corpus) {
+  corpus.add("glb", foreign_glb(R"(,"scale":[-1,1,1])", "", ""));
+  corpus.add("glb", foreign_glb(R"(,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])", "", ""));
+  corpus.add("glb", foreign_glb(R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":)"
+                                R"({"TRANSLATION":2}}})",
+                                "", R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"])"));
+  for (const char* target : {"0", "4"}) {
+    corpus.add("glb", foreign_glb(R"(,"weights":[0.5])",
+                                  R"(,"targets":[{"POSITION":)" + std::string(target) + "}]", ""));
+  }
+  corpus.add("glb", foreign_glb("", R"(,"extras":{"polygonSizes":[3,3]})", ""));
+  corpus.add("glb", foreign_glb("", R"(,"extras":{"polygonSizes":[4]})", ""));
+  for (const char* mode : {"5", "6"}) {
+    corpus.add("glb", foreign_glb("", R"(,"mode":)" + std::string(mode), ""));
+  }
+  corpus.add("glb", foreign_glb("", "", R"(,"extensionsRequired":["KHR_materials_unlit"])"));
+  corpus.add("glb", foreign_glb("", "", R"(,"extensionsRequired":["KHR_mesh_quantization"])"));
+  corpus.add("glb", foreign_glb("", "", R"(,"skins":[{"joints":[0]}])"));
+  std::string quantized = foreign_glb("", "", R"(,"extensionsRequired":["KHR_mesh_quantization"])");
+  const std::string position = R"("POSITION":0)";
+  quantized.replace(quantized.find(position), position.size(), R"("POSITION":3)");
+  corpus.add("glb", quantized);
+  corpus.add("glb",
+             R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":)"
+             R"([{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+             R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
+             R"("byteLength":36}],"buffers":[{"byteLength":36,"uri":)"
+             R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8)"
+             R"(AAAAA"}]})");
+}
+
 }  // namespace
 }  // namespace planish::fuzz
 
@@ -129,6 +187,7 @@ int main(int count, char** arguments) {
     fuzz::add_sample(mesh, corpus);
   }
   fuzz::add_dialects(corpus);
+  fuzz::add_foreign_glb(corpus);
   fuzz::add_designs(corpus);
   return 0;
 }
