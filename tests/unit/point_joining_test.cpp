@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "support/mesh_builders.hpp"
+#include "support/small_files.hpp"
 
 namespace planish {
 namespace {
