@@ -29,9 +29,9 @@ export default mergeConfig(
     test: {
       dir: "tests/page",
       environment: fileURLToPath(new URL("../tests/page/support/environment.ts", import.meta.url)),
-      setupFiles: [
-        fileURLToPath(new URL("../tests/page/support/surroundings.ts", import.meta.url)),
-      ],
+      setupFiles: [fileURLToPath(new URL("../tests/page/support/each-file.ts", import.meta.url))],
+      // The page and the core are read and compiled once, not for each of forty files.
+      isolate: false,
       fileParallelism: true,
     },
   }),

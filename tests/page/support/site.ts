@@ -5,7 +5,6 @@
 import { runInThisContext } from "node:vm";
 import type { Page as BrowserPage, Download } from "playwright-core";
 import { h, render } from "preact";
-import { afterEach, expect } from "vitest";
 import { followAddress, openAddress } from "../../../web/src/app/address.ts";
 import { App } from "../../../web/src/app/app.tsx";
 import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
@@ -143,12 +142,6 @@ const EVENTS: Readonly<Record<string, () => Promise<unknown>>> = {
   download: nextDownload,
   filechooser: nextFileChooser,
 };
-
-/** Fails the test in which the page logs an error. */
-const complaints: string[] = [];
-console.error = (...said: unknown[]) => complaints.push(said.map(String).join(" "));
-window.addEventListener("error", (event) => complaints.push(String(event.message)));
-afterEach(() => expect(complaints.splice(0)).toEqual([]));
 
 interface Listening {
   readonly target: EventTarget;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page asks of a browser and a DOM alone has not: dialogs above the page, menus that pop over it,
-// files that are picked and saved. vitest runs it before each file of tests.
+// files that are picked and saved.
 import { Blob as NodeBlob, File as NodeFile } from "node:buffer";
 import { readFile } from "node:fs/promises";
 import * as streams from "node:stream/web";
@@ -17,6 +17,10 @@ Object.assign(globalThis, {
 });
 
 provideView();
+
+/** Errors that the page has logged since the test began (each-file.ts). */
+export const complaints: string[] = [];
+window.addEventListener("error", (event) => complaints.push(String(event.message)));
 
 /** Parts of the core come from files (web/vitest.page.config.ts). */
 globalThis.fetch = (async (path: string) => {
