@@ -25,6 +25,7 @@ ARROWS = {
     "mesh": {"numeric", "text"},
     "symmetry": FROM_MESH,
     "obstacles": {"text"},  # where nothing may go
+    "cuts": FROM_MESH,  # panels are parted, points are added, none moves
     "constraints": FROM_MESH | {"obstacles"},
     "supports": FROM_MESH | {"obstacles", "constraints"},
     "measures": FROM_MESH | {"constraints"},
