@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <variant>
 
+#include "planish/cuts/cut_mesh.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
@@ -148,6 +150,30 @@ TEST(Remake, APanelThatTheBaseHasNotIsNew) {
       testing::make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   EXPECT_EQ(find_remake(base, alone).panels,
             std::vector{PanelChange::kBevel});  // a side became free
+}
+
+/// Its neighbours meet it at one more node each, and are left as they are.
+TEST(Remake, OfARefinedPanelIsItsPartsAlone) {
+  const Mesh base = testing::sample("dome", 12);
+  const int panel = base.face_count() / 2;
+  const auto made = cut_mesh(base, {RefineCut{{panel}, false}});
+  const auto& cut = std::get<CutMesh>(made);
+  const Remake remake = find_remake(base, cut.mesh);
+  EXPECT_EQ(remake.panels[static_cast<std::size_t>(panel)], PanelChange::kOutline);
+  EXPECT_EQ(remake.count(PanelChange::kOutline), 1);
+  EXPECT_EQ(remake.count(PanelChange::kNew), 3);
+  EXPECT_EQ(remake.count(PanelChange::kBevel), 0);
+  ASSERT_EQ(cut.records[0].straight.size(), 4U);
+  for (const int f : cut.records[0].straight) {
+    EXPECT_EQ(remake.panels[static_cast<std::size_t>(f)], PanelChange::kUnchanged);
+  }
+  for (int v = base.vertex_count(); v < cut.mesh.vertex_count(); ++v) {
+    EXPECT_EQ(remake.nodes[static_cast<std::size_t>(v)], NodeChange::kNew);
+  }
+  // A corner on the side that is not straight is another outline.
+  Mesh bent = cut.mesh;
+  bent.positions.col(base.vertex_count()) += Eigen::Vector3d(0.01, 0.01, 0.0);
+  EXPECT_EQ(find_remake(base, bent).count(PanelChange::kNew), 4);
 }
 
 }  // namespace

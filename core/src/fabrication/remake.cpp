@@ -20,23 +20,38 @@ bool same_point(const Mesh& base, int before, const Mesh& mesh, int after) {
                      3 * sizeof(double)) == 0;
 }
 
-bool same_corners(const Mesh& base, const Mesh& mesh, int panel) {
+/// Whether the k-th corner of a face is as wide as 180°.
+bool is_straight(const Mesh& mesh, std::span<const int> face, std::size_t k) {
+  const Eigen::Vector3d corner = mesh.positions.col(face[k]);
+  const Eigen::Vector3d out = mesh.positions.col(face[(k + 1) % face.size()]) - corner;
+  const Eigen::Vector3d in = mesh.positions.col(face[(k + face.size() - 1) % face.size()]) - corner;
+  return out.dot(in) < 0.0 && out.cross(in).norm() <= kSameAngle * out.norm() * in.norm();
+}
+
+/// Where each side of a panel of the base begins among the corners that it has now: those that it
+/// had, and on its sides straight ones. Empty if its outline is another.
+std::vector<std::size_t> kept_sides(const Mesh& base, const Mesh& mesh, int panel) {
   const auto before = base.face(panel);
   const auto after = mesh.face(panel);
+  std::vector<std::size_t> sides;
   for (std::size_t k = 0; k < after.size(); ++k) {
-    if (!same_point(base, before[k], mesh, after[k])) return false;
+    if (sides.size() < before.size() && same_point(base, before[sides.size()], mesh, after[k])) {
+      sides.push_back(k);
+    } else if (k == 0 || !is_straight(mesh, after, k)) {
+      return {};
+    }
   }
-  return true;
+  if (sides.size() < before.size()) sides.clear();
+  return sides;
 }
 
 /// By outlines alone.
 std::vector<PanelChange> compare_outlines(const Mesh& base, const Mesh& mesh) {
-  std::vector<PanelChange> changes(at(mesh.face_count()), PanelChange::kUnchanged);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const bool known = f < base.face_count() && base.face(f).size() == mesh.face(f).size();
-    if (!known) {
-      changes[at(f)] = PanelChange::kNew;
-    } else if (!same_corners(base, mesh, f)) {
+  std::vector<PanelChange> changes(at(mesh.face_count()), PanelChange::kNew);
+  for (int f = 0; f < std::min(mesh.face_count(), base.face_count()); ++f) {
+    if (!kept_sides(base, mesh, f).empty()) {
+      changes[at(f)] = PanelChange::kUnchanged;
+    } else if (base.face(f).size() == mesh.face(f).size()) {
       changes[at(f)] = PanelChange::kOutline;
     }
   }
@@ -49,15 +64,18 @@ bool same_joint(const Joint& before, const Joint& after) {
   return met == meets && std::abs(before.dihedral - after.dihedral) <= kSameAngle;
 }
 
-/// Whether every side of a panel that kept its corners meets what it met, at the same angle.
+/// Whether every side of a panel that kept its outline meets what it met, at the same angle.
 bool same_joints(const Mesh& base, const JointTable& before, const Mesh& mesh,
                  const JointTable& after, int panel) {
   const auto side_before = at(base.face_offsets[at(panel)]);
   const auto side_after = at(mesh.face_offsets[at(panel)]);
-  for (std::size_t k = 0; k < mesh.face(panel).size(); ++k) {
+  std::vector<std::size_t> sides = kept_sides(base, mesh, panel);
+  sides.push_back(mesh.face(panel).size());
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
     const Joint& was = before.joints[at(before.of_side[side_before + k])];
-    const Joint& is = after.joints[at(after.of_side[side_after + k])];
-    if (!same_joint(was, is)) return false;
+    for (std::size_t side = sides[k]; side < sides[k + 1]; ++side) {
+      if (!same_joint(was, after.joints[at(after.of_side[side_after + side])])) return false;
+    }
   }
   return true;
 }

@@ -11,7 +11,8 @@
 
 namespace planish {
 
-/// What became of a panel since the base; panels are compared by their number.
+/// What became of a panel since the base; panels are compared by their number. A straight corner
+/// that a cut put on its side changes nothing: one more node is there.
 enum class PanelChange {
   kUnchanged,  ///< every corner bit-identical, every joint as it was
   kOutline,    ///< a corner moved: to be cut again
