@@ -44,6 +44,11 @@ class Arguments {
   /// All values given for `option`, in order.
   [[nodiscard]] std::vector<std::string> values(std::string_view option) const;
 
+  /// All options in the order given, each with its value.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& options() const {
+    return options_;
+  }
+
   /// The only positional word, called `what` in the message if it is missing or not alone.
   [[nodiscard]] std::string only_positional(std::string_view what) const;
 

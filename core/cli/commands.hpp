@@ -23,6 +23,7 @@ struct Command {
 [[nodiscard]] Command project_command();
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command convert_command();
+[[nodiscard]] Command cut_command();
 [[nodiscard]] Command panels_command();
 [[nodiscard]] Command drawings_command();
 [[nodiscard]] Command offset_command();

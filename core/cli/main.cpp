@@ -16,8 +16,8 @@ namespace {
 std::vector<Command> all_commands() {
   return {info_command(),    edit_command(),   explore_command(),  project_command(),
           replay_command(),  panels_command(), drawings_command(), offset_command(),
-          convert_command(), sample_command(), mobility_command(), sweep_command(),
-          gather_command(),  compare_command()};
+          convert_command(), cut_command(),    sample_command(),   mobility_command(),
+          sweep_command(),   gather_command(), compare_command()};
 }
 
 void print_overview() {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// What `cut` takes and tells.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "planish/cuts/cut_mesh.hpp"
+#include "report.hpp"
+
+namespace planish::cli {
+
+[[nodiscard]] std::vector<OptionRow> cut_option_rows();
+
+/// The cuts that options ask for, in the order in which they were given. Throws CommandError.
+[[nodiscard]] std::vector<Cut> asked_cuts(const Arguments& arguments);
+
+/// Each cut with what it made, the panels that are parts of others, and where added points stand.
+void add_cuts(Json& json, const CutMesh& result);
+
+/// That points belong to no panel any more; nullopt where none do.
+[[nodiscard]] std::optional<std::string> loose_points_sentence(const Mesh& before,
+                                                               const Mesh& after);
+
+}  // namespace planish::cli
