@@ -44,12 +44,12 @@ const heights = (page: Page): Promise<Heights> =>
     return { content, window: window.innerHeight, scrolled };
   });
 
-/** 20 ticks over the bar, the view, the inspector and the status line. */
+/** As far as 20 ticks go, over the bar, the view, the inspector and the status line. */
 async function turnTheWheel(page: Page, width: number, height: number): Promise<void> {
   const inspector = height > width ? [0.5, 0.75] : [0.95, 0.7];
   for (const [x = 0, y = 0] of [[0.5, 0.02], [0.2, 0.3], inspector, [0.3, 0.99]]) {
     await page.mouse.move(x * width, y * height);
-    for (let tick = 0; tick < 20; ++tick) await page.mouse.wheel(0, 120);
+    for (let turn = 0; turn < 3; ++turn) await page.mouse.wheel(0, 800);
   }
 }
 
