@@ -58,7 +58,7 @@ bool PatchNewton::step() {
   }
   length_ = step_.largest_move();
   factored_ = factors_ == Factors::kChords && step_.is_plain();
-  system_.lagrangian().residuals(state_.displacement, residuals_);
+  residuals_ = step_.residuals();
   return true;
 }
 

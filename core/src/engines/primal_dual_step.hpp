@@ -48,6 +48,8 @@ class PrimalDualStep {
   // Of the last step:
   [[nodiscard]] double largest_move() const { return largest_move_; }
   [[nodiscard]] bool is_plain() const { return length_ == 1.0 && shift_ == 0.0; }
+  /// c of the state that it left, where it was accepted.
+  [[nodiscard]] const Eigen::VectorXd& residuals() const { return trial_residuals_; }
   /// Largest |c| that it left.
   [[nodiscard]] double violation() const;
   /// The merit before and after it, by one estimate.

@@ -221,6 +221,10 @@ bool is_unmoved(std::span<const int> face, const Positions& before, const Positi
 
 }  // namespace
 
+bool SoundProjection::ends_search(int vertex_count) const {
+  return vertex_count > kMostFactored ? is_flat() : is_final();
+}
+
 bool SoundProjection::is_better_than(const SoundProjection& other) const {
   if (!found() || !other.found()) return found();
   if (failing.size() != other.failing.size()) return failing.size() < other.failing.size();
@@ -271,8 +275,7 @@ SoundProjection project_soundly(const Mesh& mesh, const Mesh& base,
     factorizations += next.report.factorizations;
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
-    const bool large = mesh.vertex_count() > kMostFactored;
-    if (cancelled || (large ? best.is_flat() : best.is_final())) break;
+    if (cancelled || best.ends_search(mesh.vertex_count())) break;
   }
   best.report.iterations = iterations;
   best.report.factorizations = factorizations;

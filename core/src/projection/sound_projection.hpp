@@ -25,6 +25,9 @@ struct SoundProjection {
   [[nodiscard]] bool is_final() const {
     return is_flat() && report.status == SolveStatus::kConverged;
   }
+  /// Nothing better need be looked for. What has more points than are factored is never looked at
+  /// twice once it is flat.
+  [[nodiscard]] bool ends_search(int vertex_count) const;
   /// Fewer panels that are not flat; of flat ones the certified one, then the nearer one.
   [[nodiscard]] bool is_better_than(const SoundProjection& other) const;
 };

@@ -18,6 +18,7 @@
 #include "planish/problem/problem.hpp"
 #include "planish/symmetry/symmetry.hpp"
 #include "problem/shape_slides.hpp"
+#include "projection/projection_task.hpp"
 #include "projection/sound_projection.hpp"
 
 namespace planish {
@@ -151,25 +152,6 @@ Positions part_of_the_way(const ShownVariation& variation, double share) {
 Positions after(Positions shape, const ProjectionResult& result) {
   shape(Eigen::all, result.moved) = result.moved_positions;
   return shape;
-}
-
-/// From `shown` to `shape`, and by how much.
-void record_moves(const Positions& shown, const Positions& shape, ProjectionResult& result) {
-  result.moved.clear();
-  result.max_move = 0.0;
-  double squares = 0.0;
-  for (int v = 0; v < shape.cols(); ++v) {
-    const double move = (shape.col(v) - shown.col(v)).norm();
-    if (move == 0.0) continue;
-    result.moved.push_back(v);
-    squares += move * move;
-    result.max_move = std::max(result.max_move, move);
-  }
-  result.moved_positions = shape(Eigen::all, result.moved);
-  result.rms_move =
-      std::sqrt(squares / static_cast<double>(std::max<Eigen::Index>(1, shape.cols())));
-  result.report.moved_vertices = static_cast<int>(result.moved.size());
-  result.report.max_displacement = result.max_move;
 }
 
 /// Vertices that `shape` has elsewhere than the base, with all their images.
