@@ -307,4 +307,10 @@ Cut RandomCuts::any(const Mesh& mesh) {
   }
 }
 
+Cut parsed_cut(const std::string& text) {
+  auto cut = parse_cut(text);
+  if (const auto* why = std::get_if<std::string>(&cut)) ADD_FAILURE() << *why;
+  return std::get<Cut>(cut);
+}
+
 }  // namespace planish::testing

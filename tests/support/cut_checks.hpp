@@ -60,4 +60,7 @@ class RandomCuts {
   std::uint64_t state_;
 };
 
+/// The cut that `text` names; fails the test where it names none.
+[[nodiscard]] Cut parsed_cut(const std::string& text);
+
 }  // namespace planish::testing
