@@ -111,7 +111,7 @@ val to_value(const ShapeReport& report) {
       .add("objective", solve.objective.total())
       .add("continuation", report.continuation)
       .add("lowerAtOnce", report.lower_at_once)
-      .add("iterations", solve.iterations)
+      .add("iterations", solve.cost.steps)
       .add("seconds", report.seconds)
       .add("residuals", residuals(solve))
       .put("optimality", optimality_value(solve))

@@ -27,7 +27,7 @@ ComparedEdit edit_by_product(const EditTask& task) {
   const HandleEditResult result = solve_handle_edit(task.mesh, task.targets, task.options);
   return {.positions = apply(task.mesh, result),
           .finished = result.report.status == SolveStatus::kConverged,
-          .steps = result.report.iterations,
+          .steps = result.report.cost.steps,
           .records = result.report.records};
 }
 

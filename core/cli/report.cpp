@@ -189,8 +189,8 @@ void add_solve(Json& json, const SolveReport& report, Engine engine) {
   json["moved_vertices"] = report.moved_vertices;
   json["max_displacement"] = report.max_displacement;
   json["handle_error"] = report.handle_error;
-  json["iterations"] = report.iterations;
-  json["factorizations"] = report.factorizations;
+  json["iterations"] = report.cost.steps;
+  json["factorizations"] = report.cost.factorizations;
   if (report.optimality) json["optimality"] = optimality_json(*report.optimality);
   json["seconds"] = {{"setup", report.setup_seconds}, {"solve", report.solve_seconds}};
 }

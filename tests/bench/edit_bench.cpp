@@ -55,7 +55,7 @@ void report(benchmark::State& state, const HandleEditResult& result) {
   state.counters["objective"] = result.report.objective.total();
   state.counters["planarity_mm_per_m"] = result.report.planarity_after;
   state.counters["moved"] = static_cast<double>(result.moved.size());
-  state.counters["steps"] = result.report.iterations;
+  state.counters["steps"] = result.report.cost.steps;
 }
 
 /// One solve from cold; the set-up, O(n) once per mesh, is counted apart.

@@ -69,7 +69,7 @@ void project(benchmark::State& state, Grid grid, double fairness) {
   ProjectionResult result;
   for (auto _ : state) result = project_to_planar(mesh, options);
   state.counters["planarity"] = 1e-3 * result.report.planarity_after;
-  state.counters["steps"] = result.report.iterations;
+  state.counters["steps"] = result.report.cost.steps;
   state.counters["reached"] = result.failing_faces.empty() ? 1.0 : 0.0;
 }
 

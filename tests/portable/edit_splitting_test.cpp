@@ -167,7 +167,7 @@ TEST(RunAlm, StopsWhenBothResidualsAreSmall) {
   EXPECT_EQ(run.records.size(), 3u);
   EXPECT_EQ(splitting.inner, 4 + 4 + 1) << "l_max, or to the dual threshold";
   EXPECT_EQ(splitting.inner, splitting.auxiliaries);
-  EXPECT_EQ(run.steps, splitting.inner);
+  EXPECT_EQ(run.cost.steps, splitting.inner);
 }
 
 /// Sec. 3.3: μ grows only when ‖h‖ falls too slowly against ‖r̂‖.

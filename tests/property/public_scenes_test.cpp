@@ -39,7 +39,7 @@ TEST_P(PublicScene, ReachesItsObjectiveWithFlatPanelsAndTheRestUntouched) {
   EXPECT_TRUE(std::is_sorted(result.moved.begin(), result.moved.end()));
   RecordProperty("objective", std::to_string(result.report.objective.total()));
   RecordProperty("moved", static_cast<int>(result.moved.size()));
-  RecordProperty("iterations", result.report.iterations);
+  RecordProperty("iterations", result.report.cost.steps);
   RecordProperty("milliseconds", std::to_string(1e3 * result.report.solve_seconds));
 }
 

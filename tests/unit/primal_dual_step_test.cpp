@@ -112,7 +112,7 @@ class HardEditOfTheVault : public ::testing::TestWithParam<HardEdit> {};
 TEST_P(HardEditOfTheVault, IsCertifiedWithinItsBudget) {
   const SolveReport report = edited(testing::sample("vault", 32), GetParam());
   EXPECT_EQ(report.status, SolveStatus::kConverged);
-  EXPECT_LE(report.factorizations, GetParam().most);
+  EXPECT_LE(report.cost.factorizations, GetParam().most);
 }
 
 /// Rows there keep 4e-11 that no step betters: 182 where settling waits for them.
@@ -129,7 +129,7 @@ TEST(HardEdit, SettlesWithoutWaitingForRowsThatRoundingKeepsOff) {
   const HardEdit edit{5, true, 100};
   const SolveReport report = edited(mesh, edit);
   EXPECT_EQ(report.status, SolveStatus::kConverged);
-  EXPECT_LE(report.factorizations, edit.most);
+  EXPECT_LE(report.cost.factorizations, edit.most);
 }
 
 INSTANTIATE_TEST_SUITE_P(Edits, HardEditOfTheVault,

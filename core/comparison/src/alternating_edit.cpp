@@ -20,7 +20,7 @@ ComparedEdit edit_by_alternation(const EditTask& task, int inner_limit, int step
   });
   ComparedEdit result;
   result.finished = run.status == SolveStatus::kConverged;
-  result.steps = run.steps;
+  result.steps = run.cost.steps;
   result.records = std::move(run.records);
   result.positions = displaced(model, patch);
   return result;

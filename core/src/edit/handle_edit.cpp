@@ -185,7 +185,7 @@ HandleEditResult HandleEditSolver::State::result_of(const ExactDesign& design, S
   report.objective = design_objective(problem_, design, *cutter_);
   verdict_->add_to(report, design);
   report.handle_error = model_->unit() * handle_distance(design);
-  report.factorizations += design.factorizations;
+  report.cost += design.cost;
   report.setup_seconds = setup_seconds_;
   result.report = std::move(report);
   return result;

@@ -30,8 +30,7 @@ EngineOutcome HandleEditSolver::State::continue_from_base(const NewtonOptions& o
   const EditTargets targets = targets_;
   EngineOutcome total;
   const auto keep = [&](EngineOutcome outcome) {
-    outcome.steps += total.steps;
-    outcome.factorizations += total.factorizations;
+    outcome.cost += total.cost;
     total = std::move(outcome);
   };
   bool fresh = true;
@@ -98,8 +97,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
   drag_support_ = newton_->support();
   report.status =
       outcome.status == SolveStatus::kCancelled ? SolveStatus::kIterationLimit : outcome.status;
-  report.iterations = outcome.steps;
-  report.factorizations = outcome.factorizations;
+  report.cost = outcome.cost;
   if (has_keep_outs()) (void)lets_go();  // the next frames go on with it
   ExactDesign design = finish_->finish(problem_, drag_support_, *field_, kept_);
   for (int turn = 0; turn < kMostOutlineTurns && turns(design);
@@ -115,7 +113,7 @@ HandleEditResult HandleEditSolver::State::drag(const EditTargets& targets, doubl
     report.status = SolveStatus::kIterationLimit;
   }
   HandleEditResult result = result_of(last_exact_ ? *last_exact_ : unmoved(), std::move(report));
-  if (last_exact_) last_exact_->factorizations = 0;  // a frame that repeats it has not made them
+  if (last_exact_) last_exact_->cost = {};  // a frame that repeats it has not made them
   result.report.solve_seconds = watch.seconds();
   return result;
 }

@@ -54,8 +54,7 @@ void HandleEditSolver::State::part_panels(const std::function<ExactDesign(SolveR
     }
     open_tracks();
     SolveReport again;
-    again.iterations = report.iterations;
-    again.factorizations = report.factorizations;
+    again.cost = report.cost;
     report = std::move(again);
     design = find(report);
   }

@@ -18,7 +18,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   NewtonOptions options = engine_options();
   options.stop = 1e-5;
   options.max_steps = follows_softness() ? budget().part : 60;
-  const int most = follows_softness() ? report.factorizations + budget().all_parts
+  const int most = follows_softness() ? report.cost.factorizations + budget().all_parts
                                       : std::numeric_limits<int>::max();
   std::vector<Eigen::Vector3d> targets;
   for (const int v : problem_.handles) targets.push_back(problem_.terms[at(v)].target);
@@ -29,7 +29,7 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
   report.status = SolveStatus::kInfeasibleHandles;
   double reached = 0.0;
   for (double part = kFirstPart;
-       reached < 1.0 && part >= kShortestPart && report.factorizations < most;) {
+       reached < 1.0 && part >= kShortestPart && report.cost.factorizations < most;) {
     const DisplacementField::Snapshot before = trial_->snapshot();
     const std::vector<int> support = newton_->support();
     const double share = std::min(1.0, reached + part);
@@ -39,13 +39,11 @@ ExactDesign HandleEditSolver::State::solve_in_parts(const Progress& progress, So
     const EngineOutcome outcome =
         reached == 0.0 ? newton_->run_cold(problem_, {3, 0, 0.05}, options, *trial_, progress)
                        : newton_->run_warm(problem_, options, *trial_, progress);
-    report.iterations += outcome.steps;
-    report.factorizations += outcome.factorizations;
+    report.cost += outcome.cost;
     SolveReport turned;
     turned.status = outcome.status;
     choose_sides(options, progress, turned);
-    report.iterations += turned.iterations;
-    report.factorizations += turned.factorizations;
+    report.cost += turned.cost;
     ExactDesign next = finish_->finish(problem_, newton_->support(), *trial_, kept_);
     if (is_acceptable(next)) {
       best = std::move(next);
@@ -106,8 +104,7 @@ void HandleEditSolver::State::try_in_parts(const Progress& progress, ExactDesign
   ExactDesign nearer = solve_in_parts(progress, other);
   const double reached = design_objective(problem_, design, *cutter_).total();
   const bool lower = design_objective(problem_, nearer, *cutter_).total() < reached;
-  other.iterations += report.iterations;
-  other.factorizations += report.factorizations;
+  other.cost += report.cost;
   other.records = std::move(report.records);
   if (!lower) {
     other.status = report.status;

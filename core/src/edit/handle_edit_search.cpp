@@ -51,8 +51,7 @@ ExactDesign HandleEditSolver::State::solve_newton(const Progress& progress, Solv
                               ? soften(options, progress)
                               : find_minimum(problem_, options, *newton_, *trial_, progress);
   report.status = outcome.status;
-  report.iterations += outcome.steps;
-  report.factorizations += outcome.factorizations;
+  report.cost += outcome.cost;
   report.records = std::move(outcome.records);
   choose_sides(options, progress, report);
   const bool limited =
@@ -83,8 +82,7 @@ void HandleEditSolver::State::choose_sides(const NewtonOptions& options, const P
     if (!turns(finish_->finish(problem_, newton_->support(), *trial_, kept_))) return;
     const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
     report.status = way.status;
-    report.iterations += way.steps;
-    report.factorizations += way.factorizations;
+    report.cost += way.cost;
   }
 }
 
@@ -104,14 +102,12 @@ std::optional<ExactDesign> HandleEditSolver::State::settle_at_limits(const Newto
   while (problem_.limit_weight > kLastLimitWeight && near.status != SolveStatus::kCancelled) {
     problem_.limit_weight *= kLimitWeightShrink;
     const EngineOutcome way = newton_->run_warm(problem_, step, *trial_, progress);
-    near.iterations += way.steps;
-    near.factorizations += way.factorizations;
+    near.cost += way.cost;
     near.status = way.status;
   }
   ExactDesign design = settle(options, progress, near);
   problem_.limit_weight = kFirstLimitWeight;
-  report.iterations = near.iterations;
-  report.factorizations = near.factorizations;
+  report.cost = near.cost;
   if (near.status == SolveStatus::kConverged || near.status == SolveStatus::kCancelled) {
     report = std::move(near);
     return design;
@@ -147,8 +143,7 @@ EngineOutcome HandleEditSolver::State::soften(const NewtonOptions& options,
       step.max_steps = std::min(options.max_steps, budget().last);
     }
     EngineOutcome next = newton_->run_warm(problem_, step, *trial_, progress);
-    next.steps += outcome.steps;
-    next.factorizations += outcome.factorizations;
+    next.cost += outcome.cost;
     outcome = std::move(next);
   }
   terms_->assign(targets_, options_, problem_);
@@ -169,8 +164,7 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
          round == 0 || (round < most && (turns(design) || (has_keep_outs() && lets_go())));
          ++round) {
       fine = newton_->settle(problem_, options, *trial_, progress);
-      report.iterations += fine.steps;
-      report.factorizations += fine.factorizations;
+      report.cost += fine.cost;
       design = finish_->finish(problem_, newton_->support(), *trial_, kept_);
     }
     if (is_acceptable(design)) {
@@ -181,7 +175,7 @@ ExactDesign HandleEditSolver::State::settle(const NewtonOptions& options, const 
                                                              : SolveStatus::kIterationLimit;
       return design;
     }
-    report.factorizations += design.factorizations;
+    report.cost += design.cost;
     report.status = SolveStatus::kIterationLimit;
     trial_->restore(found);
     newton_->set_support(support);
@@ -210,8 +204,7 @@ ExactDesign HandleEditSolver::State::solve_augmented_lagrangian(const Progress& 
   std::vector<int> support;
   const EngineOutcome outcome = solve_edit_by_alm(problem_, options, *trial_, support, progress);
   report.status = outcome.status;
-  report.iterations = outcome.steps;
-  report.factorizations = outcome.factorizations;
+  report.cost = outcome.cost;
   report.records = outcome.records;
   return finish_->finish(problem_, support, *trial_, kept_);
 }

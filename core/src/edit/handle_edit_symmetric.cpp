@@ -265,8 +265,7 @@ ExactDesign HandleEditSolver::State::find_symmetric(const EditTargets& targets,
                                                     const Progress& progress, SolveReport& report) {
   if (auto design = solve_by_copies(targets, symmetry, progress, report)) return std::move(*design);
   SolveReport together;
-  together.iterations = report.iterations;
-  together.factorizations = report.factorizations;
+  together.cost = report.cost;
   report = std::move(together);
   set_targets(targets);
   open_tracks();

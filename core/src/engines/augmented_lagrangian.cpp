@@ -25,14 +25,13 @@ EngineOutcome run_on_patch(Patch& patch, const AlmOptions& options, const Progre
   for (int k = 0; k < patch.free_count; ++k) {
     field.set_displacement(patch.vertices[at(k)], patch.displacement.col(k));
   }
-  run.factorizations = splitting.factorizations();
+  run.cost.factorizations = splitting.factorizations();
   return run;
 }
 
 /// `first`, and what was done after it; its status stands unless the first converged.
 void append(EngineOutcome first, EngineOutcome& then) {
-  then.steps += first.steps;
-  then.factorizations += first.factorizations;
+  then.cost += first.cost;
   first.records.insert(first.records.end(), then.records.begin(), then.records.end());
   then.records = std::move(first.records);
   if (first.status != SolveStatus::kConverged) then.status = first.status;

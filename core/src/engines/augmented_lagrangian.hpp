@@ -56,7 +56,7 @@ template <class Splitting>
     for (int inner = 0; inner < options.max_inner; ++inner) {
       splitting.update_auxiliaries();
       splitting.update_primal();
-      ++run.steps;
+      ++run.cost.steps;
       now.dual = splitting.dual_residual();
       if (now.dual <= options.dual_tolerance) break;
     }

@@ -99,8 +99,7 @@ class ColdSearch {
 
   /// Adds the outcome of a run that used field_.
   void keep(EngineOutcome outcome, Contender& contender) {
-    total_.steps += outcome.steps;
-    total_.factorizations += outcome.factorizations;
+    total_.cost += outcome.cost;
     if (outcome.status == SolveStatus::kCancelled) total_.status = outcome.status;
     std::vector<IterationRecord> records = std::move(contender.outcome.records);
     records.insert(records.end(), outcome.records.begin(), outcome.records.end());

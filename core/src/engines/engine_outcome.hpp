@@ -11,9 +11,8 @@ namespace planish {
 struct EngineOutcome {
   SolveStatus status = SolveStatus::kIterationLimit;
   double objective =
-      0.0;        ///< of the state reached, before it is made exact; [PB-1] for (3) and (8)
-  int steps = 0;  ///< of Newton's method, or of alternating minimisation
-  int factorizations = 0;
+      0.0;  ///< of the state reached, before it is made exact; [PB-1] for (3) and (8)
+  SolveCost cost;
   std::vector<IterationRecord> records;  ///< one a step, or one a dual update
 };
 

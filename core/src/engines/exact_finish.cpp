@@ -70,7 +70,7 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
   }
   put_on_tracks(patch_, displacement);
   ExactDesign design;
-  (void)correct_constraints(patch_, kMostPasses, displacement, design.factorizations);
+  (void)correct_constraints(patch_, kMostPasses, displacement, design.cost.factorizations);
   std::vector<std::pair<int, Eigen::Vector3d>> moved;
   for (int k = 0; k < patch_.free_count; ++k) {
     if (!displacement.col(k).isZero(0.0))
@@ -158,18 +158,18 @@ ExactDesign ExactFinish::finish(const EditProblem& problem, std::span<const int>
                                 const DisplacementField& field, const KeptKinds& kept) {
   constexpr int kMostRings = 3;
   ExactDesign best = attempt(problem, support, field, true);
-  int factorizations = best.factorizations;
+  SolveCost cost = best.cost;
   std::vector<int> wider(support.begin(), support.end());
   for (int ring = 0; ring <= kMostRings && !is_within(best.worst, kept); ++ring) {
     if (ring > 0) wider = grower_.grow(wider, 1);
     ExactDesign next = attempt(problem, wider, field, ring > 0 && ring < kMostRings);
-    factorizations += next.factorizations;
+    cost += next.cost;
     if (strain(next.worst, kept) < strain(best.worst, kept) ||
         std::isnan(strain(best.worst, kept))) {
       best = std::move(next);
     }
   }
-  best.factorizations = factorizations;
+  best.cost = cost;
   return is_within(best.worst, kept) ? without_rounding(std::move(best), problem, kept)
                                      : std::move(best);
 }
@@ -189,7 +189,7 @@ ExactDesign ExactFinish::without_rounding(ExactDesign design, const EditProblem&
   if (rest.vertices.size() == design.vertices.size()) return design;
   rest.displacement = design.displacement(Eigen::all, moves);
   rest.positions = design.positions(Eigen::all, moves);
-  rest.factorizations = design.factorizations;
+  rest.cost = design.cost;
   measure(rest);
   return is_within(rest.worst, kept) ? rest : design;
 }

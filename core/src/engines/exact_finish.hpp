@@ -25,7 +25,7 @@ struct ExactDesign {
   [[nodiscard]] const std::vector<int>& touched(Element element) const {
     return element == Element::kFace ? faces : stars;
   }
-  int factorizations = 0;
+  SolveCost cost;  ///< of making it exact
 };
 
 class ExactFinish {

@@ -48,7 +48,7 @@ bool run_stage(PatchNewton& solver, int most_steps, double settled, const Progre
                EngineOutcome& outcome) {
   Hopelessness hopelessness;
   for (int k = 0; k < most_steps; ++k) {
-    ++outcome.steps;
+    ++outcome.cost.steps;
     if (!solver.step()) return false;
     outcome.records.push_back({.objective = solver.objective(),
                                .primal_residual = solver.violation(),
@@ -79,19 +79,19 @@ EngineOutcome find_fair_flat(const Patch& patch, const FairFlatOptions& options,
   for (double penalty = options.first_penalty; penalty < FairFlatTuning::kLastPenalty;
        penalty *= FairFlatTuning::kStageFactor) {
     solver.set_penalty(penalty);
-    run_stage(solver, std::min(FairFlatTuning::kStageSteps, options.max_steps - outcome.steps),
+    run_stage(solver, std::min(FairFlatTuning::kStageSteps, options.max_steps - outcome.cost.steps),
               FairFlatTuning::kRough, progress, outcome);
     if (outcome.status == SolveStatus::kCancelled) break;
   }
   if (outcome.status != SolveStatus::kCancelled) {
     solver.set_penalty(FairFlatTuning::kLastPenalty);
-    const bool settled =
-        run_stage(solver, options.max_steps - outcome.steps, options.settled, progress, outcome);
+    const bool settled = run_stage(solver, options.max_steps - outcome.cost.steps, options.settled,
+                                   progress, outcome);
     if (settled && solver.violation() <= FairFlatTuning::kFlat)
       outcome.status = SolveStatus::kConverged;
   }
   displacement = solver.state().displacement;
-  outcome.factorizations = solver.factorizations();
+  outcome.cost.factorizations = solver.factorizations();
   return outcome;
 }
 

@@ -34,7 +34,7 @@ Eigen::Matrix3Xd FlatnessPath::settle(double penalty, const Eigen::Matrix3Xd& fr
   start.displacement = from;
   solver_.set_state(std::move(start));
   for (int k = 0; k < FlatnessPathTuning::kMostSteps && solver_.step(); ++k) {
-    ++outcome_.steps;
+    ++outcome_.cost.steps;
     outcome_.records.push_back({.objective = solver_.objective(),
                                 .primal_residual = solver_.violation(),
                                 .step = solver_.length()});
@@ -44,7 +44,7 @@ Eigen::Matrix3Xd FlatnessPath::settle(double penalty, const Eigen::Matrix3Xd& fr
     }
     if (solver_.length() <= FlatnessPathTuning::kSettled) break;
   }
-  outcome_.factorizations = solver_.factorizations();
+  outcome_.cost.factorizations = solver_.factorizations();
   return solver_.state().displacement;
 }
 

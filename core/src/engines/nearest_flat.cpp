@@ -121,12 +121,12 @@ EngineOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& op
   NearestFlat solver(patch, displacement);
   if (!solver.attach()) {
     // A vertex with very many equations: correct along the primal form instead.
-    (void)correct_constraints(patch, options.max_steps, displacement, outcome.factorizations);
+    (void)correct_constraints(patch, options.max_steps, displacement, outcome.cost.factorizations);
     outcome.status = SolveStatus::kConverged;
     return outcome;
   }
   solver.start();
-  for (; outcome.steps < options.max_steps; ++outcome.steps) {
+  for (; outcome.cost.steps < options.max_steps; ++outcome.cost.steps) {
     if (solver.violation() <= kFlat && solver.move() <= options.settled) {
       outcome.status = SolveStatus::kConverged;
       break;
@@ -146,7 +146,7 @@ EngineOutcome find_nearest_flat(const Patch& patch, const NearestFlatOptions& op
     outcome.status = SolveStatus::kConverged;
   }
   if (solver.factorizations() > 0) solver.finish();
-  outcome.factorizations = solver.factorizations();
+  outcome.cost.factorizations = solver.factorizations();
   return outcome;
 }
 

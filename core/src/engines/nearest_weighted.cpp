@@ -71,7 +71,7 @@ bool NearestWeighted::solve_at(double smoothing, double stationary, int most_ste
   for (int step = 0; step < most_steps; ++step) {
     // At least one: what was scaled is off the constraints by as much.
     if (step > 0 && newton_.gradient_norm() <= stationary) return true;
-    ++outcome.steps;
+    ++outcome.cost.steps;
     if (!newton_.step()) return false;
     outcome.records.push_back({.objective = newton_.objective(),
                                .primal_residual = newton_.violation(),
@@ -122,11 +122,11 @@ bool NearestWeighted::let_in_movers(const EditProblem& problem, double smoothing
 bool NearestWeighted::follow(const EditProblem& problem, int most_steps, const Progress& progress,
                              double& smoothing, EngineOutcome& outcome) {
   const double last = Tuning::kLast * scale_;
-  while (outcome.steps < most_steps) {
+  while (outcome.cost.steps < most_steps) {
     const bool is_last = smoothing <= last;
     const double stationary = is_last ? Tuning::kStationary : Tuning::kFollowed;
-    const int steps =
-        std::min(is_last ? Tuning::kLastSteps : Tuning::kStepsPerSet, most_steps - outcome.steps);
+    const int steps = std::min(is_last ? Tuning::kLastSteps : Tuning::kStepsPerSet,
+                               most_steps - outcome.cost.steps);
     const bool settled =
         solve_at(smoothing, stationary * largest_pull(patch_), steps, progress, outcome);
     field_.store(patch_, newton_.state());
@@ -157,7 +157,7 @@ EngineOutcome NearestWeighted::run(const EditProblem& problem, std::span<const i
   if (done && newton_.violation() <= Tuning::kFlat) outcome.status = SolveStatus::kConverged;
   outcome.objective = newton_.objective();
   keep_support(smoothing);
-  outcome.factorizations = newton_.factorizations();
+  outcome.cost.factorizations = newton_.factorizations();
   return outcome;
 }
 

@@ -236,8 +236,8 @@ EngineOutcome descend_along_flat(const Patch& patch, const TangentNewtonOptions&
   }
   newton.start();
   bool on_the_constraints = false;
-  while (outcome.steps < options.max_steps) {
-    ++outcome.steps;
+  while (outcome.cost.steps < options.max_steps) {
+    ++outcome.cost.steps;
     if (!on_the_constraints) {
       on_the_constraints = newton.land();
       if (!on_the_constraints && !newton.approach()) break;
@@ -258,7 +258,7 @@ EngineOutcome descend_along_flat(const Patch& patch, const TangentNewtonOptions&
     }
   }
   outcome.objective = newton.energy();
-  outcome.factorizations = newton.factorizations();
+  outcome.cost.factorizations = newton.factorizations();
   return outcome;
 }
 

@@ -140,7 +140,7 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
     if (problem.terms[at(v)].fixed) fixed_seeds.push_back(v);
   }
   double objective = 0.0;
-  for (; outcome.steps < options.max_steps; ++outcome.steps) {
+  for (; outcome.cost.steps < options.max_steps; ++outcome.cost.steps) {
     choose_working_set(problem, options, smoothing / scale, field);
     if (patch_.free_count == 0) break;
     const PrimalDualStep::Result result = step_.take(options.step, smoothing, state_);
@@ -178,12 +178,12 @@ EngineOutcome WorkingSetNewton::run(const EditProblem& problem, double scale,
     } else if (change <= options.stop * objective ||
                step_.largest_move() <= options.settled_move * scale) {
       outcome.status = SolveStatus::kConverged;
-      ++outcome.steps;
+      ++outcome.cost.steps;
       break;
     }
   }
   outcome.objective = objective;
-  outcome.factorizations = system_.factorizations() - before;
+  outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
 }
 

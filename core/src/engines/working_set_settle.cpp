@@ -86,7 +86,7 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
     for (int attempt = 0; attempt < 4 && result == PrimalDualStep::Result::kRejected; ++attempt) {
       result = step_.take(options.step, smoothing, state_);
     }
-    ++outcome.steps;
+    ++outcome.cost.steps;
     if (result != PrimalDualStep::Result::kAccepted) return false;
   }
   return false;
@@ -131,17 +131,17 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     return outcome;
   }
   last_off_ = 0.0;
-  while (outcome.steps < options.max_settle_steps && work < kMostWork) {
+  while (outcome.cost.steps < options.max_settle_steps && work < kMostWork) {
     const bool first_stage = smoothing >= kFirst * scale;
-    if (first_stage && outcome.steps >= options.max_first_settle_steps) break;
+    if (first_stage && outcome.cost.steps >= options.max_first_settle_steps) break;
     const bool last = !seeks_support_ || smoothing <= kLast * scale;
     exact.stationary = last ? kStationary : kFollowed;
     exact.step.penalty = seeks_support_
                              ? std::clamp(kPenalty / smoothing, options.step.penalty, kMostPenalty)
                              : options.step.penalty;
-    const int first = outcome.steps;
+    const int first = outcome.cost.steps;
     const bool done = settle_at(smoothing, exact, outcome);
-    work += static_cast<double>((outcome.steps - first) * patch_.free_count);
+    work += static_cast<double>((outcome.cost.steps - first) * patch_.free_count);
     field.store(patch_, state_);
     outcome.objective = system_.lagrangian().energy(state_.displacement, 0.0);
     const IterationRecord record{.objective = outcome.objective,
@@ -177,7 +177,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   settled_smoothing_ = smoothing;
   keep_support(kRestsAtLast * smoothing);
   field.store(patch_, state_);
-  outcome.factorizations = system_.factorizations() - before;
+  outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
 }
 

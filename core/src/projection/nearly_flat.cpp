@@ -160,8 +160,7 @@ NearlyFlat PathWalker::walk(const Progress& progress) {
   result.positions = std::move(best.positions);
   const EngineOutcome& outcome = path_->outcome();
   result.report.status = outcome.status;
-  result.report.iterations = outcome.steps;
-  result.report.factorizations = outcome.factorizations;
+  result.report.cost = outcome.cost;
   result.report.records = outcome.records;
   result.report.solve_seconds = watch.seconds();
   return result;

@@ -36,8 +36,7 @@ ProjectionResult attempt(const ProjectionTask& task, Attempt kind, int rings, Me
       current.positions.col(step.moved[k]) = step.moved_positions.col(static_cast<Eigen::Index>(k));
     }
     standing = measure_standing(current, task.adjacency, task.kept);
-    step.report.iterations += result.report.iterations;
-    step.report.factorizations += result.report.factorizations;
+    step.report.cost += result.report.cost;
     step.report.solve_seconds += result.report.solve_seconds;
     if (round > 0) step.report.optimality.reset();  // of the last round's problem, not of the whole
     if (round > 0 && step.report.status == SolveStatus::kConverged) {

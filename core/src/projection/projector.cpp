@@ -77,8 +77,7 @@ void Projector::solve_nearest(const Progress& progress) {
     field_.set_displacement(patch.vertices[at(k)], displacement.col(k));
   }
   report_.status = outcome.status;
-  report_.iterations = outcome.steps;
-  report_.factorizations = outcome.factorizations;
+  report_.cost = outcome.cost;
   report_.records = std::move(outcome.records);
 }
 
@@ -101,10 +100,9 @@ EngineOutcome Projector::nearest_of_large(const Patch& patch, const Progress& pr
   EngineOutcome onto = find_nearest_flat(patch, nearest, progress, displacement);
   if (onto.status != SolveStatus::kConverged) return onto;
   TangentNewtonOptions tangent{.max_steps = kMostTangentSteps};
-  if (options_.max_iterations > 0) tangent.max_steps = options_.max_iterations - onto.steps;
+  if (options_.max_iterations > 0) tangent.max_steps = options_.max_iterations - onto.cost.steps;
   EngineOutcome along = descend_along_flat(patch, tangent, progress, displacement);
-  along.steps += onto.steps;
-  along.factorizations += onto.factorizations;
+  along.cost += onto.cost;
   along.records.insert(along.records.begin(), onto.records.begin(), onto.records.end());
   return along;
 }
@@ -122,8 +120,7 @@ void Projector::solve_newton(const std::vector<int>& failing, const Progress& pr
       newton.run_around(problem_, seeds, std::max(gap, 1e-9), options, field_, progress);
   support_ = problem_.seeks_support ? newton.support() : everything();
   report_.status = outcome.status;
-  report_.iterations += outcome.steps;
-  report_.factorizations += outcome.factorizations;
+  report_.cost += outcome.cost;
   report_.records.insert(report_.records.end(), outcome.records.begin(), outcome.records.end());
 }
 
@@ -136,8 +133,7 @@ void Projector::solve_weighted(const std::vector<int>& failing, const Progress& 
   field_ = weighted_->field();
   support_ = weighted_->support();
   report_.status = outcome.status;
-  report_.iterations = outcome.steps;
-  report_.factorizations = outcome.factorizations;
+  report_.cost = outcome.cost;
   report_.records = std::move(outcome.records);
 }
 
@@ -164,8 +160,7 @@ void Projector::solve_augmented_lagrangian(const Progress& progress) {
   const EngineOutcome outcome = solve_edit_by_alm(problem_, options, field_, support, progress);
   support_ = problem_.seeks_support ? support : everything();
   report_.status = outcome.status;
-  report_.iterations = outcome.steps;
-  report_.factorizations = outcome.factorizations;
+  report_.cost = outcome.cost;
   report_.records = outcome.records;
 }
 
@@ -194,8 +189,7 @@ ExactDesign Projector::solve_on_tracks(const std::vector<int>& failing, const Pr
     field_.clear();
     solve(failing, progress);
     design = finish.finish(problem_, support_, field_, kept_);
-    report_.iterations += before.iterations;
-    report_.factorizations += before.factorizations + design.factorizations;
+    report_.cost += before.cost + design.cost;
     if (report_.status == SolveStatus::kCancelled) break;
   }
   return design;

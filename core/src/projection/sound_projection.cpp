@@ -106,7 +106,7 @@ Positions SoundProjector::shape_of(const DisplacementField& field) const {
 }
 
 Positions SoundProjector::positions_of(const ExactDesign& design, SolveReport& report) const {
-  report.factorizations += design.factorizations;
+  report.cost += design.cost;
   Positions positions = model_.mesh.positions;
   positions(Eigen::all, design.vertices) = design.positions;
   return positions;
@@ -178,8 +178,7 @@ ExactDesign SoundProjector::solve_on_tracks(double first_penalty, const Progress
       field.set_displacement(patch.vertices[at(k)], displacement.col(k));
     }
     report.status = outcome.status;
-    report.iterations += outcome.steps;
-    report.factorizations += outcome.factorizations;
+    report.cost += outcome.cost;
     report.records = std::move(outcome.records);
     design = finish_.finish(problem_, free_, field, kept_);
     if (outcome.status == SolveStatus::kCancelled) break;
@@ -266,19 +265,16 @@ SoundProjection project_soundly(const Mesh& mesh, const Mesh& base,
   SoundProjector projector(mesh, base, options, free, pins);
   const double asked = options.fairness_weight > 0.0 ? options.fairness_weight : 1.0;
   SoundProjection best;
-  int iterations = 0;
-  int factorizations = 0;
+  SolveCost cost;
   for (const Rung& rung : ladder) {
     SoundProjection next =
         projector.attempt(rung.share * asked, rung.gradual ? kGradually : kAtOnce, progress);
-    iterations += next.report.iterations;
-    factorizations += next.report.factorizations;
+    cost += next.report.cost;
     const bool cancelled = next.report.status == SolveStatus::kCancelled;
     if (next.is_better_than(best)) best = std::move(next);
     if (cancelled || best.ends_search(mesh.vertex_count())) break;
   }
-  best.report.iterations = iterations;
-  best.report.factorizations = factorizations;
+  best.report.cost = cost;
   best.report.solve_seconds = watch.seconds();
   return best;
 }

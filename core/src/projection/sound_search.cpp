@@ -30,14 +30,12 @@ SoundProjection SoundSearch::project_around(std::span<const Rung> ladder) const 
 /// Keeps the better one; a flat one gives way only to what is half as far.
 void SoundSearch::climb(std::span<const Rung> ladder) {
   SoundProjection other = project_around(ladder);
-  const int iterations = best_.report.iterations + other.report.iterations;
-  const int factorizations = best_.report.factorizations + other.report.factorizations;
+  const SolveCost cost = best_.report.cost + other.report.cost;
   const bool cancelled = other.report.status == SolveStatus::kCancelled;
   const bool stays = best_.is_flat() && !is_half_as_far(other.squared_move);
   if (!stays && other.is_better_than(best_)) best_ = std::move(other);
   if (cancelled) best_.report.status = SolveStatus::kCancelled;
-  best_.report.iterations = iterations;
-  best_.report.factorizations = factorizations;
+  best_.report.cost = cost;
 }
 
 /// The nearest flat mesh, where it is sound as it is and better than what was found.
@@ -51,8 +49,7 @@ std::optional<ProjectionResult> SoundSearch::nearest() const {
   if (!result.report.usable() || !is_sound(task, after)) return std::nullopt;
   const double squares = result.rms_move * result.rms_move * task.mesh.vertex_count();
   if (best_.is_flat() && !is_half_as_far(squares)) return std::nullopt;
-  result.report.iterations += best_.report.iterations;
-  result.report.factorizations += best_.report.factorizations;
+  result.report.cost += best_.report.cost;
   return result;
 }
 

@@ -214,7 +214,7 @@ bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
     AlmOptions options;
     options.max_outer = 300;
     const EngineOutcome outcome = run_alm(splitting, options, {});
-    steps_ += outcome.steps;
+    steps_ += outcome.cost.steps;
     Eigen::Matrix3Xd t = splitting.vector();
     if (!t.allFinite() || !solver.make_admissible(basis_, t)) continue;
     solver.sparsify(basis_, kSparsifyShare, t);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/problem/solve_cost.hpp"
+
 namespace planish {
 
 /// How a solve ended. In every case the positions that come with it are a valid design:
@@ -86,8 +88,7 @@ struct SolveReport {
   int moved_vertices = 0;                 ///< coordinates not bit-identical to the input's
   double max_displacement = 0.0;          ///< model units
   double handle_error = 0.0;  ///< largest distance of a handle from its target, model units
-  int iterations = 0;
-  int factorizations = 0;
+  SolveCost cost;
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
   std::vector<IterationRecord> records;
