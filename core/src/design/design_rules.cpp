@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a design must keep; see handle_edit_rules.cpp.
+/// What a design must keep; see edit_rules.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>

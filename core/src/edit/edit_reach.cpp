@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/edit/kept_by_variations.hpp"
 #include "planish/numeric/index.hpp"
 
@@ -92,6 +93,13 @@ std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
   }
   std::sort(held.begin(), held.end());
   return held;
+}
+
+void hold_resting(const Mesh& mesh, const HandleEditOptions& options, std::vector<int>& held) {
+  const Adjacency adjacency = build_adjacency(mesh);
+  const MeshKeepOuts keep_outs({mesh, adjacency, mesh.positions, 1.0},
+                               free_space(options.keep_outs, options.clearance));
+  for (const RestingPoint& point : keep_outs.resting_points()) held.push_back(point.vertex);
 }
 
 KeptByVariations kept_by_variations(const Mesh& mesh, const EditTargets& targets,

@@ -79,7 +79,8 @@ Violations EditVerdict::violations_with(const ExactDesign& design) const {
   return worst;
 }
 
-SolveStatus EditVerdict::honest(SolveStatus status, const ExactDesign& design) const {
+SolveStatus EditVerdict::downgrade_if_base_violates(SolveStatus status,
+                                                    const ExactDesign& design) const {
   return is_within(violations_with(design), kept_) ? status : SolveStatus::kToleranceNotMet;
 }
 

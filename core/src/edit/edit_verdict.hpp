@@ -37,7 +37,8 @@ class EditVerdict {
 
   /// `status`, or kToleranceNotMet: a design of a base that broke a constraint itself is no exact
   /// one, however it ended.
-  [[nodiscard]] SolveStatus honest(SolveStatus status, const ExactDesign& design) const;
+  [[nodiscard]] SolveStatus downgrade_if_base_violates(SolveStatus status,
+                                                       const ExactDesign& design) const;
 
   /// Every kept kind and every stated limit.
   void add_to(SolveReport& report, const ExactDesign& design) const;

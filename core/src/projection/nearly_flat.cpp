@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engines/active_set.hpp"
 #include "engines/flatness_path.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/index.hpp"
@@ -97,15 +98,17 @@ Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd f
                                               const Progress& progress) {
   put_on_tracks(patch_, from);  // of a mesh whose points were on other sides
   Eigen::Matrix3Xd displacement = path_->settle(penalty, from, progress);
-  for (int turn = 1;
-       turn < kMostOutlineTurns && slides_ && !cancelled() &&
-       slides_->follow(std::span(patch_.vertices).first(at(patch_.free_count)), displacement);
-       ++turn) {
+  const auto settle_again = [&] {
     cutter_.cut(problem_, free_, patch_);
     path_->attach(patch_);
     put_on_tracks(patch_, displacement);
-    displacement = path_->settle(penalty, displacement, progress);
-  }
+    return path_->settle(penalty, displacement, progress);
+  };
+  solve_until_steady(displacement, kMostOutlineTurns - 1, settle_again,
+                     [&](const Eigen::Matrix3Xd& last) {
+                       const std::span moving(patch_.vertices.data(), at(patch_.free_count));
+                       return slides_ && !cancelled() && slides_->follow(moving, last);
+                     });
   return displacement;
 }
 

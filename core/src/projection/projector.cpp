@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engines/active_set.hpp"
 #include "engines/augmented_lagrangian.hpp"
 #include "engines/nearest_flat.hpp"
 #include "engines/optimality.hpp"
@@ -180,18 +181,19 @@ void Projector::solve(const std::vector<int>& failing, const Progress& progress)
 /// surfaces.
 ExactDesign Projector::solve_on_tracks(const std::vector<int>& failing, const Progress& progress) {
   ExactFinish finish(model_);
-  ExactDesign design;
-  SolveReport before;
-  for (int turn = 0; turn == 0 || (turn < kMostOutlineTurns && slides_ &&
-                                   slides_->follow(design.vertices, design.displacement));
-       ++turn) {
-    before = std::exchange(report_, {});
+  const auto solve_once = [&] {
+    const SolveCost before = std::exchange(report_, {}).cost;
     field_.clear();
     solve(failing, progress);
-    design = finish.finish(problem_, support_, field_, kept_);
-    report_.cost += before.cost + design.cost;
-    if (report_.status == SolveStatus::kCancelled) break;
-  }
+    ExactDesign design = finish.finish(problem_, support_, field_, kept_);
+    report_.cost += before + design.cost;
+    return design;
+  };
+  ExactDesign design = solve_once();
+  solve_until_steady(design, kMostOutlineTurns - 1, solve_once, [&](const ExactDesign& last) {
+    return report_.status != SolveStatus::kCancelled && slides_ &&
+           slides_->follow(last.vertices, last.displacement);
+  });
   return design;
 }
 

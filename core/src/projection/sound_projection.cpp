@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engines/active_set.hpp"
 #include "engines/exact_finish.hpp"
 #include "engines/fair_flat.hpp"
 #include "engines/optimality.hpp"
@@ -166,10 +167,7 @@ ExactDesign SoundProjector::solve_on_tracks(double first_penalty, const Progress
                                             Patch& patch, DisplacementField& field,
                                             SolveReport& report) {
   open_tracks();
-  ExactDesign design;
-  for (int turn = 0; turn == 0 || (turn < kMostOutlineTurns && slides_ &&
-                                   slides_->follow(design.vertices, design.displacement));
-       ++turn) {
+  const auto solve_once = [&] {
     cutter_.cut(problem_, free_, patch);
     Eigen::Matrix3Xd displacement = on_tracks(patch);
     EngineOutcome outcome = solve(patch, first_penalty, progress, displacement);
@@ -180,9 +178,13 @@ ExactDesign SoundProjector::solve_on_tracks(double first_penalty, const Progress
     report.status = outcome.status;
     report.cost += outcome.cost;
     report.records = std::move(outcome.records);
-    design = finish_.finish(problem_, free_, field, kept_);
-    if (outcome.status == SolveStatus::kCancelled) break;
-  }
+    return finish_.finish(problem_, free_, field, kept_);
+  };
+  ExactDesign design = solve_once();
+  solve_until_steady(design, kMostOutlineTurns - 1, solve_once, [&](const ExactDesign& last) {
+    return report.status != SolveStatus::kCancelled && slides_ &&
+           slides_->follow(last.vertices, last.displacement);
+  });
   return design;
 }
 

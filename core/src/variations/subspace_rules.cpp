@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What options of a family of variations must keep; see handle_edit_rules.cpp.
+/// What options of a family of variations must keep; see edit_rules.cpp.
 #include <cmath>
 
 #include "planish/variations/subspace.hpp"

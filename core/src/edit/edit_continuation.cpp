@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+/// The paths of a search: along the targets, from soft to hard, and down to the limits.
+#include <algorithm>
+#include <utility>
+
+#include "edit/edit_search.hpp"
+
+namespace planish {
+namespace {
+
+constexpr double kCoarse = 0.0045;  ///< smoothing that a search within a reach ends at, share
+/// Between two weights of the limits' barrier. [LIM-2]
+constexpr double kLimitWeightShrink = 0.1;
+
+/// `next`, and what it took to get to where it began.
+void go_on(EngineOutcome next, EngineOutcome& total) {
+  next.cost += total.cost;
+  total = std::move(next);
+}
+
+}  // namespace
+
+EngineOutcome EditSearch::follow(bool fresh, DisplacementField& field, const Progress& progress) {
+  NewtonOptions options;
+  options.stop = 3e-5;
+  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
+  // it.
+  options.max_steps = 7;
+  if (fresh) {
+    field.clear();
+    return newton_.run_cold(model_.problem(), {3, 16, 0.05}, options, field, progress);
+  }
+  options.first_smoothing = 1e-3;
+  return newton_.run_warm(model_.problem(), options, field, progress);
+}
+
+/// As a drag in equal steps would, one that is not acceptable included: the next starts afresh. At
+/// the targets it goes on to a minimum. [PTH-1]
+EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
+                                             const Progress& progress) {
+  const EditTargets targets = model_.targets();
+  EngineOutcome total;
+  bool fresh = true;
+  for (int step = 1; step <= targets.continuation; ++step) {
+    EditTargets now = targets;
+    const double share = static_cast<double>(step) / targets.continuation;
+    for (Handle& handle : now.handles) {
+      const Eigen::Vector3d base = model_.mesh_model().mesh.positions.col(handle.vertex);
+      if (step < targets.continuation) handle.target = base + share * (handle.target - base);
+    }
+    model_.pose(now, model_.options());
+    go_on(follow(fresh, field_, progress), total);
+    if (total.status == SolveStatus::kCancelled) break;
+    fresh = total.status == SolveStatus::kSingularSystem || !model_.is_acceptable(design());
+  }
+  model_.pose(targets, model_.options());
+  if (total.status == SolveStatus::kCancelled) return total;
+  NewtonOptions last = options;
+  last.first_smoothing = 1e-3;
+  go_on(newton_.run_warm(model_.problem(), last, field_, progress), total);
+  return total;
+}
+
+/// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
+/// from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// cold start fell into. [SOF-2]
+EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& progress) {
+  constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
+  constexpr double kWarm = 0.015;
+  const HandleEditOptions& asked = model_.options();
+  NewtonOptions step = options;
+  step.last_smoothing = kCoarse;  // settle() goes on from its own first ε
+  step.stop = 1e-3;
+  step.max_steps = std::min(options.max_steps, budget().coarse);
+  HandleEditOptions now = asked;
+  now.softness = kSoftest;
+  model_.pose(model_.targets(), now);
+  field_.clear();
+  EngineOutcome total = newton_.run_cold(model_.problem(), {3, 16, 0.05}, step, field_, progress);
+  step.first_smoothing = kWarm;
+  for (bool last = false; !last && total.status != SolveStatus::kCancelled;) {
+    now.softness = std::max(asked.softness, now.softness - kDown);
+    last = now.softness == asked.softness;
+    model_.pose(model_.targets(), now);
+    if (last) {
+      step.stop = options.stop;
+      step.max_steps = std::min(options.max_steps, budget().last);
+    }
+    go_on(newton_.run_warm(model_.problem(), step, field_, progress), total);
+  }
+  model_.pose(model_.targets(), asked);
+  return total;
+}
+
+/// Which side of its outline each point goes to, and which points keep-outs hold, before anything
+/// is settled. [SUP-3] [KEE-2]
+void EditSearch::update_active_set(const NewtonOptions& options, const Progress& progress,
+                                   SolveReport& report) {
+  ActiveSet& active_set = model_.active_set();
+  if (!active_set.may_switch() || report.status == SolveStatus::kCancelled) return;
+  NewtonOptions step = options;
+  step.first_smoothing = 1e-3;
+  const auto go_on_with_it = [&] {
+    const EngineOutcome way = newton_.run_warm(model_.problem(), step, field_, progress);
+    report.status = way.status;
+    report.cost += way.cost;
+    return design();
+  };
+  ExactDesign state = design();
+  solve_until_steady(state, kMostOutlineTurns, go_on_with_it, [&](const ExactDesign& last) {
+    return report.status != SolveStatus::kCancelled && active_set.update(last);
+  });
+}
+
+/// From where the search kept clear of limits and keep-outs to where they are, along the path of
+/// minima as the barrier on them fades, and one settling at its end. nullopt where that is not
+/// certified, with the search's state back. [LIM-2]
+std::optional<ExactDesign> EditSearch::settle_at_limits(const NewtonOptions& options,
+                                                        const Progress& progress,
+                                                        SolveReport& report) {
+  if (report.status == SolveStatus::kCancelled) return std::nullopt;
+  const Place found = place();
+  EditProblem& problem = model_.problem();
+  NewtonOptions step = options;
+  if (follows_softness()) step.last_smoothing = kCoarse;
+  step.first_smoothing = step.last_smoothing;
+  SolveReport near = report;
+  while (problem.limit_weight > kLastLimitWeight && near.status != SolveStatus::kCancelled) {
+    problem.limit_weight *= kLimitWeightShrink;
+    const EngineOutcome way = newton_.run_warm(problem, step, field_, progress);
+    near.cost += way.cost;
+    near.status = way.status;
+  }
+  ExactDesign design = settle(options, progress, near);
+  problem.limit_weight = kFirstLimitWeight;
+  report.cost = near.cost;
+  if (near.status == SolveStatus::kConverged || near.status == SolveStatus::kCancelled) {
+    report = std::move(near);
+    return design;
+  }
+  go_back(found);
+  return std::nullopt;
+}
+
+}  // namespace planish

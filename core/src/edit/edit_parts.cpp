@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+/// The way in parts: for targets that a jump does not reach.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "edit/edit_search.hpp"
+#include "planish/numeric/index.hpp"
+
+namespace planish {
+namespace {
+
+/// The handles of a problem on their way to where they should be. The targets stand again after it.
+class HandlesOnTheirWay {
+ public:
+  explicit HandlesOnTheirWay(EditProblem& problem) : problem_(problem) {
+    for (const int v : problem.handles) targets_.push_back(problem.terms[at(v)].target);
+  }
+  HandlesOnTheirWay(const HandlesOnTheirWay&) = delete;
+  HandlesOnTheirWay& operator=(const HandlesOnTheirWay&) = delete;
+  ~HandlesOnTheirWay() { go_to_targets(); }
+
+  void go_to(double share) {
+    for (std::size_t k = 0; k < targets_.size(); ++k) term(k).target = share * targets_[k];
+  }
+  void go_to_targets() {
+    for (std::size_t k = 0; k < targets_.size(); ++k) term(k).target = targets_[k];
+  }
+
+ private:
+  VertexTerm& term(std::size_t k) { return problem_.terms[at(problem_.handles[k])]; }
+
+  EditProblem& problem_;
+  std::vector<Eigen::Vector3d> targets_;
+};
+
+}  // namespace
+
+/// One part of the way, with the active set that it asks for.
+ExactDesign EditSearch::advance(bool cold, const NewtonOptions& options, const Progress& progress,
+                                SolveReport& report) {
+  const EngineOutcome outcome =
+      cold ? newton_.run_cold(model_.problem(), {3, 0, 0.05}, options, field_, progress)
+           : newton_.run_warm(model_.problem(), options, field_, progress);
+  report.status = outcome.status;
+  report.cost += outcome.cost;
+  update_active_set(options, progress, report);
+  return design();
+}
+
+/// The handles moved in parts, each part acceptable before the next: slower, and it always ends on
+/// an acceptable design, though perhaps short of the targets. A part that fails is tried at half
+/// its length, a few times in all.
+ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& report) {
+  constexpr double kFirstPart = 0.125;
+  constexpr double kShortestPart = 0.125 / 16;
+  NewtonOptions options = engine_options();
+  options.stop = 1e-5;
+  options.max_steps = follows_softness() ? budget().part : 60;
+  const int most = follows_softness() ? report.cost.factorizations + budget().all_parts
+                                      : std::numeric_limits<int>::max();
+  HandlesOnTheirWay handles(model_.problem());
+  ExactDesign best = EditModel::unmoved();
+  field_.clear();
+  model_.active_set().reset();
+  newton_.set_support(model_.problem().handles);
+  report.status = SolveStatus::kInfeasibleHandles;
+  double reached = 0.0;
+  for (double part = kFirstPart;
+       reached < 1.0 && part >= kShortestPart && report.cost.factorizations < most;) {
+    const Place before = place();
+    const double share = std::min(1.0, reached + part);
+    handles.go_to(share);
+    SolveReport way;
+    ExactDesign next = advance(reached == 0.0, options, progress, way);
+    report.cost += way.cost;
+    if (model_.is_acceptable(next)) {
+      best = std::move(next);
+      reached = share;
+    } else {
+      go_back(before);
+      part *= 0.5;
+    }
+    if (way.status == SolveStatus::kCancelled) {
+      report.status = SolveStatus::kCancelled;
+      break;
+    }
+  }
+  handles.go_to_targets();
+  if (reached < 1.0 || report.status == SolveStatus::kCancelled) return best;
+  report.status = SolveStatus::kIterationLimit;
+  ExactDesign settled = settle(options, progress, report);
+  if (model_.is_acceptable(settled)) return settled;
+  report.optimality.reset();
+  return best;
+}
+
+/// For targets that no flat design was found for: handles that may stay short of them, approached
+/// in parts. The base mesh is the last resort, and always valid.
+ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report) {
+  EditProblem& problem = model_.problem();
+  std::vector<int> hard;
+  for (const int v : problem.handles) {
+    if (problem.terms[at(v)].fixed) hard.push_back(v);
+  }
+  const bool softened = !hard.empty();
+  if (softened && model_.is_bounded()) {  // a jump starts beyond the barrier, a path does not
+    ExactDesign design = solve_in_parts(progress, report);
+    if (report.status != SolveStatus::kInfeasibleHandles) return design;
+  }
+  for (const int v : hard) problem.terms[at(v)].fixed = false;
+  ExactDesign design = solve_in_parts(progress, report);
+  for (const int v : hard) problem.terms[at(v)].fixed = true;
+  if (softened && report.status != SolveStatus::kCancelled) {
+    report.status = SolveStatus::kInfeasibleHandles;
+  }
+  return design;
+}
+
+/// A jump may end against the barrier, far from the target and from any minimum.
+bool EditSearch::stops_short(const ExactDesign& design, const SolveReport& report) const {
+  constexpr double kFar = 0.05;  // of the move
+  const bool certified = report.optimality && report.optimality->met();
+  if (!model_.is_bounded() || certified || report.status == SolveStatus::kCancelled) return false;
+  return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
+}
+
+/// The way in parts, where it ends lower.
+void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report) {
+  SolveReport other;
+  ExactDesign nearer = solve_in_parts(progress, other);
+  other.cost += report.cost;
+  other.records = std::move(report.records);
+  if (model_.objective(nearer).total() < model_.objective(design).total()) {
+    design = std::move(nearer);
+  } else {
+    other.status = report.status;
+    other.optimality = report.optimality;
+  }
+  report = std::move(other);
+}
+
+}  // namespace planish

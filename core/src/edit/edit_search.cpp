@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "edit/edit_search.hpp"
+
+#include <utility>
+
+#include "edit/edit_reach.hpp"
+#include "edit/switching/parting_planes.hpp"
+#include "engines/augmented_lagrangian.hpp"
+#include "engines/cold_search.hpp"
+
+namespace planish {
+
+EditSearch::EditSearch(EditModel& model)
+    : model_(model),
+      newton_(model.mesh_model()),
+      field_(model.mesh_model().vertex_count(),
+             static_cast<int>(model.mesh_model().equations.size())) {}
+
+bool EditSearch::follows_softness() const {
+  return model_.options().softness > 0.0 && has_reach(model_.options());
+}
+
+/// What takes more ends no lower; where many stated limits act, late steps still pay.
+EditSearch::Budget EditSearch::budget() const {
+  constexpr Budget kPlain{40, 60, 25, 80, 25, 150};
+  constexpr Budget kLimited{80, 120, 60, 150, 40, 300};
+  return model_.options().bounds.empty() ? kPlain : kLimited;
+}
+
+/// Within a reach the problem is small and steep, its multipliers are large; elsewhere the engine's
+/// own tuning stands.
+NewtonOptions EditSearch::engine_options() const {
+  NewtonOptions options;
+  if (follows_softness()) {
+    options.step.penalty = 1e8;
+    options.step.poor_share = 0.3;
+    options.max_first_settle_steps = budget().first_settle;
+    options.max_settle_steps = budget().settle;
+  }
+  if (model_.options().max_iterations > 0) options.max_steps = model_.options().max_iterations;
+  return options;
+}
+
+void EditSearch::go_back(const Place& place) {
+  field_.restore(place.field);
+  newton_.set_support(place.support);
+}
+
+ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
+  model_.active_set().reset();
+  ExactDesign design = run_engine(progress, report);
+  if (!model_.is_acceptable(design)) {
+    report.optimality.reset();
+    if (report.status == SolveStatus::kCancelled) return EditModel::unmoved();
+    return fall_back(progress, report);
+  }
+  if (stops_short(design, report)) {
+    try_in_parts(progress, design, report);
+  } else if (report.status == SolveStatus::kSingularSystem) {
+    report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
+  }
+  return design;
+}
+
+ExactDesign EditSearch::run_engine(const Progress& progress, SolveReport& report) {
+  return model_.options().engine == Engine::kNewton ? solve_newton(progress, report)
+                                                    : solve_augmented_lagrangian(progress, report);
+}
+
+/// Search, then down to where the limits are, then the certificate.
+ExactDesign EditSearch::solve_newton(const Progress& progress, SolveReport& report) {
+  const NewtonOptions options = engine_options();
+  EngineOutcome outcome = model_.targets().continuation > 0 ? continue_from_base(options, progress)
+                          : follows_softness()
+                              ? soften(options, progress)
+                              : find_minimum(model_.problem(), options, newton_, field_, progress);
+  report.status = outcome.status;
+  report.cost += outcome.cost;
+  report.records = std::move(outcome.records);
+  update_active_set(options, progress, report);
+  if (model_.is_limited()) {
+    if (auto design = settle_at_limits(options, progress, report)) return std::move(*design);
+  }
+  return settle(options, progress, report);
+}
+
+ExactDesign EditSearch::solve_augmented_lagrangian(const Progress& progress, SolveReport& report) {
+  field_.clear();
+  AlmOptions options;
+  if (model_.options().max_iterations > 0) options.max_outer = model_.options().max_iterations;
+  std::vector<int> support;
+  EngineOutcome outcome = solve_edit_by_alm(model_.problem(), options, field_, support, progress);
+  report.status = outcome.status;
+  report.cost = outcome.cost;
+  report.records = std::move(outcome.records);
+  return model_.finish(support, field_);
+}
+
+/// From the state that a search left to a certified design, or to the design of that state.
+ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& progress,
+                               SolveReport& report) {
+  ActiveSet& active_set = model_.active_set();
+  const Place found = place();
+  const bool spent =
+      model_.options().max_iterations > 0 && report.status == SolveStatus::kIterationLimit;
+  if (report.status != SolveStatus::kCancelled && !spent) {
+    EngineOutcome fine;
+    const auto settle_once = [&] {
+      fine = newton_.settle(model_.problem(), options, field_, progress);
+      report.cost += fine.cost;
+      return design();
+    };
+    ExactDesign settled = settle_once();
+    solve_until_steady(
+        settled, active_set.most_rounds() - 1, settle_once,
+        [&](const ExactDesign& last) { return active_set.update(last) || release(); });
+    if (model_.is_acceptable(settled)) {
+      report.optimality = optimality(settled);
+      if (!report.optimality->met()) include_slow_movers(settled, report);
+      report.status = fine.status == SolveStatus::kCancelled ? fine.status
+                      : report.optimality->met()             ? SolveStatus::kConverged
+                                                             : SolveStatus::kIterationLimit;
+      return settled;
+    }
+    report.cost += settled.cost;
+    report.status = SolveStatus::kIterationLimit;
+    go_back(found);
+  }
+  ExactDesign clamped = design();
+  solve_until_steady(
+      clamped, kMostOutlineTurns, [&] { return design(); },
+      [&](const ExactDesign& last) { return active_set.clamp(last); });
+  return clamped;
+}
+
+/// The design with what hardly moves moving, where that is what the certificate lacks.
+void EditSearch::include_slow_movers(ExactDesign& design, SolveReport& report) {
+  newton_.keep_slow_movers(field_);
+  ExactDesign other = this->design();
+  if (!model_.is_acceptable(other)) return;
+  const Optimality found = optimality(other);
+  if (!found.met()) return;
+  report.optimality = found;
+  design = std::move(other);
+}
+
+bool EditSearch::release() {
+  constexpr double kAtRest = 1e-6;  // of the pull
+  ActiveSet& active_set = model_.active_set();
+  return active_set.may_release() &&
+         active_set.release(newton_.track_forces(), kAtRest * handle_scale(model_.problem()));
+}
+
+ExactDesign EditSearch::corrected(const ExactDesign& design) {
+  field_.clear();
+  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
+    field_.set_displacement(design.vertices[k],
+                            design.displacement.col(static_cast<Eigen::Index>(k)));
+  }
+  return model_.finish(design.vertices, field_);
+}
+
+Optimality EditSearch::optimality(const ExactDesign& design) {
+  return newton_.optimality(model_.problem(), design.vertices, design.displacement);
+}
+
+ExactDesign find_parted(EditModel& model, const FindDesign& find, SolveReport& report) {
+  ExactDesign design = find(report);
+  PartedPanels* const parted = model.parted_panels();
+  if (parted == nullptr) return design;
+  const auto find_again = [&] {
+    if (report.status == SolveStatus::kCancelled) {
+      report.optimality.reset();
+      return EditModel::unmoved();
+    }
+    SolveReport next;
+    next.cost = report.cost;
+    report = std::move(next);
+    return find(report);
+  };
+  const auto goes_through = [&](const ExactDesign& last) { return parted->update(last); };
+  if (!solve_until_steady(design, parted->most_rounds(), find_again, goes_through) &&
+      goes_through(design)) {
+    if (report.usable()) report.status = SolveStatus::kInfeasibleHandles;
+    report.optimality.reset();
+    design = EditModel::unmoved();
+  }
+  return design;
+}
+
+}  // namespace planish

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+/// From the base to a certified design: a continuation to the targets and the limits, one settling
+/// at its end, and the way in parts for what a jump does not reach. Its functions stand in three
+/// files: edit_search.cpp, edit_continuation.cpp and edit_parts.cpp.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "edit/edit_model.hpp"
+#include "engines/working_set_newton.hpp"
+
+namespace planish {
+
+class EditSearch {
+ public:
+  explicit EditSearch(EditModel& model);
+
+  /// An acceptable design for the targets that are set, at the worst the base itself. Its active
+  /// set is the model's, which is reset before.
+  [[nodiscard]] ExactDesign find(const Progress& progress, SolveReport& report);
+
+  /// The steps of a frame of a drag, from the support that the engine holds or, `fresh`, from
+  /// nothing.
+  EngineOutcome follow(bool fresh, DisplacementField& field, const Progress& progress);
+
+  /// Points that keep-outs hold and that are pulled away are held no longer. @see
+  /// ActiveSet::release()
+  bool release();
+
+  /// An exact design near one that need not be exact, with the same vertices moving.
+  [[nodiscard]] ExactDesign corrected(const ExactDesign& design);
+
+  /// The conditions at a design near the one that find() ended with.
+  [[nodiscard]] Optimality optimality(const ExactDesign& design);
+
+  [[nodiscard]] WorkingSetNewton& newton() { return newton_; }
+
+ private:
+  /// What an edit within a reach is worth: steps of its searches, of its settling and of a part of
+  /// the way, and factorizations of all parts.
+  struct Budget {
+    int coarse, last, first_settle, settle, part, all_parts;
+  };
+
+  /// Where a search stands: what moves, and how.
+  struct Place {
+    std::vector<int> support;
+    DisplacementField::Snapshot field;
+  };
+
+  [[nodiscard]] bool follows_softness() const;
+  [[nodiscard]] Budget budget() const;
+  [[nodiscard]] NewtonOptions engine_options() const;
+  [[nodiscard]] Place place() const { return {newton_.support(), field_.snapshot()}; }
+  void go_back(const Place& place);
+  [[nodiscard]] ExactDesign design() { return model_.finish(newton_.support(), field_); }
+
+  // The engines.
+  ExactDesign run_engine(const Progress& progress, SolveReport& report);
+  ExactDesign solve_newton(const Progress& progress, SolveReport& report);
+  ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
+  ExactDesign settle(const NewtonOptions& options, const Progress& progress, SolveReport& report);
+  void include_slow_movers(ExactDesign& design, SolveReport& report);
+
+  // The continuation.
+  EngineOutcome continue_from_base(const NewtonOptions& options, const Progress& progress);
+  EngineOutcome soften(const NewtonOptions& options, const Progress& progress);
+  void update_active_set(const NewtonOptions& options, const Progress& progress,
+                         SolveReport& report);
+  std::optional<ExactDesign> settle_at_limits(const NewtonOptions& options,
+                                              const Progress& progress, SolveReport& report);
+
+  // The way in parts.
+  [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
+  ExactDesign advance(bool cold, const NewtonOptions& options, const Progress& progress,
+                      SolveReport& report);
+  ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
+  ExactDesign fall_back(const Progress& progress, SolveReport& report);
+  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
+
+  EditModel& model_;
+  WorkingSetNewton newton_;
+  DisplacementField field_;
+};
+
+using FindDesign = std::function<ExactDesign(SolveReport&)>;
+
+/// Makes a design by `find`, again from the base for as long as it goes through panels that it had
+/// no plane to; the base where that does not end. [KEE-4]
+[[nodiscard]] ExactDesign find_parted(EditModel& model, const FindDesign& find,
+                                      SolveReport& report);
+
+}  // namespace planish
