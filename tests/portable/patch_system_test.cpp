@@ -152,12 +152,12 @@ TEST_P(SystemOn, KnowsKeepOuts) {
   for (int v = 0; v < std::min(4, patch.free_count); ++v) {
     const Eigen::Vector3d place = patch.points.col(v) + state.displacement.col(v);
     KeepOutRow row;
-    row.vertex = v;
+    row.vertices = {v};
     row.normal = testing::random_points(30 + static_cast<unsigned>(v), 1).normalized();
     row.rests = v == 1;
     const double share = v == 1 ? -0.02 : v == 2 ? 0.9 : 0.2;
     row.scale = {1.5, share - 1.5 * row.normal.dot(place)};
-    patch.keep_outs.push_back(row);
+    patch.inequalities.of<KeepOutPlane>().push_back(row);
   }
   system.attach(patch);
   EXPECT_GT(lagrangian(state.displacement), bare);

@@ -128,7 +128,7 @@ TEST(PatchCutter, AnOpenPatchFreesTheRimAndHoldsItByTheRowsOfTheSetAlone) {
   cutter.cut_open(on_mesh.problem, inner, open);
   EXPECT_EQ(open.equation_ids, closed.equation_ids);
   EXPECT_EQ(open.fairness_values, closed.fairness_values);
-  EXPECT_GE(open.corners.size(), closed.corners.size());  // corners of the same faces
+  EXPECT_GE(open.inequalities.size(), closed.inequalities.size());  // corners of the same faces
   EXPECT_EQ(open.face_ids, closed.face_ids);
   EXPECT_EQ(std::set<int>(open.vertices.begin(), open.vertices.end()),
             std::set<int>(closed.vertices.begin(), closed.vertices.end()));

@@ -66,9 +66,9 @@ TEST(KeepOutRows, KeepTheirBaseOutAndLetWhatIsInsideRest) {
   std::vector<int> points;
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (const KeepOutRow& row : keep_outs.of(f)) {
-      points.push_back(row.vertex);
-      const Eigen::Vector3d here = mesh.positions.col(row.vertex);
-      EXPECT_EQ(row.rests, here.z() <= 0.1) << row.vertex;
+      points.push_back(row.vertex());
+      const Eigen::Vector3d here = mesh.positions.col(row.vertex());
+      EXPECT_EQ(row.rests, here.z() <= 0.1) << row.vertex();
       if (row.rests) {
         EXPECT_NEAR(row.share(here), 0.0, 1e-9);
         EXPECT_GE(row.share(here), 0.0);
@@ -170,14 +170,14 @@ TEST(KeepOutRows, PartPanelsThatWentThroughEachOther) {
   ASSERT_EQ(keep_outs.of(0).size(), 4u);
   ASSERT_EQ(keep_outs.of(1).size(), 4u);
   for (const KeepOutRow& row : keep_outs.of(0)) {
-    const Eigen::Vector3d here = mesh.positions.col(row.vertex);
+    const Eigen::Vector3d here = mesh.positions.col(row.vertex());
     EXPECT_GT(row.share(here + Eigen::Vector3d(0, 0, 0.449)), 0.0);
     EXPECT_LT(row.share(here + Eigen::Vector3d(0, 0, 0.451)), 0.0) << "half of what is beside 0.1";
   }
   EXPECT_FALSE(keep_outs.part_panels(first, raised_by(3.0))) << "they have a plane";
   EXPECT_TRUE(keep_outs.choose_planes(first, raised_by(0.4))) << "only the first has moved";
   for (const KeepOutRow& row : keep_outs.of(0)) {
-    const Eigen::Vector3d here = mesh.positions.col(row.vertex);
+    const Eigen::Vector3d here = mesh.positions.col(row.vertex());
     EXPECT_GT(row.share(here + Eigen::Vector3d(0, 0, 0.84)), 0.0);
   }
 }
@@ -224,11 +224,11 @@ TEST(KeepOutRows, PartPanelsFromWalls) {
   EXPECT_TRUE(keep_outs.part_panels(faces, swapped));
   for (const int f : faces) {
     for (const KeepOutRow& row : keep_outs.of(f)) {
-      const double side = mesh.positions(2, row.vertex) > level ? 1.0 : -1.0;
-      Eigen::Vector3d bound = mesh.positions.col(row.vertex);
+      const double side = mesh.positions(2, row.vertex()) > level ? 1.0 : -1.0;
+      Eigen::Vector3d bound = mesh.positions.col(row.vertex());
       bound.z() = level + side * free.wall_clearance;
       EXPECT_NEAR(row.share(bound), 0.0, 1e-12);
-      EXPECT_GT(row.share(mesh.positions.col(row.vertex)), 0.0);
+      EXPECT_GT(row.share(mesh.positions.col(row.vertex())), 0.0);
     }
   }
   keep_outs.forget_parted();

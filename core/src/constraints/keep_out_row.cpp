@@ -63,7 +63,7 @@ KeepOutRow base_row(const LimitBase& base, int vertex, double side, const Eigen:
                     double room) {
   constexpr double kUlps = 8.0 * std::numeric_limits<double>::epsilon();
   KeepOutRow row;
-  row.vertex = vertex;
+  row.vertices = {vertex};
   row.normal = normal;
   const double now = normal.dot(base.points.col(vertex));
   row.rests = room <= kRestsWithin * side;
@@ -79,7 +79,7 @@ KeepOutRow base_row(const LimitBase& base, int vertex, double side, const Eigen:
 KeepOutRow plane_row(int vertex, const Eigen::Vector3d& place, double side,
                      const Eigen::Vector3d& normal, double bound) {
   KeepOutRow row;
-  row.vertex = vertex;
+  row.vertices = {vertex};
   row.normal = normal;
   const double room = normal.dot(place) - bound;
   // One that a panel turned to may leave little room at rest: there it acts.

@@ -41,7 +41,7 @@ std::vector<RestingPoint> MeshKeepOuts::resting_points() const {
   std::vector<RestingPoint> points;
   for (const auto& rows : rows_) {
     for (const KeepOutRow& row : rows) {
-      if (row.rests) points.push_back({row.vertex, row.normal});
+      if (row.rests) points.push_back({row.vertex(), row.normal});
     }
   }
   return points;
@@ -71,7 +71,7 @@ bool MeshKeepOuts::choose_plane(std::span<KeepOutRow> rows,
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const KeepOutRow& row = rows[k];
     if (row.rests) return false;
-    const Eigen::Vector3d here = point(row.vertex);
+    const Eigen::Vector3d here = point(row.vertex());
     panel.col(static_cast<Eigen::Index>(k)) = here;
     const double share = row.share(here);
     near = near || share < kNear;
@@ -84,7 +84,7 @@ bool MeshKeepOuts::choose_plane(std::span<KeepOutRow> rows,
   if (!(plane.gap > gap + kWorth * side)) return false;
   const auto first = static_cast<std::size_t>(rows.data() - rows_[at(face)].data());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const int v = rows[k].vertex;
+    const int v = rows[k].vertex();
     KeepOutRow turned = plane_row(v, base_.points.col(v), side, plane.normal, plane.bound);
     turned.panel = face;
     turned.box = box;
@@ -127,10 +127,10 @@ LimitStanding MeshKeepOuts::standing(std::span<const int> faces,
   LimitStanding standing{.name = "keep-out", .binding = {}};
   for (const int face : faces) {
     for (const KeepOutRow& row : of(face)) {
-      const double share = row.share(point(row.vertex));
+      const double share = row.share(point(row.vertex()));
       // Not a number is no share that holds.
       if (!(share >= standing.least_share)) standing.least_share = share;
-      if (binds(row, share)) standing.binding.push_back(row.vertex);
+      if (binds(row, share)) standing.binding.push_back(row.vertex());
     }
   }
   std::vector<int>& points = standing.binding;
@@ -145,7 +145,7 @@ bool MeshKeepOuts::acts(std::span<const int> faces,
   return std::any_of(faces.begin(), faces.end(), [&](int face) {
     const std::span<const KeepOutRow> rows = of(face);
     return std::any_of(rows.begin(), rows.end(), [&](const KeepOutRow& row) {
-      return !row.rests && !(row.share(point(row.vertex)) >= kActs);
+      return !row.rests && !(row.share(point(row.vertex())) >= kActs);
     });
   });
 }

@@ -145,7 +145,7 @@ bool MeshKeepOuts::part_panels(std::span<const int> faces,
   const auto acts = [&](const Pair& pair) {
     for (std::size_t which = 0; which < 2; ++which) {
       for (const KeepOutRow& row : rows_of(pair, which)) {
-        if (!row.rests && !(row.share(point(row.vertex)) >= kUnpressed)) return true;
+        if (!row.rests && !(row.share(point(row.vertex())) >= kUnpressed)) return true;
       }
     }
     return false;
@@ -200,7 +200,7 @@ bool MeshKeepOuts::choose_plane(const Pair& pair,
     moved[which] = shapes[which] != base_shape(face);
     for (const KeepOutRow& row : rows_of(pair, which)) {
       if (row.rests) return false;
-      const double share = row.share(point(row.vertex));
+      const double share = row.share(point(row.vertex()));
       pressed[which] = pressed[which] || !(share >= kUnpressed);
       room[which] = std::min(room[which], share / row.scale.slope);
     }
@@ -223,7 +223,7 @@ void MeshKeepOuts::turn_plane(const Pair& pair, const PanelGap& gap, double part
   for (std::size_t which = 0; which < 2; ++which) {
     const Eigen::Vector3d normal = which == 0 ? gap.normal : Eigen::Vector3d(-gap.normal);
     for (std::size_t k = 0; k < rows_of(pair, which).size(); ++k) {
-      const int v = rows_of(pair, which)[k].vertex;
+      const int v = rows_of(pair, which)[k].vertex();
       take(pair.panels[which], pair.first_row[which] + k,
            plane_row(v, base_.points.col(v), side[which], normal, bounds[which]));
     }

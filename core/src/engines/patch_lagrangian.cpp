@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engines/keep_out_terms.hpp"
+#include "engines/weighted_barrier.hpp"
 
 namespace planish {
 
@@ -28,8 +28,7 @@ void PatchLagrangian::gradient_at(const PatchState& state, double smoothing,
                                   Eigen::Matrix3Xd& out) const {
   out.setZero(3, patch_->free_count);
   fairness_gradient(state.displacement, out);
-  shape_gradient(state.displacement, out);
-  limit_gradient(state.displacement, out);
+  inequality_gradient(state.displacement, out);
   for (int v = 0; v < patch_->free_count; ++v) {
     const VertexTerm& term = patch_->terms[at(v)];
     const Eigen::Vector3d d = state.displacement.col(v);
@@ -49,36 +48,18 @@ void PatchLagrangian::gradient_at(const PatchState& state, double smoothing,
   slide(out);
 }
 
-void PatchLagrangian::shape_gradient(const Eigen::Matrix3Xd& displacement,
-                                     Eigen::Matrix3Xd& out) const {
-  for (const CornerShape& corner : patch_->corners) {
-    const RowPoints<3> points = corners_at(*patch_, displacement, corner);
-    const Barrier barrier = clamped_barrier(residual(corner, points));
-    if (barrier.slope == 0.0) continue;
-    const RowPoints<3> g = gradient(corner, points);
-    for (int k = 0; k < 3; ++k) {
-      const int v = corner.vertices[at(k)];
-      if (v < patch_->free_count) {
-        out.col(v) += (patch_->shape_weight * barrier.slope) * g.col(k);
-      }
-    }
-  }
-}
-
-void PatchLagrangian::limit_gradient(const Eigen::Matrix3Xd& displacement,
-                                     Eigen::Matrix3Xd& out) const {
-  patch_->limits.for_each([&](int, const auto& row) {
+void PatchLagrangian::inequality_gradient(const Eigen::Matrix3Xd& displacement,
+                                          Eigen::Matrix3Xd& out) const {
+  patch_->inequalities.for_each([&](int, const auto& row) {
     const auto points = corners_at(*patch_, displacement, row);
-    const Barrier barrier = clamped_barrier(row.scale.share(value(row, points)));
+    const Barrier barrier = weighted_barrier(*patch_, row, value(row, points));
     if (barrier.slope == 0.0) return;
     const auto g = gradient(row, points);
-    const double slope = patch_->limit_weight * barrier.slope * row.scale.slope;
     for (std::size_t k = 0; k < row.vertices.size(); ++k) {
       const int v = row.vertices[k];
-      if (v < patch_->free_count) out.col(v) += slope * g.col(static_cast<Eigen::Index>(k));
+      if (v < patch_->free_count) out.col(v) += barrier.slope * g.col(static_cast<Eigen::Index>(k));
     }
   });
-  if (!patch_->keep_outs.empty()) add_keep_out_gradient(*patch_, displacement, out);
 }
 
 void PatchLagrangian::slide(Eigen::Matrix3Xd& x) const {
@@ -102,15 +83,11 @@ double PatchLagrangian::energy(const Eigen::Matrix3Xd& displacement, double smoo
     const Eigen::Vector3d total = row.sum([&](int v) { return displaced(displacement, v); });
     sum += 0.5 * patch_->fairness_weight * total.squaredNorm();
   });
-  for (const CornerShape& corner : patch_->corners) {
-    const double share = residual(corner, corners_at(*patch_, displacement, corner));
-    sum += patch_->shape_weight * clamped_barrier(share).value;
-  }
-  patch_->limits.for_each([&](int, const auto& row) {
-    const double share = row.scale.share(value(row, corners_at(*patch_, displacement, row)));
-    sum += patch_->limit_weight * clamped_barrier(share).value;
+  patch_->inequalities.for_each([&](int, const auto& row) {
+    const double g = value(row, corners_at(*patch_, displacement, row));
+    sum += weighted_barrier(*patch_, row, g).value;
   });
-  return patch_->keep_outs.empty() ? sum : with_keep_outs(sum, *patch_, displacement);
+  return sum;
 }
 
 void PatchLagrangian::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {

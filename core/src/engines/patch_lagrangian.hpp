@@ -52,8 +52,7 @@ class PatchLagrangian {
 
  private:
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
-  void shape_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
-  void limit_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
+  void inequality_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
   [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
 
   const Patch* patch_ = nullptr;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engines/coupling_graph.hpp"
+#include "engines/weighted_barrier.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
@@ -37,6 +38,23 @@ void add_curvature(const CurvatureBlocks<Row::kArity, Row::kCurvedDiagonal>& blo
   }
 }
 
+/// Block (k, l) of t (B'' ∇g ∇gᵀ + B' ∇²g).
+template <class Row, class Gradient, class Hessian>
+Eigen::Matrix3d block_of(const Row& /*row*/, const Barrier& barrier, const Gradient& g,
+                         const Hessian& hessian, int k, int l) {
+  const Eigen::Matrix3d own = hessian.template block<3, 3>(3 * k, 3 * l);
+  return barrier.curvature * g.col(k) * g.col(l).transpose() + barrier.slope * own;
+}
+
+/// The same of a corner, from its vertices in their order around the panel.
+Eigen::Matrix3d block_of(const CornerShape& corner, const Barrier& barrier, const RowPoints<3>& g,
+                         const CurvatureBlocks<3, false>& hessian, int k, int l) {
+  if (l == (k + 2) % 3) return block_of(corner, barrier, g, hessian, l, k).transpose();
+  Eigen::Matrix3d block = barrier.curvature * g.col(k) * g.col(l).transpose();
+  add_curvature<CornerShape>(hessian, barrier.slope, k, l, block);
+  return block;
+}
+
 }  // namespace
 
 void update_norm_duals(const Eigen::Matrix3Xd& before, double smoothing, PatchState& state) {
@@ -60,8 +78,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
   place_edges();
   place_rows(patch_->equations, equation_places_);
-  place_shapes();
-  place_rows(patch_->limits, limit_places_);
+  place_rows(patch_->inequalities, inequality_places_);
   fill_constant_part();
   jacobian_.attach(patch);
 }
@@ -69,8 +86,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
 void PatchSystem::build_graph() {
   Cliques cliques;
   patch_->equations.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
-  for (const CornerShape& corner : patch_->corners) cliques.add(corner.vertices);
-  patch_->limits.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
+  patch_->inequalities.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
   for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
     cliques.add(patch_->fairness_vertices[r]);
   }
@@ -129,23 +145,6 @@ void PatchSystem::place_row(std::span<const int> vertices, RowPlaces& places) co
   }
 }
 
-void PatchSystem::place_shapes() {
-  const int n = patch_->free_count;
-  shape_slots_.resize(patch_->corners.size());
-  for (std::size_t c = 0; c < shape_slots_.size(); ++c) {
-    const auto& vertices = patch_->corners[c].vertices;
-    for (int k = 0; k < 3; ++k) {
-      const int v = vertices[at(k)];
-      if (v < n) shape_slots_[c].own[at(k)] = diagonal_[at(v)];
-      const int w = vertices[at((k + 1) % 3)];
-      if (v >= n || w >= n) continue;
-      const bool later = cholesky_.position(v) > cholesky_.position(w);
-      shape_slots_[c].next_is_row[at(k)] = !later;
-      shape_slots_[c].next[at(k)] = edge_slots_[later ? edge(v, w) : edge(w, v)];
-    }
-  }
-}
-
 void PatchSystem::fill_constant_part() {
   const int n = patch_->free_count;
   std::vector<double> diagonal(at(n));
@@ -197,60 +196,29 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
   jacobian_.slide();
 }
 
-/// t (B'' ∇s ∇sᵀ + B' ∇²s) of the corners that the barrier reaches.
-void PatchSystem::add_shapes(const PatchState& state) {
+/// t (B'' ∇g ∇gᵀ + B' ∇²g) of the inequalities that act.
+void PatchSystem::add_inequalities(const PatchState& state) {
   std::vector<double>& values = cholesky_.values();
-  for (std::size_t c = 0; c < shape_slots_.size(); ++c) {
-    const CornerShape& corner = patch_->corners[c];
-    const RowPoints<3> points = corners_at(*patch_, state.displacement, corner);
-    const Barrier barrier = clamped_barrier(residual(corner, points));
-    if (barrier.curvature == 0.0) continue;
-    const RowPoints<3> g = gradient(corner, points);
-    const double bend = patch_->shape_weight * barrier.curvature;
-    const auto curvature = hessian(corner, points);
-    const double slope = patch_->shape_weight * barrier.slope;
-    const ShapeSlots& place = shape_slots_[c];
-    for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      if (corner.vertices[at(k)] >= patch_->free_count) continue;
-      add_block(values, place.own[at(k)], bend * g.col(k) * g.col(k).transpose());
-      if (corner.vertices[at(next)] >= patch_->free_count) continue;
-      Eigen::Matrix3d block = bend * g.col(k) * g.col(next).transpose();
-      add_curvature<CornerShape>(curvature, slope, k, next, block);
-      add_block(values, place.next[at(k)],
-                place.next_is_row[at(k)] ? Eigen::Matrix3d(block.transpose()) : block);
-    }
-  }
-}
-
-/// t (B'' ∇s ∇sᵀ + B' ∇²s) of the limits that the barrier reaches.
-void PatchSystem::add_limits(const PatchState& state) {
-  std::vector<double>& values = cholesky_.values();
-  const int* order = limit_places_.order.data();
-  const BlockSlot* slot = limit_places_.slots.data();
-  patch_->limits.for_each([&](int number, const auto& row) {
-    const int free = limit_places_.free[at(number)];
+  const int* order = inequality_places_.order.data();
+  const BlockSlot* slot = inequality_places_.slots.data();
+  patch_->inequalities.for_each([&](int number, const auto& row) {
+    const int free = inequality_places_.free[at(number)];
     const auto points = corners_at(*patch_, state.displacement, row);
-    const Barrier barrier = clamped_barrier(row.scale.share(value(row, points)));
+    const Barrier barrier = weighted_barrier(*patch_, row, value(row, points));
     if (barrier.curvature == 0.0) {
       slot += free * (free + 1) / 2;
     } else {
       const auto g = gradient(row, points);
       const auto curvature = hessian(row, points);
-      const double slope = patch_->limit_weight * barrier.slope * row.scale.slope;
-      const double bend =
-          patch_->limit_weight * barrier.curvature * row.scale.slope * row.scale.slope;
       for (int late = 0; late < free; ++late) {
         for (int early = 0; early <= late; ++early) {
-          const int k = order[early], l = order[late];
-          const Eigen::Matrix3d own = curvature.template block<3, 3>(3 * k, 3 * l);
-          add_block(values, *slot++, bend * g.col(k) * g.col(l).transpose() + slope * own);
+          add_block(values, *slot++,
+                    block_of(row, barrier, g, curvature, order[early], order[late]));
         }
       }
     }
     order += free;
   });
-  if (!patch_->keep_outs.empty()) add_keep_outs(state);
 }
 
 void PatchSystem::add_norms(const PatchState& state, double smoothing, double shift) {
@@ -297,8 +265,7 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
   std::copy(constant_.begin(), constant_.end(), cholesky_.values().begin());
   add_norms(state, smoothing, shift);
   add_equations(state, penalty);
-  add_shapes(state);
-  add_limits(state);
+  add_inequalities(state);
   slide_blocks();
   return cholesky_.factorize();
 }

@@ -60,25 +60,15 @@ class PatchSystem {
     std::vector<BlockSlot> slots;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
   };
 
-  /// The three diagonal blocks of a corner's shape and the blocks of (k, k + 1), modulo 3.
-  struct ShapeSlots {
-    std::array<BlockSlot, 3> own{};
-    std::array<BlockSlot, 3> next{};
-    std::array<bool, 3> next_is_row{};  ///< k + 1 is eliminated later than k
-  };
-
   void build_graph();
   void place_edges();
   [[nodiscard]] std::size_t edge(int row, int column) const;
   template <class Batches>
   void place_rows(const Batches& rows, RowPlaces& places) const;
   void place_row(std::span<const int> vertices, RowPlaces& places) const;
-  void place_shapes();
   void fill_constant_part();
   void add_equations(const PatchState& state, double penalty);
-  void add_shapes(const PatchState& state);
-  void add_limits(const PatchState& state);
-  void add_keep_outs(const PatchState& state);
+  void add_inequalities(const PatchState& state);
   void slide_blocks();
   void add_norms(const PatchState& state, double smoothing, double shift);
 
@@ -91,8 +81,7 @@ class PatchSystem {
   std::vector<BlockSlot> edge_slots_;  ///< layout of graph_.values; set where the row is the later
   std::vector<double> edge_weights_;   ///< ω_f EᵀE, same layout
   RowPlaces equation_places_;
-  std::vector<ShapeSlots> shape_slots_;
-  RowPlaces limit_places_;
+  RowPlaces inequality_places_;
   std::vector<double> constant_;  ///< panel values of ω_f EᵀE + q I
   RowJacobian jacobian_;          ///< of the last factorization
   double penalty_ = 0.0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planish/constraints/elements.hpp"
+#include "planish/constraints/mesh_keep_outs.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
@@ -94,9 +95,7 @@ void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, P
   patch.fairness_vertices.offsets.assign(1, 0);
   patch.fairness_vertices.values.clear();
   patch.fairness_values.clear();
-  patch.corners.clear();
-  patch.limits.clear();
-  patch.keep_outs.clear();
+  patch.inequalities.clear();
   patch.fairness_weight = problem.fairness_weight;
   patch.shape_weight = problem.shape_weight;
   patch.limit_weight = problem.limit_weight;
@@ -121,13 +120,14 @@ void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
 
 /// The shape bound's rows of one face.
 void PatchCutter::add_corners(const MeshModel& model, int f, Patch& patch) {
-  std::size_t kept = patch.corners.size();
-  append_corner_shapes(model.points, model.face(f), patch.corners);
-  for (std::size_t k = kept; k < patch.corners.size(); ++k) {
-    CornerShape corner = patch.corners[k];
-    if (enter(corner.vertices, patch)) patch.corners[kept++] = corner;
+  std::vector<CornerShape>& corners = patch.inequalities.of<ShapeBound>();
+  std::size_t kept = corners.size();
+  append_corner_shapes(model.points, model.face(f), corners);
+  for (std::size_t k = kept; k < corners.size(); ++k) {
+    CornerShape corner = corners[k];
+    if (enter(corner.vertices, patch)) corners[kept++] = corner;
   }
-  patch.corners.resize(kept);
+  corners.resize(kept);
 }
 
 /// Gives a row's vertices local numbers, new ones to those that have none.
@@ -141,15 +141,19 @@ bool PatchCutter::enter(std::span<int> vertices, Patch& patch) {
   return touches;
 }
 
-/// The stated limits' rows of one face. Those of two panels come with the first of the two.
+/// The rows of one face's stated limits and keep-outs. Those of two panels come with the first of
+/// the two.
 void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
   limits.for_each_row(f, [&](auto tag, const auto& row, int other) {
     using Kind = typename decltype(tag)::type;
     if (other >= 0 && face_mark_[at(other)] == stamp_) return;
     typename Kind::Row here = row;
-    if (enter(here.vertices, patch)) patch.limits.of<Kind>().push_back(std::move(here));
+    if (enter(here.vertices, patch)) patch.inequalities.of<Kind>().push_back(std::move(here));
   });
-  if (limits.keep_outs() != nullptr) add_keep_outs(*limits.keep_outs(), f, patch);
+  if (limits.keep_outs() == nullptr) return;
+  for (KeepOutRow row : limits.keep_outs()->of(f)) {
+    if (enter(row.vertices, patch)) patch.inequalities.of<KeepOutPlane>().push_back(row);
+  }
 }
 
 /// The stars with rows that a vertex is part of: its own and its neighbours'.

@@ -43,6 +43,9 @@ struct KindList {
   /// The list with one more at its end.
   template <class More>
   using With = KindList<Kinds..., More>;
+  /// The list with one more at its beginning.
+  template <class First>
+  using After = KindList<First, Kinds...>;
 };
 
 /// Rows of the kinds of a list. They are numbered through: batch after batch.

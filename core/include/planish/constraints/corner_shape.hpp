@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "planish/constraints/kind.hpp"
+#include "planish/constraints/limit_scale.hpp"
 #include "planish/mesh/mesh.hpp"
 
 namespace planish {
@@ -31,6 +32,7 @@ inline constexpr double kStraightTurn = 0.0174524064372835;
 /// A bound's row, in the form of the constraints' rows: residual() is s, at least zero.
 struct CornerShape {
   static constexpr int kArity = 3;
+  static constexpr LimitScale scale{1.0, 0.0};  ///< g is the share itself
   static constexpr bool kCurvedDiagonal = false;
   std::array<int, 3> vertices{};  ///< previous, this, next
   Eigen::Vector3d normal =
@@ -40,6 +42,9 @@ struct CornerShape {
 
 /// s: 1 in the base mesh, 0 at the bound.
 [[nodiscard]] double residual(const CornerShape& corner, const RowPoints<3>& points);
+[[nodiscard]] inline double value(const CornerShape& corner, const RowPoints<3>& points) {
+  return residual(corner, points);
+}
 
 /// ∂s/∂(vertex k) in column k. [SHP-2]
 [[nodiscard]] RowPoints<3> gradient(const CornerShape& corner, const RowPoints<3>& points);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@
 namespace planish {
 
 struct KeepOutRow {
-  int vertex = 0;
+  static constexpr int kArity = 1;
+  std::array<int, 1> vertices{};
   LimitScale scale;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   bool rests = false;  ///< on the plane or beyond it in the base
@@ -32,7 +34,20 @@ struct KeepOutRow {
   [[nodiscard]] double share(const Eigen::Vector3d& place) const {
     return scale.share(normal.dot(place));
   }
+  [[nodiscard]] int vertex() const { return vertices[0]; }
 };
+
+[[nodiscard]] inline double value(const KeepOutRow& row, const RowPoints<1>& points) {
+  return row.normal.dot(points.col(0));
+}
+[[nodiscard]] inline RowPoints<1> gradient(const KeepOutRow& row, const RowPoints<1>& /*points*/) {
+  return row.normal;
+}
+[[nodiscard]] inline LimitHessian<1> hessian(const KeepOutRow& /*row*/,
+                                             const RowPoints<1>& /*points*/) {
+  return LimitHessian<1>::Zero();
+}
+static_assert(LimitRow<KeepOutRow>);
 
 /// A plane that has a box on one side: n · p < h inside it, clearance included.
 struct BoxPlane {

@@ -12,8 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "planish/constraints/corner_shape.hpp"
-#include "planish/constraints/keep_out_row.hpp"
+#include "planish/constraints/inequality_rows.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/constraints/registry.hpp"
@@ -123,10 +122,8 @@ struct Patch {
   std::vector<int> star_ids;            ///< mesh vertices whose stars have rows here
   RaggedRows fairness_vertices;         ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
-  std::vector<CornerShape> corners;     ///< local vertices; each touches a free one
+  InequalityRows inequalities;          ///< local vertices; each touches a free one
   double shape_weight = 0.0;
-  LimitRows limits;                   ///< local vertices; each touches a free one
-  std::vector<KeepOutRow> keep_outs;  ///< local vertices, all free
   double limit_weight = 0.0;
   double fairness_weight = 0.0;
 
@@ -171,7 +168,6 @@ class PatchCutter {
   bool enter(std::span<int> vertices, Patch& patch);
   void add_corners(const MeshModel& model, int face, Patch& patch);
   void add_limits(const MeshLimits& limits, int face, Patch& patch);
-  void add_keep_outs(const MeshKeepOuts& keep_outs, int face, Patch& patch);
   void add_stars(const MeshModel& model, int vertex, Patch& patch);
   void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
   void place(const EditProblem& problem, Patch& patch);
