@@ -99,8 +99,8 @@ TEST(KeepOutRows, MeanTheSameInAnyUnit) {
     const auto model = in_model.of(f), solver = in_solver.of(f);
     ASSERT_EQ(model.size(), solver.size());
     for (std::size_t k = 0; k < model.size(); ++k) {
-      EXPECT_NEAR(model[k].share(mesh.positions.col(model[k].vertex)),
-                  solver[k].share(metres.col(solver[k].vertex)), 1e-9);
+      EXPECT_NEAR(model[k].share(mesh.positions.col(model[k].vertex())),
+                  solver[k].share(metres.col(solver[k].vertex())), 1e-9);
     }
   }
 }
