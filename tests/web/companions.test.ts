@@ -10,6 +10,7 @@ import {
 import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf, stepsOf } from "../../web/src/design/recipe.ts";
 import { companionsOf, EVERYTHING, NOTHING } from "../../web/src/export/companions.ts";
+import { onChanges } from "../../web/src/state/connection.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
 import { readMark } from "../../web/src/state/marking.ts";
 import { note } from "../../web/src/state/note.ts";
@@ -17,6 +18,7 @@ import { openSample } from "../../web/src/state/opening.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { arrivedNote } from "../../web/src/state/receiving.ts";
 import { replay } from "../../web/src/state/replaying.ts";
+import { cancel } from "../../web/src/state/showing.ts";
 import { takeSnapshot } from "../../web/src/state/snapshots.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
@@ -153,5 +155,55 @@ describe("what travels beside a design", () => {
     expect(withBeside(text, { camera: null, companions: undefined })).toBe(text);
     for (const odd of ["", '"page"', '{"page": 1}', '{"page": {"c": "no"}', text])
       expect(readBeside(odd)).toEqual({ camera: null, companions: undefined });
+  });
+});
+
+describe("snapshots that travel with a design", () => {
+  it("come after the design, which is there to be looked at, and are never drawn", async () => {
+    const page = await author();
+    const read = await decodeLink(await linkOf(page));
+    if (!read.ok) throw new Error(read.reason);
+    const other = await openedPage();
+    await openSample(other, "vault");
+    const labels: string[] = [];
+    const drawn: { label: string; within: boolean }[] = [];
+    other.activity.subscribe((activity) => {
+      if (!activity || labels.at(-1) === activity.label) return;
+      labels.push(activity.label);
+      if (!activity.label.startsWith("opening snapshot")) return;
+      expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+      expect(other.mesh.value?.report.vertices).toBe(page.mesh.value?.report.vertices);
+    });
+    onChanges(other, (changes) => {
+      const points = other.mesh.value?.report.vertices ?? 0;
+      const within = changes.every((value, k) => k % 4 !== 0 || value < points);
+      drawn.push({ label: other.activity.value?.label ?? "", within });
+    });
+    expect(await replay(other, read.value)).toBe(true);
+    expect(labels.filter((label) => label.startsWith("opening snapshot"))).toEqual(
+      [1, 2, 3].map((k) => `opening snapshot ${k} of 3`),
+    );
+    expect(drawn.every(({ within }) => within)).toBe(true);
+    expect(drawn.filter(({ label }) => label.startsWith("opening snapshot"))).toEqual([]);
+    expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+  });
+
+  it("leave the design there where somebody cancels before all snapshots are there", async () => {
+    const page = await author();
+    const read = await decodeLink(await linkOf(page));
+    if (!read.ok) throw new Error(read.reason);
+    const other = await openedPage();
+    const stop = other.activity.subscribe((activity) => {
+      if (activity?.label === "opening snapshot 2 of 3") queueMicrotask(() => cancel(other));
+    });
+    await replay(other, read.value);
+    stop();
+    expect(other.problem.value).toBeNull();
+    expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+    expect(other.snapshots.value.map(({ name }) => name)).toEqual(["Variant 1"]);
+    expect(other.notice.value).toMatch(/2 snapshots could not be made again\.$/);
+    await raise(other, 0.7);
+    await raise(page, 0.7);
+    expect(shownPoint(other, MIDDLE)).toEqual(shownPoint(page, MIDDLE));
   });
 });

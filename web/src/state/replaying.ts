@@ -9,7 +9,7 @@ import type { Steps } from "../design/recipe.ts";
 import { done, type Result, refuse } from "../result/result.ts";
 import type { OpenedMesh, Shape, SliderLead } from "../solver/protocol.ts";
 import { placeCamera } from "./camera.ts";
-import { baseOf, held, openQuestion, run } from "./connection.ts";
+import { baseOf, held, openQuestion, run, runUnseen } from "./connection.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
 import { freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
@@ -60,10 +60,16 @@ const beforeIt = (
   settings,
 });
 
-/** The design of `recipe` on its mesh, which the solver has open; nothing of it is shown yet. */
-async function solveAgain(page: Page, recipe: Steps, fresh: Design): Promise<Result<Solved>> {
+/** The design of `recipe` on its mesh, which the solver has open. @param ask shows what comes, or not */
+async function solveAgain(
+  page: Page,
+  label: string,
+  recipe: Steps,
+  fresh: Design,
+  ask: typeof run,
+): Promise<Result<Solved>> {
   const question = { kind: "replay", design: toDesign(recipe) } as const;
-  const answer = await run(page, "opening the design", question, "replayed");
+  const answer = await ask(page, label, question, "replayed");
   if (!answer.ok) return answer;
   const { shape, report, centre, leads, deviation, directions } = answer.value;
   const families = withSliders(recipe, directions);
@@ -83,7 +89,7 @@ export async function compute(
 ): Promise<Result<Replayed>> {
   const fresh = beforeIt(page, recipe, opened);
   takeMesh(page, fresh, opened);
-  const end = await solveAgain(page, recipe, fresh);
+  const end = await solveAgain(page, "opening the design", recipe, fresh, run);
   if (!end.ok) return end;
   const { found } = end.value;
   held(page).centre = found?.centre ?? null;
@@ -91,21 +97,25 @@ export async function compute(
   return end;
 }
 
-/** The variants that came with a design, none of them shown; those that cannot be made are left out. */
+/** The variants that came with a design, none of them shown; those that cannot be made are left out, and
+ * all that were not made yet once somebody cancels. */
 async function makeVariants(page: Page, recipe: Steps): Promise<Received[]> {
   const received: Received[] = [];
+  const all = variantsOf(recipe);
   let opened = null as { readonly how: string; readonly mesh: OpenedMesh } | null;
-  for (const { name, steps: variant } of variantsOf(recipe)) {
+  for (const [k, { name, steps: variant }] of all.entries()) {
+    const label = `opening snapshot ${k + 1} of ${all.length}`;
     const base = baseOf(variant);
     const how = JSON.stringify([base.planarised, base.symmetry]);
     if (opened?.how !== how) {
-      const question = openQuestion(base);
-      const answer = await run(page, `opening ${name}`, question, "opened");
+      const answer = await runUnseen(page, label, openQuestion(base), "opened");
+      if (!answer.ok && !answer.reason) break;
       opened = answer.ok ? { how, mesh: answer.value.mesh } : null;
     }
     if (!opened) continue;
     const { mesh } = opened;
-    const end = await solveAgain(page, variant, beforeIt(page, variant, mesh));
+    const end = await solveAgain(page, label, variant, beforeIt(page, variant, mesh), runUnseen);
+    if (!end.ok && !end.reason) break;
     if (!end.ok) continue;
     const { design, deviation } = end.value;
     const same = isRounding(deviation, sizeOf(mesh.report), recipe.unit);
@@ -129,8 +139,6 @@ async function openAndCompute(
 /** Within a turn; gives in how far the design that is there now differs from what was recorded, in words,
  * "" where it does not. */
 export async function replayNow(page: Page, recipe: Steps): Promise<Result<string>> {
-  // First, since what the solver has open is the design in the end.
-  const variants = await makeVariants(page, recipe);
   const end = await openAndCompute(page, recipe);
   if (!end.ok) {
     await showPresent(page);
@@ -144,6 +152,10 @@ export async function replayNow(page: Page, recipe: Steps): Promise<Result<strin
     ? steps.record(page.history.value, design)
     : steps.begin(design);
   const differing = compared(page, recipe, deviation, mesh);
+  // Once the design is there to be looked at; then the solver has it again.
+  const variants = await makeVariants(page, recipe);
+  const back = recipe.companions?.variants.length ? await showPresent(page) : undefined;
+  if (back) return back;
   const came = receive(page, recipe.companions, variants);
   if (came && page.notice.value) page.notice.value = `${page.notice.value} ${came}`;
   return done(came && differing ? `${differing} ${came}` : differing);
