@@ -111,7 +111,7 @@ function Row({ group }: { group: Group }) {
   const { name, of, members, colour } = group;
   const background = colour === null ? "none" : GROUP_COLOURS[colour];
   return (
-    <li class="group">
+    <li class="named-group">
       <div class="group-head">
         <button
           type="button"
