@@ -5,6 +5,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/design/link.ts";
 import { exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
+import { hintedPoint, press as hold } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -95,5 +96,37 @@ it("all keys until the slider is left are one step", async () => {
   await press(page, "Undo");
   expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
   expect(await slider(page, "Locality").inputValue()).toBe("1");
+  await page.context().close();
+});
+
+it("Ctrl Z under an open dialog changes nothing that nobody sees", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+60cm");
+  const edited = (await exportAs(page, "OBJ")).toString();
+  await page.getByRole("button", { name: "Help" }).click();
+  await page.getByText("all commands: type a few letters of one").waitFor();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Escape");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  expect((await exportAs(page, "OBJ")).toString()).not.toBe(edited);
+  await page.context().close();
+});
+
+it("Ctrl Z with a point in the hand leaves the steps alone, and the drag within its limit", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+60cm");
+  const edited = (await exportAs(page, "OBJ")).toString();
+  const from = await hintedPoint(page);
+  await hold(page, from, { x: from.x + 8, y: from.y - 12 });
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+y");
+  await page.mouse.move(from.x + 9, from.y - 14);
+  await page.mouse.up();
+  await idle(page);
+  expect((await exportAs(page, "OBJ")).toString()).not.toBe(edited);
+  await press(page, "Undo");
+  expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
   await page.context().close();
 });

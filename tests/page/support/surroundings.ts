@@ -100,12 +100,12 @@ HTMLInputElement.prototype.select = function (this: HTMLInputElement): void {
 const known = (selector: string): string =>
   selector.replaceAll(":popover-open", `[${OPEN}]`).replaceAll(":modal", "dialog[open]");
 
-for (const { prototype } of [Document, Element]) {
-  const { querySelector, querySelectorAll } = prototype;
-  prototype.querySelector = function (this: Element, selector: string) {
+for (const node of [document, Element.prototype]) {
+  const { querySelector, querySelectorAll } = node;
+  node.querySelector = function (this: Element, selector: string) {
     return querySelector.call(this, known(selector));
   } as never;
-  prototype.querySelectorAll = function (this: Element, selector: string) {
+  node.querySelectorAll = function (this: Element, selector: string) {
     return querySelectorAll.call(this, known(selector));
   } as never;
 }

@@ -130,21 +130,23 @@ const noPanel = (page: Page): string =>
 const nothingHidden = (page: Page): string =>
   hiddenPanels(page).value.size > 0 ? "" : "No panel is hidden.";
 
+/** A step back or forth under a drag would change what it goes on from. */
+const cannotStep = (page: Page): string =>
+  onlyLookedAt(page) || (page.pull.value ? "A point is being moved: let go of it first." : "");
+
 /** By id. */
 export const COMMANDS = {
   open: { label: "Open file", keys: ["Ctrl+O"], refusal: notReady, run: pickAndOpen },
   undo: {
     label: "Undo",
     keys: ["Ctrl+Z"],
-    refusal: (page) =>
-      onlyLookedAt(page) || (page.canUndo.value ? "" : "There is nothing to undo."),
+    refusal: (page) => cannotStep(page) || (page.canUndo.value ? "" : "There is nothing to undo."),
     run: undo,
   },
   redo: {
     label: "Redo",
     keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
-    refusal: (page) =>
-      onlyLookedAt(page) || (page.canRedo.value ? "" : "There is nothing to redo."),
+    refusal: (page) => cannotStep(page) || (page.canRedo.value ? "" : "There is nothing to redo."),
     run: redo,
   },
   share: door("Share", "share", { refusal: notReady }),

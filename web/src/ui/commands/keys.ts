@@ -17,19 +17,21 @@ export function spelled(event: KeyboardEvent): string {
 const takesText = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox";
 
-/** Whether letters typed here are words, or keys are for an open dialog or menu. */
+/** Whether letters typed here are words, or keys are for an open menu. */
 const takesLetters = (target: EventTarget | null): boolean =>
   takesText(target) ||
   target instanceof HTMLSelectElement ||
-  document.querySelector(":modal, :popover-open") !== null;
+  document.querySelector(":popover-open") !== null;
 
 /** Whether arrows move or scroll something here. */
 const takesArrows = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement || (target instanceof Element && !!target.closest("aside"));
 
-/** Whether keys pressed at `target` are for a command that is heard so. */
+/** Whether keys pressed at `target` are for a command that is heard so. What lies under a dialog hears
+ * none. */
 export function isHeard(heard: Heard | undefined, target: EventTarget | null): boolean {
-  if (heard === "everywhere") return document.querySelector(":modal") === null;
+  if (document.querySelector(":modal") !== null) return false;
+  if (heard === "everywhere") return true;
   if (heard === "view") return !takesLetters(target);
   if (heard === "arrows") return !takesLetters(target) && !takesArrows(target);
   return !takesText(target);
