@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <string>
 #include <utility>
 #include <variant>
@@ -17,6 +16,7 @@
 #include "support/mesh_builders.hpp"
 #include "support/offset_checks.hpp"
 #include "support/scenes.hpp"
+#include "support/singular_values.hpp"
 
 namespace planish {
 namespace {
@@ -158,7 +158,7 @@ Positions nearest_axes(const Mesh& mesh, bool equal_planes) {
   }
   normals.colwise().normalize();
   const DenseRows rows = dense_rows(mesh, equal_planes);
-  Eigen::BDCSVD<Eigen::MatrixXd> svd(rows.matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  auto svd = testing::singular_values(rows.matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(1e-8);
   const Eigen::VectorXd wish = Eigen::Map<const Eigen::VectorXd>(normals.data(), normals.size());
   const Eigen::VectorXd best = wish + svd.solve(rows.right - rows.matrix * wish);

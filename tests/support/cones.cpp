@@ -2,7 +2,6 @@
 #include "cones.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 
 #include "planish/mesh/adjacency.hpp"
 #include "planish/mesh/area_vector.hpp"
+#include "support/singular_values.hpp"
 
 namespace planish::testing {
 namespace {
@@ -60,7 +60,7 @@ double axis_spread(const Mesh& mesh, const Positions& positions, int vertex) {
         area_vector(positions, mesh.face(faces[k])).normalized();
   }
   const Eigen::Matrix3Xd centred = normals.colwise() - normals.rowwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(centred, Eigen::ComputeFullU);
+  const auto svd = singular_values(centred, Eigen::ComputeFullU);
   const Eigen::RowVectorXd along = svd.matrixU().col(2).transpose() * normals;
   const Eigen::ArrayXd angles = along.transpose().array().acos() * 180.0 / std::numbers::pi;
   return angles.maxCoeff() - angles.minCoeff();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "support/edit_invariants.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
+#include "support/singular_values.hpp"
 
 namespace planish::testing {
 namespace {
@@ -106,7 +106,7 @@ double svd_mm_per_m(const Positions& positions, std::span<const int> face) {
   }
   const Eigen::Vector3d mean = points.rowwise().mean();
   points.colwise() -= mean;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(points, Eigen::ComputeThinU);
+  const auto svd = singular_values(points, Eigen::ComputeThinU);
   const Eigen::RowVectorXd distances = svd.matrixU().col(2).transpose() * points;
   return 1000.0 * (distances.maxCoeff() - distances.minCoeff());
 }
