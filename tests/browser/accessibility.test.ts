@@ -3,12 +3,27 @@
 // axe finds nothing in any state of the page: light and dark, on a desk and on a telephone.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { expectClean } from "./support/axe.ts";
+import { expectClean, expectReadable } from "./support/axe.ts";
 import { flatRoof } from "./support/faults.ts";
 import { idle, openFile, typeTarget } from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
+
+type Scheme = "light" | "dark";
+
+/** The colours in which each page was opened. */
+const schemes = new WeakMap<Page, Scheme>();
+
+/** Everything in the page's own colours, and what depends on colours in the others. */
+async function look(page: Page, state: string): Promise<void> {
+  const own = schemes.get(page) ?? "light";
+  const other = own === "light" ? "dark" : "light";
+  await expectClean(page, `${state} in ${own}`);
+  await page.emulateMedia({ colorScheme: other });
+  await expectReadable(page, `${state} in ${other}`);
+  await page.emulateMedia({ colorScheme: own });
+}
 
 const push = (page: Page, name: string): Promise<void> =>
   page.getByRole("button", { name, exact: true }).click();
@@ -18,7 +33,7 @@ async function lookInto(page: Page, name: string): Promise<void> {
   await push(page, name);
   await page.locator("dialog[open], .menu:popover-open").waitFor();
   await idle(page); // what is in it may come later
-  await expectClean(page, name);
+  await expectClean(page, name, "dialog[open], .menu:popover-open");
   await page.keyboard.press("Escape");
 }
 
@@ -33,7 +48,7 @@ const warped = (): string =>
     .join("\n");
 
 async function editing(page: Page): Promise<void> {
-  await expectClean(page, "first visit");
+  await look(page, "first visit");
   const at = await hintedPoint(page);
   await press(page, at, { x: at.x, y: at.y - 30 });
   await expectClean(page, "dragging");
@@ -47,10 +62,10 @@ async function editing(page: Page): Promise<void> {
   for (const summary of await page.locator("summary").all()) {
     if ((await summary.locator("..").getAttribute("open")) === null) await summary.click();
   }
-  await expectClean(page, "everything unfolded");
+  await look(page, "everything unfolded");
   await push(page, "Nothing may be in a box");
   await idle(page);
-  await expectClean(page, "a keep-out");
+  await expectClean(page, "a keep-out", "aside");
   await push(page, "Remove all");
   await idle(page);
 }
@@ -63,7 +78,7 @@ async function exploring(page: Page): Promise<void> {
   await page.getByRole("slider", { name: "Variation 1" }).fill("0.5");
   await idle(page);
   await push(page, "Take snapshot");
-  await expectClean(page, "variations, gallery and snapshots");
+  await look(page, "variations, gallery and snapshots");
 }
 
 async function analysing(page: Page): Promise<void> {
@@ -86,27 +101,58 @@ async function opening(page: Page): Promise<void> {
   await expectClean(page, "a file refused");
   await openFile(page, "warped.obj", warped());
   await page.getByRole("heading", { name: "warped.obj" }).waitFor();
-  await expectClean(page, "import report");
+  await look(page, "import report");
   await push(page, "Leave as it is");
   await expectClean(page, "not flat");
 }
 
-const SCREENS = {
-  desk: { width: 1280, height: 800 },
-  telephone: { width: 360, height: 740 },
-} as const;
+/** A group and a view that are kept under names. */
+async function naming(page: Page): Promise<void> {
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  await push(page, "Group points");
+  await page.getByRole("textbox", { name: "Name of Group 1" }).waitFor();
+  await push(page, "Keep this view");
+  await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
+  await expectClean(page, "with a group and a named view", "aside");
+}
 
-describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
-  it.each(["desk", "telephone"] as const)("nothing is wrong on a %s", async (screen) => {
-    const options = { colorScheme, viewport: SCREENS[screen], reducedMotion: "reduce" } as const;
-    const page = await site.open(options);
-    await editing(page);
-    await exploring(page);
-    await analysing(page);
-    await opening(page);
-    await page.context().close();
-  });
-});
+/** The palette, by touch where there is one. */
+async function commanding(page: Page): Promise<void> {
+  await push(page, "Help");
+  await push(page, "All commands");
+  const field = page.getByRole("combobox", { name: "Command" });
+  await field.waitFor();
+  await idle(page);
+  await expectClean(page, "the palette", "dialog[open]");
+  await field.fill("sample: dome");
+  await expectClean(page, "a few letters", "dialog[open]");
+  await page.keyboard.press("Escape");
+}
+
+/** What is looked at in one page, one after the other. */
+const WALKS = [
+  ["editing and exploring", [editing, exploring]],
+  [
+    "figures, names, commands and files",
+    [(page: Page) => typeTarget(page, "+40cm"), analysing, naming, commanding, opening],
+  ],
+] as const;
+
+describe.each([
+  ["desk", "light", 1280, 800],
+  ["telephone", "dark", 360, 740],
+] as const)(
+  "on a %s, whatever the colours, nothing is wrong with",
+  (_, colorScheme, width, height) => {
+    it.each(WALKS)("%s", async (_name, parts) => {
+      const page = await site.open({ colorScheme, viewport: { width, height } });
+      schemes.set(page, colorScheme);
+      for (const part of parts) await part(page);
+      await page.context().close();
+    });
+  },
+);
 
 it("forced colours leave tracks of sliders and the scale visible", async () => {
   const page = await site.open({ forcedColors: "active" });

@@ -48,15 +48,6 @@ async function rest(page: Page): Promise<void> {
     .toBeLessThan(0.01);
 }
 
-/** Selects the first visit's point and a neighbour; the point was selected first. */
-async function selectTwo(page: Page): Promise<Place> {
-  const at = await hintedPoint(page);
-  await page.mouse.click(at.x, at.y);
-  await page.keyboard.press("Control+ArrowRight");
-  await expect.poll(async () => (await marks(page)).length).toBe(2);
-  return mark(page);
-}
-
 /** A place at the lower edge of the view where a press turns it, whatever is selected. */
 async function emptyPlace(page: Page): Promise<Place> {
   const { x, y, width, height } = await viewBox(page);
@@ -64,7 +55,7 @@ async function emptyPlace(page: Page): Promise<Place> {
 }
 
 describe("a turn", () => {
-  it("is about the selected point", async () => {
+  it("is about the selected point, which F fits", async () => {
     const page = await site.open();
     const at = await hintedPoint(page);
     await page.mouse.click(at.x, at.y);
@@ -86,6 +77,7 @@ describe("a turn", () => {
     const turned = await marks(page);
     expect(gap(turned[2] ?? from, before[2] ?? from)).toBeLessThan(2);
     expect(gap(turned[0] ?? from, after[0] ?? from)).toBeGreaterThan(2);
+    await fitSelection(page);
     await page.context().close();
   });
 
@@ -111,9 +103,8 @@ describe("a turn", () => {
   });
 });
 
-it("F fits the selection, Shift F all of the model", async () => {
-  const page = await site.open();
-  await selectTwo(page);
+/** F fits the selection, Shift F all of the model. */
+async function fitSelection(page: Page): Promise<void> {
   await page.keyboard.press("Shift+F");
   await rest(page);
   const [at, before] = [await mark(page), await size(page)];
@@ -129,8 +120,7 @@ it("F fits the selection, Shift F all of the model", async () => {
   await rest(page);
   expect(gap(await mark(page), at)).toBeLessThan(2);
   expect(Math.abs((await size(page)) - before)).toBeLessThan(1);
-  await page.context().close();
-});
+}
 
 const isLocked = async (page: Page): Promise<boolean> =>
   (await page.getByRole("button", { name: "Lock to X" }).getAttribute("aria-pressed")) === "true";
@@ -169,24 +159,4 @@ describe("the keys of the view", () => {
     await expect.poll(() => isLocked(page)).toBe(true);
     await page.context().close();
   });
-});
-
-it("dragging over tool bars selects none of their words", async () => {
-  const page = await site.open();
-  for (const bar of [
-    page.getByRole("banner"),
-    page.getByRole("toolbar"),
-    page.getByRole("group", { name: "Views" }),
-  ]) {
-    const box = await bar.boundingBox();
-    if (!box) throw new Error("no bar");
-    await press(
-      page,
-      { x: box.x + 2, y: box.y + 2 },
-      { x: box.x + box.width - 2, y: box.y + box.height - 2 },
-    );
-    await page.mouse.up();
-    expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
-  }
-  await page.context().close();
 });

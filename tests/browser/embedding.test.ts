@@ -10,6 +10,11 @@ import { serve } from "../../.tools/serve.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
 import { SITE } from "./support/server.ts";
 
+/** A design with its result, as another visitor has made it. */
+const SCENE = JSON.parse(
+  readFileSync(new URL("../../docs/scenes/figure-8-b.json", import.meta.url), "utf8"),
+);
+
 const ELEMENT = readFileSync(`${SITE}/planish-editor.js`);
 
 let browser: Browser;
@@ -100,7 +105,7 @@ async function latestDesign(page: Page) {
   return (await seen(page, "design")).at(-1) ?? {};
 }
 
-it("an edit in the frame is told to the page around it, and a design set there is verified", async () => {
+it("an edit in the frame is told, a design set there verified or refused, and files come out", async () => {
   const { page, inside, complaints } = await visit(`src="${plain.url}"`);
   await raise(inside, "+60cm");
   await expect.poll(async () => Number((await latestDesign(page)).movedPoints)).toBeGreaterThan(0);
@@ -121,13 +126,15 @@ it("an edit in the frame is told to the page around it, and a design set there i
   await expect.poll(async () => (await latestDesign(other.page)).hash).toBe(told.hash);
   const again = await other.page.evaluate(() => (window as unknown as HostWindow).editor.design());
   expect(again).toEqual(kept);
-  expect([...complaints, ...other.complaints]).toEqual([]);
   await page.context().close();
+  await expectFiles(other.page);
+  expect([...complaints, ...other.complaints]).toEqual([]);
+  await expectRefused(other.page);
   await other.page.context().close();
 });
 
-it("a design that is none is refused with the sentence, and the one before stays", async () => {
-  const { page } = await visit(`src="${plain.url}"`);
+/** A design that is none is refused with the sentence, and the one before stays. */
+async function expectRefused(page: Page): Promise<void> {
   const before = await page.evaluate(() => (window as unknown as HostWindow).editor.design());
   const said = await page.evaluate(() =>
     (window as unknown as HostWindow).editor.set({ planish: "nothing" }).then(String, String),
@@ -135,11 +142,10 @@ it("a design that is none is refused with the sentence, and the one before stays
   expect(said).toMatch(/^Error: design\.json: /);
   const after = await page.evaluate(() => (window as unknown as HostWindow).editor.design());
   expect(after).toEqual(before);
-  await page.context().close();
-});
+}
 
-it("a GLB, a JSON and a picture come out as files", async () => {
-  const { page, complaints } = await visit(`src="${plain.url}"`);
+/** A GLB, a JSON and a picture come out as files. */
+async function expectFiles(page: Page): Promise<void> {
   const heads = await page.evaluate(async () => {
     const { editor } = window as unknown as HostWindow;
     const head = async (kind: "glb" | "json" | "png") => {
@@ -156,11 +162,9 @@ it("a GLB, a JSON and a picture come out as files", async () => {
     ["application/json", expect.stringMatching(/^\{/)],
     "image/png",
   ]);
-  expect(complaints).toEqual([]);
-  await page.context().close();
-});
+}
 
-it("a point chosen in the frame is told, and attributes reach the page while it runs", async () => {
+it("a point chosen in the frame and another version are told, attributes reach the page", async () => {
   const { page, inside } = await visit(`src="${plain.url}" theme="dark"`);
   await inside.getByRole("button", { name: "Add handle" }).click();
   await expect.poll(async () => (await seen(page, "select")).at(-1)?.vertices).toHaveLength(1);
@@ -177,25 +181,24 @@ it("a point chosen in the frame is told, and attributes reach the page while it 
   await expect.poll(() => inside.getByLabel("Inspector").isVisible()).toBe(false);
   const design = await page.evaluate(() => (window as unknown as HostWindow).editor.design());
   expect(design.unit).toBe("mm");
+  // As a page of another version would begin.
+  await inside.locator("html").evaluate(() => {
+    window.parent.postMessage({ planish: 2, event: "ready", detail: { version: 2 } }, "*");
+  });
+  await expect
+    .poll(async () => (await seen(page, "status")).at(-1)?.problem)
+    .toBe("The page speaks version 2, this element 1.");
   await page.context().close();
 });
 
 it("read-only it works in a sandbox: it shows, verifies and exports, and nothing moves a point", async () => {
-  const maker = await visit(`src="${plain.url}"`);
-  await raise(maker.inside, "+60cm");
-  await expect
-    .poll(async () => Number((await latestDesign(maker.page)).movedPoints))
-    .toBeGreaterThan(0);
-  const design = await maker.page.evaluate(() => (window as unknown as HostWindow).editor.design());
-  await maker.page.context().close();
-
   const { page, inside, complaints } = await visit(`src="${open.url}" readonly sandbox`);
   const frame = page.locator("planish-editor iframe");
   expect(await frame.getAttribute("sandbox")).toBe("allow-scripts");
   expect(await inside.locator("html").evaluate(() => self.origin)).toBe("null");
   const outcome = await page.evaluate(
     (given) => (window as unknown as HostWindow).editor.set(given),
-    design,
+    SCENE,
   );
   expect(outcome.verified).toBe(true);
   // The event follows the answer: the mark of what is shown is computed in the worker.
@@ -235,9 +238,9 @@ it("messages of another version, window or origin are refused", async () => {
   const heard = () => page.evaluate(() => (window as unknown as HostWindow).heard);
   const refused = "This page speaks version 1 of messages, not 2.";
   await expect.poll(heard).toEqual([{ planish: 1, ask: 100, error: refused }]);
-  // A page loaded for this one, which others can reach, and one loaded for another origin.
+  // A page loaded for another origin, and after it one for this one, which others can reach.
   const ready = await page.evaluate(async (url) => {
-    const frames = [location.origin, "https://example.org"].map((origin) => {
+    const frames = ["https://example.org", location.origin].map((origin) => {
       const frame = document.createElement("iframe");
       frame.src = `${url}?embed=${encodeURIComponent(origin)}`;
       document.body.append(frame);
@@ -248,36 +251,36 @@ it("messages of another version, window or origin are refused", async () => {
       const k = frames.findIndex(({ contentWindow }) => contentWindow === source);
       if (data.planish && k >= 0) told[k] = (told[k] ?? 0) + 1;
     });
-    while (told[0] === 0) await new Promise((resolve) => setTimeout(resolve, 100));
-    await new Promise((resolve) => setTimeout(resolve, 5000));
+    while (told[1] === 0) await new Promise((resolve) => setTimeout(resolve, 100));
+    await new Promise((resolve) => setTimeout(resolve, 1000));
     const ask = { planish: 1, ask: 101, kind: "design", given: null };
-    frames[1]?.contentWindow?.postMessage(ask, "*");
+    frames[0]?.contentWindow?.postMessage(ask, "*");
     const foreign = document.createElement("iframe");
     foreign.setAttribute("sandbox", "allow-scripts");
     foreign.srcdoc = `<script>
       const look = { readonly: true, unit: null };
-      parent.frames[0].postMessage({ planish: 1, ask: 102, kind: "look", given: look }, "*");
+      parent.frames[1].postMessage({ planish: 1, ask: 102, kind: "look", given: look }, "*");
       parent.postMessage({ planish: 1, event: "design", detail: { hash: "forged" } }, "*");
     </script>`;
+    const loaded = new Promise((resolve) => foreign.addEventListener("load", resolve));
     document.body.append(foreign);
-    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await loaded;
+    await new Promise((resolve) => setTimeout(resolve, 1000));
     return told.map((times) => times > 0);
   }, plain.url);
-  expect(ready).toEqual([true, false]);
+  expect(ready).toEqual([false, true]);
   expect(await heard()).toHaveLength(1);
   expect((await seen(page, "design")).map(({ hash }) => hash)).not.toContain("forged");
-  const first = page.frameLocator("body > iframe").first();
-  expect(await first.getByLabel("Inspector").isVisible()).toBe(true);
-  await page.context().close();
-});
-
-it("the element says so when the page speaks another version", async () => {
-  const { page, inside } = await visit(`src="${plain.url}"`);
-  await inside.locator("html").evaluate(() => {
-    window.parent.postMessage({ planish: 2, event: "ready", detail: { version: 2 } }, "*");
-  });
-  await expect
-    .poll(async () => (await seen(page, "status")).at(-1)?.problem)
-    .toBe("The page speaks version 2, this element 1.");
+  const own = page.frameLocator("body > iframe >> nth=1");
+  expect(await own.getByLabel("Inspector").isVisible()).toBe(true);
+  // Without all that it is a page in a frame like any other.
+  await page.evaluate((url) => {
+    const frame = document.createElement("iframe");
+    frame.title = "plain";
+    frame.src = url;
+    document.body.append(frame);
+  }, plain.url);
+  const bare = page.frameLocator("iframe[title=plain]");
+  await expect.poll(() => bare.getByRole("status").textContent()).toMatch(/0 of 425 points move/);
   await page.context().close();
 });

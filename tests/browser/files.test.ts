@@ -7,7 +7,7 @@ import { exportAs, pickFile, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 describe("a mesh opens", () => {
-  it("by dropping it on the page", async () => {
+  it("by dropping it on the page, and a large one while the page goes on answering", async () => {
     const page = await site.openVault();
     const dropped = await page.evaluateHandle((text) => {
       const transfer = new DataTransfer();
@@ -19,11 +19,7 @@ describe("a mesh opens", () => {
     await page.getByRole("main").dispatchEvent("drop", { dataTransfer: dropped });
     await expect.poll(() => status(page)).toMatch(/0 of 49 points/);
     expect(await page.getByRole("region", { name: "dropped.obj" }).count()).toBe(1);
-    await page.context().close();
-  });
-
-  it("of sixty thousand points, while the page goes on answering", async () => {
-    const page = await site.openVault();
+    // Of sixty thousand points, while the page goes on answering.
     await pickFile(page, "large.obj", flatRoof(249));
     await page.getByRole("button", { name: "Help" }).click();
     expect(await page.getByRole("dialog", { name: "How it works" }).isVisible()).toBe(true);

@@ -2,10 +2,10 @@
 // Needs: layout.
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
-import { describe, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { viewBox } from "./support/view.ts";
+import { hintedPoint, press, viewBox } from "./support/view.ts";
 
 /** Width, height. 320 pixels are what is left of 1280 at 400 % zoom. */
 const SIZES = [
@@ -47,40 +47,68 @@ const cutShort = (page: Page): Promise<string[]> =>
       .map((element) => element.getAttribute("aria-label") ?? element.textContent ?? ""),
   );
 
-describe.each(SIZES)("at %d × %d", (width, height) => {
-  it("everything has its place", async () => {
-    const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
-    await typeTarget(page, "+0.2345m");
-    const view = await viewBox(page);
-    const window = { x: 0, y: 0, width, height };
-    expect(view.width * view.height).toBeGreaterThan(0.3 * width * height);
-    if (width < 900 && height > 559) expect(view.height).toBeGreaterThanOrEqual(0.49 * height);
+async function expectPlaces(page: Page, width: number, height: number): Promise<void> {
+  const view = await viewBox(page);
+  const window = { x: 0, y: 0, width, height };
+  expect(view.width * view.height).toBeGreaterThan(0.3 * width * height);
+  if (width < 900 && height > 559) expect(view.height).toBeGreaterThanOrEqual(0.49 * height);
 
-    const over = await Promise.all(
-      [
-        page.getByRole("toolbar", { name: "Drag tools" }),
-        page.getByRole("group", { name: "Views" }),
-        page.getByRole("group", { name: "Legend" }),
-      ].map(boxOf),
-    );
-    for (const [k, box] of over.entries()) {
-      expect(inside(box, view), `part ${k} over the view`).toBe(true);
-      for (const other of over.slice(k + 1)) expect(apart(box, other)).toBe(true);
-    }
-    for (const name of ["Open file", "Undo", "Redo", "Export", "Share", "Help", "Cancel"]) {
-      const box = await boxOf(page.getByRole("button", { name, exact: true }));
-      expect(inside(box, window), name).toBe(true);
-    }
-    const scroll = await page.evaluate<number[]>(
-      "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]",
-    );
-    expect(scroll).toEqual([width, height]);
-    expect(await cutShort(page)).toEqual([]);
-    await page.context().close();
-  });
+  const over = await Promise.all(
+    [
+      page.getByRole("toolbar", { name: "Drag tools" }),
+      page.getByRole("group", { name: "Views" }),
+      page.getByRole("group", { name: "Legend" }),
+    ].map(boxOf),
+  );
+  for (const [k, box] of over.entries()) {
+    expect(inside(box, view), `part ${k} over the view`).toBe(true);
+    for (const other of over.slice(k + 1)) expect(apart(box, other)).toBe(true);
+  }
+  for (const name of ["Open file", "Undo", "Redo", "Export", "Share", "Help", "Cancel"]) {
+    const box = await boxOf(page.getByRole("button", { name, exact: true }));
+    expect(inside(box, window), name).toBe(true);
+  }
+  const scroll = await page.evaluate<number[]>(
+    "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]",
+  );
+  expect(scroll).toEqual([width, height]);
+  expect(await cutShort(page)).toEqual([]);
+}
+
+it("everything has its place at every size, and bars of tools are no text to select", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+0.2345m");
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    await expectPlaces(page, width, height);
+  }
+  await page.setViewportSize({ width: 900, height: 640 });
+  await dragOverBars(page);
+  // The camera has kept the model in place.
+  const [at, view] = [await hintedPoint(page), await viewBox(page)];
+  expect(inside({ ...at, width: 0, height: 0 }, view)).toBe(true);
+  await page.context().close();
 });
 
-it("dialogs and menus fit a small screen", async () => {
+/** Selects no words. */
+async function dragOverBars(page: Page): Promise<void> {
+  for (const bar of [
+    page.getByRole("banner"),
+    page.getByRole("toolbar", { name: "Drag tools" }),
+    page.getByRole("group", { name: "Views" }),
+  ]) {
+    const box = await boxOf(bar);
+    await press(
+      page,
+      { x: box.x + 2, y: box.y + 2 },
+      { x: box.x + box.width - 2, y: box.y + box.height - 2 },
+    );
+    await page.mouse.up();
+    expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
+  }
+}
+
+it("dialogs and menus fit a small screen, and the controls fold away and come back", async () => {
   const page = await site.open({ viewport: { width: 320, height: 568 }, reducedMotion: "reduce" });
   const window = { x: 0, y: 0, width: 320, height: 568 };
   for (const name of ["Help", "Share"]) {
@@ -93,14 +121,18 @@ it("dialogs and menus fit a small screen", async () => {
     const box = await boxOf(page.getByRole("button", { name, exact: true }));
     expect(inside(box, window), name).toBe(true);
   }
+  await page.keyboard.press("Escape");
+  for (const [width, height] of [
+    [390, 844],
+    [740, 360],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await foldAndUnfold(page, width, height);
+  }
   await page.context().close();
 });
 
-it.each([
-  [390, 844],
-  [740, 360],
-])("the controls fold away at %d × %d, and come back", async (width, height) => {
-  const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
+async function foldAndUnfold(page: Page, width: number, height: number): Promise<void> {
   const before = await viewBox(page);
   const fold = page.getByRole("button", { name: "Controls", exact: true });
   expect(await fold.getAttribute("aria-expanded")).toBe("true");
@@ -112,20 +144,27 @@ it.each([
   expect(await page.getByRole("button", { name: "Add handle" }).isVisible()).toBe(false);
   await fold.click();
   await expect.poll(() => viewBox(page)).toEqual(before);
-  await page.context().close();
-});
+}
 
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
 
-it.each([
-  [360, 740],
-  [740, 360],
-  [768, 1024],
-  [900, 640],
-  [1440, 900],
-])("the import report leaves the model in view at %d × %d", async (width, height) => {
-  const page = await site.open({ viewport: { width, height }, reducedMotion: "reduce" });
+it("the import report leaves the model in view at every size", async () => {
+  const page = await site.open();
   await openFile(page, "saddle.obj", SADDLE);
+  for (const [width, height] of [
+    [360, 740],
+    [740, 360],
+    [768, 1024],
+    [900, 640],
+    [1440, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await expectReportBeside(page, width, height);
+  }
+  await page.context().close();
+});
+
+async function expectReportBeside(page: Page, width: number, height: number): Promise<void> {
   const report = await boxOf(page.getByRole("region", { name: "saddle.obj" }));
   expect(apart(report, await viewBox(page))).toBe(true);
   for (const name of ["Planarise", "Leave as it is", "Open file", "Cancel"]) {
@@ -133,5 +172,4 @@ it.each([
     expect(inside(button, { x: 0, y: 0, width, height }), name).toBe(true);
   }
   expect(await cutShort(page)).toEqual([]);
-  await page.context().close();
-});
+}

@@ -19,14 +19,3 @@ it("works without a network after the first visit", async () => {
   expect(await page.getByText(/^They hold \d+ points? of this edit back\.$/).count()).toBe(1);
   await page.context().close();
 });
-
-it("works inside a frame of another page", async () => {
-  const page = await site.open();
-  const host = new URL("/host", site.url).href;
-  const body = `<!doctype html><iframe width="800" height="600" src="${site.url}"></iframe>`;
-  await page.route(host, (route) => route.fulfill({ contentType: "text/html", body }));
-  await page.goto(host);
-  const frame = page.frameLocator("iframe");
-  await expect.poll(() => frame.getByRole("status").textContent()).toMatch(/0 of 425 points move/);
-  await page.context().close();
-});

@@ -64,13 +64,21 @@ it("a wall is a line from above, until Perspective; turning keeps the lens", asy
   await page.context().close();
 });
 
-it("what is kept comes back in parallel, at its size", async () => {
+it("a point dragged in the plan follows the pointer; a link comes back in parallel, at its size", async () => {
   const page = await site.openVault({ draws: true });
-  const at = await hintedPoint(page);
-  await press(page, at, { x: at.x, y: at.y - 40 });
+  await view(page, "Top");
+  const { left, right } = await edges(page);
+  const from = await hintedPoint(page);
+  await press(page, from, { x: from.x + 40, y: from.y });
   await page.mouse.up();
   await idle(page);
-  await view(page, "Top");
+  const [row] = await handleRows(page);
+  // The vault is 20 m wide and its middle point at 10 m.
+  const [x = Number.NaN, y = Number.NaN] = row?.target ?? [];
+  expect(x - 10).toBeCloseTo((40 * 20) / (right - left), 1);
+  expect(y).toBeCloseTo(10, 2);
+  const { width, height } = await viewBox(page);
+  expect(right - left).toBeLessThan(Math.max(width, height));
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("-");
   const before = await edges(page);
@@ -88,23 +96,5 @@ it("what is kept comes back in parallel, at its size", async () => {
   expect(share(after, now) / share(before, old)).toBeLessThan(1.01);
   expect(Math.abs(after.right - after.left - (after.bottom - after.top))).toBeLessThan(3);
   await other.context().close();
-  await page.context().close();
-});
-
-it("a point dragged in the plan follows the pointer, wherever it is high", async () => {
-  const page = await site.openVault({ draws: true });
-  await view(page, "Top");
-  const { left, right } = await edges(page);
-  const from = await hintedPoint(page);
-  await press(page, from, { x: from.x + 40, y: from.y });
-  await page.mouse.up();
-  await idle(page);
-  const [row] = await handleRows(page);
-  // The vault is 20 m wide and its middle point at 10 m.
-  const [x = Number.NaN, y = Number.NaN] = row?.target ?? [];
-  expect(x - 10).toBeCloseTo((40 * 20) / (right - left), 1);
-  expect(y).toBeCloseTo(10, 2);
-  const { width, height } = await viewBox(page);
-  expect(right - left).toBeLessThan(Math.max(width, height));
   await page.context().close();
 });

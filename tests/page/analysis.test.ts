@@ -2,7 +2,7 @@
 // What an expert looks for: health of panels, sorting, how the solve went, settings behind a fold.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, pickFile, typeTarget } from "../browser/support/page.ts";
+import { idle, movedCount, pickFile, still, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 /** The cells of one column of the table Panels. */
@@ -14,6 +14,88 @@ async function column(page: Page, place: number): Promise<string[]> {
   );
   return texts;
 }
+
+const degrees = async (page: Page): Promise<number[]> =>
+  (await column(page, 3)).map(Number.parseFloat);
+
+it("lists panels by any figure, by keyboard, and says which must be made again", async () => {
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => page.getByText(/^[1-9]\d* panels must be made again/).count()).toBe(1);
+  const angle = page.getByRole("columnheader", { name: "Angle" });
+  await angle.getByRole("button").focus();
+  await page.keyboard.press("Enter");
+  expect(await angle.getAttribute("aria-sort")).toBe("ascending");
+  const smallest = await degrees(page);
+  expect(smallest).toEqual(smallest.toSorted((a, b) => a - b));
+  await page.keyboard.press("Enter");
+  expect(await angle.getAttribute("aria-sort")).toBe("descending");
+  const largest = await degrees(page);
+  expect(largest).toEqual(largest.toSorted((a, b) => b - a));
+  expect(Math.min(...largest)).toBeGreaterThan(Math.max(...smallest));
+  // Choosing a panel brings it into view and says what it is.
+  const handle = () => page.locator(".marker.handle").boundingBox();
+  await still(page);
+  const before = await handle();
+  await page
+    .getByRole("button", { name: /^Show panel \d+$/ })
+    .first()
+    .focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => page.getByText(/^Panel \d+ 4 corners, /).count()).toBe(1);
+  await still(page);
+  await expect.poll(handle).not.toEqual(before);
+  await page.context().close();
+});
+
+it("names every figure that it colours by, with a legend in mm or mm/m and a histogram", async () => {
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const moved = await movedCount(page);
+  const histogram = page.getByRole("img", { name: /^Histogram: / });
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toBe(`Histogram: ${moved} points move, ${441 - moved} untouched`);
+  const choose = (name: string) =>
+    page.getByRole("combobox", { name: "Colour by" }).selectOption(name);
+  await choose("Fairness");
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toMatch(/\d+ points bend, \d+ smooth/);
+  expect(await page.getByText("0 mm, smooth").count()).toBe(1);
+  await choose("Planarity");
+  await page.getByText(/^Worst panel flat \(< 0\.000001 mm\/m\)$/).waitFor();
+  expect(await page.getByText(/0 panels out of flat, 400 flat/).count()).toBe(1);
+  await choose("Panel health");
+  await expect.poll(() => page.getByText(/^convex\s*400$/).count()).toBe(1);
+  await page.context().close();
+});
+
+it("shows how the solve went and changes it behind a fold", async () => {
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const before = await movedCount(page);
+  await page.getByText("Last solve", { exact: true }).click();
+  expect(await page.getByRole("img", { name: /^Residual of \d+ steps/ }).count()).toBe(1);
+  const fact = (name: string) => page.getByText(name, { exact: true }).locator("xpath=../dd");
+  await expect.poll(() => fact("Ways left to move them").count()).toBe(1);
+  const [points = 0, equations = 0, rank = 0, ways = 0] = [
+    ...((await fact("Points that may move").textContent()) ?? "").matchAll(/^\d+/g),
+    ...((await fact("Flatness equations on them").textContent()) ?? "").matchAll(/\d+/g),
+    ...((await fact("Ways left to move them").textContent()) ?? "").matchAll(/\d+/g),
+  ].map(Number);
+  expect(points).toBe(before);
+  expect(rank).toBeLessThanOrEqual(equations);
+  expect(ways).toBe(3 * points - rank);
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("combobox", { name: "Fairness" }).selectOption("Laplacian");
+  await idle(page);
+  await expect.poll(() => movedCount(page)).not.toBe(before);
+  await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
+  await idle(page);
+  await expect.poll(() => page.getByText("0 mm", { exact: true }).count()).toBeGreaterThan(0);
+  await page.context().close();
+});
 
 it("says why a target is refused: how far short, which panels hold it; each can be seen", async () => {
   const page = await site.openVault({ viewport: { width: 1280, height: 900 } });

@@ -72,3 +72,19 @@ it("an edit says that it leaves a variation behind, and only then", async () => 
   expect(await leftBehind(page)).toBe(1);
   await page.context().close();
 });
+
+it("a link holds the new base", async () => {
+  const page = await site.openVault();
+  await vary(page, "-0.4");
+  await press(page, "Continue from this shape");
+  await typeTarget(page, "+30cm");
+  const [edited, moved] = [await obj(page), await movedCount(page)];
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  await page.keyboard.press("Escape");
+  const other = await site.open({}, new URL(link).hash);
+  await expect.poll(() => other.getByText(/^Verified/).count()).toBe(1);
+  expect([await obj(other), await movedCount(other)]).toEqual([edited, moved]);
+  await other.context().close();
+  await page.context().close();
+});

@@ -117,3 +117,22 @@ it("takes, renames, adopts and deletes snapshots by keyboard", async () => {
   expect(await movedCount(page)).toBe(0);
   await page.context().close();
 });
+
+it("keeps the sliders through undo and redo", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+70cm");
+  await findVariations(page);
+  const slider = page.getByRole("slider", { name: "Variation 1", exact: true });
+  await slide(page, "Variation 1", "0.5");
+  const varied = await obj(page);
+  await press(page, "Undo");
+  await press(page, "Undo");
+  expect(await slider.count()).toBe(0);
+  await press(page, "Redo");
+  await press(page, "Redo");
+  expect(await slider.inputValue()).toBe("0.5");
+  await slide(page, "Variation 1", "-0.25");
+  await slide(page, "Variation 1", "0.5");
+  expect(await obj(page)).toBe(varied);
+  await page.context().close();
+});

@@ -3,7 +3,7 @@
 // coloured, kept by a reload and handed over.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { obj, openFile } from "../browser/support/page.ts";
+import { idle, movedCount, obj, openFile } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Six flat quads in two rows, the first row in a group, and one of both rows in another. */
@@ -47,5 +47,54 @@ it("those of an OBJ are there, and go back into one with those made here", async
   expect(await obj(page)).toMatch(
     /g West\nf 1 2 6 5\n.*\n.*\ng *\nf 5.*\n.*\ng Doors New_doors\nf 7/,
   );
+  await page.context().close();
+});
+
+it("lock, stiffen, hide and colour what they hold, and travel in a link", async () => {
+  const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  const z = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  await z.last().fill("+400mm");
+  await z.last().press("Enter");
+  await idle(page);
+  const free = await movedCount(page);
+  // The ring around the handle: grown from it, without it.
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "Command" }).fill("Grow the selection");
+  await page.keyboard.press("Enter");
+  await press(page, "Group points");
+  await section(page).getByRole("textbox", { name: "Name of Group 1" }).fill("Lantern");
+  await page.keyboard.press("Enter");
+  const will = section(page).getByRole("combobox", { name: "How willingly Lantern moves" });
+  const largest = async (): Promise<string> =>
+    (await page.getByRole("status").filter({ hasText: "points move" }).textContent()) ?? "";
+  const before = await largest();
+  await will.selectOption("hardly move");
+  await idle(page);
+  await expect.poll(largest).not.toBe(before);
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Groups");
+  await page
+    .getByRole("group", { name: "Legend" })
+    .getByRole("button", { name: /^Lantern/ })
+    .waitFor();
+  await press(page, "Hide Lantern");
+  await page.getByRole("region", { name: "Hidden panels" }).waitFor();
+  await press(page, "Hide Lantern");
+  await press(page, "Lock Lantern");
+  await idle(page);
+  expect(
+    await section(page).getByRole("button", { name: "Lock Lantern" }).getAttribute("aria-pressed"),
+  ).toBe("true");
+  await press(page, "Lock Lantern");
+  await idle(page);
+  expect(free).toBeGreaterThan(0);
+  expect(await will.inputValue()).toBe("30");
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  await page.getByRole("checkbox", { name: "1 group" }).waitFor();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const other = await site.open({}, new URL(link).hash);
+  await expect.poll(() => names(other)).toEqual(["Lantern"]);
+  await other.context().close();
   await page.context().close();
 });

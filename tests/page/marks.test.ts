@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the view says about points: under the pointer, chosen, and where a handle came from.
-import { expect, it } from "vitest";
-import { idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
+import type { Page } from "playwright-core";
+import { describe, expect, it } from "vitest";
+import { idle, movedCount, openAdvanced, status, typeTarget } from "../browser/support/page.ts";
+import { hintedPoint, press, viewBox } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 it("every slider says its value with its unit", async () => {
@@ -47,5 +49,70 @@ it("Share puts the link itself on the clipboard", async () => {
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(link);
   expect(await page.getByText(`Copied: ${link.length} characters.`).count()).toBe(1);
   expect(link.startsWith(`${site.url}#v1=`)).toBe(true);
+  await page.context().close();
+});
+
+/** The figure beside the point looked at; "" if there is none. */
+const pointFigure = async (page: Page): Promise<string> => {
+  const found = page.getByText(/^Point \d+ (moved|untouched|bends|smooth)/);
+  return (await found.count()) > 0 ? ((await found.first().textContent()) ?? "") : "";
+};
+
+describe("the pointer on a point", () => {
+  it("marks it and says its figure; beside the model neither", async () => {
+    const page = await site.openVault();
+    const at = await hintedPoint(page);
+    const { x, y, height } = await viewBox(page);
+    const beside = { x: x + 20, y: y + height / 2 };
+    await page.mouse.move(beside.x, beside.y);
+    const cursor = () => page.getByLabel("3D view").evaluate((view) => view.style.cursor);
+    expect(await cursor()).toBe("");
+    expect(await pointFigure(page)).toBe("");
+    await page.mouse.move(at.x, at.y);
+    await expect.poll(() => pointFigure(page)).toMatch(/^Point \d+ untouched$/);
+    expect(await cursor()).toBe("grab");
+    await page.mouse.move(beside.x, beside.y);
+    await expect.poll(() => pointFigure(page)).toBe("");
+    expect(await cursor()).toBe("");
+    await page.context().close();
+  });
+
+  it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
+    const page = await site.openVault();
+    const at = await hintedPoint(page);
+    await press(page, at, { x: at.x, y: at.y - 50 });
+    const largest = async (): Promise<string> =>
+      /largest ([\d.]+ m?m)/.exec(await status(page))?.[1] ?? "";
+    await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+    await expect
+      .poll(async () => (await pointFigure(page)) === `Point 220 moved ${await largest()}`)
+      .toBe(true);
+    await page.mouse.up();
+    await idle(page);
+    expect(await pointFigure(page)).toBe(`Point 220 moved ${await largest()}`);
+    await page.getByRole("combobox", { name: "Colour by" }).selectOption("Fairness");
+    await expect.poll(() => pointFigure(page)).toMatch(/^Point 220 bends [\d.]+ m?m$/);
+    await page.context().close();
+  });
+});
+
+it("Before and the key B show the base while held", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 60 });
+  await page.mouse.up();
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  await idle(page);
+  const before = page.getByRole("button", { name: "Before" });
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.down("b");
+  await expect.poll(() => before.getAttribute("aria-pressed")).toBe("true");
+  await page.keyboard.up("b");
+  await expect.poll(() => before.getAttribute("aria-pressed")).toBe("false");
+  await before.focus();
+  await page.keyboard.down("Space");
+  expect(await before.getAttribute("aria-pressed")).toBe("true");
+  await page.keyboard.up("Space");
+  expect(await before.getAttribute("aria-pressed")).toBe("false");
   await page.context().close();
 });

@@ -74,3 +74,77 @@ it("speaks of millimetres, and of flat panels only where they are flat", async (
   expect(await summary()).not.toContain("flat panels");
   await page.context().close();
 });
+
+it("says how many panels must be made again after the edit", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const note = page.getByRole("button", { name: /^\d+ panels to make again$/ });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => note.count()).toBe(1);
+  const total = Number.parseInt((await note.textContent()) ?? "", 10);
+  await note.press("Enter");
+  expect(await page.getByRole("combobox", { name: "Colour by" }).inputValue()).toBe("remake");
+  const legend = page.getByRole("group", { name: "Legend", exact: true });
+  const countOf = async (word: string): Promise<number> => {
+    const text = await legend.getByRole("button", { name: new RegExp(`^${word}`) }).textContent();
+    return Number(/\d+$/.exec(text ?? "")?.[0]);
+  };
+  await expect.poll(() => countOf("cut again")).toBeGreaterThan(0);
+  const [cut, bevel] = [await countOf("cut again"), await countOf("new bevel only")];
+  expect(bevel).toBeGreaterThan(0);
+  expect(cut + bevel).toBe(total);
+  expect(await countOf("unchanged")).toBe(400 - total);
+  await legend.getByRole("button", { name: /^new bevel only/ }).click();
+  await page.getByText(/^Panel \d+ 4 corners/).waitFor();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => note.count()).toBe(0);
+  await expect.poll(() => countOf("unchanged")).toBe(400);
+  await page.context().close();
+});
+
+it("shows those panels first that fold most", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+40cm");
+  await expect.poll(() => shows(page).count()).toBe(8);
+  const folds = await table(page)
+    .getByRole("row")
+    .evaluateAll((rows) => rows.slice(1).map((row) => Number(row.lastElementChild?.textContent)));
+  expect(folds.length).toBeGreaterThan(4);
+  expect(folds[0]).toBeGreaterThan(5);
+  expect([...folds].sort((a, b) => b - a)).toEqual(folds);
+  await page.context().close();
+});
+
+/** A tilted plane of quads of nearly 1 m, so far from the origin that its coordinates are coarse. */
+function farPlane(offset: number): string {
+  const lines: string[] = [];
+  for (let j = 0; j < 4; ++j)
+    for (let i = 0; i < 4; ++i) {
+      const [x, y] = [0.9 * i + 0.13 * j, 0.7 * j - 0.11 * i];
+      lines.push(`v ${offset + x} ${offset + y} ${0.9 * x + 0.8 * y}`);
+    }
+  for (let j = 0; j < 3; ++j)
+    for (let i = 0; i < 3; ++i) {
+      const a = 4 * j + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + 5} ${a + 4}`);
+    }
+  return lines.join("\n");
+}
+
+it("calls flat what the coordinates cannot hold flatter, and says so", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const verdict = page.getByText(/^(Every|Worst) panel/).last();
+  const kind = (): Promise<string> => verdict.evaluate((at) => at.className);
+  await expect.poll(() => verdict.textContent()).toBe("Every panel is flat (< 0.000001 mm/m).");
+  const good = await kind();
+  await openFile(page, "far.obj", farPlane(1e8 + 0.1));
+  const held = /as flat as its coordinates can hold \(0\.0000\d+ mm\/m\)/;
+  await page.getByRole("definition").filter({ hasText: held }).waitFor();
+  expect(await page.getByRole("button", { name: "Planarise" }).count()).toBe(0);
+  await page.getByRole("button", { name: "Start editing" }).click();
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Planarity");
+  await expect.poll(() => verdict.textContent()).toMatch(/^Every panel is as flat as/);
+  expect(await kind()).toBe(good);
+  await page.getByText("0 panels out of flat, 9 flat").waitFor();
+  expect(await page.getByRole("status").textContent()).toContain("flat but for rounding");
+  await page.context().close();
+});

@@ -84,3 +84,47 @@ it("says what is wrong with a sheet of one length, and saves nothing", async () 
     .toMatch(/sheet must be two lengths/);
   await page.context().close();
 });
+
+/** The entries of an archive, by name. */
+function unpacked(bytes: Buffer): Record<string, string> {
+  writeFileSync(join(folder, "page.zip"), bytes);
+  const script =
+    "import json,sys,zipfile\nz=zipfile.ZipFile(sys.argv[1])\n" +
+    "print(json.dumps({n:z.read(n).decode() for n in z.namelist()}))";
+  const options = { cwd: folder, maxBuffer: 1e9 };
+  return JSON.parse(execFileSync("python3", ["-c", script, "page.zip"], options).toString());
+}
+
+it("a package has the bytes of the command line, and says what must be made again", async () => {
+  const page = await site.open();
+  await editVault(page);
+  const dialog = await openDialog(page, "Cutting package…");
+  await dialog.getByLabel("Joint between panels").fill("6");
+  await dialog.getByLabel("Sheet width").fill("6000");
+  await dialog.getByLabel("Sheet height").fill("3000");
+  await dialog.getByLabel("Text height").fill("15");
+  await dialog.getByLabel("Drawings of").selectOption("What must be made again");
+  const { name, bytes } = await saved(page, dialog, "Save package");
+  expect(name).toMatch(/-package\.zip$/);
+  const said = dialog.getByText(/panels drawn; \d+ to be cut again, \d+ with a new bevel only/);
+  await said.waitFor();
+  const words = (await said.textContent()) ?? "";
+  const [, outline, bevel] = /(\d+) to be cut again, (\d+) with/.exec(words) ?? [];
+  expect(Number(outline)).toBeGreaterThan(3);
+  expect(Number(bevel)).toBeGreaterThan(3);
+  const entries = unpacked(bytes);
+  const { labels } = JSON.parse(entries["package.json"] ?? "");
+  expect(labels.code).toBe(true);
+  const options = "--against base.obj --gap 6 --sheet 6000x3000 --scope remake --text-height 15";
+  const link = ["--link", labels.link];
+  command(["panels", FILE, "-o", "cli.zip", ...options.split(" "), ...link]);
+  expect(bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
+  // The link on the labels opens the design, verified.
+  const scanned = await site.open({}, new URL(labels.link).hash);
+  await scanned
+    .getByText(/verified/i)
+    .first()
+    .waitFor();
+  await scanned.context().close();
+  await page.context().close();
+});

@@ -168,6 +168,25 @@ export const putRecord = (page: Page, slot: string, record: Uint8Array): Promise
     [slot, [...record]] as const,
   );
 
+/** Drops a large file on the page, made there: `text` and then `filler` until it has so many bytes. To send it
+ * through what drives the browser would take half a minute. */
+export async function dropLarge(
+  page: Page,
+  name: string,
+  { text, filler, bytes }: { text: string; filler: string; bytes: number },
+): Promise<void> {
+  const dataTransfer = await page.evaluateHandle(
+    (given) => {
+      const transfer = new DataTransfer();
+      const more = given.filler.repeat(Math.ceil(given.bytes / given.filler.length));
+      transfer.items.add(new File([given.text, more], given.name));
+      return transfer;
+    },
+    { name, text, filler, bytes },
+  );
+  await page.getByRole("main").dispatchEvent("drop", { dataTransfer });
+}
+
 /** A flat roof of n × n quads as OBJ. */
 export function flatRoof(n: number): string {
   const lines: string[] = [];

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Needs: storage, axe.
-// Views that are kept under a name, gone back to, and there again after a reload.
+// Views that are kept under a name and gone back to.
 import { expect, it } from "vitest";
-import { expectClean } from "./support/axe.ts";
-import { idle, kept, still, usable } from "./support/page.ts";
+import { idle, still } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
-it("a view is kept, named, gone back to by button and by command, and survives a reload", async () => {
+it("a view is kept, named, and gone back to by button and by command", async () => {
   const page = await site.open();
   await page.getByRole("button", { name: "Add handle" }).click();
   await idle(page);
@@ -26,20 +24,14 @@ it("a view is kept, named, gone back to by button and by command, and survives a
   await section.getByRole("textbox", { name: "Name of View 1" }).fill("From the street");
   await page.keyboard.press("Enter");
   await section.getByRole("button", { name: "Show From the street" }).waitFor();
-  await expectClean(page, "with a named view");
   const away = async (): Promise<void> => {
     await page.getByRole("button", { name: "Top", exact: true }).click();
     await expect.poll(gap).toBeGreaterThan(15);
   };
-  // The status line has another height after a reload, and so has the view.
   const back = (): Promise<void> => expect.poll(gap).toBeLessThan(6);
   await away();
   await section.getByRole("button", { name: "Show From the street" }).click();
   await back();
-  await kept(page);
-  await page.reload();
-  await usable(page);
-  await idle(page);
   await away();
   await page.keyboard.press("Control+k");
   await page.getByRole("combobox", { name: "Command" }).fill("street");
