@@ -3,7 +3,7 @@
 // Three variants with a view and a note are handed over, as a link and as a file, and are all there in
 // the browser of someone else, verified.
 import type { Page } from "playwright-core";
-import { expect, it } from "vitest";
+import { beforeAll, expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
 import { exportAs, idle, obj, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
@@ -80,7 +80,10 @@ async function expectHandedOver(page: Page, { link, sent, shown }: HandedOver): 
   expect(await shapes(page)).toEqual(sent);
 }
 
-it("three variants, a view and a note come with a link and with a file", async () => {
+let file: Buffer;
+let handedOver: HandedOver;
+
+beforeAll(async () => {
   const page = await author();
   const shown = await obj(page);
   await page.getByRole("button", { name: "Share" }).click();
@@ -90,22 +93,26 @@ it("three variants, a view and a note come with a link and with a file", async (
   await page.getByRole("checkbox", { name: "3 snapshots" }).uncheck();
   await expect.poll(async () => (await link.inputValue()).length).toBeLessThan(whole.length);
   await page.keyboard.press("Escape");
-  const file = await exportAs(page, "JSON");
+  file = await exportAs(page, "JSON");
   const sent = await shapes(page);
   expect(new Set(sent).size).toBe(3);
   expect(sent[2]).toBe(shown);
   await page.context().close();
+  handedOver = { link: whole, sent, shown };
+});
 
-  const handedOver = { link: whole, sent, shown };
-  const byLink = await site.open({}, new URL(whole).hash);
-  await expectHandedOver(byLink, handedOver);
-  await byLink.reload();
-  await byLink.getByText(/is back\./).waitFor();
-  expect(await byLink.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
-  await byLink.context().close();
+it("three variants, a view and a note come with a link", async () => {
+  const page = await site.open({}, new URL(handedOver.link).hash);
+  await expectHandedOver(page, handedOver);
+  await page.reload();
+  await page.getByText(/is back\./).waitFor();
+  expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
+  await page.context().close();
+});
 
-  const byFile = await site.open();
-  await openFile(byFile, "handed-over.json", file);
-  await expectHandedOver(byFile, handedOver);
-  await byFile.context().close();
+it("and with a file", async () => {
+  const page = await site.open();
+  await openFile(page, "handed-over.json", file);
+  await expectHandedOver(page, handedOver);
+  await page.context().close();
 });
