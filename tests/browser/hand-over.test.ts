@@ -3,7 +3,7 @@
 // Three variants with a view and a note are handed over, as a link and as a file, and are all there in
 // the browser of someone else, verified.
 import type { Page } from "playwright-core";
-import { beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
 import { exportAs, idle, obj, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
@@ -83,7 +83,7 @@ async function expectHandedOver(page: Page, { link, sent, shown }: HandedOver): 
 let file: Buffer;
 let handedOver: HandedOver;
 
-beforeAll(async () => {
+it("three variants, a view and a note are made, and are what Share and Export hold", async () => {
   const page = await author();
   const shown = await obj(page);
   await page.getByRole("button", { name: "Share" }).click();
@@ -101,7 +101,7 @@ beforeAll(async () => {
   handedOver = { link: whole, sent, shown };
 });
 
-it("three variants, a view and a note come with a link", async () => {
+it("they come with a link", async () => {
   const page = await site.open({}, new URL(handedOver.link).hash);
   await expectHandedOver(page, handedOver);
   await page.reload();
@@ -110,7 +110,7 @@ it("three variants, a view and a note come with a link", async () => {
   await page.context().close();
 });
 
-it("and with a file", async () => {
+it("they come with a file", async () => {
   const page = await site.open();
   await openFile(page, "handed-over.json", file);
   await expectHandedOver(page, handedOver);
