@@ -36,7 +36,8 @@ ARROWS = {
     "projection": SOLVED,
     "edit": SOLVED | {"projection"},
     "variations": SOLVED | {"projection", "edit"},
-    "fabrication": FROM_MESH | {"constraints", "measures", "io"},
+    "families": {"numeric", "text"},  # shapes in a plane, of whatever they are
+    "fabrication": FROM_MESH | {"constraints", "measures", "io", "families"},
     "offset": SOLVED,
     "mobility": GEOMETRY | {"edit", "fabrication"},
     "design": SOLVED | {"projection", "edit", "variations", "shapes", "io"},

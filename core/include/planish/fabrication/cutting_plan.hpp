@@ -76,9 +76,10 @@ struct DrawnReport {
 void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>& pieces,
                  DrawnReport& report);
 
-/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0.
+/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0; "T-0001" for panel type 0.
 [[nodiscard]] std::string panel_name(int face);
 [[nodiscard]] std::string edge_name(int joint);
 [[nodiscard]] std::string node_name(int node);
+[[nodiscard]] std::string type_name(int type);
 
 }  // namespace planish
