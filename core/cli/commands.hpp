@@ -25,6 +25,7 @@ struct Command {
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command cut_command();
 [[nodiscard]] Command panels_command();
+[[nodiscard]] Command types_command();
 [[nodiscard]] Command drawings_command();
 [[nodiscard]] Command offset_command();
 [[nodiscard]] Command sample_command();

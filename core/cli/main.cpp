@@ -14,10 +14,10 @@ namespace planish::cli {
 namespace {
 
 std::vector<Command> all_commands() {
-  return {info_command(),    edit_command(),   explore_command(),  project_command(),
-          replay_command(),  panels_command(), drawings_command(), offset_command(),
-          convert_command(), cut_command(),    sample_command(),   mobility_command(),
-          sweep_command(),   gather_command(), compare_command()};
+  return {info_command(),     edit_command(),    explore_command(), project_command(),
+          replay_command(),   panels_command(),  types_command(),   drawings_command(),
+          offset_command(),   convert_command(), cut_command(),     sample_command(),
+          mobility_command(), sweep_command(),   gather_command(),  compare_command()};
 }
 
 void print_overview() {

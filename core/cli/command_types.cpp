@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "files.hpp"
+#include "planish/fabrication/type_table.hpp"
+#include "types_run.hpp"
+
+namespace planish::cli {
+namespace {
+
+ExitCode run_types_command(const Arguments& arguments) {
+  const auto output = arguments.value("-o");
+  if (output && *output != "-" && extension_of(*output) != "csv") {
+    throw CommandError(kWrongUsage, *output + ": types are written as a table, .csv");
+  }
+  const ShopInput input = load_shop_input(arguments);
+  const TypesRun run = run_types(arguments, input);
+  if (output) save_bytes(*output, type_table(run.plan, run.panels).csv);
+  const std::vector<std::string> sentences = types_sentences(run, input.tolerance);
+  for (const std::string& sentence : sentences) print_message(sentence);
+  save_report(arguments, types_json(run));
+  return sentences.empty() ? kDone : kToleranceNotMet;
+}
+
+}  // namespace
+
+Command types_command() {
+  std::vector<OptionRow> rows = types_option_rows();
+  rows.insert(rows.end(), {{"-o", "TYPES.csv", "which panel is of which type (or -)"}, kReportRow});
+  return {"types", "MESH|DESIGN [--joint MIN:MAX | --within D|P%] [-o TYPES.csv] [--report R.json]",
+          "which panels, nodes and bars are alike, and one template a type of panel", rows,
+          run_types_command};
+}
+
+}  // namespace planish::cli

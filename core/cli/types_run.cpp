@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "types_run.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "planish/measures/metrics.hpp"
+#include "planish/numeric/index.hpp"
+#include "planish/text/number.hpp"
+
+namespace planish::cli {
+namespace {
+
+/// Where nothing is asked for: a thousandth of the mean edge, 1.5 mm on a panel of 1.5 m.
+constexpr double kDefaultShare = 0.001;
+
+/// "MIN:MAX".
+JointRange parsed_joint(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    throw CommandError(kWrongUsage, "--joint: \"" + text + "\" is not MIN:MAX");
+  }
+  return {parse_finite(std::string_view(text).substr(0, colon), "--joint"),
+          parse_finite(std::string_view(text).substr(colon + 1), "--joint")};
+}
+
+/// A length, or a share of the mean edge with % behind it.
+double parsed_within(std::string_view text, double mean_edge) {
+  if (!text.ends_with('%')) return parse_finite(text, "--within");
+  return 0.01 * parse_finite(text.substr(0, text.size() - 1), "--within") * mean_edge;
+}
+
+Json sizes_json(const std::vector<PanelType>& types) {
+  Json sizes = Json::array();
+  for (const PanelType& type : types) sizes.push_back(type.panels.size());
+  return sizes;
+}
+
+Json panels_json(const PanelTypes& types) {
+  double worst = 0.0;
+  for (const PanelType& type : types.types) worst = std::max(worst, type.worst);
+  Json json = {{"panels", types.panels.size()},
+               {"types", types.types.size()},
+               {"within", types.within},
+               {"mirrored", types.options.mirrored},
+               {"worst_fit", worst},
+               {"sizes", sizes_json(types.types)}};
+  const bool any = !types.seams.empty();
+  json["joint"] = any ? Json{{"min", types.widths.min}, {"max", types.widths.max}} : Json();
+  return json;
+}
+
+Json template_json(const PanelType& type, int number) {
+  return {{"type", type_name(number)},
+          {"count", type.panels.size()},
+          {"worst_fit", type.worst},
+          {"outline",
+           std::vector<double>(type.outline.data(), type.outline.data() + type.outline.size())},
+          {"panels", type.panels}};
+}
+
+Json seam_json(const TypesRun& run, const SeamWidth& seam) {
+  const Joint& joint = run.plan.joints.joints[at(seam.joint)];
+  return {{"edge", edge_name(seam.joint)},
+          {"panels", {panel_name(joint.first.panel), panel_name(joint.second.panel)}},
+          {"joint_min", seam.min},
+          {"joint_max", seam.max}};
+}
+
+}  // namespace
+
+std::vector<OptionRow> types_option_rows() {
+  return {
+      {"--joint", "MIN:MAX",
+       "between which widths joints may vary when one template a type is\n"
+       "cut; decides what panels may have one"},
+      {"--within", "D|P%",
+       "how far a corner may be from the template's, or a share of the\n"
+       "mean edge; default 0.1%"},
+      {"--mirrored", "", "a panel may be its template turned over"},
+      {"--angle", "DEG", "how far angles at nodes and bars of a type may differ; default 0.5"},
+      {"--unit", "UNIT", "of all lengths here: mm (default), cm, m, km, in or ft"},
+      {"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
+      {"--tolerance", "MM_PER_M", "up to which a panel is flat; default the design's, or 1e-6"}};
+}
+
+TypeOptions type_options(const Arguments& arguments, const Mesh& mesh,
+                         const std::string& model_unit, const std::string& unit) {
+  const double scale = metres_in(model_unit).value() / metres_in(unit).value();
+  const double mean_edge = scale * mean_edge_length(mesh);
+  TypeOptions options;
+  options.within = kDefaultShare * mean_edge;
+  options.mirrored = arguments.has("--mirrored");
+  const auto joint = arguments.value("--joint");
+  const auto within = arguments.value("--within");
+  if (joint && within) {
+    throw CommandError(kWrongUsage, "--joint and --within: give one, either says the other");
+  }
+  if (joint) options.joint = parsed_joint(*joint);
+  if (within) options.within = parsed_within(*within, mean_edge);
+  if (const auto angle = arguments.value("--angle")) {
+    options.degrees = parse_finite(*angle, "--angle");
+  }
+  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  return options;
+}
+
+TypesRun run_types(const Arguments& arguments, const ShopInput& input) {
+  CuttingOptions cutting;
+  cutting.name = input.name;
+  cutting.model_unit = input.model_unit;
+  if (const auto unit = arguments.value("--unit")) cutting.unit = *unit;
+  if (const auto problem = find_problem(cutting, input.mesh, false)) {
+    throw CommandError(kWrongUsage, *problem);
+  }
+  const TypeOptions options = type_options(arguments, input.mesh, cutting.model_unit, cutting.unit);
+  TypesRun run;
+  run.plan = make_cutting_plan(input.mesh, nullptr, cutting);
+  run.panels = find_panel_types(run.plan.panels, run.plan.joints, options);
+  run.nodes = find_node_types(run.plan.mesh, run.plan.joints, options.degrees, options.mirrored);
+  run.bars = find_bar_types(run.plan.joints, run.panels.within, options.degrees);
+  return run;
+}
+
+Json types_json(const TypesRun& run) {
+  const PanelTypes& panels = run.panels;
+  Json json = {{"status", "done"}, {"unit", run.plan.options.unit}};
+  json["types"] = panels_json(panels);
+  json["nodes"] = {{"nodes", run.plan.vertex_of_node.size()},
+                   {"types", run.nodes.sizes.size()},
+                   {"within_degrees", panels.options.degrees},
+                   {"sizes", run.nodes.sizes},
+                   {"of_vertex", run.nodes.of_vertex}};
+  json["bars"] = {{"bars", run.bars.of_joint.size()}, {"types", run.bars.sizes.size()},
+                  {"within", panels.within},          {"within_degrees", panels.options.degrees},
+                  {"sizes", run.bars.sizes},          {"of_edge", run.bars.of_joint}};
+  json["templates"] = Json::array();
+  for (std::size_t k = 0; k < panels.types.size(); ++k) {
+    json["templates"].push_back(template_json(panels.types[k], static_cast<int>(k)));
+  }
+  json["seams"] = Json::array();
+  for (const SeamWidth& seam : panels.seams) json["seams"].push_back(seam_json(run, seam));
+  json["mesh"] = mesh_json(run.plan.mesh);
+  return json;
+}
+
+std::vector<std::string> types_sentences(const TypesRun& run, double tolerance) {
+  std::vector<std::string> sentences;
+  const PlanaritySummary planarity = planarity_summary(run.plan.mesh);
+  if (planarity.max_excess > tolerance) {
+    sentences.push_back("not flat: a panel is out of its plane by " + three_digits(planarity.max) +
+                        " mm/m; its outline is not exact");
+  }
+  return sentences;
+}
+
+}  // namespace planish::cli
