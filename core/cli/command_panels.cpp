@@ -12,6 +12,7 @@
 #include "planish/text/number.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
+#include "types_run.hpp"
 
 namespace planish::cli {
 namespace {
@@ -57,6 +58,9 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   if (const auto text = arguments.value("--scope")) set_scope(*text, options);
   if (const auto problem = find_problem(options, input.mesh, input.base.has_value())) {
     throw CommandError(kWrongUsage, *problem);
+  }
+  if (arguments.has("--joint") || arguments.has("--within") || arguments.has("--mirrored")) {
+    options.types = type_options(arguments, input.mesh, options.model_unit, options.unit);
   }
   return options;
 }
@@ -122,7 +126,8 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
 
 ExitCode write_model(const Arguments& arguments, const ShopInput& input,
                      const CuttingOptions& options, const std::string& output) {
-  for (const char* name : {"--sheet", "--text-height", "--link"}) {
+  for (const char* name :
+       {"--sheet", "--text-height", "--link", "--joint", "--within", "--mirrored"}) {
     if (arguments.has(name)) {
       throw CommandError(kWrongUsage, std::string(name) + " is for packages, not for IFC");
     }
@@ -165,6 +170,9 @@ Command panels_command() {
        {"--thickness", "T", "of the panels, mm: gives their volume; in IFC makes them solid"},
        {"--sheet", "WxH", "arranges the panels on sheets of this size (rectangles, not nested)"},
        {"--text-height", "H", "of texts on panels where they fit; default by the panel's size"},
+       {"--joint", "MIN:MAX", "adds the types of panels to the tables; as for types, as also"},
+       {"--within", "D|P%", "how far a corner may be from the template's, and"},
+       {"--mirrored", "", "that a panel may be its template turned over"},
        {"--link", "URL", "that opens the design: the labels carry it as a QR code"},
        {"--against", "BASE", "what was built: says which panels must be made again"},
        {"--scope", "WHICH", "draws all (default), remake, or panels V,V,... counted from 0"},

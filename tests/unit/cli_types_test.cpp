@@ -86,6 +86,21 @@ TEST_F(Cli, TypesRefuseInOneSentence) {
   EXPECT_EQ(run("types empty.obj"), 3);
 }
 
+TEST_F(Cli, TypesOfAPackageAreThoseOfTheTable) {
+  const std::string of = " sample:vault:8 --within 20 --mirrored ";
+  ASSERT_EQ(run("types" + of + "-o t.csv --report r.json"), 0) << err();
+  ASSERT_EQ(run("panels" + of + "-o p.zip --report p.json"), 0) << err();
+  const json types = json::parse(contents(directory_ / "r.json"))["types"];
+  const json package = json::parse(contents(directory_ / "p.json"))["types"];
+  EXPECT_EQ(package["types"], types["types"]);
+  EXPECT_EQ(package["within"], 20.0);
+  EXPECT_EQ(package["joint_min"], types["joint"]["min"]);
+  ASSERT_EQ(run("panels sample:vault:8 -o q.zip --report q.json"), 0) << err();
+  EXPECT_FALSE(json::parse(contents(directory_ / "q.json")).contains("types"));
+  EXPECT_EQ(run("panels" + of + "-o p.ifc"), 2);
+  EXPECT_EQ(run("panels sample:vault:8 --joint 3 -o p.zip"), 2);
+}
+
 TEST_F(Cli, TypesSayWhereAMeshIsNotFlat) {
   save("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(run("types m.obj -o t.csv"), 4);

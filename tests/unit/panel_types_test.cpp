@@ -6,9 +6,15 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "planish/fabrication/bar_types.hpp"
+#include "planish/fabrication/cutting_plan.hpp"
 #include "planish/fabrication/node_types.hpp"
+#include "planish/fabrication/panel_tables.hpp"
 #include "planish/mesh/mesh_check.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/offset_checks.hpp"
@@ -132,6 +138,27 @@ TEST(PanelTypes, KeepASeamInTheJointThatTheyAreAskedFor) {
   EXPECT_GE(types.widths.min, 0.01);
   EXPECT_LE(types.widths.max, 0.05);
   EXPECT_LT(types.types.size(), static_cast<std::size_t>(mesh.face_count()));
+}
+
+TEST(PanelTypes, AreInTheTableOfAPackageThatAsksForThem) {
+  CuttingOptions options;
+  const Mesh mesh = testing::sample("hex", 8);
+  EXPECT_EQ(panel_table(make_cutting_plan(mesh, nullptr, options)).csv.find("turned_over"),
+            std::string::npos);
+  options.types = within(20.0, true);  // mm
+  ASSERT_FALSE(find_problem(options, mesh, false).has_value());
+  const CuttingPlan plan = make_cutting_plan(mesh, nullptr, options);
+  const auto rows = nlohmann::json::parse(panel_table(plan).json);
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(mesh.face_count()));
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    const FamilyMember& member = plan.types->panels[f];
+    EXPECT_EQ(rows[f]["type"], type_name(member.family));
+    EXPECT_EQ(rows[f]["turned_over"], member.mirrored ? "yes" : "no");
+    EXPECT_EQ(rows[f]["fit"], member.distance);
+    EXPECT_LE(member.distance, 20.0);
+  }
+  options.types->within = 0.0;
+  EXPECT_TRUE(find_problem(options, mesh, false).has_value());
 }
 
 TEST(PanelTypes, OfNoPanelsAreNone) {

@@ -72,6 +72,9 @@ Refusal find_problem(const CuttingOptions& options, const Mesh& mesh, bool has_b
       (options.sheet_width > 0.0) != (options.sheet_height > 0.0)) {
     return "sheet must be two lengths greater than 0";
   }
+  if (options.types) {
+    if (const Refusal problem = find_problem(*options.types)) return problem;
+  }
   if (options.remake_only && !has_base) {
     return "scope: what must be made again needs a mesh to compare with";
   }
@@ -98,6 +101,7 @@ CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base, const CuttingO
     const int side = x_side(mesh, base, f);
     plan.panels.push_back(flatten_panel(plan.mesh.positions, mesh.face(f), side));
   }
+  if (options.types) plan.types = find_panel_types(plan.panels, plan.joints, *options.types);
   plan.drawn = drawn_panels(plan);
   return plan;
 }

@@ -80,6 +80,15 @@ void add_setting_out(TableWriter& table, const CuttingPlan& plan, int face) {
   table.add("setting_out", nodes);
 }
 
+/// Which type a panel is of, in a package that has types.
+void add_type(TableWriter& table, const CuttingPlan& plan, int face) {
+  if (!plan.types) return;
+  const FamilyMember& member = plan.types->panels[at(face)];
+  table.add("type", type_name(member.family))
+      .add("turned_over", member.mirrored ? "yes" : "no")
+      .add("fit", member.distance);
+}
+
 /// How a fold looks from outside.
 const char* fold_name(const Joint& joint) {
   if (joint.second.panel < 0) return "boundary";
@@ -132,6 +141,7 @@ TableText panel_table(const CuttingPlan& plan) {
     add_shape(table, plan, f);
     table.add("flatness_mm_per_m", face_planarity(plan.mesh.positions, plan.mesh.face(f)).mm_per_m);
     add_setting_out(table, plan, f);
+    add_type(table, plan, f);
   }
   return table.take();
 }

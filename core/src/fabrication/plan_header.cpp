@@ -21,6 +21,15 @@ std::string remake_text(const CuttingPlan& plan) {
       .text();
 }
 
+std::string types_text(const PanelTypes& types) {
+  JsonObject text;
+  text.add("types", static_cast<double>(types.types.size())).add("within", types.within);
+  if (!types.seams.empty()) {
+    text.add("joint_min", types.widths.min).add("joint_max", types.widths.max);
+  }
+  return text.text();
+}
+
 std::string apart_text(const DrawnReport& report) {
   std::string text;
   for (const PanelApart& panel : report.apart) {
@@ -71,6 +80,7 @@ JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
       .add("flatness_mm_per_m", report.flatness)
       .add("excess_mm_per_m", report.excess)
       .add("vanished", panel_names(report.vanished));
+  if (plan.types) header.raw("types", types_text(*plan.types));
   if (!report.apart.empty()) header.raw("apart", apart_text(report));
   if (!report.lost_sides.empty()) header.add("lost_sides", panel_names(report.lost_sides));
   return header;

@@ -10,6 +10,7 @@
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/fabrication/inset.hpp"
 #include "planish/fabrication/joints.hpp"
+#include "planish/fabrication/panel_types.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/mesh/mesh.hpp"
 #include "planish/text/refusal.hpp"
@@ -27,8 +28,9 @@ struct CuttingOptions {
   double sheet_height = 0.0;
   double text_height = 0.0;  ///< ≥ 0, of texts in drawings of panels, less where there is no room;
                              ///< 0: by the size of the panel
-  bool remake_only = false;  ///< draws what must be made again against a base
-  std::vector<int> panels;   ///< draws these faces only; empty: no such limit
+  std::optional<TypeOptions> types;  ///< also sorts panels into types, for the tables
+  bool remake_only = false;          ///< draws what must be made again against a base
+  std::vector<int> panels;           ///< draws these faces only; empty: no such limit
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
@@ -49,6 +51,7 @@ struct CuttingPlan {
   std::vector<int> vertex_of_node;  ///< nodes in the order in which the faces first use them
   std::vector<int> node_of_vertex;  ///< −1 for a vertex without faces
   std::optional<Remake> remake;     ///< against the base, if there is one
+  std::optional<PanelTypes> types;  ///< where they are asked for
   std::vector<char> drawn;          ///< 1 for each face that the drawings show
 };
 
