@@ -40,7 +40,7 @@ ARROWS = {
     "fabrication": FROM_MESH | {"constraints", "measures", "io", "families"},
     "offset": SOLVED,
     "mobility": GEOMETRY | {"edit", "fabrication"},
-    "design": SOLVED | {"projection", "edit", "variations", "shapes", "io"},
+    "design": SOLVED | {"cuts", "projection", "edit", "variations", "shapes", "io"},
     "sweep": FROM_MESH | {"io", "design"},
     "comparison": SOLVED | {"edit", "variations", "projection"},  # native only
     "cli": None,  # everything

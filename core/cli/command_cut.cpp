@@ -5,22 +5,81 @@
 
 #include "commands.hpp"
 #include "cut_run.hpp"
+#include "design_input.hpp"
+#include "design_output.hpp"
+#include "edit_options.hpp"
 #include "files.hpp"
+#include "planish/io/gltf.hpp"
+#include "planish/mesh/mesh_hash.hpp"
 #include "shop_input.hpp"
 
 namespace planish::cli {
 namespace {
 
+/// What is cut, and what a design of it begins with.
+struct CutInput {
+  Mesh mesh;
+  Design design;
+  bool is_edited = false;  ///< the mesh is what an edit made: no design has cuts behind one
+};
+
+/// Whether `path` is a design, alone or in a GLB.
+bool is_design(const std::string& path) {
+  if (!path.ends_with(".glb")) return path.ends_with(".json");
+  const auto read = read_glb_design(load_bytes(path));
+  const auto* glb = std::get_if<GlbFile>(&read);
+  return glb != nullptr && !glb->design.empty();
+}
+
+CutInput load_input(const Arguments& arguments) {
+  const std::string path = arguments.only_positional("MESH or DESIGN");
+  if (is_design(path)) {
+    Design design = open_design(path).design;
+    const bool is_edited = !design.targets.handles.empty() || !design.variations.empty();
+    return {load_shop_input(arguments).mesh, std::move(design), is_edited};
+  }
+  LoadedSource loaded = load_source(path);
+  CutInput input{std::move(loaded.mesh), {}, false};
+  input.design.source = std::move(loaded.source);
+  input.design.unit = model_unit(arguments);
+  auto* file = std::get_if<FileSource>(&input.design.source);
+  if (file != nullptr) file->hash = mesh_hash(input.mesh);
+  return input;
+}
+
+/// A recipe of cuts alone, for whoever goes on from there.
+void save_cut_design(const Arguments& arguments, Design design, const std::vector<Cut>& cuts,
+                     const Mesh& result) {
+  design.cuts.insert(design.cuts.end(), cuts.begin(), cuts.end());
+  design.result = mark_of(result, result.positions);
+  save_design(arguments, design);
+}
+
+void check_design(const Arguments& arguments, const CutInput& input) {
+  if (!arguments.has("--design")) return;
+  if (input.is_edited) {
+    throw CommandError(kWrongUsage,
+                       "--design: a design has its cuts before its edit, and this one is edited "
+                       "already; -o writes the mesh that is cut");
+  }
+  if (!input.design.symmetry.empty()) {
+    throw CommandError(kWrongUsage,
+                       "--design: this design has a symmetry, and these are cuts without images");
+  }
+}
+
 ExitCode run_cut(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   const std::vector<Cut> cuts = asked_cuts(arguments);
-  const Mesh mesh = load_shop_input(arguments).mesh;
-  auto made = cut_mesh(mesh, cuts);
+  CutInput input = load_input(arguments);
+  check_design(arguments, input);
+  auto made = cut_mesh(input.mesh, cuts);
   if (const auto* why = std::get_if<std::string>(&made)) throw CommandError(kWrongUsage, *why);
   const auto& result = std::get<CutMesh>(made);
   if (output) save_mesh(*output, result.mesh);
-  print_sentence(loose_points_sentence(mesh, result.mesh));
+  save_cut_design(arguments, std::move(input.design), cuts, result.mesh);
+  print_sentence(loose_points_sentence(input.mesh, result.mesh));
   Json json = {{"status", "done"}, {"mesh", mesh_json(result.mesh)}};
   add_cuts(json, result);
   save_report(arguments, json);
@@ -31,8 +90,14 @@ ExitCode run_cut(const Arguments& arguments) {
 
 Command cut_command() {
   std::vector<OptionRow> rows = cut_option_rows();
-  rows.insert(rows.end(), {kOutputRow, kReportRow});
-  return {"cut", "MESH|DESIGN --split F:A,B ... [-o OUT] [--report R.json]",
+  rows.insert(rows.end(),
+              {{"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
+               kOutputRow,
+               kReportRow,
+               kDesignRow});
+  return {"cut",
+          "MESH|DESIGN --split F:A,B ... [-o OUT] [--report R.json]\n"
+          "      [--design D.json]",
           "part panels, in the order given; no point moves", rows, run_cut};
 }
 

@@ -65,6 +65,12 @@ std::vector<Cut> asked_cuts(const Arguments& arguments) {
   return cuts;
 }
 
+std::vector<Cut> cuts_before_edit(const Arguments& arguments) {
+  std::vector<Cut> cuts;
+  for (const std::string& text : arguments.values("--cut")) cuts.push_back(parsed_cut(text));
+  return cuts;
+}
+
 void add_cuts(Json& json, const CutMesh& result) {
   json["cuts"] = Json::array();
   for (const CutRecord& record : result.records) {

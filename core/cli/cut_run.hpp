@@ -16,6 +16,9 @@ namespace planish::cli {
 /// The cuts that options ask for, in the order in which they were given. Throws CommandError.
 [[nodiscard]] std::vector<Cut> asked_cuts(const Arguments& arguments);
 
+/// Those of --cut, in their order; none is none. Throws CommandError.
+[[nodiscard]] std::vector<Cut> cuts_before_edit(const Arguments& arguments);
+
 /// Each cut with what it made, the panels that are parts of others, and where added points stand.
 void add_cuts(Json& json, const CutMesh& result);
 

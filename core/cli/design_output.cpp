@@ -15,9 +15,12 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
   design.source = run.source;
   const bool as_opened = !run.base.planarised && !run.symmetry;
   auto* file = std::get_if<FileSource>(&design.source);
-  if (file != nullptr && as_opened) file->hash = mesh_hash(run.base.mesh);
+  if (file != nullptr && as_opened) {
+    file->hash = run.uncut_hash ? *run.uncut_hash : mesh_hash(run.base.mesh);
+  }
   if (run.base.planarised) design.planarised = run.base.how;
   design.unit = run.unit;
+  design.cuts = run.cuts;
   design.targets = run.targets;
   if (run.symmetry) design.symmetry = run.symmetry->elements;
   design.options = options;
@@ -31,7 +34,8 @@ void save_design(const Arguments& arguments, const Design& design) {
 }
 
 std::string design_for_glb(Design design) {
-  if (auto* file = std::get_if<FileSource>(&design.source)) {
+  auto* file = std::get_if<FileSource>(&design.source);
+  if (file != nullptr && design.cuts.empty()) {
     file->bytes.clear();
     file->format.clear();
   }

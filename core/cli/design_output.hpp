@@ -20,7 +20,8 @@ namespace planish::cli {
 /// Writes `design` to the place that --design names; nothing without that option.
 void save_design(const Arguments& arguments, const Design& design);
 
-/// Its text without the file that it came from: a GLB holds the base itself.
+/// Its text without the file that it came from: a GLB holds the base itself. With it where there
+/// are cuts, since that base is what they left.
 [[nodiscard]] std::string design_for_glb(Design design);
 
 /// `shape` (3 × n) in the format of `name`'s extension; a GLB also holds base, design and

@@ -6,6 +6,7 @@
 
 #include "files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
+#include "planish/design/cut_base.hpp"
 #include "planish/edit/design_words.hpp"
 
 namespace planish::cli {
@@ -132,6 +133,10 @@ std::vector<OptionRow> edit_option_rows() {
 
 std::vector<OptionRow> edit_command_rows() {
   std::vector<OptionRow> rows = edit_option_rows();
+  rows.push_back({"--cut", "KIND=VALUE",
+                  "before the edit, in the order given: split=F:A,B, strip=V-W[@T],\n"
+                  "corner=F:V[@T], refine=F,F,...[:collar], trim=a,b,c,d, as planish cut\n"
+                  "has them; handles may name the points that these add (repeatable)"});
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"
                   "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
@@ -326,7 +331,7 @@ std::vector<PointSupport> parse_supports(const Arguments& arguments) {
   return supports;
 }
 
-EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
+EditTargets edit_targets(const Arguments& arguments, const Mesh& base, const CutMesh* cut) {
   EditTargets targets;
   for (const std::string& text : arguments.values("--handle")) {
     targets.handles.push_back(parse_handle(text, base));
@@ -337,7 +342,9 @@ EditTargets edit_targets(const Arguments& arguments, const Mesh& base) {
     targets.continuation = parse_whole(*text, "--continuation");
   }
   if (targets.handles.empty()) throw CommandError(kWrongUsage, "--handle is missing");
-  if (const auto problem = find_problem(targets, base)) {
+  EditTargets carried = targets;
+  if (cut != nullptr) carried.supports = supports_after_cuts(targets.supports, *cut);
+  if (const auto problem = find_problem(carried, base)) {
     throw CommandError(kWrongUsage, *problem);
   }
   return targets;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -17,7 +18,7 @@ namespace planish::cli {
 /// Rows of the option table for handles, pins, weights, fairness and solver.
 [[nodiscard]] std::vector<OptionRow> edit_option_rows();
 
-/// The same and what `edit` and `explore` know: --symmetry.
+/// The same and what `edit` and `explore` know: --cut and --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
@@ -25,8 +26,11 @@ namespace planish::cli {
 /// Of the coordinates, m unless --model-unit says otherwise. Throws CommandError for another word.
 [[nodiscard]] std::string model_unit(const Arguments& arguments);
 
-/// Handles and pins; "V+=" counts from the positions of `base`. Throws CommandError.
-[[nodiscard]] EditTargets edit_targets(const Arguments& arguments, const Mesh& base);
+/// Handles, pins and supports as they were asked for; "V+=" counts from the positions of `base`.
+/// Throws CommandError.
+/// @param cut what made `base`: its added points go with the supports that are checked; or null
+[[nodiscard]] EditTargets edit_targets(const Arguments& arguments, const Mesh& base,
+                                       const CutMesh* cut = nullptr);
 
 /// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
 /// @param planar mm/m; set by "planar:TOL"

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "cut_run.hpp"
 #include "edit_options.hpp"
+#include "planish/design/cut_base.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/text/number.hpp"
 #include "report.hpp"
@@ -74,7 +76,7 @@ std::optional<std::string> moved_support_sentence(const EditRun& run) {
   if (!run.base.planarised) return std::nullopt;
   double most = 0.0;
   std::string name;
-  for (const PointSupport& support : run.targets.supports) {
+  for (const PointSupport& support : run.supports) {
     if (is_spring(support)) continue;
     for (const int v : points_of(support, run.given)) {
       const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
@@ -93,7 +95,7 @@ namespace {
 
 /// What keeps a handle from its target, as far as it is known.
 std::string held_by(const EditRun& run, int vertex) {
-  for (const PointSupport& support : run.targets.supports) {
+  for (const PointSupport& support : run.supports) {
     const std::vector<int> points = points_of(support, run.given);
     if (!is_spring(support) && std::binary_search(points.begin(), points.end(), vertex)) {
       return "it stands on " + support_name(support);
@@ -136,8 +138,42 @@ std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run) {
 }
 
 EditTargets targets_with_images(const EditRun& run) {
-  return has_images(run) ? all_images(run.targets, run.base.mesh, *run.symmetry) : run.targets;
+  EditTargets targets = run.targets;
+  targets.supports = run.supports;
+  return has_images(run) ? all_images(targets, run.base.mesh, *run.symmetry) : targets;
 }
+
+namespace {
+
+/// Wrong targets must not cost a projection first; the vertices are the same after it.
+void check_targets(const Arguments& arguments, const EditRun& run) {
+  (void)edit_targets(arguments, run.given);
+  if (!run.symmetry) return;
+  Mesh even = run.given;
+  even_out(*run.symmetry, even.face_vertices, even.positions);
+  (void)all_images(edit_targets(arguments, even), even, *run.symmetry);
+}
+
+/// The flat base becomes what the cuts leave of it, and what was given, that parted likewise.
+void make_cuts(EditRun& run, double tolerance) {
+  if (run.cuts.empty()) return;
+  run.uncut_hash = mesh_hash(run.base.mesh);
+  auto made = cut_base(run.base.mesh, run.cuts, run.symmetry, tolerance);
+  if (const auto* why = std::get_if<std::string>(&made)) throw CommandError(kWrongUsage, *why);
+  run.cut = std::get<CutMesh>(std::move(made));
+  run.base.mesh = run.cut->mesh;
+  const Positions given = std::move(run.given.positions);
+  run.given = run.cut->mesh;
+  run.given.positions.leftCols(given.cols()) = given;
+}
+
+void set_targets(EditRun& run, const Arguments& arguments) {
+  run.targets = edit_targets(arguments, run.base.mesh, run.cut ? &*run.cut : nullptr);
+  run.supports = run.targets.supports;
+  if (run.cut) run.supports = supports_after_cuts(run.supports, *run.cut);
+}
+
+}  // namespace
 
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
                  const std::string& name, const Progress& progress) {
@@ -145,14 +181,9 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
   run.unit = model_unit(arguments);
   run.given = std::move(source.mesh);
   run.source = std::move(source.source);
-  // Wrong targets must not cost a projection first; the vertices are the same after it.
-  run.targets = edit_targets(arguments, run.given);
+  run.cuts = cuts_before_edit(arguments);
   run.symmetry = asked_symmetry(arguments, run.given, options);
-  if (run.symmetry) {
-    Mesh even = run.given;
-    even_out(*run.symmetry, even.face_vertices, even.positions);
-    (void)all_images(edit_targets(arguments, even), even, *run.symmetry);
-  }
+  if (run.cuts.empty()) check_targets(arguments, run);
   bool stopped = false;
   Progress watched;
   if (progress) {
@@ -171,7 +202,6 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
   if (run.symmetry && (!run.base.planarised || run.base.planarised->report.usable())) {
     run.evened = make_symmetric(run.base.mesh, *run.symmetry, options.tolerance, watched);
   }
-  run.targets = edit_targets(arguments, run.base.mesh);
   run.edited = run.base.mesh.positions;
   if (run.base.planarised && !run.base.planarised->report.usable()) {
     run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
@@ -181,14 +211,17 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
     throw CommandError(kInvalidMesh,
                        name + ": symmetry: the mesh cannot be made flat and symmetric");
   }
+  make_cuts(run, options.tolerance);
+  set_targets(run, arguments);
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
     throw CommandError(kInvalidMesh,
                        name + ": " + *broken + "; planish project --constraint makes it so");
   }
   HandleEditSolver solver(run.base.mesh, options);
-  const HandleEditResult result =
-      has_images(run) ? solver.solve_symmetric(targets_with_images(run), *run.symmetry, watched)
-                      : solver.solve(run.targets, watched);
+  const EditTargets targets = targets_with_images(run);
+  const HandleEditResult result = has_images(run)
+                                      ? solver.solve_symmetric(targets, *run.symmetry, watched)
+                                      : solver.solve(targets, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -216,7 +249,8 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
   json["remake"] = remake_json(run.base.mesh, after);
-  add_supports(json, run.targets.supports, run.base.mesh, after);
+  add_supports(json, run.supports, run.base.mesh, after);
+  if (run.cut) add_cuts(json, *run.cut);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
     if (run.evened.max_move > 0.0) {

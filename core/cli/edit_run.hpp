@@ -3,9 +3,11 @@
 /// report.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "files.hpp"
@@ -35,17 +37,21 @@ struct FlatBase {
 /// An edit with everything that the commands report about it.
 struct EditRun {
   std::string unit;  ///< of the model
-  Mesh given;        ///< as in the file
+  Mesh given;        ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
-  FlatBase base;
-  EditTargets targets;                   ///< without images
+  FlatBase base;  ///< after the cuts
+  std::vector<Cut> cuts;
+  std::optional<CutMesh> cut;               ///< what they made; absent without any
+  std::optional<std::uint32_t> uncut_hash;  ///< mesh_hash() of the base before them
+  EditTargets targets;                      ///< without images, as asked for
+  std::vector<PointSupport> supports;       ///< of `targets`, with the points that the cuts added
   std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
   SymmetricBase evened;                  ///< how the base became symmetric
   Positions edited;                      ///< 3 × n
   SolveReport report;
 };
 
-/// Of its targets, those with all images: without a symmetry the targets themselves.
+/// Its targets with the points that cuts added to supports, and with all images under a symmetry.
 [[nodiscard]] EditTargets targets_with_images(const EditRun& run);
 
 /// Null without one, or where it has the identity alone.

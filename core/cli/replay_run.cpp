@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "cut_run.hpp"
 #include "design_output.hpp"
 #include "files.hpp"
 
@@ -22,7 +23,8 @@ Json replay_json(const Design& design, const Replay& replayed) {
   json["spoilt_faces"] = damage_json(replayed.base, replayed.base.positions, replayed.shape);
   json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
   json["remake"] = remake_json(replayed.base, replayed.shape);
-  add_supports(json, design.targets.supports, replayed.base, replayed.shape);
+  add_supports(json, replayed.supports, replayed.base, replayed.shape);
+  if (replayed.cut) add_cuts(json, *replayed.cut);
   if (replayed.symmetry) {
     json["symmetry"] = symmetry_json(*replayed.symmetry, replayed.base, replayed.shape);
   }

@@ -73,8 +73,7 @@ Design design_of(const Edit& edit) {
 
 std::string bytes_of(const Edit& edit, const std::string& name) {
   if (is_json(name)) return bytes_of(design_of(edit), name);
-  const Design design = cli::make_design(edit.run, edit.options, {}, edit.run.edited);
-  return cli::edit_bytes(name, edit.run, edit.run.edited, design);
+  return cli::edit_bytes(name, edit.run, edit.run.edited, design_of(edit));
 }
 
 EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
@@ -122,8 +121,7 @@ std::string bytes_of(const EditVariation& variation, const std::string& name) {
   if (is_json(name)) return bytes_of(design_of(variation), name);
   const cli::EditRun& run = variation.of->edit->run;
   const cli::Family& family = variation.of->family;
-  return cli::edit_bytes(name, run, variation.variation.positions,
-                         cli::variation_design(run, family, variation.variation),
+  return cli::edit_bytes(name, run, variation.variation.positions, design_of(variation),
                          variations_of(family.subspace));
 }
 

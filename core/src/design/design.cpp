@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numeric/crc32.hpp"
+#include "planish/design/cut_base.hpp"
 #include "planish/edit/symmetric_edit.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/measures/metrics.hpp"
@@ -110,7 +111,7 @@ using SolveEdit = std::function<HandleEditResult(HandleEditSolver&)>;
 /// Replays the steps of one design on its base.
 class Player {
  public:
-  /// @param targets of the design, with their images where there is a symmetry
+  /// @param targets of the design, with their images where there is a symmetry and what cuts added
   Player(Mesh base, const Design& design, const EditTargets& targets,
          std::shared_ptr<const MeshSymmetry> symmetry, const Progress& progress)
       : design_(design), targets_(targets), symmetry_(std::move(symmetry)), progress_(progress) {
@@ -119,8 +120,9 @@ class Player {
   }
 
   /// A sentence if the design does not fit its base.
-  Refusal check() {
-    if (auto problem = find_problem(design_.targets, result_.base)) return problem;
+  /// @param stated its targets without images
+  Refusal check(const EditTargets& stated) {
+    if (auto problem = find_problem(stated, result_.base)) return problem;
     if (design_.targets.handles.empty()) return std::nullopt;  // it is its base, whatever that is
     if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
       return "the mesh has panels that are not flat, and the design does not planarise it";
@@ -258,8 +260,8 @@ GlbVariations variations_of(const Subspace& subspace) {
 namespace {
 
 std::variant<Replay, std::string> play(Player player, const Design& design,
-                                       const SolveEdit& solve) {
-  if (auto problem = player.check()) return std::move(*problem);
+                                       const EditTargets& stated, const SolveEdit& solve) {
+  if (auto problem = player.check(stated)) return std::move(*problem);
   player.edit(solve);
   for (const DesignVariation& variation : design.variations) {
     if (!player.vary(variation)) break;
@@ -269,43 +271,75 @@ std::variant<Replay, std::string> play(Player player, const Design& design,
 
 }  // namespace
 
-std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
-                                         const Progress& progress) {
-  if (auto problem = find_problem(design)) return std::move(*problem);
-  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
-  std::optional<MeshSymmetry> symmetry;
-  auto opened = open_base(design, given, progress, symmetry);
-  if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
-  Mesh& base = std::get<Mesh>(opened);
-  if (!symmetry) return replay_on(std::move(base), design, progress);
-  return replay_on(std::move(base), *symmetry, design, progress);
-}
+namespace {
 
-std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
-                                            const Design& design, const Progress& progress) {
-  if (auto problem = find_problem(design)) return std::move(*problem);
-  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
-  auto targets = with_images(design.targets, base, symmetry);
-  if (auto* problem = std::get_if<std::string>(&targets)) return std::move(*problem);
-  const auto& images = std::get<EditTargets>(targets);
+/// @param targets those of the design, with the points that cuts added
+std::variant<Replay, std::string> replay_targets(Mesh base, const MeshSymmetry& symmetry,
+                                                 const Design& design, const EditTargets& targets,
+                                                 const Progress& progress) {
+  auto all = with_images(targets, base, symmetry);
+  if (auto* problem = std::get_if<std::string>(&all)) return std::move(*problem);
+  const auto& images = std::get<EditTargets>(all);
   const auto solve = [&](HandleEditSolver& solver) {
     return solver.solve_symmetric(images, symmetry, progress);
   };
   auto played = play(
       {std::move(base), design, images, std::make_shared<const MeshSymmetry>(symmetry), progress},
-      design, solve);
+      design, targets, solve);
   if (auto* done = std::get_if<Replay>(&played)) done->symmetry = symmetry;
   return played;
+}
+
+std::variant<Replay, std::string> replay_targets(Mesh base, const Design& design,
+                                                 const EditTargets& targets,
+                                                 const Progress& progress) {
+  const auto solve = [&](HandleEditSolver& solver) { return solver.solve(targets, progress); };
+  return play({std::move(base), design, targets, nullptr, progress}, design, targets, solve);
+}
+
+Refusal find_any_problem(const Design& design) {
+  if (auto problem = find_problem(design)) return problem;
+  return find_symmetry_problem(design);
+}
+
+}  // namespace
+
+std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
+                                         const Progress& progress) {
+  if (auto problem = find_any_problem(design)) return std::move(*problem);
+  std::optional<MeshSymmetry> symmetry;
+  auto opened = open_base(design, given, progress, symmetry);
+  if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
+  Mesh& base = std::get<Mesh>(opened);
+  EditTargets targets = design.targets;
+  std::optional<CutMesh> cut;
+  if (!design.cuts.empty()) {
+    auto made = cut_base(base, design.cuts, symmetry, design.options.tolerance);
+    if (auto* problem = std::get_if<std::string>(&made)) return std::move(*problem);
+    cut = std::get<CutMesh>(std::move(made));
+    base = cut->mesh;
+    targets.supports = supports_after_cuts(targets.supports, *cut);
+  }
+  auto played = symmetry ? replay_targets(std::move(base), *symmetry, design, targets, progress)
+                         : replay_targets(std::move(base), design, targets, progress);
+  if (auto* done = std::get_if<Replay>(&played)) {
+    done->cut = std::move(cut);
+    done->supports = std::move(targets.supports);
+  }
+  return played;
+}
+
+std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
+                                            const Design& design, const Progress& progress) {
+  if (auto problem = find_any_problem(design)) return std::move(*problem);
+  return replay_targets(std::move(base), symmetry, design, design.targets, progress);
 }
 
 std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
                                             const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);
   if (!design.symmetry.empty()) return "symmetry: this base is of a design without one";
-  const auto solve = [&](HandleEditSolver& solver) {
-    return solver.solve(design.targets, progress);
-  };
-  return play({std::move(base), design, design.targets, nullptr, progress}, design, solve);
+  return replay_targets(std::move(base), design, design.targets, progress);
 }
 
 }  // namespace planish

@@ -44,6 +44,9 @@ Refusal find_problem(const Design& design) {
   if (design.planarised) {
     if (auto problem = find_problem(*design.planarised)) return "planarised: " + *problem;
   }
+  for (const Cut& cut : design.cuts) {
+    if (auto problem = planish::find_problem(cut)) return "cuts: " + *problem;
+  }
   if (auto problem = find_problem(design.options)) return "options: " + *problem;
   if (auto problem = find_problem(design.targets.supports)) return problem;
   if (auto problem = find_continuation_problem(design.targets)) return problem;

@@ -25,8 +25,9 @@ constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
                       kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
                       kMostBounds = 16, kMostKeepOuts = 64, kMostSupports = 1000,
-                      kMostElements = 16, kLongestName = 400, kLongestSupport = 10'000'000,
-                      kLongestKeepOut = 10'000'000;
+                      kMostElements = 16, kMostCuts = 10'000, kLongestName = 400,
+                      kLongestSupport = 10'000'000, kLongestKeepOut = 10'000'000,
+                      kLongestCut = 10'000'000;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -265,6 +266,16 @@ std::vector<PointSupport> read_supports(const Field& field) {
   return supports;
 }
 
+std::vector<Cut> read_cuts(const Field& field) {
+  std::vector<Cut> cuts;
+  for (std::size_t k = 0; k < field.size(kMostCuts); ++k) {
+    auto cut = parse_cut(field[k].text(kLongestCut));
+    if (const auto* problem = std::get_if<std::string>(&cut)) throw Refused{"cuts: " + *problem};
+    cuts.push_back(std::get<Cut>(std::move(cut)));
+  }
+  return cuts;
+}
+
 std::vector<SymmetryElement> read_symmetry(const Field& field) {
   std::vector<SymmetryElement> elements;
   for (std::size_t k = 0; k < field.size(kMostElements); ++k) {
@@ -320,8 +331,9 @@ void read_format(const Field& root) {
 Design read_root(const Field& root) {
   read_format(root);
   // What a page keeps beside a design ("page") makes no part of it and is passed over.
-  root.only({"format", "version", "title", "source", "planarised", "unit", "handles", "pins",
-             "supports", "continuation", "symmetry", "options", "variations", "result", "page"});
+  root.only({"format", "version", "title", "source", "planarised", "unit", "cuts", "handles",
+             "pins", "supports", "continuation", "symmetry", "options", "variations", "result",
+             "page"});
   const int version = root.at("version").whole(1);
   if (version != kDesignVersion) {
     throw Refused{"the design is of version " + std::to_string(version) + "; this reads version " +
@@ -332,6 +344,7 @@ Design read_root(const Field& root) {
   design.source = read_source(root.at("source"));
   design.planarised = read_planarised(root);
   if (root.has("unit")) design.unit = root.at("unit").text(kLongestName);
+  if (root.has("cuts")) design.cuts = read_cuts(root.at("cuts"));
   design.targets = read_targets(root);
   if (root.has("symmetry")) design.symmetry = read_symmetry(root.at("symmetry"));
   design.options = root.has("options") ? read_options(root.at("options")) : options_when_absent();

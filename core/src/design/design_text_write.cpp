@@ -120,6 +120,7 @@ std::string write_design(const Design& design) {
   json["source"] = source_json(design.source);
   json["planarised"] = planarised_json(design.planarised);
   json["unit"] = design.unit;
+  for (const Cut& cut : design.cuts) json["cuts"].push_back(cut_text(cut));
   json["handles"] = Json::array();
   for (const Handle& handle : design.targets.handles) {
     json["handles"].push_back(point_json(handle.vertex, handle.target));

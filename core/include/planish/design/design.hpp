@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "planish/cuts/cut_mesh.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -70,6 +71,8 @@ struct Design {
   DesignSource source;
   std::optional<Planarising> planarised;  ///< how the source became the flat base; absent: it was
   std::string unit = "m";                 ///< of the model: mm, cm, m, km, in or ft
+  /// Made on the flat, and symmetric, base before the edit, whose base is what they leave.
+  std::vector<Cut> cuts = {};
   EditTargets targets;
   /// Under which the targets have images, and the base is made symmetric; empty: none.
   std::vector<SymmetryElement> symmetry = {};
@@ -104,8 +107,10 @@ struct Design {
 
 /// What replaying a design gave.
 struct Replay {
-  Mesh base;        ///< what was edited: flat, planarised if the design says so
-  Positions shape;  ///< 3 × n, model units
+  Mesh base;                   ///< what was edited: flat, planarised and cut if the design says so
+  Positions shape;             ///< 3 × n, model units
+  std::optional<CutMesh> cut;  ///< what the cuts made of the flat mesh; absent: none
+  std::vector<PointSupport> supports;    ///< the design's, with the points that cuts added on them
   std::optional<MeshSymmetry> symmetry;  ///< of the base, where the design has one
   SolveReport report;                    ///< of the edit, or of the projection that failed
   std::vector<int> directions;           ///< that each variation found, up to one that found none
@@ -125,12 +130,13 @@ struct Replay {
                                                        const Mesh* given = nullptr,
                                                        const Progress& progress = {});
 
-/// The same on a base that was opened, and made flat, already; refuses designs with a symmetry,
-/// whose base that is found on before it is made flat.
+/// The same on a base that was opened, made flat and cut, already, with supports that have the
+/// points of the cuts (supports_after_cuts()) and are not told in the result; refuses designs with
+/// a symmetry, whose base that is found on before it is made flat.
 [[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
                                                           const Progress& progress = {});
 
-/// The same of a design with a symmetry, on a base that is flat, and symmetric, already.
+/// The same of a design with a symmetry, on a base that is flat, symmetric and cut already.
 /// @param symmetry of that base, which is the design's
 [[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
                                                           const Design& design,
