@@ -80,6 +80,9 @@ std::string set_options(Session& s, const val& settings) {
 std::string set_supports(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_supports(lines); });
 }
+std::string set_cuts(Session& s, const std::string& lines, double tolerance) {
+  return attempt([&] { return s.set_cuts(lines, tolerance); });
+}
 std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, int continuation,
                  double budget) {
   return attempt([&] { return s.edit(mode, to_targets(handles, pins, continuation), budget); });
@@ -106,7 +109,7 @@ val replayed(const Session& s) {
 val mark_of(const val& moved, const val& positions) {
   return to_value(planish::mark_of(to_indices(moved), to_positions(positions)));
 }
-std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.base()); }
+std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.uncut()); }
 std::string explore(Session& s, const val& family) {
   return attempt([&] { return s.explore(planish::to_subspace_options(family)); });
 }
@@ -178,6 +181,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("takePlanarised", &take_planarised)
       .function("setOptions", &set_options)
       .function("setSupports", &set_supports)
+      .function("setCuts", &set_cuts)
       .function("edit", &edit)
       .function("keepFrame", &keep_frame)
       .function("goBack", &go_back)

@@ -316,6 +316,7 @@ val to_value(const Design& design) {
   value.set("supports", texts_of(design.targets.supports, point_support_text));
   value.set("continuation", design.targets.continuation);
   value.set("symmetry", texts_of(design.symmetry, symmetry_text));
+  value.set("cuts", texts_of(design.cuts, cut_text));
   value.set("options", to_value(design.options));
   value.set("variations", variations);
   value.set("result", design.result ? to_value(*design.result) : val::null());
@@ -338,6 +339,11 @@ Design to_recipe(const val& value) {
     const auto stated = parse_symmetry(text.as<std::string>());
     if (!stated) throw std::invalid_argument("no symmetry");
     design.symmetry.insert(design.symmetry.end(), stated->elements.begin(), stated->elements.end());
+  }
+  for (const val& text : emscripten::vecFromJSArray<val>(value["cuts"])) {
+    auto cut = parse_cut(text.as<std::string>());
+    if (!std::holds_alternative<Cut>(cut)) throw std::invalid_argument("no cut");
+    design.cuts.push_back(std::get<Cut>(std::move(cut)));
   }
   for (const val& one : emscripten::vecFromJSArray<val>(value["variations"])) {
     DesignVariation variation{.options = to_subspace_options(one),

@@ -35,6 +35,8 @@ export interface Session {
   setOptions(options: EditOptions): string;
   /** For all edits from here on, one support a line as --support says it; "" for none. */
   setSupports(lines: string): string;
+  /** Before the edits of this base, one cut a line as --cut says it; "" for none. Tolerance in mm/m. */
+  setCuts(lines: string, tolerance: number): string;
   /** `handles`: vertex, x, y, z for each. */
   edit(
     mode: EnumValue,
@@ -57,7 +59,7 @@ export interface Session {
   replay(design: DesignValue, baseHash: number | null): string;
   /** Of the last one. */
   replayed(): Replayed;
-  /** Of the base that is open, as designs name it. */
+  /** Of the base that is open, before its cuts, as designs name it. */
   baseHash(): number;
   explore(family: VariationFamily): string;
   vary(coefficients: Float64Array): string;

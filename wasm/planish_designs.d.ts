@@ -140,6 +140,8 @@ export interface DesignValue {
   readonly continuation: number;
   /** As --symmetry says it, one each. */
   readonly symmetry: readonly string[];
+  /** Before the edit, as --cut says them. */
+  readonly cuts: readonly string[];
   readonly options: EditOptions;
   readonly variations: readonly DesignVariation[];
   readonly result: ResultMark | null;

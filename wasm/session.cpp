@@ -53,6 +53,8 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   solver_.reset();  // it may refer to the old base
   symmetry_.reset();
   subspace_.reset();
+  cut_.reset();
+  supports_ = stated_supports_;
   base_ = std::move(mesh);
   before_planarising_.resize(3, 0);
   warnings_ = std::move(warnings);

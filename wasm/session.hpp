@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
@@ -78,6 +79,11 @@ class Session {
   /// what was opened; the base, which must be flat, is evened out where it needs that, as by
   /// planarise(). @param tolerance mm/m
   [[nodiscard]] Refusal set_symmetry(const std::string& text, double tolerance);
+  /// Before the edits of this base, one cut a line as --cut says it; "" for none. The base becomes
+  /// what they leave, its symmetry that of it; edits must be redone. Whoever makes the mesh flat
+  /// makes that of before the cuts flat, which are then made again.
+  /// @param tolerance mm/m
+  [[nodiscard]] Refusal set_cuts(const std::string& lines, double tolerance);
   /// Null without one.
   [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
   /// For all edits from here on, one support a line as --support says it; "" for none.
@@ -96,7 +102,7 @@ class Session {
 
   /// Does `design` again on the base that is open, wherever that is from, by the core's
   /// replay_on(); its options and supports are set with it.
-  /// @param base_hash that of the base which was edited; nullopt where it is not known
+  /// @param base_hash that of the base, before its cuts; nullopt where it is not known
   [[nodiscard]] Refusal replay(Design design,
                                std::optional<std::uint32_t> base_hash = std::nullopt);
   /// Of the last replay().
@@ -114,6 +120,8 @@ class Session {
 
   // What is there.
   [[nodiscard]] const Mesh& base() const { return base_; }
+  /// The base before its cuts.
+  [[nodiscard]] const Mesh& uncut() const { return cut_ ? cut_->before : base_; }
   /// 3 × n, the base as it was opened; 3 × 0 unless it was planarised since.
   [[nodiscard]] const Positions& before_planarising() const { return before_planarising_; }
   [[nodiscard]] const Positions& current() const { return current_; }
@@ -145,9 +153,22 @@ class Session {
   [[nodiscard]] GlbVariations variations() const;
 
  private:
+  /// How the base was cut.
+  struct BaseCuts {
+    Mesh before;
+    std::shared_ptr<const MeshSymmetry> symmetry;  ///< of it
+    std::vector<Cut> cuts;
+    CutMesh made;
+    double tolerance = 0.0;  ///< mm/m
+  };
+
   void adopt(Mesh mesh, std::vector<std::string> warnings);
-  [[nodiscard]] const Positions& as_opened() const;
-  void adopt_planarised(Positions flat);
+  [[nodiscard]] Mesh as_opened() const;
+  [[nodiscard]] Refusal adopt_planarised(Positions flat);
+  void take_cuts_back();
+  [[nodiscard]] Refusal make_cuts(std::vector<Cut> cuts, double tolerance);
+  [[nodiscard]] std::vector<PointSupport> with_added_points(
+      const std::vector<PointSupport>& supports) const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
   [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
@@ -184,6 +205,7 @@ class Session {
   void report_unsolved(double seconds);
 
   Mesh base_;
+  std::optional<BaseCuts> cut_;
   Positions before_planarising_;
   std::shared_ptr<const MeshSymmetry> symmetry_;  ///< of the base; null: none was asked for
   Adjacency adjacency_;
@@ -197,12 +219,13 @@ class Session {
   EditTargets targets_;
   bool follows_path_ = false;   ///< a drag's frame is shown: others may belong to its targets
   bool lower_at_once_ = false;  ///< than along the path: the last edit's objective
-  std::vector<PointSupport> supports_;  ///< of all edits
-  bool supports_fit_ = true;            ///< they were checked on this base
-  bool constraints_fit_ = true;         ///< this base keeps those of options_
-  Positions current_;                   ///< 3 × n, the design shown
-  std::vector<int> moved_;              ///< ascending: where current_ may differ from the base
-  std::vector<int> dirty_;              ///< changed since take_changes(), unsorted
+  std::vector<PointSupport> stated_supports_;  ///< of all edits
+  std::vector<PointSupport> supports_;         ///< the same with the points that cuts added
+  bool supports_fit_ = true;                   ///< they were checked on this base
+  bool constraints_fit_ = true;                ///< this base keeps those of options_
+  Positions current_;                          ///< 3 × n, the design shown
+  std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
+  std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
   std::optional<Subspace> subspace_;
   Positions varied_;                       ///< 3 × |subspace support|
   Shape varied_shape_;                     ///< the edit and the support, at the last coefficients

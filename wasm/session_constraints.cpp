@@ -47,8 +47,7 @@ std::vector<StatedLimit> read_limits(std::string_view lines) {
 
 Refusal Session::planarise(const Planarising& how) {
   if (const auto problem = find_problem(how)) return *problem;
-  Mesh opened = base_;
-  opened.positions = as_opened();
+  Mesh opened = as_opened();
   const ProjectionResult result = planish::planarise(opened, how, progress_);
   const bool sound = how.keep_shape && !result.moved.empty() &&
                      result.report.status == SolveStatus::kToleranceNotMet;
@@ -59,28 +58,32 @@ Refusal Session::planarise(const Planarising& how) {
   }
   Positions flat = std::move(opened.positions);
   flat(Eigen::all, result.moved) = result.moved_positions;
-  adopt_planarised(std::move(flat));
-  return std::nullopt;
+  return adopt_planarised(std::move(flat));
 }
 
 Refusal Session::take_planarised(Positions found) {
-  if (found.cols() != base_.positions.cols() || !found.allFinite()) {
+  if (found.cols() != uncut().positions.cols() || !found.allFinite()) {
     return "This flat mesh does not belong to the mesh that is open.";
   }
-  adopt_planarised(std::move(found));
-  return std::nullopt;
+  return adopt_planarised(std::move(found));
 }
 
-const Positions& Session::as_opened() const {
-  return before_planarising_.cols() > 0 ? before_planarising_ : base_.positions;
+/// Before its cuts, too.
+Mesh Session::as_opened() const {
+  Mesh mesh = uncut();
+  const Eigen::Index count = mesh.positions.cols();
+  if (before_planarising_.cols() > 0) mesh.positions = before_planarising_.leftCols(count);
+  return mesh;
 }
 
-void Session::adopt_planarised(Positions flat) {
-  Positions opened = as_opened();
-  Mesh mesh = base_;
+Refusal Session::adopt_planarised(Positions flat) {
+  Mesh mesh = as_opened();
+  Positions opened = std::move(mesh.positions);
   mesh.positions = std::move(flat);
+  const std::optional<BaseCuts> cut = std::exchange(cut_, std::nullopt);
   adopt(std::move(mesh), warnings_);
   before_planarising_ = std::move(opened);
+  return cut ? make_cuts(cut->cuts, cut->tolerance) : std::nullopt;
 }
 
 void Session::renew_solver() {
@@ -112,7 +115,8 @@ Refusal Session::set_supports(const std::string& lines) {
     supports.push_back(std::move(*support));
   }
   if (const auto problem = find_problem(supports)) return *problem;
-  supports_ = std::move(supports);
+  stated_supports_ = std::move(supports);
+  supports_ = with_added_points(stated_supports_);
   supports_fit_ = supports_.empty();
   return std::nullopt;
 }

@@ -28,15 +28,21 @@ Refusal stopped(const Replay& replay) {
 }  // namespace
 
 Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
-  if (base_hash && *base_hash != mesh_hash(base_)) {
+  if (base_hash && *base_hash != mesh_hash(uncut())) {
     return "The mesh in the design is not the one that was edited (source.hash differs).";
   }
+  if (design.cuts != (cut_ ? cut_->cuts : std::vector<Cut>())) {
+    return "The design has other cuts.";
+  }
+  std::vector<PointSupport> stated = design.targets.supports;
+  design.targets.supports = with_added_points(stated);
   const Stopwatch watch;
   auto result = symmetry_ ? replay_symmetric(design) : replay_on(base_, design, progress_);
   if (auto* sentence = std::get_if<std::string>(&result)) return as_sentence(std::move(*sentence));
   auto& done = std::get<Replay>(result);
   if (Refusal refusal = stopped(done)) return refusal;
   options_ = std::move(design.options);
+  stated_supports_ = std::move(stated);
   supports_ = design.targets.supports;
   targets_ = std::move(design.targets);
   // On a base without an edit they were not looked at.

@@ -81,7 +81,8 @@ void Session::report_unsolved(double seconds) {
 }
 
 MeshReport Session::mesh_report() const {
-  const Positions& opened = as_opened();
+  const bool is_planarised = before_planarising_.cols() > 0;
+  const Positions& opened = is_planarised ? before_planarising_ : base_.positions;
   MeshReport report;
   report.summary = summarize(base_);
   report.degrees_of_freedom = degrees_of_freedom(base_);

@@ -26,8 +26,8 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
   const auto stated = parse_symmetry(text);
   if (!stated) return "A symmetry must be one of " + std::string(known_symmetries()) + ".";
   if (const Refusal refusal = require_flat_base()) return refusal;
-  Mesh opened = base_;
-  opened.positions = as_opened();
+  if (cut_) return "A symmetry is chosen before the cuts.";
+  const Mesh opened = as_opened();
   auto found = find_symmetry(opened, *stated);
   if (auto* problem = std::get_if<std::string>(&found)) return sentence_about(std::move(*problem));
   auto& symmetry = std::get<MeshSymmetry>(found);
@@ -37,7 +37,9 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
   Mesh even = base_;
   const SymmetricBase evened = make_symmetric(even, symmetry, tolerance, progress_);
   if (!evened.symmetric) return "This mesh cannot be made flat and symmetric.";
-  if (evened.max_move > 0.0) adopt_planarised(std::move(even.positions));
+  if (evened.max_move > 0.0) {
+    if (const Refusal refusal = adopt_planarised(std::move(even.positions))) return refusal;
+  }
   symmetry_ = std::make_shared<const MeshSymmetry>(std::move(symmetry));
   return std::nullopt;
 }

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/// A session's base with cuts: what its edits start from, what its designs hold, and how it is made
+/// flat, or another, again.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "planish/design/cut_base.hpp"
+#include "session.hpp"
+#include "support/mesh_builders.hpp"
+#include "support/open_session.hpp"
+
+namespace planish {
+namespace {
+
+using testing::lift;
+using testing::open_vault;
+
+constexpr double kTolerance = 1e-6;
+const std::string kLines = "strip=140-141@0.25\ncorner=120:127";
+
+std::vector<Cut> cuts_of_lines() {
+  return {StripCut{140, 141, 0.25}, CornerCut{120, 127, CornerCut::kShare}};
+}
+
+Session cut_vault() {
+  Session session = open_vault();
+  EXPECT_EQ(session.set_cuts(kLines, kTolerance), std::nullopt);
+  return session;
+}
+
+/// The recipe of the session's edit, done on the file by the core.
+Replay replay_of(const Session& session, EditTargets targets, const std::string& support) {
+  Design design;
+  design.source = SampleSource{"vault", 17};
+  design.cuts = cuts_of_lines();
+  design.targets = std::move(targets);
+  if (!support.empty()) design.targets.supports = {*parse_point_support(support)};
+  design.result = mark_of(session.base(), session.current());
+  auto result = replay(design);
+  EXPECT_TRUE(std::holds_alternative<Replay>(result));
+  return std::get<Replay>(std::move(result));
+}
+
+TEST(SessionCuts, TheBaseIsWhatTheyLeave) {
+  const Session whole = open_vault(), session = cut_vault();
+  const auto cut = std::get<CutMesh>(cut_mesh(whole.base(), cuts_of_lines()));
+  EXPECT_TRUE(testing::same_bits(session.base(), cut.mesh));
+  EXPECT_TRUE(testing::same_bits(session.uncut(), whole.base()));
+}
+
+TEST(SessionCuts, AnEditIsThatOfTheRecipe) {
+  Session session = cut_vault();
+  // A line of the file's mesh that a cut divided.
+  for (const std::string support : {"", "polyline:140,141,142", "outline:boundary"}) {
+    SCOPED_TRACE(support);
+    ASSERT_EQ(session.set_supports(support), std::nullopt);
+    const EditTargets targets = lift(session, 0.5);
+    ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
+    EXPECT_TRUE(replay_of(session, targets, support).verified);
+  }
+}
+
+TEST(SessionCuts, ReplaysADesignThatHasThem) {
+  Session session = cut_vault(), whole = open_vault();
+  Design design;
+  design.cuts = cuts_of_lines();
+  design.targets = lift(session, 0.5);
+  design.targets.supports = {*parse_point_support("polyline:140,141,142")};
+  const std::uint32_t hash = mesh_hash(whole.base());
+  ASSERT_EQ(session.replay(design, hash), std::nullopt) << "the hash is that of the file's mesh";
+  const EditTargets targets = lift(whole, 0.5);
+  EXPECT_TRUE(replay_of(session, targets, "polyline:140,141,142").verified);
+  const Refusal refusal = whole.replay(design, hash);
+  ASSERT_NE(refusal, std::nullopt);
+  EXPECT_EQ(*refusal, "The design has other cuts.");
+}
+
+TEST(SessionCuts, OthersTakeTheirPlace) {
+  Session session = cut_vault();
+  ASSERT_EQ(session.set_cuts("refine=3", kTolerance), std::nullopt);
+  const Session whole = open_vault();
+  const auto cut = std::get<CutMesh>(cut_mesh(whole.base(), {RefineCut{{3}, false}}));
+  EXPECT_TRUE(testing::same_bits(session.base(), cut.mesh));
+  ASSERT_EQ(session.set_cuts("", kTolerance), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.base(), whole.base()));
+}
+
+TEST(SessionCuts, AreMadeAgainOnceTheMeshIsFlat) {
+  Session session, whole;
+  for (Session* one : {&session, &whole}) {
+    ASSERT_EQ(one->open_file(testing::kWideAndSmall, "obj"), std::nullopt);
+  }
+  ASSERT_EQ(session.set_cuts("corner=1:4", kTolerance), std::nullopt);
+  ASSERT_EQ(session.planarise(), std::nullopt);
+  ASSERT_EQ(whole.planarise(), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.uncut(), whole.base()));
+  const auto cut = std::get<CutMesh>(cut_mesh(whole.base(), {CornerCut{1, 4, 1.0}}));
+  EXPECT_TRUE(testing::same_bits(session.base(), cut.mesh));
+  EXPECT_EQ(session.mesh_report().planarised_vertices, whole.mesh_report().planarised_vertices);
+  // Found elsewhere: without cuts.
+  ASSERT_EQ(session.take_planarised(whole.base().positions), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.base(), cut.mesh));
+}
+
+TEST(SessionCuts, SaysWhatIsWrong) {
+  Session session = open_vault();
+  EXPECT_EQ(*session.set_cuts("split=900:1,2", kTolerance),
+            "Cuts: split=900:1,2: there is no panel 900: panels are 0 to 255.");
+  EXPECT_NE(session.set_cuts("saw=1", kTolerance)->find("is no cut"), std::string::npos);
+  ASSERT_EQ(session.set_symmetry("x", kTolerance), std::nullopt);
+  EXPECT_NE(session.set_cuts("corner=3:3", kTolerance), std::nullopt) << "without its image";
+}
+
+}  // namespace
+}  // namespace planish
