@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <variant>
 #include <vector>
 
+#include "planish/cuts/cut_mesh.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/mesh/adjacency.hpp"
@@ -148,6 +150,43 @@ TEST(RemakeOfNodes, HasThoseWhoseAxisAloneTurned) {
   EXPECT_EQ(remake.count(PanelChange::kBevel), 0);
   EXPECT_EQ(remake.nodes[0], NodeChange::kArms);
   EXPECT_EQ(remake.nodes[0], expected_change(base, mesh, 0));
+}
+
+/// Around a point where three planes meet the axis is theirs, however large the panels are.
+TEST(RemakeOfNodes, KeepsThoseAtTheEndsOfADividedSide) {
+  const Mesh base = testing::sample("hex", 8);
+  int ends = 0;
+  for (int f = 0; f < base.face_count(); ++f) {
+    const auto face = base.face(f);
+    const SplitCut cut{f, {face[0], face[1], 0.4}, {face[3], face[4], 0.5}};
+    const auto made = std::get<CutMesh>(cut_mesh(base, {cut}));
+    const Remake remake = find_remake(base, made.mesh);
+    for (const AddedPoint& point : made.added) {
+      EXPECT_EQ(remake.nodes[static_cast<std::size_t>(point.vertex)], NodeChange::kNew);
+      for (const int end : {point.from, point.to}) {
+        const auto three = directions(base, end).planes.size() == 3;
+        const NodeChange change = remake.nodes[static_cast<std::size_t>(end)];
+        if (three) {
+          EXPECT_EQ(change, NodeChange::kUnchanged) << "panel " << f << " node " << end;
+        }
+        EXPECT_NE(change, NodeChange::kNew) << "panel " << f << " node " << end;
+        ends += three ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(remake.count(NodeChange::kNew), 2) << "panel " << f;
+  }
+  EXPECT_GT(ends, 50);
+}
+
+/// A line into a corner is one more arm there.
+TEST(RemakeOfNodes, CallsNewWhereALineEnds) {
+  const Mesh base = testing::quad_grid(4, 4);
+  const auto made = std::get<CutMesh>(cut_mesh(base, {SplitCut{4, {5}, {10}}}));
+  const Remake remake = find_remake(base, made.mesh);
+  EXPECT_EQ(remake.count(NodeChange::kNew), 2);
+  EXPECT_EQ(remake.nodes[5], NodeChange::kNew);
+  EXPECT_EQ(remake.nodes[10], NodeChange::kNew);
+  EXPECT_EQ(remake.nodes[6], NodeChange::kUnchanged) << "a part's corner in the same plane";
 }
 
 TEST(RemakeOfNodes, CallsNewWhatTheBaseHasNot) {

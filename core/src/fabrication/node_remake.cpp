@@ -2,6 +2,7 @@
 #include "fabrication/node_remake.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "fabrication/node_axis.hpp"
@@ -65,6 +66,60 @@ NodeChange compare_node(const Side& before, const Side& after, int vertex) {
   return same ? NodeChange::kUnchanged : NodeChange::kArms;
 }
 
+/// Where each arm of a node ended before: there, or beyond a point that its side has since. Empty
+/// where some arm is another.
+std::vector<int> ends_before(const Side& before, const Side& after, int vertex) {
+  const auto was = before.adjacency.neighbours[vertex];
+  const auto is = after.adjacency.neighbours[vertex];
+  std::vector<int> ends;
+  for (const int end : is) {
+    const auto found = std::find_if(was.begin(), was.end(), [&](int other) {
+      if (other == end || end < before.mesh.vertex_count()) return other == end;
+      return same_direction(before.positions.col(other) - before.positions.col(vertex),
+                            after.positions.col(end) - after.positions.col(vertex));
+    });
+    if (found != was.end()) ends.push_back(*found);
+  }
+  std::vector<int> all = ends;
+  std::sort(all.begin(), all.end());
+  const bool twice = std::adjacent_find(all.begin(), all.end()) != all.end();
+  if (twice || ends.size() != is.size() || ends.size() != was.size()) ends.clear();
+  return ends;
+}
+
+/// The corners of face f before and behind `vertex`.
+std::array<int, 2> corners_beside(const Side& side, int f, int vertex) {
+  const auto face = side.mesh.face(f);
+  const auto k =
+      static_cast<std::size_t>(std::find(face.begin(), face.end(), vertex) - face.begin());
+  return {face[(k + face.size() - 1) % face.size()], face[(k + 1) % face.size()]};
+}
+
+/// Of a node whose panels or neighbours are others by number: parted panels, divided sides.
+NodeChange compare_renumbered(const Side& before, const Side& after, int vertex) {
+  if (vertex >= before.mesh.vertex_count() || !same_point(before, after, vertex)) {
+    return NodeChange::kNew;
+  }
+  const std::vector<int> ends = ends_before(before, after, vertex);
+  const auto is = after.adjacency.neighbours[vertex];
+  const auto was_faces = before.adjacency.faces[vertex];
+  const auto is_faces = after.adjacency.faces[vertex];
+  if (ends.empty() || was_faces.size() != is_faces.size()) return NodeChange::kNew;
+  bool same = same_axis(before, after, vertex);
+  for (const int f : is_faces) {
+    std::array<int, 2> beside = corners_beside(after, f, vertex);
+    for (int& end : beside)
+      end = ends[at(static_cast<int>(std::find(is.begin(), is.end(), end) - is.begin()))];
+    const auto found = std::find_if(was_faces.begin(), was_faces.end(), [&](int g) {
+      return corners_beside(before, g, vertex) == beside;
+    });
+    if (found == was_faces.end()) return NodeChange::kNew;
+    same = same && same_direction(panel_normal(before.positions, before.mesh.face(*found)),
+                                  panel_normal(after.positions, after.mesh.face(f)));
+  }
+  return same ? NodeChange::kUnchanged : NodeChange::kArms;
+}
+
 }  // namespace
 
 std::vector<NodeChange> compare_nodes(const Mesh& base, const Mesh& mesh,
@@ -79,7 +134,7 @@ std::vector<NodeChange> compare_nodes(const Mesh& base, const Mesh& mesh,
                                        [&](int f) { return panels[at(f)] == PanelChange::kNew; });
     changes[at(v)] =
         new_panel || !same_neighbours(before, after, v)
-            ? NodeChange::kNew
+            ? compare_renumbered({base, base.positions, before}, {mesh, mesh.positions, after}, v)
             : compare_node({base, base.positions, before}, {mesh, mesh.positions, after}, v);
   }
   return changes;

@@ -25,7 +25,7 @@ enum class NodeChange {
   kUnchanged,
   kMoved,  ///< its position changed
   kArms,   ///< the same position, but its axis, an arm or a panel around it turned
-  kNew,    ///< the base has no such vertex, or one with other neighbours
+  kNew,    ///< the base has no such vertex, or one with other arms or panels between
 };
 
 /// Angles that differ by less are the same, radians: ten times what a flat panel's own tolerance
