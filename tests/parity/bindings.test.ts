@@ -116,6 +116,7 @@ it("a replay gives the bits of its steps, and is known by its mark", async () =>
     supports: [],
     continuation: 0,
     symmetry: [],
+    cuts: [],
     options,
     variations: [{ ...family, coefficients }],
     result: mark,

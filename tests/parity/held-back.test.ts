@@ -27,7 +27,14 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
     return replies.find(({ kind }) => kind !== "progress");
   };
   const source = { kind: "sample", name, size: SIZE } as const;
-  const opened = await ask({ kind: "open", job: 1, source, planarise: null, symmetry: null });
+  const opened = await ask({
+    kind: "open",
+    job: 1,
+    source,
+    planarise: null,
+    symmetry: null,
+    cuts: [],
+  });
   if (opened?.kind !== "opened") throw new Error("not opened");
   const { positions, report } = opened.mesh;
   const from = [VERTEX, ...positions.slice(3 * VERTEX, 3 * VERTEX + 3)];

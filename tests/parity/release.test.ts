@@ -47,6 +47,7 @@ class Page {
       source,
       planarise: null,
       symmetry: null,
+      cuts: [],
     });
     if (answer.kind !== "opened") throw new Error(answer.kind);
     this.base = answer.mesh.positions;

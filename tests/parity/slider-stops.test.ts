@@ -59,7 +59,7 @@ it.each(["roof", "vault", "dome", "hex"])(
     };
     const source = { kind: "sample", name, size: SIZE } as const;
     const { mesh } = await ask(
-      { kind: "open", job: 1, source, planarise: null, symmetry: null },
+      { kind: "open", job: 1, source, planarise: null, symmetry: null, cuts: [] },
       "opened",
     );
     const { positions, offsets, vertices, report } = mesh;

@@ -155,12 +155,17 @@ it("knows which mesh the solver has open", async () => {
   const page = pageHere();
   expect(held(page).base).toBeNull();
   const source = { kind: "sample", name: "vault", size: 21 } as const;
-  await run(page, "opening", { kind: "open", source, planarise: null, symmetry: null }, "opened");
+  await run(
+    page,
+    "opening",
+    { kind: "open", source, planarise: null, symmetry: null, cuts: [] },
+    "opened",
+  );
   expect(held(page).base?.source).toEqual(source);
   await run(
     page,
     "opening",
-    { kind: "open", source: { ...source, name: "x" }, planarise: null, symmetry: null },
+    { kind: "open", source: { ...source, name: "x" }, planarise: null, symmetry: null, cuts: [] },
     "opened",
   );
   expect(held(page).base).toBeNull();

@@ -47,12 +47,13 @@ it("another mesh starts with what the page has controls for, and with nothing un
     keepOuts: ["below=0"],
     clearance: 0.1,
     symmetry: ["x", "axis:z:4"],
+    cuts: ["strip=1-2"],
     softness: 4,
   } as const;
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;
-  const { attraction, keepOuts, clearance, symmetry } = FIRST_SETTINGS;
+  const { attraction, keepOuts, clearance, symmetry, cuts } = FIRST_SETTINGS;
   const steps = { sparsity, maxIterations, reachLength, continuation };
-  const unseen = { attraction, keepOuts, clearance, symmetry, ...steps };
+  const unseen = { attraction, keepOuts, clearance, symmetry, cuts, ...steps };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
   const raw = { ...shown, softness: 0 };
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);

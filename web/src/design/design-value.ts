@@ -27,7 +27,7 @@ const NO_BYTES = new Uint8Array(0);
 /** @param bytes of the mesh's file, to ride along */
 export function toDesign(recipe: Steps, bytes: Uint8Array = NO_BYTES): DesignValue {
   const { source, planarised, unit, settings, families, mark, baseHash } = recipe;
-  const { supports, continuation, symmetry, ...options } = settings;
+  const { supports, continuation, symmetry, cuts, ...options } = settings;
   // Making a mesh flat, or symmetric, may round differently elsewhere.
   const asOpened = planarised === null && symmetry.length === 0;
   const hash = asOpened ? (baseHash ?? null) : null;
@@ -42,6 +42,7 @@ export function toDesign(recipe: Steps, bytes: Uint8Array = NO_BYTES): DesignVal
     supports,
     continuation,
     symmetry,
+    cuts,
     options,
     variations: families,
     result: mark,
@@ -95,7 +96,7 @@ function sourceOf({ source }: Read): Pick<DesignText, "source" | "meshName" | "b
 /** The recipe that was read, or one sentence. */
 export function fromDesign({ problem, design }: DesignReading): Result<DesignText> {
   if (!design) return refuse(sentence(problem));
-  const { planarised, unit, options, supports, continuation, symmetry } = design;
+  const { planarised, unit, options, supports, continuation, symmetry, cuts } = design;
   const { variations, result: mark } = design;
   const unknown = whatIsUnknown(design);
   if (unknown !== null || !isUnit(unit)) return refuse(unknown ?? "unit must be known.");
@@ -104,7 +105,7 @@ export function fromDesign({ problem, design }: DesignReading): Result<DesignTex
     planarised,
     unit,
     handles: handlesOf(design),
-    settings: { ...options, supports, continuation, symmetry },
+    settings: { ...options, supports, continuation, symmetry, cuts },
     families: variations.map(({ plain: _, ...family }) => family),
     mark,
     someSliders: true,

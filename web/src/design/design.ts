@@ -59,6 +59,7 @@ export const DEFAULT_SETTINGS: EditSettings = {
   supports: [],
   continuation: 0,
   symmetry: [],
+  cuts: [],
 };
 
 /** What a new visitor's page starts with, see docs/decisions/0009-reach-and-softness.md. */
@@ -94,15 +95,15 @@ export const SOFT_LIMITS: Partial<EditSettings> = {
  * What another mesh starts with: everything that the page has a control for stays as the controls
  * show it, so that nothing changes behind the user's back. What has none goes back to its default:
  * a link or a file may have set it, and nobody could see that it is still there. So do keep-outs, which
- * are somewhere: where another mesh is they mean nothing; and so does symmetry, which is a mesh's own.
+ * are somewhere: where another mesh is they mean nothing; and so do symmetry and cuts, which are a mesh's own.
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;
-  const { keepOuts, clearance, symmetry } = DEFAULT_SETTINGS;
+  const { keepOuts, clearance, symmetry, cuts } = DEFAULT_SETTINGS;
   const { attraction } = shown.softness > 0 ? FIRST_SETTINGS : DEFAULT_SETTINGS;
   const own = { attraction, sparsity, maxIterations, reachLength, continuation };
   const supports = ofAnyMesh(shown.supports);
-  return { ...shown, ...own, keepOuts, clearance, symmetry, supports };
+  return { ...shown, ...own, keepOuts, clearance, symmetry, cuts, supports };
 }
 
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };

@@ -154,6 +154,14 @@ const SYMMETRY = "symmetry=";
 const isOfSymmetry = (one: unknown): one is string =>
   typeof one === "string" && one.startsWith(SYMMETRY) && isSymmetry(one.slice(SYMMETRY.length));
 
+const CUT = "cut=";
+
+/** The core knows what they say. */
+const isOfCuts = (one: unknown): one is string =>
+  typeof one === "string" &&
+  one.length <= LONGEST &&
+  /^cut=(?:split|strip|corner|refine|trim)=[-+.,:@\w]+$/.test(one);
+
 /** null if they are more than there may be. */
 function readKeepOuts(
   listed: readonly string[],
@@ -166,8 +174,8 @@ function readKeepOuts(
 }
 
 /**
- * By PLACES; then "shape"; then a list of stated limits, keep-outs, symmetries, kept kinds, which have no
- * "=", and supports.
+ * By PLACES; then "shape"; then a list of stated limits, keep-outs, symmetries, cuts, kept kinds, which
+ * have no "=", and supports.
  */
 export function readSettings(value: unknown): EditSettings | null {
   if (!Array.isArray(value)) return null;
@@ -178,7 +186,9 @@ export function readSettings(value: unknown): EditSettings | null {
   const supports = listed.filter(isSupport);
   const kept = readKeepOuts(listed.filter(isKeepOut));
   const symmetry = listed.filter(isOfSymmetry).map((one) => one.slice(SYMMETRY.length));
-  const others = listed.filter((one) => !isSupport(one) && !isKeepOut(one) && !isOfSymmetry(one));
+  const cuts = listed.filter(isOfCuts).map((one) => one.slice(CUT.length));
+  const known = [isSupport, isKeepOut, isOfSymmetry, isOfCuts];
+  const others = listed.filter((one) => !known.some((isKnown) => isKnown(one)));
   const limits = readLimits(others.filter((one) => !isKind(one)));
   const constraints = readKept(others.filter(isKind));
   if (!limits || !constraints || !kept || !READ_LENGTHS.includes(rest.length)) return null;
@@ -188,6 +198,7 @@ export function readSettings(value: unknown): EditSettings | null {
     limits,
     constraints,
     symmetry,
+    cuts,
     ...kept,
   };
   for (const [k, given] of rest.entries()) {
@@ -208,7 +219,8 @@ export function writeSettings(settings: EditSettings): unknown[] {
   const apart = clearance > 0 ? [`clearance=${clearance}`] : [];
   const stand = numberOf(supports) > 0 ? [] : supports;
   const images = settings.symmetry.map((one) => SYMMETRY + one);
-  const listed = [...limits, ...keepOuts, ...apart, ...images, ...constraints, ...stand];
+  const parted = settings.cuts.map((one) => CUT + one);
+  const listed = [...limits, ...keepOuts, ...apart, ...images, ...parted, ...constraints, ...stand];
   return listed.length > 0 ? [...whole, listed] : whole;
 }
 

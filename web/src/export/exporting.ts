@@ -30,16 +30,16 @@ export function save(page: Page, blob: Blob, ending: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-/** What makes the design again; `whole` with the mesh itself. */
+/** What makes the design again; `whole` with the mesh itself, which one with cuts is always. */
 async function recipe(page: Page, whole: boolean): Promise<Result<DesignValue>> {
   const parts = await loadPart(() => import("../design/design-value.ts"));
   const design = page.history.value?.present;
   if (!parts.ok || !design) return parts.ok ? GIVEN_UP : parts;
   const mark = await readMark(page, design.shape);
   if (!mark.ok) return mark;
-  const { source } = design;
-  const bytes =
-    whole && source.kind === "file" ? new Uint8Array(await source.bytes.arrayBuffer()) : undefined;
+  const { source, settings } = design;
+  const rides = source.kind === "file" && (whole || settings.cuts.length > 0);
+  const bytes = rides ? new Uint8Array(await source.bytes.arrayBuffer()) : undefined;
   return done(parts.value.toDesign(recipeOf(design, page.unit.value, null, mark.value), bytes));
 }
 

@@ -123,7 +123,7 @@ export class Dispatcher {
     this.#post({ kind: "reading", job: this.#job, done, total }, []);
 
   async #open(request: Extract<Request, { kind: "open" }>): Promise<void> {
-    const { job, source, planarise, symmetry } = request;
+    const { job, source, planarise, symmetry, cuts } = request;
     const session = this.#session;
     if (source.kind === "sample") insist(session.openSample(source.name, source.size));
     else {
@@ -135,6 +135,7 @@ export class Dispatcher {
     }
     if (planarise) insist(session.planarise(planarise));
     if (symmetry) this.#setSymmetry(symmetry);
+    if (cuts.length > 0) insist(session.setCuts(cuts.join("\n"), symmetry?.tolerance ?? 0));
     this.#postOpened(job, null, null);
   }
 

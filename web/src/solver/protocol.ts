@@ -67,6 +67,8 @@ export interface EditSettings extends Reports.EditOptions {
   readonly continuation: number;
   /** Under which edits have images, as --symmetry says it, one each. */
   readonly symmetry: readonly string[];
+  /** Made on the flat mesh before every edit, in this order, as --cut says them. */
+  readonly cuts: readonly string[];
 }
 
 /** Under which edits of a mesh have images, and how flat its evened base has to be, mm/m. */
@@ -105,6 +107,7 @@ export type Request =
       source: Source;
       planarise: Reports.Planarising | null;
       symmetry: Symmetry | null;
+      cuts: readonly string[];
     } // → opened
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened

@@ -41,6 +41,8 @@ export interface Base {
   readonly planarised: Planarising | null;
   /** Under which its edits have images. */
   readonly symmetry: Symmetry | null;
+  /** Made once it is flat, and symmetric. */
+  readonly cuts: readonly string[];
 }
 
 /** What a design is an edit of. */
@@ -48,13 +50,14 @@ export const baseOf = ({ source, planarised, settings }: BaseSteps): Base => ({
   source,
   planarised,
   symmetry: symmetryIn(settings),
+  cuts: settings.cuts,
 });
 
 type BaseSteps = Pick<Design, "source" | "planarised" | "settings">;
 
 /** What makes the solver open it. */
-export const openQuestion = ({ source, planarised, symmetry }: Base) =>
-  ({ kind: "open", source, planarise: planarised, symmetry }) as const;
+export const openQuestion = ({ source, planarised, symmetry, cuts }: Base) =>
+  ({ kind: "open", source, planarise: planarised, symmetry, cuts }) as const;
 
 /** What the solver holds; null where it would have to be told again. */
 interface Held {
@@ -139,9 +142,9 @@ function account(page: Page, question: Question, answer: Answer | null): void {
 
 /** With the symmetry that was found, where any was asked for. */
 function openedBase(question: Extract<Question, { kind: "open" }>, answer: Answer): Base {
-  const { source, planarise: planarised, symmetry } = question;
+  const { source, planarise: planarised, symmetry, cuts } = question;
   const elements = (answer.kind === "opened" && answer.mesh.symmetry?.elements) || [];
-  return { source, planarised, symmetry: symmetry && { ...symmetry, elements } };
+  return { source, planarised, symmetry: symmetry && { ...symmetry, elements }, cuts };
 }
 
 async function ask(page: Page, question: Question): Promise<Answer> {
@@ -149,7 +152,7 @@ async function ask(page: Page, question: Question): Promise<Answer> {
     const answer = await client(page).ask(question);
     account(page, question, answer);
     if (answer.kind === "opened" && answer.source)
-      held(page).base = { source: answer.source, planarised: null, symmetry: null };
+      held(page).base = { source: answer.source, planarised: null, symmetry: null, cuts: [] };
     return answer;
   } catch (error) {
     account(page, question, null);

@@ -8,7 +8,7 @@ import * as steps from "../design/history.ts";
 import type { Steps } from "../design/recipe.ts";
 import { symmetryIn } from "../design/symmetry.ts";
 import type { Unit } from "../quantity/units.ts";
-import { type Refusal, type Result, refuse } from "../result/result.ts";
+import { done, type Refusal, type Result, refuse } from "../result/result.ts";
 import type { Context } from "../rhino/context.ts";
 import {
   type DesignReading,
@@ -17,7 +17,7 @@ import {
   type Source,
   type StoredDesign,
 } from "../solver/protocol.ts";
-import { openQuestion, run } from "./connection.ts";
+import { baseOf, openQuestion, run } from "./connection.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
 import { adopt, freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
@@ -50,6 +50,25 @@ async function asStored(page: Page, design: Design, { shape }: StoredDesign, why
   return answer;
 }
 
+const NOT_UNCUT = "The mesh that was cut is not in it: this one has no way back.";
+
+/** The base of a recipe opened again, where what was read from a GLB is not all of it; else null.
+ * @param source what was read  @param isUncut the recipe's own is the mesh before its cuts */
+async function rebase(
+  page: Page,
+  recipe: Steps,
+  source: Source,
+  isUncut: boolean,
+): Promise<Result<OpenedMesh | null>> {
+  const symmetry = symmetryIn(recipe.settings);
+  // What was read has no symmetry yet; without it edits would have no images.
+  if (!symmetry && !isUncut) return done(null);
+  const flat = { source, planarised: null, symmetry, cuts: [] };
+  const question = openQuestion(isUncut ? baseOf(recipe) : flat);
+  const again = await run(page, "opening the design", question, "opened");
+  return again.ok ? done(again.value.mesh) : again;
+}
+
 /** Does the stored recipe again; where that gives another shape today, the stored one counts. */
 async function reopen(
   page: Page,
@@ -59,23 +78,21 @@ async function reopen(
   reading: DesignReading,
 ): Outcome {
   const text = fromDesign(reading);
-  if (!text.ok) {
+  const uncut = text.ok && text.value.settings.cuts.length > 0 ? text.value.source : null;
+  const lacking = text.ok && text.value.settings.cuts.length > 0 && !uncut;
+  if (!text.ok || lacking) {
     const plain = freshDesign(page, source, null, opened);
     takeMesh(page, plain, opened);
-    return asStored(page, plain, stored, text.reason);
+    return asStored(page, plain, stored, text.ok ? NOT_UNCUT : text.reason);
   }
-  // The base in the file is that of the design, whatever became of where it came from.
+  // The base in the file is that of the design, whatever became of where it came from; where it is what
+  // cuts left, the design has the mesh before them.
   const sample = text.value.source?.kind === "sample" ? text.value.source : null;
-  const recipe: Steps = { ...text.value, source: sample ?? source, baseHash: null, camera: null };
-  const symmetry = symmetryIn(recipe.settings);
-  let base = opened;
-  if (symmetry) {
-    // What was read has none yet; without it edits would have no images.
-    const question = openQuestion({ source, planarised: null, symmetry });
-    const again = await run(page, "opening the design", question, "opened");
-    if (!again.ok) return takeBack(page, again);
-    base = again.value.mesh;
-  }
+  const from = uncut ?? sample ?? source;
+  const recipe: Steps = { ...text.value, source: from, baseHash: null, camera: null };
+  const rebased = await rebase(page, recipe, source, uncut !== null);
+  if (!rebased.ok) return takeBack(page, rebased);
+  const base = rebased.value ?? opened;
   const end = await compute(page, recipe, base);
   page.unit.value = recipe.unit;
   const off = end.ok ? distance(end.value.design.shape, stored.shape, opened.positions) : null;

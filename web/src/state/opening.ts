@@ -21,12 +21,13 @@ import { sensibleVertex } from "./sensible-vertex.ts";
 import { takeBack, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
-/** The unedited mesh as a design. */
+/** The unedited mesh as a design. @param cuts what was made of it before it was opened so */
 export function freshDesign(
   page: Page,
   source: Source,
   planarised: Planarising | null,
   opened: OpenedMesh,
+  cuts: readonly string[] = [],
 ): Design {
   const { worstGap, worstMmPerM, worstExcess } = opened.report;
   const shown = settingsForNew(page.settings.value ?? FIRST_SETTINGS);
@@ -39,7 +40,7 @@ export function freshDesign(
     source,
     planarised,
     handles: [],
-    settings: { ...shown, constraints },
+    settings: { ...shown, constraints, cuts },
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,
@@ -52,8 +53,9 @@ export function adopt(
   source: Source,
   planarised: Planarising | null,
   opened: OpenedMesh,
+  cuts: readonly string[] = [],
 ): void {
-  const design = freshDesign(page, source, planarised, opened);
+  const design = freshDesign(page, source, planarised, opened, cuts);
   takeMesh(page, design, opened);
   page.notice.value = null;
   page.history.value = page.history.value
@@ -66,7 +68,7 @@ export const openSample = (page: Page, name: string): Outcome =>
     const sample = SAMPLES.find((s) => s.name === name);
     if (!sample) return;
     const source: Source = { kind: "sample", name, size: sample.size };
-    const question = openQuestion({ source, planarised: null, symmetry: null });
+    const question = openQuestion({ source, planarised: null, symmetry: null, cuts: [] });
     const answer = await run(page, `opening ${sample.label}`, question, "opened");
     if (!answer.ok) return takeBack(page, answer);
     adopt(page, source, null, answer.value.mesh);
@@ -128,14 +130,16 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
   // What was chosen at a door is not seen where a mesh is flat.
   const chosen = kind && page.baseFlat.value ? FAIR_FLAT : page.planarising.value;
   const asked = { ...chosen, keepShape: settings.keepShape, constraints };
-  const found = trial && sameWay(trial.how, asked) ? trial.mesh.positions : null;
+  // What a trial found of a mesh with cuts has their points, too.
+  const usable = trial && settings.cuts.length === 0 && sameWay(trial.how, asked);
+  const found = usable ? trial.mesh.positions : null;
   const { how, answer, refused } = await flatMesh(page, asked, found, kind);
   if (!answer.ok) return refused ?? answer;
   const { mesh } = answer.value;
   // An edit cannot be flatter than its mesh.
   const met = Math.max(tolerance, how.flat);
   page.draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
-  adopt(page, design.source, how, mesh);
+  adopt(page, design.source, how, mesh, settings.cuts);
   const asymmetric = settings.symmetry.length > 0 && !mesh.symmetry;
   const words = missed(page, constraints, mesh.report) || (asymmetric ? SYMMETRY_OFF : "");
   if (words) page.notice.value = words;

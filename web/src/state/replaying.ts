@@ -106,7 +106,7 @@ async function makeVariants(page: Page, recipe: Steps): Promise<Received[]> {
   for (const [k, { name, steps: variant }] of all.entries()) {
     const label = `opening snapshot ${k + 1} of ${all.length}`;
     const base = baseOf(variant);
-    const how = JSON.stringify([base.planarised, base.symmetry]);
+    const how = JSON.stringify([base.planarised, base.symmetry, base.cuts]);
     if (opened?.how !== how) {
       const answer = await runUnseen(page, label, openQuestion(base), "opened");
       if (!answer.ok && !answer.reason) break;

@@ -33,11 +33,16 @@ const sameSource = (a: Source, b: Source): boolean => {
 };
 
 /** Up to what evening one out takes. */
-export const sameMesh = (a: Omit<Base, "symmetry">, b: Omit<Base, "symmetry">): boolean =>
-  sameWay(a.planarised, b.planarised) && sameSource(a.source, b.source);
+const sameUpToSymmetry = (a: Base, b: Base): boolean =>
+  sameWay(a.planarised, b.planarised) &&
+  sameSource(a.source, b.source) &&
+  a.cuts.join() === b.cuts.join();
+
+/** Whether two designs are edits of one mesh, up to what evening it out takes. */
+export const sameMesh = (a: Design, b: Design): boolean => sameUpToSymmetry(baseOf(a), baseOf(b));
 
 const sameBase = (a: Base, b: Base): boolean =>
-  sameMesh(a, b) && sameSymmetry(a.symmetry, b.symmetry);
+  sameUpToSymmetry(a, b) && sameSymmetry(a.symmetry, b.symmetry);
 
 interface Own {
   /** The base of the mesh on screen; null before the first. */

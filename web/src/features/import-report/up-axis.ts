@@ -39,8 +39,9 @@ export const guessedUp = kept((page: Page) =>
 export function canTurn(page: Page): boolean {
   const design = page.draft.value;
   if (design?.source.kind !== "file" || !isAsOpened(design)) return false;
-  const { keepOuts, symmetry } = design.settings;
-  return keepOuts.length === 0 && symmetry.length === 0 && !page.contexts.value.has(design.source);
+  const { keepOuts, symmetry, cuts } = design.settings;
+  const stated = [...keepOuts, ...symmetry, ...cuts];
+  return stated.length === 0 && !page.contexts.value.has(design.source);
 }
 
 export const turnUp = (page: Page, to: UpAxis): Outcome =>

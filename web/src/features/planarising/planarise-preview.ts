@@ -77,7 +77,8 @@ export class PlanarisePreview {
   async #try([how, ...others]: readonly Planarising[]): Promise<Trial | null> {
     if (!how) return null;
     const last = others.length === 0;
-    const trial = await this.#trials.run(this.#design.source, how).catch((error) => {
+    const { source, settings } = this.#design;
+    const trial = await this.#trials.run(source, settings.cuts, how).catch((error) => {
       if (last || error instanceof GivenUp) throw error;
       return null;
     });

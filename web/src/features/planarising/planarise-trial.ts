@@ -23,14 +23,14 @@ export class PlanariseTrials {
   }
 
   /** The newest wins. @throws GivenUp, or an Error with the sentence of the refusal */
-  async run(source: Source, how: Planarising): Promise<Trial> {
+  async run(source: Source, cuts: readonly string[], how: Planarising): Promise<Trial> {
     if (this.#giveUp) this.end();
     const given = new Promise<never>((_, reject) => {
       this.#giveUp = () => reject(new GivenUp());
     });
     const mine = this.#giveUp;
     try {
-      return await Promise.race([given, this.#compute(source, how)]);
+      return await Promise.race([given, this.#compute(source, cuts, how)]);
     } finally {
       if (this.#giveUp === mine) this.#giveUp = null;
     }
@@ -47,11 +47,11 @@ export class PlanariseTrials {
     this.#giveUp = null;
   }
 
-  async #compute(source: Source, how: Planarising): Promise<Trial> {
+  async #compute(source: Source, cuts: readonly string[], how: Planarising): Promise<Trial> {
     this.#worker ??= startWorker(this.#spawn);
     const worker = await this.#worker;
-    const open = { kind: "open", job: JOB, source, planarise: how, symmetry: null } as const;
-    const { mesh } = await ask(worker, open, "opened");
+    const base = { source, planarise: how, symmetry: null, cuts } as const;
+    const { mesh } = await ask(worker, { kind: "open", job: JOB, ...base }, "opened");
     const also = { fairness: null, folds: true, defectsOf: null };
     const question = { kind: "panels", job: JOB, also } as const;
     return { how, mesh, measures: (await ask(worker, question, "panels")).measures };
