@@ -64,6 +64,7 @@ def edit(
     handles: Mapping[int, Iterable[float]],
     *,
     relative: bool = True,
+    cuts: Iterable[str] | None = None,
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
     continuation: int | None = None,
@@ -95,6 +96,8 @@ def edit(
 
     Args:
         handles: {vertex: (dx, dy, dz)}, or positions with relative=False; model units.
+        cuts: made before the edit, in this order, ["strip=12-13@0.4", "corner=40:57"]; handles may
+            name the points that they add.
         pins: vertices that stay.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
@@ -114,6 +117,7 @@ def edit(
         MeshError: a mesh that breaks a constraint itself.
     """
     options = {
+        "cuts": cuts,
         "pins": pins,
         "supports": supports,
         "continuation": continuation,

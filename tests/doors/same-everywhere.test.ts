@@ -34,6 +34,13 @@ const raised = { source: vault, handles: [[136, 8, 8, 4.9]] };
 const MORE: Readonly<Record<string, object>> = {
   limits: { ...raised, options: { shape: true, softness: 6, bounds: ["edge=0.8:1.3", "fold=+8"] } },
   reach: { ...raised, options: { shape: true, reach: 4, keep_boundary: true } },
+  cuts: {
+    source: vault,
+    cuts: ["strip=135-136@0.25", "corner=100:106", "refine=20,21:collar"],
+    handles: [[261, 7.25, 5.1, 3.4]],
+    supports: ["polyline:135,136,137"],
+    options: { shape: true, softness: 4, bounds: ["fold=+8"] },
+  },
   supports: {
     source: { sample: "roof", size: 10 },
     handles: [[60, 0, 1.0715627219029238, 3.7]],

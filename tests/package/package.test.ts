@@ -46,6 +46,7 @@ const points = new Float64Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 1, 2,
 const mesh: Mesh = await Mesh.from(points, [0, 4, 8], new Uint32Array([0, 1, 2, 3, 1, 4, 5, 2]));
 const result = edit(mesh, {
   handles: [{ vertex: 4, by: [0, 0, 0.1] }],
+  cuts: ["strip=1-4@0.4"],
   pins: [0],
   bounds: { angle: [25, 160], shape: true },
   progress: (step, objective, residual) => step < 1000 && objective + residual >= 0,

@@ -44,6 +44,15 @@ RECIPES = {
         "--handle 60+=0,0,0.4 --support outline:boundary --support level=x:61".split(),
         {"handles": {60: (0, 0, 0.4)}, "supports": ["outline:boundary", "level=x:61"]},
     ),
+    "cuts": (
+        "sample:vault:12",
+        "--cut strip=60-61@0.25 --cut corner=70:76 --handle 150+=0,0,0.3 --softness 4".split(),
+        {
+            "cuts": ["strip=60-61@0.25", "corner=70:76"],
+            "handles": {150: (0, 0, 0.3)},
+            "softness": 4,
+        },
+    ),
     "circular panels": (
         "sample:dome:12",
         ["--handle", "78+=0,0,0.2", "--constraint", "circular:1e-8"],

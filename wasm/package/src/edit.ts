@@ -18,6 +18,8 @@ import {
 /** Options of `planish edit`, by the same names; what is left out has the core's default. */
 export interface EditOptions {
   readonly handles: readonly HandleTarget[];
+  /** Before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
+  readonly cuts?: readonly string[];
   /** Points that stay. */
   readonly pins?: readonly number[];
   /** What points slide on: "level=z:boundary", "outline:boundary", ... */

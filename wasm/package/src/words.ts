@@ -28,6 +28,7 @@ export type Constraints =
   | { readonly circular?: number; readonly conical?: number };
 
 const OTHER_FLAGS: Readonly<Record<string, string>> = {
+  cuts: "--cut",
   pins: "--pin",
   supports: "--support",
   bounds: "--bound",
