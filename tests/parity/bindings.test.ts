@@ -93,7 +93,7 @@ it("a replay gives the bits of its steps, and is known by its mark", async () =>
   for (const session of [steps, whole]) expect(session.openSample("vault", 15)).toBe("");
   const [x = 0, y = 0, z = 0] = steps.basePositions().subarray(3 * 112);
   const handles = [112, x, y, z + 0.8];
-  const { supports: _, continuation: __, symmetry: ___, ...options } = FIRST_SETTINGS;
+  const { supports: _, continuation: __, symmetry: ___, cuts: ____, ...options } = FIRST_SETTINGS;
   expect(steps.setOptions(options)).toBe("");
   const to = Float64Array.from(handles);
   expect(steps.edit(module.EditMode.solve, to, new Int32Array(0), 0, 1)).toBe("");
