@@ -83,6 +83,27 @@ describe("a drag without a lock", () => {
     await other.context().close();
   });
 
+  it("says on the way what frees it, once the pointer is well aside of its line", async () => {
+    const page = await openPage();
+    const from = await hintedPoint(page);
+    const words = page.getByText("It goes up and down only: hold Alt to move it freely.");
+    await press(page, from, { x: from.x + 20, y: from.y - 6 });
+    await idle(page);
+    expect(await words.count()).toBe(0);
+    await page.mouse.move(from.x + 90, from.y - 6);
+    await idle(page);
+    expect(await words.count()).toBe(1);
+    await page.mouse.move(from.x + 10, from.y - 8);
+    await idle(page);
+    expect(await words.count()).toBe(0);
+    await release(page);
+    const [row] = await handleRows(page);
+    if (!row) throw new Error("no handle");
+    // Sideways is no way along the line.
+    expect(offset(row).slice(0, 2)).toEqual([0, 0]);
+    await page.context().close();
+  });
+
   it("goes out of a wall, and along it where that points at the viewer", async () => {
     const page = await site.openVault();
     await openFile(page, "wall.obj", wall());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ray through the pointer meets the line, plane or screen plane that a drag is held to.
+// How far a ray through the pointer goes along the line, plane or screen plane that a drag is held to.
 import { Plane, type Ray, Vector3 } from "three";
 
 /** A line through the start of the drag, or the plane across it; unit direction. */
@@ -14,7 +14,8 @@ export interface Arrow extends Held {
   readonly at: Vector3;
 }
 
-/** A plane seen more edge-on than this would throw points to the horizon. */
+/** A plane seen more edge-on than this, or a place this near to where a line vanishes, would throw points to
+ * the horizon. */
 const EDGE_ON = 0.08;
 
 /** Cosine from which a surface lies rather than stands: 45 degrees. */
@@ -25,20 +26,55 @@ const SEEN = 0.34;
 /**
  * What a drag is held to that is held to nothing else: up where the surface lies, its normal where
  * it stands. Null, for the plane of the screen, where that points at the viewer.
+ * @param sight from the viewer to the point, unit length
  */
-export function usualLine(normal: Vector3, view: Vector3): Held | null {
+export function usualLine(normal: Vector3, sight: Vector3): Held | null {
   const direction = Math.abs(normal.z) < LYING ? normal : new Vector3(0, 0, 1);
-  return Math.sqrt(1 - direction.dot(view) ** 2) < SEEN ? null : { direction, plane: false };
+  return Math.sqrt(1 - direction.dot(sight) ** 2) < SEEN ? null : { direction, plane: false };
 }
 
-/** The point of the line through `start` nearest to the ray; null where the two run together. */
-function onLine(ray: Ray, start: Vector3, direction: Vector3): Vector3 | null {
-  const apart = ray.origin.clone().sub(start);
-  const cosine = ray.direction.dot(direction);
-  const sine = 1 - cosine * cosine;
-  if (sine < EDGE_ON * EDGE_ON) return null;
-  const along = (apart.dot(direction) - cosine * apart.dot(ray.direction)) / sine;
-  return start.clone().addScaledVector(direction, along);
+/** Where a direction meets the picture: the plane at depth 1. */
+const onPicture = (direction: Vector3, view: Vector3): Vector3 =>
+  direction.clone().divideScalar(direction.dot(view));
+
+/** The picture of a line, unit length, on the plane at depth 1. */
+function drawnLine(ray: Ray, start: Vector3, direction: Vector3, view: Vector3): Vector3 {
+  const at = onPicture(start.clone().sub(ray.origin), view);
+  return direction.clone().addScaledVector(at, -direction.dot(view)).normalize();
+}
+
+/** How far the pointer went aside of the picture of the line that holds the point, at depth 1. */
+export function aside(
+  press: Ray,
+  ray: Ray,
+  start: Vector3,
+  { direction }: Held,
+  view: Vector3,
+): number {
+  const way = onPicture(ray.direction, view).sub(onPicture(press.direction, view));
+  const drawn = drawnLine(ray, start, direction, view);
+  return way.addScaledVector(drawn, -way.dot(drawn)).length();
+}
+
+/**
+ * How far along the line through `start` the point goes, so that on screen it goes as far along the line's
+ * picture as the pointer does: further for each pixel, up to where the line vanishes. Null beyond, and where the
+ * line points at the viewer.
+ */
+function along(press: Ray, ray: Ray, start: Vector3, direction: Vector3, view: Vector3) {
+  const apart = start.clone().sub(ray.origin);
+  const cosine = apart.dot(direction) / apart.length();
+  if (1 - cosine * cosine < EDGE_ON * EDGE_ON) return null;
+  const depth = apart.dot(view);
+  const at = onPicture(apart, view);
+  const nearer = direction.dot(view);
+  const drawn = direction.clone().addScaledVector(at, -nearer);
+  const length = drawn.length();
+  // Once the camera has moved the point is held at its own place.
+  const from = press.origin.equals(ray.origin) ? onPicture(press.direction, view) : at;
+  const way = onPicture(ray.direction, view).sub(from).dot(drawn) / length;
+  const left = length - way * nearer;
+  return left < EDGE_ON * length ? null : (way * depth) / left;
 }
 
 function onPlane(ray: Ray, start: Vector3, normal: Vector3): Vector3 | null {
@@ -46,10 +82,8 @@ function onPlane(ray: Ray, start: Vector3, normal: Vector3): Vector3 | null {
   return ray.intersectPlane(plane, new Vector3());
 }
 
-/** `view`: where the camera looks; the plane of a free drag. */
-export function meet(ray: Ray, start: Vector3, held: Held | null, view: Vector3): Vector3 | null {
+function meet(ray: Ray, start: Vector3, held: Held | null, view: Vector3): Vector3 | null {
   if (!held) return onPlane(ray, start, view);
-  if (!held.plane) return onLine(ray, start, held.direction);
   if (Math.abs(ray.direction.dot(held.direction)) >= EDGE_ON) {
     return onPlane(ray, start, held.direction);
   }
@@ -57,6 +91,27 @@ export function meet(ray: Ray, start: Vector3, held: Held | null, view: Vector3)
   if (!place) return null;
   const off = place.clone().sub(start).dot(held.direction);
   return place.addScaledVector(held.direction, -off);
+}
+
+/**
+ * The way of a point at `start` while the pointer goes from one ray to another; null where what holds it says of
+ * no place how far that is.
+ * @param view where the camera looks; the plane of a free drag
+ */
+export function dragged(
+  press: Ray,
+  ray: Ray,
+  start: Vector3,
+  held: Held | null,
+  view: Vector3,
+): Vector3 | null {
+  if (held && !held.plane) {
+    const length = along(press, ray, start, held.direction, view);
+    return length === null ? null : held.direction.clone().multiplyScalar(length);
+  }
+  const to = meet(ray, start, held, view);
+  const from = meet(press, start, held, view);
+  return to && from && to.sub(from);
 }
 
 /** Rounds an offset to whole steps along each direction. */

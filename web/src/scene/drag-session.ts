@@ -6,7 +6,7 @@ import type { Frame } from "../mesh/point-frame.ts";
 import type { Drag } from "../state/dragging.ts";
 import type { Lock } from "../state/page-state.ts";
 import type { Outcome } from "../state/turns.ts";
-import { type Arrow, type Held, meet, snapOffset, usualLine } from "./constraint.ts";
+import { type Arrow, aside, dragged, type Held, snapOffset, usualLine } from "./constraint.ts";
 
 const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
@@ -40,6 +40,8 @@ export interface HeldDrag {
   readonly free: boolean;
   /** The limit on folds. */
   readonly through: boolean;
+  /** What a pixel spans at depth 1; null where no key moves the point freely. */
+  readonly pixel: number | null;
   /** How far, model units, whatever the pointer says; null: it says so. */
   readonly typed: number | null;
 }
@@ -51,6 +53,9 @@ function ofLength(length: number, held: Held | null, way: Vector3 | null): Point
   const { x, y, z } = direction ?? { x: 0, y: 0, z: 0 };
   return [length * x, length * y, length * z];
 }
+
+/** Pixels aside of its line from which on somebody may think that the point is stuck. */
+const ASIDE = 40;
 
 export class DragSession {
   readonly #drag: Drag;
@@ -67,20 +72,24 @@ export class DragSession {
   }
 
   /** The pointer moved, or (without a ray) the lock or the snapping changed. */
-  move({ lock, snap, free, through, typed }: HeldDrag, ray: Ray = this.#ray): void {
+  move({ lock, snap, free, through, typed, pixel }: HeldDrag, ray: Ray = this.#ray): void {
     this.#ray = ray;
-    const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, this.#at.view);
-    const held = lock ? this.#heldBy(lock) : (this.#at.arrow ?? usual);
     const { start, arrow, press, view } = this.#at;
-    const origin = arrow?.at ?? start;
-    const to = meet(ray, origin, held, view);
-    const from = meet(press, origin, held, view);
-    const offset = to && from && to.sub(from);
+    const sight = start.clone().sub(press.origin).normalize();
+    const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, sight);
+    const held = lock ? this.#heldBy(lock) : (arrow ?? usual);
+    const offset = dragged(press, ray, arrow?.at ?? start, held, view);
     // A length or a step is asked for by name: no fold takes it back.
     if (typed !== null) this.#drag.by(ofLength(typed, held, offset), true);
     else if (!offset) this.#drag.endOn();
     else if (snap) this.#drag.by(this.#toModel(this.#snapped(offset, held, snap)), true);
     else this.#drag.by(this.#toModel(offset), through);
+    const usualHolds = usual !== null && held === usual && pixel !== null;
+    this.#drag.goesAside(
+      usualHolds && aside(press, ray, start, usual, view) > ASIDE * pixel
+        ? usual.direction.z
+        : null,
+    );
   }
 
   end(): Outcome {

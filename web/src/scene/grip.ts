@@ -7,6 +7,7 @@ import { selectOnly } from "../state/selection.ts";
 import { typedPull } from "../state/typed-pull.ts";
 import { displayPlace } from "./display-place.ts";
 import { DragSession, type HeldDrag } from "./drag-session.ts";
+import { pixelSlope } from "./framing.ts";
 import type { DragKeys, Hold } from "./pointer.ts";
 import type { Sight } from "./sight.ts";
 
@@ -33,10 +34,14 @@ export function grip(sight: Sight, { vertex, arrow }: Hold, press: Ray): DragSes
 }
 
 /** What holds a drag now; Ctrl turns snapping on, or off where it is on. */
-export function holdOf({ page, stage }: Sight, { snap, free, through }: DragKeys): HeldDrag {
+export function holdOf(
+  { page, stage }: Sight,
+  { snap, free, through, coarse }: DragKeys,
+): HeldDrag {
   const steps =
     page.snapping.value === snap
       ? null
       : { step: page.snapDistance.value, reach: HOME * stage.pixel() };
-  return { lock: page.lock.value, snap: steps, free, through, typed: typedPull(page) };
+  const pixel = coarse ? null : pixelSlope(stage.camera);
+  return { lock: page.lock.value, snap: steps, free, through, pixel, typed: typedPull(page) };
 }

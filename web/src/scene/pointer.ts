@@ -37,6 +37,8 @@ export interface DragKeys {
   readonly free: boolean;
   /** Shift: through the limit on folds. */
   readonly through: boolean;
+  /** By a finger, beside which no key is held. */
+  readonly coarse: boolean;
 }
 
 export interface PointerEvents {
@@ -83,7 +85,7 @@ export class PointerTool {
   readonly #off = new AbortController();
   #press: Press | null = null;
   /** The keys held at the last move of a drag. */
-  #how: DragKeys = { snap: false, free: false, through: false };
+  #how: DragKeys = { snap: false, free: false, through: false, coarse: false };
   /** A press that is being given to the camera controls. */
   #handedOver: Event | null = null;
 
@@ -220,7 +222,7 @@ export class PointerTool {
     const { x, y } = this.#place(event);
     if (coarse(event)) this.#events.finger({ x, y });
     const { altKey: free, shiftKey: through } = event;
-    this.#how = { snap: event.ctrlKey || event.metaKey, free, through };
+    this.#how = { snap: event.ctrlKey || event.metaKey, free, through, coarse: coarse(event) };
     this.#events.drag(press.session, this.#how, this.#rayAt(x, y));
   }
 

@@ -67,6 +67,14 @@ const scale = ([x, y, z]: Point, by: number): Point => [by * x, by * y, by * z];
 
 const END_ON = "This direction points at you: turn the view, or type the coordinate.";
 
+/** What the usual line of a drag allows, to somebody who pulls elsewhere. */
+const ASIDE = {
+  up: "It goes up and down only: hold Alt to move it freely.",
+  out: "It goes in and out only: hold Alt to move it freely.",
+} as const;
+
+const isAside = (said: string | null): boolean => said === ASIDE.up || said === ASIDE.out;
+
 /** Degrees by which a drag may sharpen a fold. */
 const FOLD_GROWTH = 10;
 
@@ -190,6 +198,13 @@ export class Drag {
     return Number.POSITIVE_INFINITY;
   }
 
+  /** The pointer leaves the line that holds the point: its direction upwards. Null: it does not. */
+  goesAside(up: number | null): void {
+    const { notice } = this.#page;
+    if (up === null && isAside(notice.value)) notice.value = null;
+    if (up !== null && !isHeldBack(notice.value)) notice.value = up === 1 ? ASIDE.up : ASIDE.out;
+  }
+
   /** The line that it is held to points at the viewer: no place on screen says how far along. */
   endOn(): void {
     this.#page.notice.value = END_ON;
@@ -197,6 +212,7 @@ export class Drag {
 
   #finish(): void {
     this.#over = true;
+    this.goesAside(null);
     this.#page.pull.value = null;
     this.#page.lock.value = this.#lock;
     client(this.#page).dropStreams();
