@@ -4,7 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { decodeLink } from "../../web/src/design/link.ts";
-import { exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
+import { downloaded, exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
 import { hintedPoint, press as hold } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -128,5 +128,18 @@ it("Ctrl Z with a point in the hand leaves the steps alone, and the drag within 
   expect((await exportAs(page, "OBJ")).toString()).not.toBe(edited);
   await press(page, "Undo");
   expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
+  await page.context().close();
+});
+
+it("Ctrl S saves the design as Export JSON does, from a field too, and the tab says its name", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+60cm");
+  const exported = (await exportAs(page, "JSON")).toString();
+  const saved = page.waitForEvent("download");
+  await page.keyboard.press("Control+s");
+  const file = await saved;
+  expect(file.suggestedFilename()).toBe("vault-design.json");
+  expect((await downloaded(file)).toString()).toBe(exported);
+  expect(await page.evaluate(() => document.title)).toBe("Vault · Planish");
   await page.context().close();
 });

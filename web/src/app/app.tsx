@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { PaletteDialog } from "../features/palette/palette-dialog.tsx";
 import { FileDrop } from "../ui/file-drop.tsx";
@@ -13,6 +14,9 @@ import { listenToShortcuts } from "./shortcuts.ts";
 export function App() {
   const page = usePage();
   useEffect(() => listenToShortcuts(page), []);
+  useSignalEffect(() => {
+    document.title = `${page.designName.value} · Planish`;
+  });
   return (
     <FileDrop>
       <TopBar />

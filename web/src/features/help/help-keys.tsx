@@ -48,6 +48,7 @@ export const KEY_HINTS: readonly KeyHint[] = [
     of: ["open"],
     what: "opens a mesh (OBJ, OFF, PLY, GLB, 3DM) or a design (GLB, 3DM, JSON)",
   },
+  { of: ["save"], what: "saves the design as a file that opens again (JSON)" },
 ];
 
 const NAMES: Readonly<Record<string, string>> = {

@@ -137,6 +137,14 @@ const cannotStep = (page: Page): string =>
 /** By id. */
 export const COMMANDS = {
   open: { label: "Open file", keys: ["Ctrl+O"], refusal: notReady, run: pickAndOpen },
+  save: {
+    label: "Save the design",
+    keys: ["Ctrl+S"],
+    heard: "everywhere",
+    refusal: notReady,
+    run: async (page) =>
+      (await fetchPart(page, () => import("../../export/exporting.ts")))?.exportDesign(page),
+  },
   undo: {
     label: "Undo",
     keys: ["Ctrl+Z"],
