@@ -320,8 +320,11 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
     base = cut->mesh;
     targets.supports = supports_after_cuts(targets.supports, *cut);
   }
-  auto played = symmetry ? replay_targets(std::move(base), *symmetry, design, targets, progress)
-                         : replay_targets(std::move(base), design, targets, progress);
+  const auto play_on_base = [&] {
+    if (symmetry) return replay_targets(std::move(base), *symmetry, design, targets, progress);
+    return replay_targets(std::move(base), design, targets, progress);
+  };
+  auto played = play_on_base();
   if (auto* done = std::get_if<Replay>(&played)) {
     done->cut = std::move(cut);
     done->supports = std::move(targets.supports);

@@ -25,9 +25,9 @@ Eigen::Vector3d displacement_of(const ExactDesign& design, int vertex) {
 
 }  // namespace
 
-EditModel::EditModel(const Mesh& mesh, const HandleEditOptions& options) : options_(options) {
+EditModel::EditModel(const Mesh& mesh, const HandleEditOptions& options)
+    : options_(options), kept_(kept_kinds(options.tolerance, options.constraints)) {
   const Stopwatch watch;
-  kept_ = kept_kinds(options.tolerance, options.constraints);
   model_ = std::make_unique<MeshModel>(mesh, options.fairness, kept_);
   base_ = std::make_unique<BaseViolations>(*model_);
   rebuild();
