@@ -206,6 +206,7 @@ it("read-only it works in a sandbox: it shows, verifies and exports, and nothing
   const { hash } = await latestDesign(page);
   const canvas = await inside.getByLabel("3D view").boundingBox();
   if (!canvas) throw new Error("no 3D view");
+  expect(canvas.height).toBeGreaterThan(0.8 * 560);
   const [x, y] = [canvas.x + canvas.width / 2, canvas.y + canvas.height / 2];
   await page.mouse.click(x, y);
   await page.mouse.move(x, y);
