@@ -51,6 +51,7 @@ std::vector<int> added_between(int first, int last, const CutMesh& cut) {
   }
   std::sort(found.begin(), found.end());
   std::vector<int> vertices;
+  vertices.reserve(found.size());
   for (const auto& [distance, vertex] : found) vertices.push_back(vertex);
   return vertices;
 }

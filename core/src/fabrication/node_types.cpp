@@ -110,6 +110,7 @@ std::vector<FamilyShape> node_cycles(const Mesh& mesh, const JointTable& joints)
   }
   NodeWalk walk(mesh, joints);
   std::vector<FamilyShape> cycles;
+  cycles.reserve(corners.size());
   for (const std::vector<int>& around : corners) cycles.push_back(walk.cycle(around));
   return cycles;
 }

@@ -126,6 +126,7 @@ PanelTypes find_panel_types(const std::vector<FlatPanel>& panels, const JointTab
     types.designed = 0.5 * (options.joint->max + options.joint->min);
   }
   std::vector<FamilyShape> outlines;
+  outlines.reserve(panels.size());
   for (const FlatPanel& panel : panels) outlines.push_back(panel.outline);
   Families families =
       find_families(outlines, {ShapeMeasure::kOutline, types.within, options.mirrored});

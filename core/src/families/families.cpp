@@ -77,6 +77,7 @@ FamilyShape from_column(const FamilyShape& shape, Eigen::Index first) {
 Distinct distinct_of(std::vector<std::pair<int, MeasuredShape>> all, ShapeSpace& space,
                      double same) {
   std::vector<std::vector<double>> keys;
+  keys.reserve(all.size());
   for (const auto& [number, shape] : all) keys.push_back(rounded_key(shape));
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

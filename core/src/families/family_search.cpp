@@ -32,6 +32,7 @@ Eigen::MatrixXd keys_of(const std::vector<MeasuredShape>& shapes) {
 
 Eigen::MatrixXd keys_of(const std::vector<Cluster>& clusters) {
   std::vector<MeasuredShape> shapes;
+  shapes.reserve(clusters.size());
   for (const Cluster& cluster : clusters) shapes.push_back(cluster.shape);
   return keys_of(shapes);
 }
@@ -44,6 +45,7 @@ std::vector<int> nearest_first(std::vector<std::pair<double, int>> found) {
   for (auto& [distance, number] : found) distance = rounded(distance);
   std::sort(found.begin(), found.end());
   std::vector<int> numbers;
+  numbers.reserve(found.size());
   for (const auto& [distance, number] : found) numbers.push_back(number);
   return numbers;
 }
@@ -95,6 +97,7 @@ std::size_t FamilySearch::stride_of(const std::vector<int>& open) {
 /// The open shapes within reach of each.
 std::vector<std::vector<int>> FamilySearch::reach_of(const std::vector<int>& centres) {
   std::vector<std::vector<int>> reach;
+  reach.reserve(centres.size());
   for (const int centre : centres) reach.push_back(covered_by(shapes_[at(centre)]));
   return reach;
 }
