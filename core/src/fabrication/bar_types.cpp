@@ -17,9 +17,7 @@ BarTypes find_bar_types(const JointTable& joints, double within, double degrees)
   const Families families = find_families(shapes, {ShapeMeasure::kCycle, 1.0, false});
   BarTypes types;
   for (const FamilyMember& member : families.members) types.of_joint.push_back(member.family);
-  for (const Family& family : families.families) {
-    types.sizes.push_back(static_cast<int>(family.members.size()));
-  }
+  types.sizes = families.sizes();
   return types;
 }
 

@@ -132,9 +132,7 @@ NodeTypes find_node_types(const Mesh& mesh, const JointTable& joints, double deg
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     types.of_vertex[at(vertices[k])] = families.members[k].family;
   }
-  for (const Family& family : families.families) {
-    types.sizes.push_back(static_cast<int>(family.members.size()));
-  }
+  types.sizes = families.sizes();
   return types;
 }
 

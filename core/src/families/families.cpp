@@ -204,6 +204,13 @@ class Sorting {
 
 }  // namespace
 
+std::vector<int> Families::sizes() const {
+  std::vector<int> sizes;
+  sizes.reserve(families.size());
+  for (const Family& family : families) sizes.push_back(static_cast<int>(family.members.size()));
+  return sizes;
+}
+
 Families find_families(const std::vector<FamilyShape>& shapes, const FamilyOptions& options) {
   return Sorting(shapes, options).take();
 }

@@ -51,6 +51,9 @@ struct Families {
   std::vector<Family> families;  ///< the one with most members first; of equals, the lowest member
   std::vector<FamilyMember> members;  ///< one a shape
   long long alignments = 0;           ///< how often a shape was laid on a template
+
+  /// Members of each family.
+  [[nodiscard]] std::vector<int> sizes() const;
 };
 
 /// Every shape belongs to one family, and is within options.within of its template; shapes with
