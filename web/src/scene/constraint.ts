@@ -37,10 +37,27 @@ export function usualLine(normal: Vector3, sight: Vector3): Held | null {
 const onPicture = (direction: Vector3, view: Vector3): Vector3 =>
   direction.clone().divideScalar(direction.dot(view));
 
-/** The picture of a line, unit length, on the plane at depth 1. */
-function drawnLine(ray: Ray, start: Vector3, direction: Vector3, view: Vector3): Vector3 {
+/** A line and the pointer's way in the picture, the plane at depth 1. */
+interface Pictured {
+  /** Of the line's direction, once it is at depth 1. */
+  readonly drawn: Vector3;
+  readonly way: Vector3;
+}
+
+function pictured(
+  press: Ray,
+  ray: Ray,
+  start: Vector3,
+  direction: Vector3,
+  view: Vector3,
+): Pictured {
   const at = onPicture(start.clone().sub(ray.origin), view);
-  return direction.clone().addScaledVector(at, -direction.dot(view)).normalize();
+  // Once the camera has moved the point is held at its own place.
+  const from = press.origin.equals(ray.origin) ? onPicture(press.direction, view) : at;
+  return {
+    drawn: direction.clone().addScaledVector(at, -direction.dot(view)),
+    way: onPicture(ray.direction, view).sub(from),
+  };
 }
 
 /** How far the pointer went aside of the picture of the line that holds the point, at depth 1. */
@@ -51,9 +68,8 @@ export function aside(
   { direction }: Held,
   view: Vector3,
 ): number {
-  const way = onPicture(ray.direction, view).sub(onPicture(press.direction, view));
-  const drawn = drawnLine(ray, start, direction, view);
-  return way.addScaledVector(drawn, -way.dot(drawn)).length();
+  const { drawn, way } = pictured(press, ray, start, direction, view);
+  return way.addScaledVector(drawn, -way.dot(drawn) / drawn.lengthSq()).length();
 }
 
 /**
@@ -65,16 +81,11 @@ function along(press: Ray, ray: Ray, start: Vector3, direction: Vector3, view: V
   const apart = start.clone().sub(ray.origin);
   const cosine = apart.dot(direction) / apart.length();
   if (1 - cosine * cosine < EDGE_ON * EDGE_ON) return null;
-  const depth = apart.dot(view);
-  const at = onPicture(apart, view);
-  const nearer = direction.dot(view);
-  const drawn = direction.clone().addScaledVector(at, -nearer);
+  const { drawn, way } = pictured(press, ray, start, direction, view);
   const length = drawn.length();
-  // Once the camera has moved the point is held at its own place.
-  const from = press.origin.equals(ray.origin) ? onPicture(press.direction, view) : at;
-  const way = onPicture(ray.direction, view).sub(from).dot(drawn) / length;
-  const left = length - way * nearer;
-  return left < EDGE_ON * length ? null : (way * depth) / left;
+  const moved = way.dot(drawn) / length;
+  const left = length - moved * direction.dot(view);
+  return left < EDGE_ON * length ? null : (moved * apart.dot(view)) / left;
 }
 
 function onPlane(ray: Ray, start: Vector3, normal: Vector3): Vector3 | null {
