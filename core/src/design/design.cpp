@@ -269,10 +269,6 @@ std::variant<Replay, std::string> play(Player player, const Design& design,
   return player.finish();
 }
 
-}  // namespace
-
-namespace {
-
 /// @param targets those of the design, with the points that cuts added
 std::variant<Replay, std::string> replay_targets(Mesh base, const MeshSymmetry& symmetry,
                                                  const Design& design, const EditTargets& targets,
