@@ -7,6 +7,7 @@ these. What a check needs is built first; checks that use one core run beside ea
 Every check writes a log and, where it runs tests, JUnit files under build/checks/NAME. They alone say what
 passed. Ends with the times, the ten slowest tests and one line that counts. A test may take 15 s, one of `rest` a
 minute, and four times that where CI is set: how fast that machine is, nobody knows. Nightly ones may take longer.
+A check that has not ended after 30 minutes is stopped and has failed; a nightly one after ten hours.
 """
 
 import dataclasses
@@ -14,6 +15,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -27,6 +29,7 @@ CORES = int(os.environ.get("PLANISH_JOBS", os.cpu_count() or 1))
 LONG_TESTS = ("a recipe gives", "gives the same bits")
 SLOWER = 4 if os.environ.get("CI") else 1
 LONGEST = 15.0 * SLOWER
+MOST_MINUTES, MOST_MINUTES_NIGHTLY = 30, 600
 LONGEST_OF_REST = 60.0 * SLOWER  # a browser with storage, workers and a solver to load, two of them at a time
 
 
@@ -93,7 +96,8 @@ GRAPH = {
     # The packed npm package in a project of its own; the wheel in an environment with nothing but numpy.
     "package": Check(vitest("package"), ("build-native", "build-package")),
     "python": Check(
-        "build/python/venv/bin/python -m pytest -q -p no:cacheprovider --junitxml=$OUT/pytest.xml tests/python",
+        "build/python/venv/bin/python -X faulthandler -m pytest -q -p no:cacheprovider --timeout=300 "
+        "--junitxml=$OUT/pytest.xml tests/python",
         ("build-wheel",)),
     # One set of recipes through all of them, and what leads from one to another.
     "doors": Check(vitest("doors", config="web/vitest.browser.config.ts"), ("build-wheel", "build-package", "build-site")),
@@ -153,8 +157,19 @@ def run(name, check, nightly):
     environment = {**os.environ, "OUT": str(folder), "CORES": str(CORES), **(NIGHTLY if nightly else {})}
     start = time.monotonic()
     with open(folder / "log", "wb") as log:
-        status = subprocess.run(["bash", "-c", f"set -o pipefail; {check.command}"], cwd=TREE, env=environment,
-                                stdin=subprocess.DEVNULL, stdout=log, stderr=log, check=False).returncode
+        # A session of its own, so that it can be stopped with all that it started. SIGABRT first: Python,
+        # asked by faulthandler, says where it stands.
+        command = subprocess.Popen(["bash", "-c", f"set -o pipefail; {check.command}"], cwd=TREE, env=environment,
+                                   stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
+        minutes = MOST_MINUTES_NIGHTLY if nightly else MOST_MINUTES
+        try:
+            status = command.wait(minutes * 60)
+        except subprocess.TimeoutExpired:
+            os.killpg(command.pid, signal.SIGABRT)
+            time.sleep(5)
+            os.killpg(command.pid, signal.SIGKILL)
+            status = command.wait()
+            log.write(f"checks: stopped after {minutes} minutes\n".encode())
     seconds = time.monotonic() - start
     tests = list(tests_of(name, folder))
     if not nightly:

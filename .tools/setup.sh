@@ -11,7 +11,7 @@ both=(cmake ninja-build ccache libeigen3-dev libboost-dev libtinygltf-dev libstb
 page=(emscripten clang-19 lld-19 llvm-19)
 native=(g++ libqrcodegencpp-dev)
 checks=(chromium-headless-shell libbenchmark-dev clang-format clang-tidy clang libclang-rt-14-dev cppcheck
-  python3-numpy python3-scipy python3-ezdxf python3-shapely python3-pytest
+  python3-numpy python3-scipy python3-ezdxf python3-shapely python3-pytest python3-pytest-timeout
   pybind11-dev python3-dev python3-venv python3-pip python3-build python3-wheel python3-setuptools
   python3-distributed parallel)
 case "${1:-}" in
