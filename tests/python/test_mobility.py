@@ -102,7 +102,7 @@ class MobilityTests(InFolder):
 
         mesh = planish.Mesh.read(SAMPLE)
         options = {"range": 0.05, "steps": 1}
-        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with LocalCluster(n_workers=2, processes=False, dashboard_address=None) as cluster:
             with Client(cluster) as client:
                 there = planish.mobility(mesh, **options, client=client)
         here = planish.mobility(mesh, **options)
