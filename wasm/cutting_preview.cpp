@@ -2,13 +2,12 @@
 #include "cutting_preview.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 #include "planish/constraints/planar_polygon.hpp"
 #include "planish/fabrication/assembly_map.hpp"
+#include "planish/fabrication/cut_items.hpp"
 #include "planish/fabrication/drawing.hpp"
-#include "planish/fabrication/panel_drawing.hpp"
-#include "planish/fabrication/sheet_layout.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
@@ -34,54 +33,18 @@ std::string picture_of(const PanelDrawing& panel, const std::string& unit) {
   return write_svg(picture, size.x(), size.y(), unit);
 }
 
-/// Panels that are drawn: what a sheet has to know of each.
-struct DrawnPanels {
-  std::vector<int> faces;
-  std::vector<SheetItem> items;
-  std::vector<double> areas;
-};
-
-double spacing_of(const CuttingOptions& options) {
-  return kSheetSpacing / metres_in(options.unit).value();
-}
-
-DrawnPanels draw_panels(const CuttingPlan& plan, int face, CuttingPreview& preview) {
-  const double spacing = spacing_of(plan.options);
-  DrawnPanels drawn;
-  for (int f = 0; f < plan.mesh.face_count(); ++f) {
-    if (plan.drawn[at(f)] == 0) continue;
-    const auto panel = draw_panel(plan, f);
-    if (!panel) {
-      preview.vanished.push_back(f);
-      continue;
-    }
-    const BoundingRectangle rectangle = room_on_sheet(*panel, spacing);
-    note_pieces(plan, f, panel->pieces, preview);
-    drawn.faces.push_back(f);
-    drawn.items.push_back({rectangle.width, rectangle.height});
-    drawn.areas.push_back(area_of(panel->pieces));
-    if (preview.shown >= 0 && f != face) continue;
-    preview.shown = f;
-    preview.drawing = picture_of(*panel, plan.options.unit);
-  }
-  preview.drawn = static_cast<int>(drawn.faces.size());
-  return drawn;
-}
-
-void fill_sheets(const CuttingOptions& options, const DrawnPanels& drawn, CuttingPreview& preview) {
-  const SheetSize size{options.sheet_width, options.sheet_height, spacing_of(options)};
-  const auto places = arrange_on_sheets(drawn.items, size);
-  double area = 0.0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    preview.sheets = std::max(preview.sheets, places[k].sheet + 1);
-    if (places[k].sheet < 0) {
-      preview.oversize.push_back(drawn.faces[k]);
-    } else {
-      area += drawn.areas[k];
-    }
-  }
-  if (preview.sheets > 0)
-    preview.used_fraction = area / (preview.sheets * size.width * size.height);
+/// The item that `face` is cut from, or the first.
+void show_item(const std::vector<CutItem>& items, int face, const std::string& unit,
+               CuttingPreview& preview) {
+  if (items.empty()) return;
+  const auto holds = [&](const CutItem& item) {
+    return std::find(item.faces.begin(), item.faces.end(), face) != item.faces.end();
+  };
+  const auto found = std::find_if(items.begin(), items.end(), holds);
+  const bool is_drawn = found != items.end();
+  const CutItem& item = is_drawn ? *found : items.front();
+  preview.shown = is_drawn ? face : item.faces.front();
+  preview.drawing = picture_of(item.panel, unit);
 }
 
 }  // namespace
@@ -100,8 +63,9 @@ CuttingPreview preview_cutting(const CuttingPlan& plan, int face, bool with_map)
     preview.nodes_moved = plan.remake->count(NodeChange::kMoved);
     preview.nodes_arms = plan.remake->count(NodeChange::kArms);
   }
-  const DrawnPanels drawn = draw_panels(plan, face, preview);
-  if (plan.options.sheet_width > 0.0) fill_sheets(plan.options, drawn, preview);
+  const std::vector<CutItem> items = cut_items(plan, preview);
+  if (plan.options.sheet_width > 0.0) place_pieces(plan, items, preview);
+  show_item(items, face, plan.options.unit, preview);
   if (with_map) preview.map = write_assembly_map(plan);
   return preview;
 }

@@ -42,6 +42,25 @@ void set_scope(const std::string& text, CuttingOptions& options) {
   }
 }
 
+/// `panel` or `type`.
+void set_by(const std::string& text, CuttingOptions& options) {
+  if (text != "panel" && text != "type") {
+    throw CommandError(kWrongUsage, "--by: \"" + text + "\" is not panel or type");
+  }
+  options.by_type = text == "type";
+}
+
+/// Types where they are asked for; templates are cut with the joint that they are found for.
+void add_types(const Arguments& arguments, const ShopInput& input, CuttingOptions& options) {
+  const bool wanted = options.by_type || arguments.has("--joint") || arguments.has("--within") ||
+                      arguments.has("--mirrored");
+  if (!wanted || !metres_in(options.model_unit) || !metres_in(options.unit)) return;
+  options.types = type_options(arguments, input.mesh, options.model_unit, options.unit);
+  if (options.by_type && options.types->joint && !arguments.has("--gap")) {
+    options.gap = 0.5 * (options.types->joint->min + options.types->joint->max);
+  }
+}
+
 CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& input) {
   CuttingOptions options;
   options.name = input.name;
@@ -56,11 +75,10 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   }
   if (const auto text = arguments.value("--sheet")) set_sheet(*text, options);
   if (const auto text = arguments.value("--scope")) set_scope(*text, options);
+  if (const auto text = arguments.value("--by")) set_by(*text, options);
+  add_types(arguments, input, options);
   if (const auto problem = find_problem(options, input.mesh, input.base.has_value())) {
     throw CommandError(kWrongUsage, *problem);
-  }
-  if (arguments.has("--joint") || arguments.has("--within") || arguments.has("--mirrored")) {
-    options.types = type_options(arguments, input.mesh, options.model_unit, options.unit);
   }
   return options;
 }
@@ -127,7 +145,7 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
 ExitCode write_model(const Arguments& arguments, const ShopInput& input,
                      const CuttingOptions& options, const std::string& output) {
   for (const char* name :
-       {"--sheet", "--text-height", "--link", "--joint", "--within", "--mirrored"}) {
+       {"--sheet", "--text-height", "--link", "--joint", "--within", "--mirrored", "--by"}) {
     if (arguments.has(name)) {
       throw CommandError(kWrongUsage, std::string(name) + " is for packages, not for IFC");
     }
@@ -173,6 +191,7 @@ Command panels_command() {
        {"--joint", "MIN:MAX", "adds the types of panels to the tables; as for types, as also"},
        {"--within", "D|P%", "how far a corner may be from the template's, and"},
        {"--mirrored", "", "that a panel may be its template turned over"},
+       {"--by", "type", "draws one template a type, and as many on sheets as there are panels"},
        {"--link", "URL", "that opens the design: the labels carry it as a QR code"},
        {"--against", "BASE", "what was built: says which panels must be made again"},
        {"--scope", "WHICH", "draws all (default), remake, or panels V,V,... counted from 0"},

@@ -4,7 +4,6 @@
 
 #include "commands.hpp"
 #include "files.hpp"
-#include "planish/fabrication/type_table.hpp"
 #include "types_run.hpp"
 
 namespace planish::cli {
@@ -12,15 +11,13 @@ namespace {
 
 ExitCode run_types_command(const Arguments& arguments) {
   const auto output = arguments.value("-o");
-  if (output && *output != "-" && extension_of(*output) != "csv") {
-    throw CommandError(kWrongUsage, *output + ": types are written as a table, .csv");
-  }
+  if (output) check_types_name(*output);
   const ShopInput input = load_shop_input(arguments);
-  const TypesRun run = run_types(arguments, input);
-  if (output) save_bytes(*output, type_table(run.plan, run.panels).csv);
-  const std::vector<std::string> sentences = types_sentences(run, input.tolerance);
+  const CuttingPlan plan = plan_types(arguments, input);
+  if (output) save_bytes(*output, types_bytes(*output, plan));
+  const std::vector<std::string> sentences = types_sentences(plan, input.tolerance);
   for (const std::string& sentence : sentences) print_message(sentence);
-  save_report(arguments, types_json(run));
+  save_report(arguments, types_json(plan));
   return sentences.empty() ? kDone : kToleranceNotMet;
 }
 

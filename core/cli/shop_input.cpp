@@ -75,6 +75,13 @@ void check_zip_name(const std::string& path, const std::string& what) {
   }
 }
 
+void read_shop_options(const Arguments& arguments, ShopInput& input) {
+  if (arguments.has("--model-unit")) input.model_unit = model_unit(arguments);
+  if (const auto text = arguments.value("--tolerance")) {
+    input.tolerance = parse_finite(*text, "--tolerance");
+  }
+}
+
 ShopInput load_shop_input(const Arguments& arguments) {
   const std::string path = arguments.only_positional("MESH or DESIGN");
   const std::string unit = model_unit(arguments);
@@ -87,10 +94,7 @@ ShopInput load_shop_input(const Arguments& arguments) {
     input = {load_mesh(path).mesh, std::nullopt, unit};
   }
   input.name = stem_of(path);
-  if (arguments.has("--model-unit")) input.model_unit = unit;
-  if (const auto text = arguments.value("--tolerance")) {
-    input.tolerance = parse_finite(*text, "--tolerance");
-  }
+  read_shop_options(arguments, input);
   if (const auto against = arguments.value("--against")) input.base = load_mesh(*against).mesh;
   return input;
 }

@@ -23,6 +23,9 @@ struct ShopInput {
   [[nodiscard]] const Mesh* base_or_null() const { return base ? &*base : nullptr; }
 };
 
+/// What --model-unit and --tolerance say of `input`, where they are given. Throws CommandError.
+void read_shop_options(const Arguments& arguments, ShopInput& input);
+
 /// The only positional word, with --model-unit, --tolerance and --against where a command takes
 /// them. Throws CommandError.
 [[nodiscard]] ShopInput load_shop_input(const Arguments& arguments);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "planish/fabrication/type_table.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/index.hpp"
 #include "planish/text/number.hpp"
@@ -60,8 +61,8 @@ Json template_json(const PanelType& type, int number) {
           {"panels", type.panels}};
 }
 
-Json seam_json(const TypesRun& run, const SeamWidth& seam) {
-  const Joint& joint = run.plan.joints.joints[at(seam.joint)];
+Json seam_json(const CuttingPlan& plan, const SeamWidth& seam) {
+  const Joint& joint = plan.joints.joints[at(seam.joint)];
   return {{"edge", edge_name(seam.joint)},
           {"panels", {panel_name(joint.first.panel), panel_name(joint.second.panel)}},
           {"joint_min", seam.min},
@@ -106,7 +107,13 @@ TypeOptions type_options(const Arguments& arguments, const Mesh& mesh,
   return options;
 }
 
-TypesRun run_types(const Arguments& arguments, const ShopInput& input) {
+void check_types_name(const std::string& name) {
+  if (name != "-" && extension_of(name) != "csv") {
+    throw CommandError(kWrongUsage, name + ": types are written as a table, .csv");
+  }
+}
+
+CuttingPlan plan_types(const Arguments& arguments, const ShopInput& input) {
   CuttingOptions cutting;
   cutting.name = input.name;
   cutting.model_unit = input.model_unit;
@@ -114,40 +121,46 @@ TypesRun run_types(const Arguments& arguments, const ShopInput& input) {
   if (const auto problem = find_problem(cutting, input.mesh, false)) {
     throw CommandError(kWrongUsage, *problem);
   }
-  const TypeOptions options = type_options(arguments, input.mesh, cutting.model_unit, cutting.unit);
-  TypesRun run;
-  run.plan = make_cutting_plan(input.mesh, nullptr, cutting);
-  run.panels = find_panel_types(run.plan.panels, run.plan.joints, options);
-  run.nodes = find_node_types(run.plan.mesh, run.plan.joints, options.degrees, options.mirrored);
-  run.bars = find_bar_types(run.plan.joints, run.panels.within, options.degrees);
-  return run;
+  cutting.types = type_options(arguments, input.mesh, cutting.model_unit, cutting.unit);
+  return make_cutting_plan(input.mesh, nullptr, cutting);
 }
 
-Json types_json(const TypesRun& run) {
-  const PanelTypes& panels = run.panels;
-  Json json = {{"status", "done"}, {"unit", run.plan.options.unit}};
+Json types_json(const CuttingPlan& plan) {
+  const StructureTypes& types = plan.types.value();
+  const PanelTypes& panels = types.panels;
+  const PlanaritySummary planarity = planarity_summary(plan.mesh);
+  Json json = {{"status", "done"}, {"unit", plan.options.unit}};
+  json["planarity_mm_per_m"] = {{"max", planarity.max}, {"mean", planarity.mean}};
   json["types"] = panels_json(panels);
-  json["nodes"] = {{"nodes", run.plan.vertex_of_node.size()},
-                   {"types", run.nodes.sizes.size()},
+  json["nodes"] = {{"nodes", plan.vertex_of_node.size()},
+                   {"types", types.nodes.sizes.size()},
                    {"within_degrees", panels.options.degrees},
-                   {"sizes", run.nodes.sizes},
-                   {"of_vertex", run.nodes.of_vertex}};
-  json["bars"] = {{"bars", run.bars.of_joint.size()}, {"types", run.bars.sizes.size()},
-                  {"within", panels.within},          {"within_degrees", panels.options.degrees},
-                  {"sizes", run.bars.sizes},          {"of_edge", run.bars.of_joint}};
+                   {"sizes", types.nodes.sizes},
+                   {"of_vertex", types.nodes.of_vertex}};
+  json["bars"] = {{"bars", types.bars.of_joint.size()},
+                  {"types", types.bars.sizes.size()},
+                  {"within", panels.within},
+                  {"within_degrees", panels.options.degrees},
+                  {"sizes", types.bars.sizes},
+                  {"of_edge", types.bars.of_joint}};
   json["templates"] = Json::array();
   for (std::size_t k = 0; k < panels.types.size(); ++k) {
     json["templates"].push_back(template_json(panels.types[k], static_cast<int>(k)));
   }
   json["seams"] = Json::array();
-  for (const SeamWidth& seam : panels.seams) json["seams"].push_back(seam_json(run, seam));
-  json["mesh"] = mesh_json(run.plan.mesh);
+  for (const SeamWidth& seam : panels.seams) json["seams"].push_back(seam_json(plan, seam));
+  json["mesh"] = mesh_json(plan.mesh);
   return json;
 }
 
-std::vector<std::string> types_sentences(const TypesRun& run, double tolerance) {
+std::string types_bytes(const std::string& name, const CuttingPlan& plan) {
+  check_types_name(name);
+  return type_table(plan).csv;
+}
+
+std::vector<std::string> types_sentences(const CuttingPlan& plan, double tolerance) {
   std::vector<std::string> sentences;
-  const PlanaritySummary planarity = planarity_summary(run.plan.mesh);
+  const PlanaritySummary planarity = planarity_summary(plan.mesh);
   if (planarity.max_excess > tolerance) {
     sentences.push_back("not flat: a panel is out of its plane by " + three_digits(planarity.max) +
                         " mm/m; its outline is not exact");

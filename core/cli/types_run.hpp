@@ -7,22 +7,11 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "planish/fabrication/bar_types.hpp"
 #include "planish/fabrication/cutting_plan.hpp"
-#include "planish/fabrication/node_types.hpp"
-#include "planish/fabrication/panel_types.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
 
 namespace planish::cli {
-
-/// Types of a design, in the unit of its plan.
-struct TypesRun {
-  CuttingPlan plan;
-  PanelTypes panels;
-  NodeTypes nodes;
-  BarTypes bars;
-};
 
 [[nodiscard]] std::vector<OptionRow> types_option_rows();
 
@@ -30,12 +19,19 @@ struct TypesRun {
 [[nodiscard]] TypeOptions type_options(const Arguments& arguments, const Mesh& mesh,
                                        const std::string& model_unit, const std::string& unit);
 
-/// Throws CommandError.
-[[nodiscard]] TypesRun run_types(const Arguments& arguments, const ShopInput& input);
+/// Throws CommandError where `name` is not that of a table.
+void check_types_name(const std::string& name);
 
-[[nodiscard]] Json types_json(const TypesRun& run);
+/// A plan with types. Throws CommandError.
+[[nodiscard]] CuttingPlan plan_types(const Arguments& arguments, const ShopInput& input);
+
+[[nodiscard]] Json types_json(const CuttingPlan& plan);
+
+/// The table of types as the file `name`. Throws CommandError.
+/// @param plan with types
+[[nodiscard]] std::string types_bytes(const std::string& name, const CuttingPlan& plan);
 
 /// What whoever cuts by these types should know; one sentence each.
-[[nodiscard]] std::vector<std::string> types_sentences(const TypesRun& run, double tolerance);
+[[nodiscard]] std::vector<std::string> types_sentences(const CuttingPlan& plan, double tolerance);
 
 }  // namespace planish::cli

@@ -101,6 +101,26 @@ TEST_F(Cli, TypesOfAPackageAreThoseOfTheTable) {
   EXPECT_EQ(run("panels sample:vault:8 --joint 3 -o p.zip"), 2);
 }
 
+TEST_F(Cli, PackagesByTypeHaveOneDrawingAType) {
+  const std::string of =
+      "panels sample:vault:8 --joint 6:46 --mirrored --by type --sheet 6000x3000 ";
+  ASSERT_EQ(run(of + "-o p.zip --report p.json"), 0) << err();
+  const json report = json::parse(contents(directory_ / "p.json"));
+  EXPECT_EQ(report["gap"], 26.0);
+  EXPECT_EQ(report["counts"]["drawn"], 49);
+  const std::string zip = contents(directory_ / "p.zip");
+  int drawings = 0;
+  for (std::size_t k = zip.find("types/T-"); k < zip.rfind("PK\1\2");
+       k = zip.find("types/T-", k + 1))
+    ++drawings;
+  EXPECT_GE(drawings, report["types"]["types"]);
+  EXPECT_LT(report["types"]["types"], 49);
+  EXPECT_EQ(zip.find("panels/P-"), std::string::npos);
+  EXPECT_EQ(run(of + "--gap 8 -o p.zip"), 2);
+  EXPECT_EQ(run("panels sample:vault:8 --by node -o p.zip"), 2);
+  EXPECT_EQ(run("panels sample:vault:8 --by type -o p.ifc"), 2);
+}
+
 TEST_F(Cli, TypesSayWhereAMeshIsNotFlat) {
   save("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(run("types m.obj -o t.csv"), 4);

@@ -151,11 +151,22 @@ TEST(PanelTypes, AreInTheTableOfAPackageThatAsksForThem) {
   const auto rows = nlohmann::json::parse(panel_table(plan).json);
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(mesh.face_count()));
   for (std::size_t f = 0; f < rows.size(); ++f) {
-    const FamilyMember& member = plan.types->panels[f];
+    const FamilyMember& member = plan.types->panels.panels[f];
     EXPECT_EQ(rows[f]["type"], type_name(member.family));
     EXPECT_EQ(rows[f]["turned_over"], member.mirrored ? "yes" : "no");
     EXPECT_EQ(rows[f]["fit"], member.distance);
     EXPECT_LE(member.distance, 20.0);
+  }
+  const auto nodes = nlohmann::json::parse(node_table(plan).json);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const int vertex = plan.vertex_of_node[k];
+    EXPECT_EQ(nodes[k]["type"],
+              node_type_name(plan.types->nodes.of_vertex[static_cast<std::size_t>(vertex)]));
+  }
+  const auto edges = nlohmann::json::parse(edge_table(plan).json);
+  ASSERT_EQ(edges.size(), plan.types->bars.of_joint.size());
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    EXPECT_EQ(edges[k]["type"], bar_type_name(plan.types->bars.of_joint[k]));
   }
   options.types->within = 0.0;
   EXPECT_TRUE(find_problem(options, mesh, false).has_value());

@@ -2,28 +2,18 @@
 #include "planish/fabrication/cutting_package.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "fabrication/plan_header.hpp"
 #include "planish/fabrication/assembly_map.hpp"
 #include "planish/fabrication/drawing.hpp"
-#include "planish/fabrication/panel_drawing.hpp"
 #include "planish/fabrication/panel_tables.hpp"
-#include "planish/fabrication/sheet_layout.hpp"
+#include "planish/fabrication/type_table.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {
-
-/// A panel that is drawn, the rectangle around what is cut, and what it takes on a sheet.
-struct DrawnPanel {
-  int face = 0;
-  PanelDrawing panel;
-  BoundingRectangle rectangle, room;
-};
 
 /// Moves a rectangle so that it lies along the axes with its lower left corner at (x, y).
 PlanarMotion onto_axes(const BoundingRectangle& r, double x, double y, bool turned) {
@@ -38,41 +28,26 @@ PlanarMotion onto_axes(const BoundingRectangle& r, double x, double y, bool turn
 class PackageWriter {
  public:
   PackageWriter(const CuttingPlan& plan, const LinkCode& code, const ByteSink& zip)
-      : plan_(plan),
-        code_(code),
-        spacing_(kSheetSpacing / metres_in(plan.options.unit).value()),
-        zip_(zip) {
-    for (int f = 0; f < plan.mesh.face_count(); ++f) {
-      if (plan.drawn[at(f)] == 0) continue;
-      auto panel = draw_panel(plan, f);
-      if (!panel) {
-        report_.vanished.push_back(f);
-        continue;
-      }
-      note_pieces(plan, f, panel->pieces, report_);
-      const BoundingRectangle rectangle = bounding_rectangle(corners_of(panel->pieces));
-      const BoundingRectangle room = room_on_sheet(*panel, spacing_);
-      panels_.push_back({f, *std::move(panel), rectangle, room});
-    }
-    report_.drawn = static_cast<int>(panels_.size());
+      : plan_(plan), code_(code), zip_(zip), items_(cut_items(plan, report_)) {
     measure_flatness(plan, report_);
   }
 
   CuttingPackage write() {
     const bool has_sheets = plan_.options.sheet_width > 0.0;
-    std::vector<SheetPlace> places;
-    if (has_sheets) places = place_on_sheets();
+    std::vector<PlacedPiece> placed;
+    if (has_sheets) placed = place_pieces(plan_, items_, report_);
     CuttingPackage package;
     package.header = header(has_sheets);
     add_tables(package.header);
     zip_.add("map.svg", write_assembly_map(plan_));
     zip_.add("labels.html", write_labels(plan_, drawn_faces(), code_));
-    zip_.add("panels-" + plan_.options.unit + ".dxf", write_dxf(all_panels()));
-    for (const DrawnPanel& panel : panels_) {
-      zip_.add("panels/" + panel_name(panel.face) + "-" + plan_.options.unit + ".dxf",
-               write_dxf(panel.panel.drawing));
+    const std::string folder = plan_.options.by_type ? "types" : "panels";
+    const std::string ending = "-" + plan_.options.unit + ".dxf";
+    zip_.add(folder + ending, write_dxf(all_items()));
+    for (const CutItem& item : items_) {
+      zip_.add(folder + "/" + item.name + ending, write_dxf(item.panel.drawing));
     }
-    if (has_sheets) add_sheets(places);
+    if (has_sheets) add_sheets(placed);
     zip_.finish();
     package.report = std::move(report_);
     return package;
@@ -86,63 +61,57 @@ class PackageWriter {
     std::string json = header;
     json.erase(json.find_last_of('}'));
     json += ",\n\"panels\":" + panels.json + ",\n\"edges\":" + edges.json;
-    json += ",\n\"nodes\":" + nodes.json + "}\n";
-    zip_.add("package.json", json);
+    json += ",\n\"nodes\":" + nodes.json;
+    TableText placements, templates;
+    if (plan_.types) {
+      placements = type_table(plan_);
+      templates = template_table(plan_);
+      json += ",\n\"templates\":" + templates.json + ",\n\"placements\":" + placements.json;
+    }
+    zip_.add("package.json", json + "}\n");
     zip_.add("panels.csv", panels.csv);
     zip_.add("edges.csv", edges.csv);
     zip_.add("nodes.csv", nodes.csv);
+    if (!plan_.types) return;
+    zip_.add("types.csv", placements.csv);
+    zip_.add("templates.csv", templates.csv);
   }
 
   std::vector<int> drawn_faces() const {
     std::vector<int> faces;
-    for (const DrawnPanel& panel : panels_) faces.push_back(panel.face);
+    for (const CutItem& item : items_) {
+      faces.insert(faces.end(), item.faces.begin(), item.faces.end());
+    }
+    std::sort(faces.begin(), faces.end());
     return faces;
   }
 
-  /// All panels in rows of about the length of the column of rows, in their order.
-  Drawing all_panels() const {
+  /// All panels, or one template a type, in rows of about the length of the column of rows, in
+  /// their order.
+  Drawing all_items() const {
+    const double spacing = sheet_spacing(plan_.options);
     double area = 0.0;
-    for (const DrawnPanel& p : panels_) {
-      area += (p.rectangle.width + spacing_) * (p.rectangle.height + spacing_);
+    for (const CutItem& p : items_) {
+      area += (p.rectangle.width + spacing) * (p.rectangle.height + spacing);
     }
     const double row_length = std::sqrt(area);
     Drawing all;
     double x = 0.0;
     double y = 0.0;
     double row_height = 0.0;
-    for (const DrawnPanel& p : panels_) {
+    for (const CutItem& p : items_) {
       if (x > 0.0 && x + p.rectangle.width > row_length) {
-        y += row_height + spacing_;
+        y += row_height + spacing;
         x = row_height = 0.0;
       }
       add_moved(all, p.panel.drawing, onto_axes(p.rectangle, x, y, false));
-      x += p.rectangle.width + spacing_;
+      x += p.rectangle.width + spacing;
       row_height = std::max(row_height, p.rectangle.height);
     }
     return all;
   }
 
-  std::vector<SheetPlace> place_on_sheets() {
-    std::vector<SheetItem> items;
-    items.reserve(panels_.size());
-    for (const DrawnPanel& p : panels_) items.push_back({p.room.width, p.room.height});
-    const double width = plan_.options.sheet_width;
-    const double height = plan_.options.sheet_height;
-    auto places = arrange_on_sheets(items, {width, height, spacing_});
-    double area = 0.0;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      report_.sheets = std::max(report_.sheets, places[k].sheet + 1);
-      if (places[k].sheet < 0) {
-        report_.oversize.push_back(panels_[k].face);
-      } else {
-        area += area_of(panels_[k].panel.pieces);
-      }
-    }
-    if (report_.sheets > 0) report_.used_fraction = area / (report_.sheets * width * height);
-    return places;
-  }
-
-  void add_sheets(const std::vector<SheetPlace>& places) {
+  void add_sheets(const std::vector<PlacedPiece>& placed) {
     const double width = plan_.options.sheet_width;
     const double height = plan_.options.sheet_height;
     std::vector<Drawing> sheets(at(report_.sheets));
@@ -151,11 +120,10 @@ class PackageWriter {
       edge << 0.0, width, width, 0.0, 0.0, 0.0, height, height;
       sheet.loops.push_back({DrawingLayer::kSheet, edge});
     }
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const SheetPlace& place = places[k];
-      if (place.sheet < 0) continue;
-      add_moved(sheets[at(place.sheet)], panels_[k].panel.drawing,
-                onto_axes(panels_[k].room, place.x, place.y, place.turned));
+    for (const auto& [index, place] : placed) {
+      const CutItem& item = items_[at(index)];
+      add_moved(sheets[at(place.sheet)], item.panel.drawing,
+                onto_axes(item.room, place.x, place.y, place.turned));
     }
     for (std::size_t k = 0; k < sheets.size(); ++k) {
       std::string number = std::to_string(k + 1);
@@ -170,10 +138,9 @@ class PackageWriter {
 
   const CuttingPlan& plan_;
   const LinkCode& code_;
-  double spacing_;  ///< in the package's unit
-  std::vector<DrawnPanel> panels_;
-  CuttingReport report_;
   ZipWriter zip_;
+  CuttingReport report_;
+  std::vector<CutItem> items_;
 };
 
 std::string PackageWriter::header(bool has_sheets) const {
@@ -181,7 +148,7 @@ std::string PackageWriter::header(bool has_sheets) const {
   const std::string sheets = has_sheets ? JsonObject()
                                               .add("width", options.sheet_width)
                                               .add("height", options.sheet_height)
-                                              .add("spacing", spacing_)
+                                              .add("spacing", sheet_spacing(options))
                                               .add("count", report_.sheets)
                                               .add("used_fraction", report_.used_fraction)
                                               .add("method", "rectangles arranged, not nested")

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fabrication/numbered.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "planish/numeric/index.hpp"
 
@@ -19,11 +20,14 @@ constexpr std::array<std::pair<std::string_view, double>, 6> kUnits = {
 
 bool is_length(double value) { return std::isfinite(value) && value >= 0.0; }
 
-/// A letter and the number from 1, four digits or more.
-std::string numbered(char letter, int index) {
-  std::string digits = std::to_string(index + 1);
-  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-  return std::string{letter, '-'} + digits;
+/// What is wrong with `options` where one template a type is cut.
+Refusal find_template_problem(const CuttingOptions& options) {
+  if (!options.types) return "one drawing a type needs to know by how much joints may vary";
+  const auto& joint = options.types->joint;
+  if (joint && options.gap != 0.5 * (joint->min + joint->max)) {
+    return "gap must be the middle of joint: templates are cut with it";
+  }
+  return std::nullopt;
 }
 
 /// The side that x runs along: the base panel's longest, so that a small edit does not turn it.
@@ -75,6 +79,9 @@ Refusal find_problem(const CuttingOptions& options, const Mesh& mesh, bool has_b
   if (options.types) {
     if (const Refusal problem = find_problem(*options.types)) return problem;
   }
+  if (options.by_type) {
+    if (const Refusal problem = find_template_problem(options)) return problem;
+  }
   if (options.remake_only && !has_base) {
     return "scope: what must be made again needs a mesh to compare with";
   }
@@ -101,7 +108,9 @@ CuttingPlan make_cutting_plan(const Mesh& mesh, const Mesh* base, const CuttingO
     const int side = x_side(mesh, base, f);
     plan.panels.push_back(flatten_panel(plan.mesh.positions, mesh.face(f), side));
   }
-  if (options.types) plan.types = find_panel_types(plan.panels, plan.joints, *options.types);
+  if (options.types) {
+    plan.types = find_structure_types(plan.mesh, plan.panels, plan.joints, *options.types);
+  }
   plan.drawn = drawn_panels(plan);
   return plan;
 }
@@ -118,9 +127,8 @@ void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>&
   }
 }
 
-std::string panel_name(int face) { return numbered('P', face); }
-std::string edge_name(int joint) { return numbered('E', joint); }
-std::string node_name(int node) { return numbered('N', node); }
-std::string type_name(int type) { return numbered('T', type); }
+std::string panel_name(int face) { return numbered("P", face); }
+std::string edge_name(int joint) { return numbered("E", joint); }
+std::string node_name(int node) { return numbered("N", node); }
 
 }  // namespace planish

@@ -81,6 +81,19 @@ std::string_view task_of(const CuttingPlan& plan, int face) {
   return "";
 }
 
+/// Where the triangle of what is cut belongs.
+std::string marked_corner(const CuttingPlan& plan, int face) {
+  if (!plan.options.by_type) return "On the outside; a triangle marks corner 0.";
+  const FamilyMember& member = plan.types->panels.panels[at(face)];
+  const auto corners = plan.mesh.face(face);
+  const int count = static_cast<int>(corners.size());
+  int corner = 0;
+  while (member.template_column(corner, count) != 0) ++corner;
+  const std::string node = node_name(plan.node_of_vertex[at(corners[at(corner)])]);
+  return type_name(member.family) + (member.mirrored ? ", turned over" : "") +
+         "; its triangle belongs at " + node + ".";
+}
+
 /// To five digits, more only before the point: to know the panel by, not to cut it.
 void append_rounded(std::string& html, double length) {
   if (length < 1e5) {
@@ -105,7 +118,7 @@ void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_co
   const std::vector<std::string> neighbours = neighbour_names(plan, face);
   html += neighbours.size() > kManySides ? "<p class=\"many\">Sides:" : "<p>Sides:";
   for (const std::string& name : neighbours) html += " <i>" + name + "</i>";
-  html += "</p><p>On the outside; a triangle marks corner 0.</p>";
+  html += "</p><p>" + marked_corner(plan, face) + "</p>";
   if (has_code) html += "<svg class=\"code\"><use href=\"#code\"/></svg>";
   html += "</div>\n";
 }

@@ -135,14 +135,14 @@ double text_height(const CuttingPlan& plan, double otherwise, double most) {
   return plan.options.text_height > 0.0 ? std::min(plan.options.text_height, most) : otherwise;
 }
 
-void add_names(Drawing& drawing, const CuttingPlan& plan, int face, TakenRoom& room_left) {
+/// A name, and smaller below it which side is up.
+void add_names(Drawing& drawing, const CuttingPlan& plan, const std::string& name,
+               const std::string& side, TakenRoom& room_left) {
   const Outline& cut = room_left.cut;
-  const std::string name = panel_name(face);
   const Eigen::Vector2d middle = label_point(cut);
   const double room = clearance(cut, middle);
   const double height = fitting_height(name, 1.2 * room, text_height(plan, 0.4 * room, 0.4 * room));
   drawing.texts.push_back({middle, height, 0.0, name});
-  const std::string side = "OUTSIDE UP " + plan.options.unit;
   const double small = fitting_height(side, 1.2 * room, 0.5 * height);
   drawing.texts.push_back({middle - Eigen::Vector2d(0.0, height), small, 0.0, side});
   for (std::size_t k = drawing.texts.size() - 2; k < drawing.texts.size(); ++k) {
@@ -216,10 +216,17 @@ void add_corner_mark(Drawing& drawing, double size, TakenRoom& room_left) {
   drawing.loops.push_back({DrawingLayer::kMark, std::move(mark)});
 }
 
-}  // namespace
+/// How high the names of neighbours are at most on `piece`.
+double neighbour_height(const CuttingPlan& plan, const CutPiece& piece) {
+  const double size = bounding_rectangle(piece.corners).height;
+  return text_height(plan, 0.05 * size, 0.12 * size);
+}
 
-std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
-  const Outline& whole = plan.panels[at(face)].outline;
+/// `whole` less the joints, with its texts but for those that `add_more` adds to each piece.
+template <class AddMore>
+std::optional<PanelDrawing> draw_outline(const CuttingPlan& plan, const Outline& whole,
+                                         const std::string& name, const std::string& side,
+                                         const AddMore& add_more) {
   PanelDrawing panel{inset(whole, 0.5 * plan.options.gap), {}};
   if (panel.pieces.empty()) return std::nullopt;
   for (const CutPiece& piece : panel.pieces) {
@@ -229,12 +236,33 @@ std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
   for (const CutPiece& piece : panel.pieces) {
     const double size = bounding_rectangle(piece.corners).height;
     TakenRoom room_left{piece.corners, {}};
-    add_names(panel.drawing, plan, face, room_left);
+    add_names(panel.drawing, plan, name, side, room_left);
     if (&piece == &panel.pieces.front()) add_corner_mark(panel.drawing, 0.1 * size, room_left);
-    const double height = text_height(plan, 0.05 * size, 0.12 * size);
-    add_neighbours(panel.drawing, neighbours_along(plan, face, piece), height, room_left);
+    add_more(panel.drawing, piece, room_left);
   }
   return panel;
+}
+
+}  // namespace
+
+std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
+  const auto add_more = [&](Drawing& drawing, const CutPiece& piece, TakenRoom& room_left) {
+    add_neighbours(drawing, neighbours_along(plan, face, piece), neighbour_height(plan, piece),
+                   room_left);
+  };
+  return draw_outline(plan, plan.panels[at(face)].outline, panel_name(face),
+                      "OUTSIDE UP " + plan.options.unit, add_more);
+}
+
+std::optional<PanelDrawing> draw_template(const CuttingPlan& plan, int type,
+                                          const std::vector<int>& faces) {
+  const PanelTypes& types = plan.types->panels;
+  const auto turned = std::count_if(faces.begin(), faces.end(),
+                                    [&](int face) { return types.panels[at(face)].mirrored; });
+  std::string side = std::to_string(faces.size()) + " PIECES ";
+  side += turned == 0 ? "OUTSIDE UP " : std::to_string(turned) + " TURNED OVER ";
+  return draw_outline(plan, types.types[at(type)].outline, type_name(type),
+                      side + plan.options.unit, [](Drawing&, const CutPiece&, TakenRoom&) {});
 }
 
 BoundingRectangle room_on_sheet(const PanelDrawing& panel, double spacing) {

@@ -8,6 +8,7 @@
 
 #include "fabrication/neighbours.hpp"
 #include "fabrication/node_axis.hpp"
+#include "fabrication/outline_measures.hpp"
 #include "fabrication/table_writer.hpp"
 #include "numeric/trigonometry.hpp"
 #include "planish/constraints/planar_polygon.hpp"
@@ -49,27 +50,13 @@ void add_surroundings(TableWriter& table, const CuttingPlan& plan, int face) {
 void add_shape(TableWriter& table, const CuttingPlan& plan, int face) {
   const FlatPanel& panel = plan.panels[at(face)];
   const Outline& outline = panel.outline;
-  std::vector<double> lengths;
-  std::vector<double> angles;
-  double perimeter = 0.0;
-  for (Eigen::Index k = 0; k < outline.cols(); ++k) {
-    lengths.push_back(side_length(outline, k));
-    angles.push_back(interior_angle(outline, k) * kDegrees);
-    perimeter += lengths.back();
-  }
-  const double area = area_of(outline);
-  const BoundingRectangle rectangle = bounding_rectangle(outline);
   table.add("outline", std::span(outline.data(), static_cast<std::size_t>(outline.size())))
       .add("off_plane", panel.off_plane)
       .add("origin", triple(panel.frame.origin))
       .add("x_axis", triple(panel.frame.x))
-      .add("normal", triple(panel.frame.normal))
-      .add("edge_lengths", lengths)
-      .add("angles", angles)
-      .add("area", area)
-      .add("perimeter", perimeter)
-      .add("rectangle", std::array{rectangle.width, rectangle.height});
-  if (plan.options.thickness > 0.0) table.add("volume", area * plan.options.thickness);
+      .add("normal", triple(panel.frame.normal));
+  add_measures(table, outline);
+  if (plan.options.thickness > 0.0) table.add("volume", area_of(outline) * plan.options.thickness);
 }
 
 void add_setting_out(TableWriter& table, const CuttingPlan& plan, int face) {
@@ -83,7 +70,7 @@ void add_setting_out(TableWriter& table, const CuttingPlan& plan, int face) {
 /// Which type a panel is of, in a package that has types.
 void add_type(TableWriter& table, const CuttingPlan& plan, int face) {
   if (!plan.types) return;
-  const FamilyMember& member = plan.types->panels[at(face)];
+  const FamilyMember& member = plan.types->panels.panels[at(face)];
   table.add("type", type_name(member.family))
       .add("turned_over", member.mirrored ? "yes" : "no")
       .add("fit", member.distance);
@@ -161,6 +148,10 @@ TableText edge_table(const CuttingPlan& plan) {
         .add("dihedral", joint.dihedral * kDegrees)
         .add("mitre", 90.0 - 0.5 * joint.dihedral * kDegrees)
         .add("fold", fold_name(joint));
+    if (plan.types) {
+      const auto number = &joint - plan.joints.joints.data();
+      table.add("type", bar_type_name(plan.types->bars.of_joint[at(number)]));
+    }
   }
   return table.take();
 }
@@ -180,6 +171,7 @@ TableText node_table(const CuttingPlan& plan) {
         .add("valence", static_cast<int>(joints[at(vertex)].size()))
         .add("axis", triple(axis));
     add_arms(table, plan, vertex, axis, joints[at(vertex)]);
+    if (plan.types) table.add("type", node_type_name(plan.types->nodes.of_vertex[at(vertex)]));
   }
   return table.take();
 }

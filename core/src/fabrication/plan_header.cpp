@@ -80,7 +80,7 @@ JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
       .add("flatness_mm_per_m", report.flatness)
       .add("excess_mm_per_m", report.excess)
       .add("vanished", panel_names(report.vanished));
-  if (plan.types) header.raw("types", types_text(*plan.types));
+  if (plan.types) header.raw("types", types_text(plan.types->panels));
   if (!report.apart.empty()) header.raw("apart", apart_text(report));
   if (!report.lost_sides.empty()) header.add("lost_sides", panel_names(report.lost_sides));
   return header;

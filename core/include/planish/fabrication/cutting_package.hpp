@@ -3,20 +3,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "planish/fabrication/cutting_plan.hpp"
+#include "planish/fabrication/cut_items.hpp"
 #include "planish/fabrication/labels.hpp"
 #include "planish/io/zip.hpp"
 
 namespace planish {
-
-/// What came of a package; faces by their index.
-struct CuttingReport : DrawnReport {
-  std::vector<int> oversize;  ///< larger than a sheet either way
-  int sheets = 0;
-  double used_fraction = 0.0;  ///< cut area over the area of all sheets; 0 without sheets
-};
 
 struct CuttingPackage {
   std::string header;  ///< package.json without its tables

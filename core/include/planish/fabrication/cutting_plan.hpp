@@ -10,8 +10,8 @@
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/fabrication/inset.hpp"
 #include "planish/fabrication/joints.hpp"
-#include "planish/fabrication/panel_types.hpp"
 #include "planish/fabrication/remake.hpp"
+#include "planish/fabrication/structure_types.hpp"
 #include "planish/mesh/mesh.hpp"
 #include "planish/text/refusal.hpp"
 
@@ -28,9 +28,11 @@ struct CuttingOptions {
   double sheet_height = 0.0;
   double text_height = 0.0;  ///< ≥ 0, of texts in drawings of panels, less where there is no room;
                              ///< 0: by the size of the panel
-  std::optional<TypeOptions> types;  ///< also sorts panels into types, for the tables
-  bool remake_only = false;          ///< draws what must be made again against a base
-  std::vector<int> panels;           ///< draws these faces only; empty: no such limit
+  std::optional<TypeOptions> types;  ///< also sorts panels, nodes and edges into types
+  bool by_type = false;  ///< cuts one template a type; needs `types`, and a gap in the middle of
+                         ///< types->joint where that is given
+  bool remake_only = false;  ///< draws what must be made again against a base
+  std::vector<int> panels;   ///< draws these faces only; empty: no such limit
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
@@ -47,12 +49,12 @@ struct CuttingPlan {
   std::uint32_t base_hash = 0;  ///< of the base as given; without one, `hash`
   double scale = 1.0;           ///< options.unit in one model unit
   JointTable joints;
-  std::vector<FlatPanel> panels;    ///< one a face, in options.unit
-  std::vector<int> vertex_of_node;  ///< nodes in the order in which the faces first use them
-  std::vector<int> node_of_vertex;  ///< −1 for a vertex without faces
-  std::optional<Remake> remake;     ///< against the base, if there is one
-  std::optional<PanelTypes> types;  ///< where they are asked for
-  std::vector<char> drawn;          ///< 1 for each face that the drawings show
+  std::vector<FlatPanel> panels;        ///< one a face, in options.unit
+  std::vector<int> vertex_of_node;      ///< nodes in the order in which the faces first use them
+  std::vector<int> node_of_vertex;      ///< −1 for a vertex without faces
+  std::optional<Remake> remake;         ///< against the base, if there is one
+  std::optional<StructureTypes> types;  ///< where they are asked for
+  std::vector<char> drawn;              ///< 1 for each face that the drawings show
 };
 
 /// A panel that a gap cuts into several pieces.
@@ -79,10 +81,9 @@ struct DrawnReport {
 void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>& pieces,
                  DrawnReport& report);
 
-/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0; "T-0001" for panel type 0.
+/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0.
 [[nodiscard]] std::string panel_name(int face);
 [[nodiscard]] std::string edge_name(int joint);
 [[nodiscard]] std::string node_name(int node);
-[[nodiscard]] std::string type_name(int type);
 
 }  // namespace planish

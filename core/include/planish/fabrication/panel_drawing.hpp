@@ -20,6 +20,12 @@ struct PanelDrawing {
 /// nullopt if the gap leaves nothing of the panel.
 [[nodiscard]] std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face);
 
+/// The template of a type of plan.types, with its name and how many are cut: as a panel, but
+/// without neighbours, which every panel of the type has of its own.
+/// @param faces what is cut from it. nullopt if the gap leaves nothing
+[[nodiscard]] std::optional<PanelDrawing> draw_template(const CuttingPlan& plan, int type,
+                                                        const std::vector<int>& faces);
+
 /// What a panel takes on a sheet where `spacing` stays free around it: the rectangle of what is
 /// cut, larger where the panel's outline before the gap stands out of it by more than that.
 [[nodiscard]] BoundingRectangle room_on_sheet(const PanelDrawing& panel, double spacing);
