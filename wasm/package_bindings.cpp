@@ -164,6 +164,9 @@ val mobility_file(const cli::MobilityRun& run, const val& values, const std::str
     return copy(cli::mobility_bytes(name, run.base().mesh, rows));
   });
 }
+val types(const MeshHold& mesh, const val& words) {
+  return answer([&] { return shared(make_types(*mesh, to_words(words))); });
+}
 val read_design_text(const std::string& text) {
   return answer([&] { return shared(design_of_text(text)); });
 }
@@ -251,6 +254,13 @@ EMSCRIPTEN_BINDINGS(planish_package) {
       .smart_ptr<std::shared_ptr<cli::MobilityRun>>("MobilityHold")
       .function("measure", &measure_mobility)
       .function("bytes", &mobility_file);
+  class_<MeshTypes>("Types")
+      .smart_ptr<std::shared_ptr<MeshTypes>>("TypesHold")
+      .function(
+          "report", +[](const MeshTypes& t) { return t.report; })
+      .function(
+          "messages", +[](const MeshTypes& t) { return val::array(t.messages); })
+      .function("bytes", &bytes<MeshTypes>);
   class_<cli::OpenedDesign>("Design")
       .smart_ptr<std::shared_ptr<cli::OpenedDesign>>("DesignHold")
       .function(
@@ -271,6 +281,7 @@ EMSCRIPTEN_BINDINGS(planish_package) {
   function("convert", &convert);
   function("offset", &offset);
   function("mobility", &mobility);
+  function("types", &types);
   function("readDesign", &read_design_text);
   function("options", &option_table);
 }

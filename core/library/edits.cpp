@@ -14,6 +14,7 @@
 #include "projection_run.hpp"
 #include "replay_run.hpp"
 #include "report.hpp"
+#include "types_run.hpp"
 
 namespace planish::library {
 
@@ -166,6 +167,21 @@ cli::MobilityRun make_mobility(const OpenMesh& mesh, const Words& words) {
   return {mesh.mesh, arguments, mesh.name, {}};
 }
 
+MeshTypes make_types(const OpenMesh& mesh, const Words& words) {
+  const cli::Arguments arguments = arguments_of(words, cli::types_option_rows());
+  cli::ShopInput input{mesh.mesh, std::nullopt, cli::model_unit(arguments)};
+  input.name = mesh.name;
+  cli::read_shop_options(arguments, input);
+  CuttingPlan plan = cli::plan_types(arguments, input);
+  const cli::Json report = cli::types_json(plan);
+  std::vector<std::string> messages = cli::types_sentences(plan, input.tolerance);
+  return {std::move(plan), report.dump(2), std::move(messages)};
+}
+
+std::string bytes_of(const MeshTypes& types, const std::string& name) {
+  return cli::types_bytes(name, types.plan);
+}
+
 cli::OpenedDesign design_of_text(const std::string& text) {
   auto design = read_design(text);
   if (const auto* sentence = std::get_if<std::string>(&design)) {
@@ -209,10 +225,11 @@ std::vector<cli::OptionRow> option_rows(const std::string& command) {
   if (command == "offset") return cli::offset_option_rows();
   if (command == "mobility") return cli::mobility_option_rows();
   if (command == "convert") return cli::conversion_option_rows();
+  if (command == "types") return cli::types_option_rows();
   throw CommandError(
       cli::kWrongUsage,
       "there is no command \"" + command +
-          "\" with options; use edit, explore, project, offset, mobility or convert");
+          "\" with options; use edit, explore, project, offset, mobility, convert or types");
 }
 
 }  // namespace planish::library

@@ -13,6 +13,7 @@
 #include "mobility_run.hpp"
 #include "open_mesh.hpp"
 #include "planish/design/design.hpp"
+#include "planish/fabrication/cutting_plan.hpp"
 #include "planish/offset/mesh_offset.hpp"
 #include "planish/projection/projection.hpp"
 
@@ -75,6 +76,18 @@ struct EditVariation {
 /// Ready to measure where `mesh` can move. @param words as `planish mobility` has them
 [[nodiscard]] cli::MobilityRun make_mobility(const OpenMesh& mesh, const Words& words);
 
+/// What of a mesh is alike.
+struct MeshTypes {
+  CuttingPlan plan;  ///< with types
+  std::string report;
+  std::vector<std::string> messages;
+};
+
+/// @param words as `planish types` has them
+[[nodiscard]] MeshTypes make_types(const OpenMesh& mesh, const Words& words);
+/// @param name must end in .csv
+[[nodiscard]] std::string bytes_of(const MeshTypes& types, const std::string& name);
+
 /// A design done again.
 struct Replayed {
   Design design;  ///< with the mark of this result
@@ -90,8 +103,8 @@ struct Replayed {
 /// @param name must end in .json
 [[nodiscard]] std::string bytes_of(const Design& design, const std::string& name);
 
-/// Rows (name, value, help) that `command` takes: edit, explore, project, offset, mobility or
-/// convert.
+/// Rows (name, value, help) that `command` takes: edit, explore, project, offset, mobility,
+/// convert or types.
 [[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
 
 }  // namespace planish::library

@@ -12,6 +12,7 @@ from .operations import Offset, Projection, convert, info, offset, options, proj
 from .report import Report
 from .shape import Shape
 from .sweeps import Job, Plan, gather, sweep
+from .types import Types, types
 
 __all__ = [
     "Design",
@@ -28,6 +29,7 @@ __all__ = [
     "Replay",
     "Report",
     "Shape",
+    "Types",
     "UsageError",
     "Variation",
     "__version__",
@@ -41,4 +43,5 @@ __all__ = [
     "options",
     "project",
     "sweep",
+    "types",
 ]

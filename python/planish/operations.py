@@ -92,7 +92,7 @@ def info(mesh: Mesh) -> Report:
 
 
 def options(command: str) -> dict[str, str]:
-    """What "edit", "explore", "project", "offset" or "convert" takes: each option with what it does."""
+    """What "edit", "explore", "project", "offset", "convert" or "types" takes: each option with what it does."""
     return {
         name.lstrip("-").replace("-", "_"): " ".join(help_text.split())
         for name, _, help_text in _core.options(command)

@@ -232,6 +232,22 @@ void bind_mobility(py::module_& module) {
           Unlocked());
 }
 
+void bind_types(py::module_& module) {
+  py::class_<MeshTypes>(module, "Types")
+      .def(py::init(&make_types), py::call_guard<py::gil_scoped_release>())
+      .def_readonly("report", &MeshTypes::report)
+      .def_readonly("messages", &MeshTypes::messages)
+      .def_property_readonly("of_panel",
+                             [](const MeshTypes& self) {
+                               std::vector<int> types;
+                               for (const FamilyMember& member : self.plan.types->panels.panels) {
+                                 types.push_back(member.family);
+                               }
+                               return types;
+                             })
+      .def("save", &save<MeshTypes>);
+}
+
 void bind_functions(py::module_& module) {
   module.def(
       "project",
@@ -270,5 +286,6 @@ PYBIND11_MODULE(_core, module) {
   bind_design(module);
   bind_sweep(module);
   bind_mobility(module);
+  bind_types(module);
   bind_functions(module);
 }

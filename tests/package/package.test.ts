@@ -252,6 +252,29 @@ it("mobility says of each point what the command says, and a watch stops it", as
   }
 });
 
+it("types are those of the command, and a wrong joint is named", async () => {
+  const [report, csv, sentence] = await script<[{ types: object }, string, string]>(`
+    import { types, Mesh } from "planish";
+    const mesh = await Mesh.sample("vault", 12);
+    const alike = types(mesh, { joint: [4, 24], mirrored: true });
+    let sentence = "";
+    try {
+      types(mesh, { joint: [5, 5] });
+    } catch (error) {
+      sentence = error.message;
+    }
+    const csv = new TextDecoder().decode(alike.write("csv"));
+    console.log(JSON.stringify([alike.report, csv, sentence]));`);
+  const given = ["types", "sample:vault:12", "--joint=4:24", "--mirrored"];
+  run(join(ROOT, "build/native/planish"), ...given, "-o", "t.csv", "--report", "t.json");
+  const native = JSON.parse(await readFile(inProject("t.json"), "utf8"));
+  expect(report).toMatchObject({ types: { types: native.types.types, sizes: native.types.sizes } });
+  // Of each panel the name, the type, the corner and whether it is turned over; fits differ by rounding.
+  const rows = (text: string) => text.trim().split("\n").map((row) => row.split(",").slice(0, 5));
+  expect(rows(csv)).toEqual(rows(await readFile(inProject("t.csv"), "utf8")));
+  expect(sentence).toMatch(/^joint/);
+});
+
 it("convert joins points and turns panels, and says how many", async () => {
   const answer = await script<unknown>(`
     import { convert, Mesh, options } from "planish";

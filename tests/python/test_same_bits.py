@@ -174,6 +174,21 @@ class SameBits(InFolder):
             self.check_file("o.obj", offset)
             self.check_report("o.report", offset.report)
 
+    def test_types(self):
+        mesh = planish.Mesh.read("sample:vault:12")
+        for words, options in (([], {}), (["--joint=4:24"], {"joint": (4, 24)}),
+                               (["--within=2%", "--mirrored", "--unit=cm", "--angle=2"],
+                                {"within": "2%", "mirrored": True, "unit": "cm", "angle": 2})):
+            self.command("types", "sample:vault:12", *words, "-o", "t.csv", "--report", "t.report")
+            types = planish.types(mesh, **options)
+            types.save("mine.csv")
+            self.assertEqual(Path("mine.csv").read_bytes(), Path("t.csv").read_bytes())
+            self.check_report("t.report", types.report)
+            self.assertEqual(types.messages, [])
+            for number, template in enumerate(types.report.templates):
+                self.assertEqual((types.of_panel == number).nonzero()[0].tolist(),
+                                 template["panels"])
+
     def test_info(self):
         self.command("info", "sample:hex:8", "--report", "i.report")
         self.check_report("i.report", planish.info(planish.Mesh.read("sample:hex:8")))
@@ -200,7 +215,7 @@ class SameBits(InFolder):
         self.check_file("a.obj", edit)
 
     def test_every_option_of_the_command_is_taken(self):
-        for command in ("edit", "explore", "project", "offset"):
+        for command in ("edit", "explore", "project", "offset", "types"):
             help_text = self.help_of(command)
             for name in planish.options(command):
                 self.assertIn("--" + name.replace("_", "-"), help_text)

@@ -6,7 +6,7 @@ import { Pool } from "./pool.ts";
 import { wasmBytes } from "./wasm-source.ts";
 
 /** Commands with options. */
-export type Command = "edit" | "explore" | "project" | "offset" | "mobility" | "convert";
+export type Command = "edit" | "explore" | "project" | "offset" | "mobility" | "convert" | "types";
 
 /** The solver, once it is there: all that meshes and results share. */
 export class Core {

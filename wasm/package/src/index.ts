@@ -16,4 +16,5 @@ export {
 } from "./operations.ts";
 export type { BoundReport, Report, Violation } from "./report.ts";
 export { type Progress, Shape } from "./shape.ts";
+export { Types, type TypesOptions, type TypesReport, types } from "./types.ts";
 export type { Bounds, Constraints, HandleTarget } from "./words.ts";

@@ -77,6 +77,12 @@ export interface MobilityHandle extends Handle {
   bytes(rows: readonly MobilityValue[], name: string): Answer<Uint8Array>;
 }
 
+export interface TypesHandle extends Handle {
+  report(): string;
+  messages(): string[];
+  bytes(name: string): Answer<Uint8Array>;
+}
+
 export interface OptionRow {
   /** "--keep-boundary" */
   readonly name: string;
@@ -105,6 +111,7 @@ export interface PackageModule {
   convert(mesh: MeshHandle, words: readonly string[]): Answer<MeshHandle>;
   offset(mesh: MeshHandle, words: readonly string[]): Answer<ShapeHandle>;
   mobility(mesh: MeshHandle, words: readonly string[]): Answer<MobilityHandle>;
+  types(mesh: MeshHandle, words: readonly string[]): Answer<TypesHandle>;
   readDesign(text: string): Answer<DesignHandle>;
   options(command: string): Answer<OptionRow[]>;
 }
