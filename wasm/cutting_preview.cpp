@@ -41,9 +41,8 @@ void show_item(const std::vector<CutItem>& items, int face, const std::string& u
     return std::find(item.faces.begin(), item.faces.end(), face) != item.faces.end();
   };
   const auto found = std::find_if(items.begin(), items.end(), holds);
-  const bool is_drawn = found != items.end();
-  const CutItem& item = is_drawn ? *found : items.front();
-  preview.shown = is_drawn ? face : item.faces.front();
+  const CutItem& item = found != items.end() ? *found : items.front();
+  preview.shown = item.name;
   preview.drawing = picture_of(item.panel, unit);
 }
 
@@ -63,6 +62,7 @@ CuttingPreview preview_cutting(const CuttingPlan& plan, int face, bool with_map)
     preview.nodes_moved = plan.remake->count(NodeChange::kMoved);
     preview.nodes_arms = plan.remake->count(NodeChange::kArms);
   }
+  if (plan.types) preview.types = static_cast<int>(plan.types->panels.types.size());
   const std::vector<CutItem> items = cut_items(plan, preview);
   if (plan.options.sheet_width > 0.0) place_pieces(plan, items, preview);
   show_item(items, face, plan.options.unit, preview);

@@ -14,6 +14,12 @@ export interface CuttingOptions {
   readonly sheetHeight: number;
   /** 0: by the size of the panel. */
   readonly textHeight: number;
+  /** By how much the joint may be wider or narrower where one template a type is cut; 0: no types. */
+  readonly jointBy: number;
+  /** A panel may be its template turned over. */
+  readonly mirrored: boolean;
+  /** One drawing a type; needs jointBy. */
+  readonly byType: boolean;
   /** Draws only what must be made again. */
   readonly remakeOnly: boolean;
   /** Draws these panels only; empty: no such limit. */
@@ -77,6 +83,8 @@ export interface CuttingHeader {
   readonly apart?: readonly PanelApart[];
   /** Of which the gap takes whole sides; absent if there is none. */
   readonly lost_sides?: readonly string[];
+  /** Absent where they were not asked for. */
+  readonly types?: { readonly types: number };
   /** Of a package alone. */
   readonly sheets?: {
     readonly count: number;
@@ -124,12 +132,26 @@ export interface CuttingPreview {
   readonly oversize: readonly string[];
   readonly sheets: number;
   readonly usedFraction: number;
+  /** Of panels; 0 where they were not asked for. */
+  readonly types: number;
   /** SVG; "" if it was not wanted. */
   readonly map: string;
-  /** The panel in `drawing`; "" if none is drawn. */
+  /** The panel or type in `drawing`; "" if none is drawn. */
   readonly shown: string;
   /** SVG. */
   readonly drawing: string;
+}
+
+/** What of the panels is alike; absent but for `problem` where that is not empty. */
+export interface PanelTypes {
+  readonly problem: string;
+  /** The type of each panel, from 0: the one with most panels. */
+  readonly ofPanel: Int32Array;
+  /** Panels of each type. */
+  readonly sizes: Int32Array;
+  /** Model units: how far a corner is from its template's, at most and allowed. */
+  readonly worstFit: number;
+  readonly within: number;
 }
 
 /** panels.csv; absent with `problem` not empty. */
@@ -178,5 +200,7 @@ export interface ShopModule {
     face: number,
     map: boolean,
   ): CuttingPreview;
+  /** `share` of the mean edge: how far a corner may be from its template's. */
+  panelTypes(design: ShopDesign, share: number, mirrored: boolean): PanelTypes;
   panelRows(design: ShopDesign, options: CuttingOptions): PanelRows;
 }

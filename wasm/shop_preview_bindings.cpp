@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// Two more functions of the module that writes cutting packages: what a package would hold, for
-/// the dialog that asks for it, and the table of panels, for other formats. No exception leaves it.
+/// More functions of the module that writes cutting packages: what a package would hold, for the
+/// dialog that asks for it, the table of panels, for other formats, and the types of panels. No
+/// exception leaves it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
+#include <vector>
 
+#include "arrays.hpp"
 #include "cutting_preview.hpp"
 #include "planish/fabrication/panel_tables.hpp"
+#include "planish/measures/metrics.hpp"
 #include "shop_values.hpp"
 
 namespace {
@@ -51,8 +56,9 @@ val to_value(const CuttingPreview& preview) {
   result.set("oversize", panel_names(preview.oversize));
   result.set("sheets", preview.sheets);
   result.set("usedFraction", preview.used_fraction);
+  result.set("types", preview.types);
   result.set("map", preview.map);
-  result.set("shown", preview.shown < 0 ? std::string() : planish::panel_name(preview.shown));
+  result.set("shown", preview.shown);
   result.set("drawing", preview.drawing);
   return result;
 }
@@ -85,9 +91,40 @@ val panel_rows(const val& design, const val& options) {
   });
 }
 
+val panel_types(const val& design, double share, bool mirrored) {
+  try {
+    const ShopDesign shown = to_design(design);
+    CuttingOptions options;
+    options.unit = options.model_unit;
+    options.types.emplace();
+    options.types->within = share * planish::mean_edge_length(shown.mesh);
+    options.types->mirrored = mirrored;
+    if (const auto problem = find_problem(options, shown.mesh, false)) return refused(*problem);
+    const CuttingPlan plan = make_cutting_plan(shown.mesh, nullptr, options);
+    const planish::PanelTypes& types = plan.types->panels;
+    std::vector<int> of_panel;
+    for (const planish::FamilyMember& member : types.panels) of_panel.push_back(member.family);
+    std::vector<int> sizes;
+    double worst = 0.0;
+    for (const planish::PanelType& type : types.types) {
+      sizes.push_back(static_cast<int>(type.panels.size()));
+      worst = std::max(worst, type.worst);
+    }
+    val result = refused("");
+    result.set("ofPanel", planish::copy(of_panel));
+    result.set("sizes", planish::copy(sizes));
+    result.set("worstFit", worst);
+    result.set("within", types.within);
+    return result;
+  } catch (const std::exception&) {
+    return refused("There is not enough memory for this in the browser.");
+  }
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(planish_shop_preview) {
   emscripten::function("cuttingPreview", &cutting_preview);
+  emscripten::function("panelTypes", &panel_types);
   emscripten::function("panelRows", &panel_rows);
 }

@@ -28,6 +28,13 @@ CuttingOptions to_cutting_options(const val& options) {
   result.sheet_width = options["sheetWidth"].as<double>();
   result.sheet_height = options["sheetHeight"].as<double>();
   result.text_height = options["textHeight"].as<double>();
+  if (const double by = options["jointBy"].as<double>(); by != 0.0) {
+    result.types.emplace();
+    result.types->joint = JointRange{result.gap - by, result.gap + by};
+    result.types->mirrored = options["mirrored"].as<bool>();
+    result.gap = 0.5 * (result.types->joint->min + result.types->joint->max);
+  }
+  result.by_type = options["byType"].as<bool>();
   result.remake_only = options["remakeOnly"].as<bool>();
   result.panels = emscripten::convertJSArrayToNumberVector<int>(options["panels"]);
   return result;

@@ -270,7 +270,11 @@ it("types are those of the command, and a wrong joint is named", async () => {
   const native = JSON.parse(await readFile(inProject("t.json"), "utf8"));
   expect(report).toMatchObject({ types: { types: native.types.types, sizes: native.types.sizes } });
   // Of each panel the name, the type, the corner and whether it is turned over; fits differ by rounding.
-  const rows = (text: string) => text.trim().split("\n").map((row) => row.split(",").slice(0, 5));
+  const rows = (text: string) =>
+    text
+      .trim()
+      .split("\n")
+      .map((row) => row.split(",").slice(0, 5));
   expect(rows(csv)).toEqual(rows(await readFile(inProject("t.csv"), "utf8")));
   expect(sentence).toMatch(/^joint/);
 });

@@ -94,11 +94,12 @@ export class PanelColours {
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
    * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: by the
-   * class, convex neutral, self-crossing at its end. Groups: neutral, then one colour after the
-   * other. What must be made again: see remakePlace().
+   * class, convex neutral, self-crossing at its end. Groups and types: neutral, then one colour
+   * after the other. What must be made again: see remakePlace().
    */
   #placeOf(figures: Float32Array): (panel: number) => number {
-    if (this.#kind === "groups") return (f) => (figures[f] ?? 0) / GROUP_COLOURS.length;
+    if (this.#kind === "groups" || this.#kind === "types")
+      return (f) => (figures[f] ?? 0) / GROUP_COLOURS.length;
     if (this.#kind === "health") return (f) => (figures[f] ?? 0) / (TROUBLES.length - 1);
     if (this.#kind === "remake")
       return (f) => remakePlace(figures[PER_PANEL.health * f + CHANGE] ?? 0);
@@ -113,7 +114,8 @@ export class PanelColours {
   #paintPanels(figures: Float32Array): void {
     const { offsets } = this.#mesh;
     const place = this.#placeOf(figures);
-    const ramp = this.#kind === "groups" ? this.#groupRamp : this.#panelRamp;
+    const isNamed = this.#kind === "groups" || this.#kind === "types";
+    const ramp = isNamed ? this.#groupRamp : this.#panelRamp;
     for (let f = 0; f + 1 < offsets.length; ++f) {
       const t = place(f);
       for (let c = offsets[f] ?? 0; c < (offsets[f + 1] ?? 0); ++c) {

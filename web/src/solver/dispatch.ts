@@ -21,7 +21,7 @@ import type {
 } from "./protocol.ts";
 import { keepCopy, readFile, readGiven, readKept } from "./reading.ts";
 import { insist, insistReadable, isFatal, Refused, sentence } from "./refused.ts";
-import { offsetOf, previewPackage, writeForShop } from "./shop.ts";
+import { offsetOf, panelTypes, previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
 export type Post = (reply: Reply, transfer: Transferable[]) => void;
@@ -38,6 +38,7 @@ type Waited =
   | "export"
   | "shop"
   | "preview"
+  | "types"
   | "readModel"
   | "unpack"
   | "model"
@@ -109,6 +110,7 @@ export class Dispatcher {
       else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
       else if (request.kind === "preview") await this.#preview(request);
+      else if (request.kind === "types") await this.#types(request);
       else if (request.kind === "offset") await this.#offset(request);
       else if (request.kind === "readModel") await this.#readModel(request);
       else if (request.kind === "unpack") await this.#unpack(request);
@@ -193,6 +195,11 @@ export class Dispatcher {
     const { job, options, face, map } = request;
     const preview = await previewPackage(this.#session, options, face, map);
     this.#post({ kind: "previewed", job, preview }, []);
+  }
+
+  async #types({ job, share, mirrored }: Extract<Request, { kind: "types" }>): Promise<void> {
+    const types = await panelTypes(this.#session, share, mirrored);
+    this.#post({ kind: "types", job, types }, []);
   }
 
   async #offset({ job, distance, form }: Extract<Request, { kind: "offset" }>): Promise<void> {

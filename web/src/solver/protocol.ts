@@ -12,6 +12,7 @@ import type {
   DrawnHeader,
   MeshOffset,
   OffsetKind,
+  PanelTypes,
   ShopOrder,
 } from "@wasm/planish_documents.mjs";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
@@ -44,6 +45,7 @@ export type {
   LinkCode,
   MeshOffset,
   OffsetKind,
+  PanelTypes,
   ShopOrder,
 } from "@wasm/planish_documents.mjs";
 
@@ -180,6 +182,8 @@ export type Request =
   | { kind: "shop"; job: number; order: ShopOrder } // → made
   /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
   | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
+  /** Which panels of the design shown are alike, see PanelTypes. */
+  | { kind: "types"; job: number; share: number; mirrored: boolean } // → types
   /** A mesh beside the one that is open, which stays. */
   | { kind: "readModel"; job: number; file: Blob; name: string; format: FileFormat } // → readModel
   /** What a .3dm holds; the mesh that is open stays. */
@@ -332,6 +336,7 @@ export type Reply =
   | { kind: "freedom"; job: number; freedom: FreedomReport | null }
   | { kind: "exported"; job: number; bytes: Uint8Array }
   | { kind: "made"; job: number; file: Blob; header: CuttingHeader | DrawnHeader }
+  | { kind: "types"; job: number; types: PanelTypes }
   | { kind: "previewed"; job: number; preview: CuttingPreview }
   | { kind: "offset"; job: number; offset: MeshOffset }
   | { kind: "readModel"; job: number; model: Model }

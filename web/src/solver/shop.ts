@@ -6,6 +6,7 @@ import type {
   CuttingPreview,
   MeshOffset,
   OffsetKind,
+  PanelTypes,
   ShopDesign,
   ShopModule,
   ShopOrder,
@@ -57,6 +58,16 @@ export async function previewPackage(
 ): Promise<CuttingPreview> {
   const shop = await loadPart();
   return shop.cuttingPreview(designOf(session), options, face, map);
+}
+
+/** Which panels of the design shown are alike, within a share of the mean edge. */
+export async function panelTypes(
+  session: Session,
+  share: number,
+  mirrored: boolean,
+): Promise<PanelTypes> {
+  const shop = await loadPart();
+  return shop.panelTypes(designOf(session), share, mirrored);
 }
 
 /** The design shown at a distance, model units. `kind`: "" for the first that it has. */

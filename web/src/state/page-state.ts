@@ -20,6 +20,7 @@ import type {
   NodeCounts,
   OffsetKind,
   OpenedMesh,
+  PanelTypes,
   ShapeReport,
   Source,
   VariationWeights,
@@ -73,9 +74,24 @@ export type ColourBy =
   | "mobility"
   | "zebra"
   | "glass"
+  | "types"
   | "groups"
   | Kind
   | "none";
+
+/** How far panels of one type may be from alike. */
+export interface TypesChoice {
+  /** A share of the mean edge. */
+  readonly share: number;
+  /** A panel may be its template turned over. */
+  readonly mirrored: boolean;
+}
+
+/** Which panels are alike. */
+export interface ShownTypes extends TypesChoice {
+  readonly of: Design;
+  readonly types: PanelTypes;
+}
 
 /** Where a mesh can move, as far as it has been measured. */
 export interface Mobility {
@@ -95,6 +111,9 @@ export interface Mobility {
 /** What a page shows. */
 export class PageState {
   /** null until someone looks. */
+  readonly typesChoice = signal<TypesChoice>({ share: 0.005, mirrored: false });
+  /** Of the latest design and choice for which they were found. */
+  readonly shownTypes = signal<ShownTypes | null>(null);
   readonly mobility = signal<Mobility | null>(null);
   /** What second layer is wanted of this mesh and its designs; null for none. */
   readonly offsetChoice = signal<LaidOffset | null>(null);

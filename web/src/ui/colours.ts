@@ -9,6 +9,7 @@ export const COLOURS: readonly (readonly [ColourBy, string])[] = [
   ["fairness", "Fairness"],
   ["health", "Panel health"],
   ["remake", "Make again"],
+  ["types", "Types"],
   ["circular", "Circular"],
   ["conical", "Conical"],
   ["mobility", "Mobility"],

@@ -38,6 +38,10 @@ const GroupsScale = later(() =>
   import("../features/groups/groups-scale.tsx").then((part) => part.GroupsScale),
 );
 
+const TypesScale = later(() =>
+  import("../features/types/types-scale.tsx").then((part) => part.TypesScale),
+);
+
 function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   return (
     <>
@@ -86,6 +90,7 @@ function Scale() {
   if (kind === "glass")
     return <p class="legend-note">Each panel mirrors the sky, or lets it through</p>;
   if (kind === "health") return <HealthScale />;
+  if (kind === "types") return <TypesScale />;
   if (kind === "groups") return <GroupsScale />;
   if (kind === "remake") return <RemakeScale />;
   return (

@@ -39,9 +39,8 @@ struct PlacedPiece {
 
 /// Every piece of `items` on sheets of the size that `plan` asks for, which must ask for one; those
 /// that fit none are left out. Notes the sheets in `report`.
-[[nodiscard]] std::vector<PlacedPiece> place_pieces(const CuttingPlan& plan,
-                                                    const std::vector<CutItem>& items,
-                                                    CuttingReport& report);
+std::vector<PlacedPiece> place_pieces(const CuttingPlan& plan, const std::vector<CutItem>& items,
+                                      CuttingReport& report);
 
 /// What stays free between pieces, and along the edge of a sheet, in the unit of `options`.
 [[nodiscard]] double sheet_spacing(const CuttingOptions& options);

@@ -5,7 +5,14 @@ import { type Unit, unitWord } from "../../quantity/units.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { CuttingPreview, type Saved } from "./cutting-preview.tsx";
 import { exportPackage, type PackageChoice, type Scope } from "./shop.ts";
-import { NumberRow, ScopeRow, ShopForm, UnitRow } from "./shop-fields.tsx";
+import { ChoiceRow, NumberRow, ScopeRow, ShopForm, SwitchRow, UnitRow } from "./shop-fields.tsx";
+
+type Cut = "panel" | "type";
+
+const CUTS = [
+  { value: "panel", text: "Each panel by itself" },
+  { value: "type", text: "One template a type" },
+] as const;
 
 /** Asks what the workshop needs, and saves it. */
 export function CuttingPackage() {
@@ -14,6 +21,7 @@ export function CuttingPackage() {
   const [width, height] = [useSignal(""), useSignal("")];
   const packageUnit = useSignal<Unit>("mm");
   const scope = useSignal<Scope>("all");
+  const [cut, jointBy, mirrored] = [useSignal<Cut>("panel"), useSignal(""), useSignal(false)];
   const withLink = useSignal(true);
   const saved = useSignal<Saved | null>(null);
   const choice = useComputed(
@@ -25,6 +33,9 @@ export function CuttingPackage() {
       sheetWidth: Number(width.value),
       sheetHeight: Number(height.value),
       textHeight: Number(text.value),
+      jointBy: cut.value === "type" ? Number(jointBy.value) : 0,
+      mirrored: mirrored.value,
+      byType: cut.value === "type",
       withLink: withLink.value,
     }),
   );
@@ -38,19 +49,18 @@ export function CuttingPackage() {
       <UnitRow label="Unit of the drawings" value={packageUnit} />
       <ScopeRow label="Drawings of" value={scope} />
       <NumberRow label="Joint between panels" value={gap} />
+      <ChoiceRow label="Drawn" value={cut} choices={CUTS} />
+      {cut.value === "type" && (
+        <>
+          <NumberRow label="Joints vary by up to" value={jointBy} otherwise="needed" />
+          <SwitchRow label="Panels may be turned over" value={mirrored} />
+        </>
+      )}
       <NumberRow label="Thickness" value={thickness} />
       <NumberRow label="Sheet width" value={width} />
       <NumberRow label="Sheet height" value={height} />
       <NumberRow label="Text height" value={text} otherwise="by panel" />
-      <label for="shop-link">Labels with a QR code</label>
-      <input
-        id="shop-link"
-        type="checkbox"
-        checked={withLink.value}
-        onChange={({ currentTarget }) => {
-          withLink.value = currentTarget.checked;
-        }}
-      />
+      <SwitchRow label="Labels with a QR code" value={withLink} />
       <p class="quiet">
         {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(page.unit.value)}; panels are seen from outside.`}
       </p>

@@ -2,6 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import type { Unit } from "../../quantity/units.ts";
+import { WITHOUT_TYPES } from "../../solver/cutting-options.ts";
 import type { CuttingHeader } from "../../solver/protocol.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { exportIfc, type Scope } from "./shop.ts";
@@ -25,6 +26,7 @@ export function IfcModel() {
       sheetWidth: 0,
       sheetHeight: 0,
       textHeight: 0,
+      ...WITHOUT_TYPES,
     });
   };
   return (

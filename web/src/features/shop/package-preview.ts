@@ -40,6 +40,7 @@ const NOTHING: CuttingPreview = {
   oversize: [],
   sheets: 0,
   usedFraction: 0,
+  types: 0,
   map: "",
   shown: "",
   drawing: "",
@@ -59,6 +60,7 @@ export const headerOf = (preview: CuttingPreview, choice: PackageChoice): Cuttin
   vanished: preview.vanished,
   apart: preview.apart,
   lost_sides: preview.lostSides,
+  ...(preview.types > 0 && { types: { types: preview.types } }),
   sheets:
     choice.sheetWidth > 0
       ? {

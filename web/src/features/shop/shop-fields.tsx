@@ -67,6 +67,23 @@ export function ChoiceRow<T extends string>({ label, value, choices }: ChoicePro
   );
 }
 
+/** On or off. */
+export function SwitchRow({ label, value }: { label: string; value: Signal<boolean> }) {
+  return (
+    <>
+      <label for={idOf(label)}>{label}</label>
+      <input
+        id={idOf(label)}
+        type="checkbox"
+        checked={value.value}
+        onChange={({ currentTarget }) => {
+          value.value = currentTarget.checked;
+        }}
+      />
+    </>
+  );
+}
+
 export function UnitRow({ label, value }: { label: string; value: Signal<Unit> }) {
   const choices = UNITS.map((word) => ({ value: word, text: unitWord(word) }));
   return <ChoiceRow label={label} value={value} choices={choices} />;

@@ -6,6 +6,8 @@ import type { CuttingHeader } from "../../solver/protocol.ts";
 
 const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
 
+const count = (types: number): string => `${types} ${types === 1 ? "type" : "types"}`;
+
 function sheetWords({ sheets }: CuttingHeader): string[] {
   if (!sheets) return [];
   const used = Math.round(100 * sheets.used_fraction);
@@ -27,8 +29,8 @@ function gapWords({ apart = [], lost_sides = [] }: CuttingHeader): string[] {
 }
 
 export function summary(header: CuttingHeader): string {
-  const { counts, remake, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
-  const parts = [`${panels(counts.drawn)} drawn`];
+  const { counts, remake, types, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
+  const parts = [`${panels(counts.drawn)} drawn${types ? ` as ${count(types.types)}` : ""}`];
   if (remake)
     parts.push(
       `${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`,

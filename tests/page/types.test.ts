@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Panel types in the page: colours that lead to their panels, counted as the command line counts them, and
+// packages with one drawing a type.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { downloaded, obj, typeTarget } from "../browser/support/page.ts";
+import { site } from "./support/site.ts";
+
+const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
+
+let folder: string;
+
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), "planish-types-"));
+});
+
+afterAll(() => rmSync(folder, { recursive: true }));
+
+const legend = (page: Page) => page.getByRole("group", { name: "Legend", exact: true });
+
+/** "61 types of 400 panels" → 61 */
+const count = async (page: Page): Promise<number> =>
+  Number.parseInt(
+    (await legend(page)
+      .getByText(/types? of \d+ panels/)
+      .textContent()) ?? "",
+    10,
+  );
+
+/** What the command line finds in the design shown. */
+async function byCommand(page: Page, words: string): Promise<{ types: number; sizes: number[] }> {
+  writeFileSync(join(folder, "shown.obj"), await obj(page));
+  const given = ["types", "shown.obj", ...words.split(" "), "--report", "r.json"];
+  execFileSync(CLI, given, { cwd: folder });
+  return JSON.parse(await readFile(join(folder, "r.json"), "utf8")).types;
+}
+
+it("colours the largest types, as many as the command line finds, before and after an edit", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
+  const before = await byCommand(page, "--within 0.5%");
+  await expect.poll(() => count(page)).toBe(before.types);
+  const first = legend(page).getByRole("button", { name: `T-0001 ${before.sizes[0]}` });
+  await first.click();
+  await page.getByText(/^Panel \d+ 4 corners/).waitFor();
+  await typeTarget(page, "+40cm");
+  const after = await byCommand(page, "--within 0.5%");
+  expect(after.types).toBeGreaterThan(before.types);
+  await expect.poll(() => count(page)).toBe(after.types);
+  await legend(page)
+    .getByRole("combobox", { name: /^Corners within/ })
+    .selectOption("2 % of an edge");
+  await legend(page).getByRole("checkbox", { name: "Turned over, too" }).check();
+  const wider = await byCommand(page, "--within 2% --mirrored");
+  expect(wider.types).toBeLessThan(after.types);
+  await expect.poll(() => count(page)).toBe(wider.types);
+  await page.context().close();
+});
+
+it("cuts one template a type with the bytes of the command line", async () => {
+  const page = await site.open();
+  writeFileSync(join(folder, "Roof.obj"), await obj(page));
+  await page.getByRole("button", { name: "Export" }).click();
+  await page.getByRole("button", { name: "Cutting package…" }).click();
+  const dialog = page.getByRole("dialog", { name: "Cutting package" });
+  await dialog.getByLabel("Joint between panels").fill("20");
+  await dialog.getByLabel("Drawn").selectOption("One template a type");
+  await dialog.getByText(/Not like this: one drawing a type needs to know/).waitFor();
+  await dialog.getByLabel("Joints vary by up to").fill("14");
+  await dialog.getByLabel("Panels may be turned over").check();
+  await dialog.getByLabel("Sheet width").fill("6000");
+  await dialog.getByLabel("Sheet height").fill("3000");
+  await dialog.getByLabel("Labels with a QR code").uncheck();
+  await dialog.getByText(/panels drawn as \d+ types/).waitFor();
+  await dialog.getByText(/^T-0001, as it is drawn/).waitFor();
+  const download = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save package" }).click();
+  const bytes = await downloaded(await download);
+  await dialog.getByText(/Saved: \d+ panels drawn as \d+ types/).waitFor();
+  const options = "--joint 6:34 --mirrored --by type --sheet 6000x3000 --against Roof.obj";
+  const given = ["panels", "Roof.obj", "-o", "cli.zip", ...options.split(" ")];
+  execFileSync(CLI, given, { cwd: folder });
+  expect(bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
+  await page.context().close();
+});

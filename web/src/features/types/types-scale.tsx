@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+import { useEffect } from "preact/hooks";
+import { formatLength, type Unit } from "../../quantity/units.ts";
+import type { ShownTypes } from "../../state/page-state.ts";
+import { showNextPanel } from "../../state/selection.ts";
+import { usePage } from "../../ui/page-context.ts";
+import "../../ui/legend-scales.css";
+import { type ColouredType, colouredTypes, followTypes } from "./types.ts";
+
+/** Shares of the mean edge: what rounding leaves, and what a joint takes up. */
+const SHARES: readonly (readonly [number, string])[] = [
+  [1e-6, "the same"],
+  [0.001, "0.1 % of an edge"],
+  [0.005, "0.5 % of an edge"],
+  [0.01, "1 % of an edge"],
+  [0.02, "2 % of an edge"],
+];
+
+/** How far panels of one type may be from alike. */
+function Choice() {
+  const page = usePage();
+  const choice = page.typesChoice.value;
+  return (
+    <div class="types-choice">
+      <label>
+        Corners within{" "}
+        <select
+          class="select"
+          value={String(choice.share)}
+          onChange={({ currentTarget }) => {
+            page.typesChoice.value = { ...choice, share: Number(currentTarget.value) };
+          }}
+        >
+          {SHARES.map(([share, words]) => (
+            <option key={share} value={String(share)}>
+              {words}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={choice.mirrored}
+          onChange={({ currentTarget }) => {
+            page.typesChoice.value = { ...choice, mirrored: currentTarget.checked };
+          }}
+        />
+        Turned over, too
+      </label>
+    </div>
+  );
+}
+
+/** How many there are, and how far a panel is from its template. */
+function Count({ types, unit }: { types: ShownTypes["types"]; unit: Unit }) {
+  const [count, panels] = [types.sizes.length, types.ofPanel.length];
+  const words = `${count} ${count === 1 ? "type" : "types"} of ${panels} panels, corners within ${formatLength(types.worstFit, unit)}`;
+  return (
+    <p class="legend-note" aria-live="polite">
+      {words}
+    </p>
+  );
+}
+
+function Largest({ coloured }: { coloured: readonly ColouredType[] }) {
+  const page = usePage();
+  return (
+    <ul class="legend-classes">
+      {coloured.map(({ name, colour, panels }) => (
+        <li key={name}>
+          <button
+            type="button"
+            title="Go to the next of these panels"
+            onClick={() => showNextPanel(page, panels)}
+          >
+            <span class="swatch" style={{ background: colour }} />
+            {name} <span class="legend-count">{panels.length}</span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** The types of panels, the largest with their colours; each leads to its panels in turn. */
+export function TypesScale() {
+  const page = usePage();
+  useEffect(() => followTypes(page), []);
+  const shown = page.shownTypes.value;
+  if (!shown) return <Choice />;
+  const { types } = shown;
+  if (types.problem) return <p class="legend-note">{`Not found: ${types.problem}`}</p>;
+  const coloured = colouredTypes(shown);
+  return (
+    <>
+      <Choice />
+      <Count types={types} unit={page.unit.value} />
+      <Largest coloured={coloured} />
+      {coloured.length < types.sizes.length && (
+        <p class="legend-note">{`${types.sizes.length - coloured.length} more without a colour`}</p>
+      )}
+    </>
+  );
+}
