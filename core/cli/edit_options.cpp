@@ -137,6 +137,12 @@ std::vector<OptionRow> edit_command_rows() {
                   "before the edit, in the order given: split=F:A,B, strip=V-W[@T],\n"
                   "corner=F:V[@T], refine=F,F,...[:collar], trim=a,b,c,d, as planish cut\n"
                   "has them; handles may name the points that these add (repeatable)"});
+  rows.push_back({"--fewest", "panels|points",
+                  "few to make again: holds points as long as the handles arrive, until\n"
+                  "none can be held any more; they are pins of the design"});
+  rows.push_back({"--within-handle", "P%",
+                  "of the longest way of a handle, within which handles have arrived for\n"
+                  "--fewest; default 5%"});
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"
                   "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
@@ -145,6 +151,12 @@ std::vector<OptionRow> edit_command_rows() {
 }
 
 namespace {
+
+constexpr Words<FewestOf, 2> kFewestWords = {
+    {{"panels", FewestOf::kPanels}, {"points", FewestOf::kPoints}}};
+
+/// ω_h of an edit that makes few panels again, where none is asked for.
+constexpr double kFewestAttraction = 1e5;
 
 constexpr Words<double, 6> kUnits = {
     {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
@@ -246,8 +258,28 @@ void set_keep_outs(const Arguments& arguments, HandleEditOptions& options) {
 
 }  // namespace
 
+std::optional<FewestOptions> fewest_options(const Arguments& arguments) {
+  const auto of = arguments.value("--fewest");
+  const auto within = arguments.value("--within-handle");
+  if (!of) {
+    if (within) throw CommandError(kWrongUsage, "--within-handle is for --fewest: there is none");
+    return std::nullopt;
+  }
+  FewestOptions options;
+  options.of = parse_word(*of, "--fewest", kFewestWords);
+  if (!within) return options;
+  if (!within->ends_with('%')) {
+    throw CommandError(kWrongUsage, "--within-handle: \"" + *within + "\" is not P%");
+  }
+  const std::string_view share = std::string_view(*within).substr(0, within->size() - 1);
+  options.within_handle = 0.01 * parse_finite(share, "--within-handle");
+  return options;
+}
+
 HandleEditOptions edit_options(const Arguments& arguments) {
   HandleEditOptions options;
+  // Handles that stop short for the sake of a soft edit would not have arrived.
+  if (arguments.has("--fewest")) options.attraction = kFewestAttraction;
   set_number(arguments, "--locality", options.locality);
   set_number(arguments, "--smoothness", options.smoothness);
   set_number(arguments, "--attraction", options.attraction);

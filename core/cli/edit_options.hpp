@@ -10,6 +10,7 @@
 #include "arguments.hpp"
 #include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
+#include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
 
@@ -20,6 +21,9 @@ namespace planish::cli {
 
 /// The same and what `edit` and `explore` know: --cut and --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
+
+/// What --fewest and --within-handle ask for; nullopt without. Throws CommandError.
+[[nodiscard]] std::optional<FewestOptions> fewest_options(const Arguments& arguments);
 
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
 

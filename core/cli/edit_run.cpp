@@ -175,6 +175,36 @@ void set_targets(EditRun& run, const Arguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+/// What is held for the sake of few panels becomes pins.
+HandleEditResult solve_fewest(EditRun& run, const HandleEditOptions& options,
+                              const FewestOptions& fewest, const Progress& progress) {
+  if (run.symmetry) throw CommandError(kWrongUsage, "--fewest: it knows no --symmetry");
+  EditTargets targets = targets_with_images(run);
+  if (const auto problem = find_problem(fewest, options, targets)) {
+    throw CommandError(kWrongUsage, *problem);
+  }
+  HandleEditSolver solver(run.base.mesh, options);
+  FewestEdit found = find_fewest(run.base.mesh, solver, targets, fewest, progress);
+  run.targets.pins.insert(run.targets.pins.end(), found.held.begin(), found.held.end());
+  HandleEditResult result = std::move(found.result);
+  run.fewest = fewest;
+  run.fewest_found = std::move(found);
+  return result;
+}
+
+HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
+                            const std::optional<FewestOptions>& fewest, const Progress& progress) {
+  if (fewest) return solve_fewest(run, options, *fewest, progress);
+  HandleEditSolver solver(run.base.mesh, options);
+  const EditTargets targets = targets_with_images(run);
+  if (has_images(run)) return solver.solve_symmetric(targets, *run.symmetry, progress);
+  return solver.solve(targets, progress);
+}
+
+}  // namespace
+
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
                  const std::string& name, const Progress& progress) {
   EditRun run;
@@ -217,11 +247,7 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
     throw CommandError(kInvalidMesh,
                        name + ": " + *broken + "; planish project --constraint makes it so");
   }
-  HandleEditSolver solver(run.base.mesh, options);
-  const EditTargets targets = targets_with_images(run);
-  const HandleEditResult result = has_images(run)
-                                      ? solver.solve_symmetric(targets, *run.symmetry, watched)
-                                      : solver.solve(targets, watched);
+  const HandleEditResult result = solve_edit(run, options, fewest_options(arguments), watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -237,6 +263,36 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   return run;
 }
 
+std::optional<std::string> fewest_sentence(const EditRun& run) {
+  if (!run.fewest) return std::nullopt;
+  const FewestEdit& found = run.fewest_found;
+  if (!found.reached) {
+    return "--fewest: with nothing held a handle stops " + three_digits(run.report.handle_error) +
+           " short of its target (units of the mesh), more than --within-handle; nothing was held";
+  }
+  if (!found.minimal) {
+    return "--fewest: stopped after " + std::to_string(found.solves) + " solves; fewer may do";
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+Json fewest_json(const EditRun& run) {
+  const FewestEdit& found = run.fewest_found;
+  return {{"of", run.fewest->of == FewestOf::kPanels ? "panels" : "points"},
+          {"within_handle", run.fewest->within_handle},
+          {"panels", found.panels},
+          {"panels_before", found.panels_before},
+          {"points", run.report.moved_vertices},
+          {"held", found.held.size()},
+          {"reached", found.reached},
+          {"minimal", found.minimal},
+          {"solves", found.solves}};
+}
+
+}  // namespace
+
 Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   Json json = Json::object();
   add_solve(json, run.report, engine);
@@ -251,6 +307,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   json["remake"] = remake_json(run.base.mesh, after);
   add_supports(json, run.supports, run.base.mesh, after);
   if (run.cut) add_cuts(json, *run.cut);
+  if (run.fewest) json["fewest"] = fewest_json(run);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
     if (run.evened.max_move > 0.0) {

@@ -12,6 +12,7 @@
 #include "arguments.hpp"
 #include "files.hpp"
 #include "planish/design/design.hpp"
+#include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/edit/symmetric_edit.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -47,7 +48,9 @@ struct EditRun {
   std::vector<PointSupport> supports;       ///< of `targets`, with the points that the cuts added
   std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
   SymmetricBase evened;                  ///< how the base became symmetric
-  Positions edited;                      ///< 3 × n
+  std::optional<FewestOptions> fewest;  ///< where few panels are asked for; targets.pins has `held`
+  FewestEdit fewest_found;              ///< what came of it, its result apart
+  Positions edited;                     ///< 3 × n
   SolveReport report;
 };
 
@@ -66,6 +69,9 @@ struct EditRun {
 
 /// The same for the only positional word, telling standard error.
 [[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options);
+
+/// That --fewest held nothing, or not all that could be held; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run);
 
 /// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
 /// the mesh was flat.

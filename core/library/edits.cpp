@@ -40,6 +40,7 @@ std::vector<std::string> edit_messages(const cli::EditRun& run, const cli::Json&
   add(messages, cli::evened_sentence(run));
   add(messages, cli::damage_sentence(report["spoilt_faces"]));
   add(messages, cli::outcome_sentence(run.report));
+  add(messages, cli::fewest_sentence(run));
   add(messages, cli::shortfall_sentence(run));
   return messages;
 }

@@ -65,6 +65,7 @@ def edit(
     *,
     relative: bool = True,
     cuts: Iterable[str] | None = None,
+    fewest: str | None = None,
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
     continuation: int | None = None,
@@ -99,6 +100,7 @@ def edit(
         cuts: made before the edit, in this order, ["strip=12-13@0.4", "corner=40:57"]; handles may
             name the points that they add.
         pins: vertices that stay.
+        fewest: "panels" or "points": few to make again, as long as the handles arrive.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
         symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
@@ -118,6 +120,7 @@ def edit(
     """
     options = {
         "cuts": cuts,
+        "fewest": fewest,
         "pins": pins,
         "supports": supports,
         "continuation": continuation,

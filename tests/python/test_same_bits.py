@@ -174,6 +174,15 @@ class SameBits(InFolder):
             self.check_file("o.obj", offset)
             self.check_report("o.report", offset.report)
 
+    def test_few_to_make_again(self):
+        self.command("edit", "sample:vault:16", "--handle=136+=0,0,0.3", "--softness=5", "--reach=4",
+                     "--bound=fold=+15", "--fewest=panels", "-o", "f.obj", "--report", "f.report")
+        edit = planish.edit(planish.Mesh.read("sample:vault:16"), {136: (0, 0, 0.3)}, softness=5,
+                            reach=4, bounds={"fold": "+15"}, fewest="panels")
+        self.check_file("f.obj", edit)
+        self.check_report("f.report", edit.report)
+        self.assertTrue(edit.report.fewest["minimal"])
+
     def test_types(self):
         mesh = planish.Mesh.read("sample:vault:12")
         for words, options in (([], {}), (["--joint=4:24"], {"joint": (4, 24)}),

@@ -20,6 +20,10 @@ export interface EditOptions {
   readonly handles: readonly HandleTarget[];
   /** Before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
   readonly cuts?: readonly string[];
+  /** Few to make again: points are held as long as the handles arrive; they are pins of the design. */
+  readonly fewest?: "panels" | "points";
+  /** Of the longest way of a handle, within which handles have arrived for `fewest`: "5%". */
+  readonly withinHandle?: string;
   /** Points that stay. */
   readonly pins?: readonly number[];
   /** What points slide on: "level=z:boundary", "outline:boundary", ... */

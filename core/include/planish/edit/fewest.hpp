@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// An edit that makes few panels again: points are held as long as the handles still arrive.
+#pragma once
+
+#include <vector>
+
+#include "planish/edit/handle_edit.hpp"
+
+namespace planish {
+
+/// What is to be few.
+enum class FewestOf {
+  kPanels,  ///< panels with a corner that moves
+  kPoints,  ///< points that move
+};
+
+struct FewestOptions {
+  FewestOf of = FewestOf::kPanels;
+  /// > 0: how far handles may be from their targets, as a share of the longest way of a handle.
+  double within_handle = 0.05;
+  int most_solves = 1000;  ///< ≥ 1: then the best so far is given, not minimal
+};
+
+/// The first rule that is broken, naming its field; nullopt if none.
+[[nodiscard]] Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit,
+                                   const EditTargets& targets);
+
+struct FewestEdit {
+  HandleEditResult result;
+  /// Held beside the pins of the targets, ascending: the edit with all of them as pins is `result`,
+  /// bit for bit.
+  std::vector<int> held;
+  int panels_before = 0;  ///< with a moved corner, where nothing is held
+  int panels = 0;         ///< the same of `result`
+  /// Whether the handles come within reach of their targets where nothing is held. If not, nothing
+  /// is held.
+  bool reached = false;
+  /// For each point that moves, handles excepted: the edit with that point held, too, was solved,
+  /// and the handles did not arrive. [FEW-1]
+  bool minimal = false;
+  int solves = 0;
+};
+
+/// Solves the edit, then again and again with more points held: those of the panels that move
+/// least, as many at once as can be, at last each point by itself. Limits and shapes hold as in any
+/// edit. O(moved points) solves on ever smaller patches.
+/// @param progress of every solve; kStop ends with the best so far
+[[nodiscard]] FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver,
+                                     const EditTargets& targets, const FewestOptions& options,
+                                     const Progress& progress = {});
+
+}  // namespace planish

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "planish/edit/fewest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planish/measures/folds.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
+
+namespace planish {
+namespace {
+
+/// A panel or a point that an edit moves, and how far.
+struct Mover {
+  double way = 0.0;  ///< the largest of its points
+  std::vector<int> points;
+};
+
+class FewestSearch {
+ public:
+  FewestSearch(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,
+               const FewestOptions& options, const Progress& progress)
+      : mesh_(mesh),
+        adjacency_(build_adjacency(mesh)),
+        solver_(solver),
+        targets_(targets),
+        options_(options),
+        progress_(progress),
+        is_handle_(at(mesh.vertex_count()), 0),
+        way_(at(mesh.vertex_count()), 0.0) {
+    double longest = 0.0;
+    for (const Handle& handle : targets.handles) {
+      is_handle_[at(handle.vertex)] = 1;
+      longest = std::max(longest, (handle.target - mesh.positions.col(handle.vertex)).norm());
+    }
+    near_ = options.within_handle * longest;
+  }
+
+  FewestEdit run() {
+    best_.result = solve({});
+    best_.reached = arrives(best_.result);
+    best_.panels = best_.panels_before = count_panels(best_.result.moved);
+    if (!best_.reached) return std::move(best_);
+    measure_ways();
+    hold_most();
+    hold_panels();
+    best_.minimal = hold_points();
+    return std::move(best_);
+  }
+
+ private:
+  /// With these points held beside those of the best so far.
+  HandleEditResult solve(const std::vector<int>& points) {
+    ++best_.solves;
+    EditTargets targets = targets_;
+    targets.pins.insert(targets.pins.end(), best_.held.begin(), best_.held.end());
+    targets.pins.insert(targets.pins.end(), points.begin(), points.end());
+    HandleEditResult result = solver_.solve(targets, progress_);
+    stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
+    return result;
+  }
+
+  [[nodiscard]] bool arrives(const HandleEditResult& result) const {
+    return result.report.usable() && result.report.status != SolveStatus::kCancelled &&
+           result.report.handle_error <= near_;
+  }
+
+  [[nodiscard]] bool may_go_on() const { return !stopped_ && best_.solves < options_.most_solves; }
+
+  /// Whether the handles arrive with these held, too; then they are.
+  bool hold(std::vector<int> points) {
+    HandleEditResult result = solve(points);
+    if (!arrives(result)) return false;
+    best_.held.insert(best_.held.end(), points.begin(), points.end());
+    std::sort(best_.held.begin(), best_.held.end());
+    best_.held.erase(std::unique(best_.held.begin(), best_.held.end()), best_.held.end());
+    best_.result = std::move(result);
+    best_.panels = count_panels(best_.result.moved);
+    measure_ways();
+    return true;
+  }
+
+  void measure_ways() {
+    std::fill(way_.begin(), way_.end(), 0.0);
+    const HandleEditResult& result = best_.result;
+    for (std::size_t k = 0; k < result.moved.size(); ++k) {
+      const int v = result.moved[k];
+      way_[at(v)] =
+          (result.moved_positions.col(static_cast<Eigen::Index>(k)) - mesh_.positions.col(v))
+              .norm();
+    }
+  }
+
+  [[nodiscard]] int count_panels(const std::vector<int>& moved) const {
+    return static_cast<int>(faces_of(adjacency_, moved).size());
+  }
+
+  [[nodiscard]] std::vector<int> points_to_hold() const {
+    std::vector<int> points;
+    for (const int v : best_.result.moved) {
+      if (is_handle_[at(v)] == 0) points.push_back(v);
+    }
+    return points;
+  }
+
+  /// Points that move, handles excepted, those that move least first.
+  [[nodiscard]] std::vector<Mover> moving_points() const {
+    std::vector<Mover> movers;
+    for (const int v : points_to_hold()) movers.push_back({way_[at(v)], {v}});
+    return sorted(std::move(movers));
+  }
+
+  /// Panels that could stay as they are, those that move least first.
+  [[nodiscard]] std::vector<Mover> moving_panels() const {
+    if (options_.of == FewestOf::kPoints) return moving_points();
+    std::vector<Mover> movers;
+    for (const int face : faces_of(adjacency_, best_.result.moved)) {
+      Mover mover;
+      bool has_handle = false;
+      for (const int v : mesh_.face(face)) {
+        has_handle = has_handle || is_handle_[at(v)] != 0;
+        if (way_[at(v)] == 0.0) continue;
+        mover.way = std::max(mover.way, way_[at(v)]);
+        mover.points.push_back(v);
+      }
+      if (!has_handle) movers.push_back(std::move(mover));
+    }
+    return sorted(std::move(movers));
+  }
+
+  static std::vector<Mover> sorted(std::vector<Mover> movers) {
+    std::stable_sort(movers.begin(), movers.end(),
+                     [](const Mover& a, const Mover& b) { return a.way < b.way; });
+    return movers;
+  }
+
+  static std::vector<int> points_of_first(const std::vector<Mover>& movers, std::size_t count) {
+    std::vector<int> points;
+    for (std::size_t k = 0; k < count; ++k) {
+      points.insert(points.end(), movers[k].points.begin(), movers[k].points.end());
+    }
+    return points;
+  }
+
+  /// As many as can be held at once, by halves: most of what moves moves for the sake of fairness.
+  void hold_most() {
+    std::vector<Mover> movers = moving_panels();
+    for (std::size_t count = movers.size(); count > 1 && may_go_on();) {
+      if (hold(points_of_first(movers, count))) {
+        movers = moving_panels();
+        count = std::min(count, movers.size());
+      } else {
+        count /= 2;
+      }
+    }
+  }
+
+  /// One panel after the other.
+  void hold_panels() {
+    std::vector<Mover> movers = moving_panels();
+    for (std::size_t k = 0; k < movers.size() && may_go_on(); ++k) {
+      std::vector<int> points;
+      for (const int v : movers[k].points) {
+        if (way_[at(v)] > 0.0) points.push_back(v);
+      }
+      if (!points.empty()) hold(std::move(points));
+    }
+  }
+
+  /// One point after the other, until none can be held. Whether all of them were tried.
+  bool hold_points() {
+    for (bool any = true; any;) {
+      any = false;
+      for (const Mover& mover : moving_points()) {
+        if (!may_go_on()) return false;
+        if (way_[at(mover.points.front())] > 0.0 && hold(mover.points)) any = true;
+      }
+    }
+    return !stopped_;
+  }
+
+  const Mesh& mesh_;
+  Adjacency adjacency_;
+  HandleEditSolver& solver_;
+  const EditTargets& targets_;
+  const FewestOptions& options_;
+  const Progress& progress_;
+  std::vector<char> is_handle_;
+  std::vector<double> way_;  ///< of each point in the best edit so far
+  double near_ = 0.0;        ///< within which handles arrive
+  FewestEdit best_;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit,
+                     const EditTargets& targets) {
+  if (!(options.within_handle > 0.0) || !std::isfinite(options.within_handle)) {
+    return "within_handle must be greater than 0";
+  }
+  if (options.most_solves < 1) return "most_solves must be at least 1";
+  if (edit.engine != Engine::kNewton) return "fewest: the engine alm knows none; it needs newton";
+  if (targets.handles.empty()) return "fewest needs a handle";
+  return std::nullopt;
+}
+
+FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,
+                       const FewestOptions& options, const Progress& progress) {
+  return FewestSearch(mesh, solver, targets, options, progress).run();
+}
+
+}  // namespace planish

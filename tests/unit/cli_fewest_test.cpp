@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What `planish edit --fewest` reports, refuses, and hands to a design.
+#ifndef __EMSCRIPTEN__
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/cli.hpp"
+
+namespace planish {
+namespace {
+
+using nlohmann::json;
+using testing::Cli;
+using testing::contents;
+
+const std::string kEdit =
+    "edit sample:vault:16 --handle 136+=0,0,0.3 --softness 5 --reach 4 --keep-boundary "
+    "--bound fold=+15 ";
+
+TEST_F(Cli, FewestReportsWhatItSavedAndTheDesignReplays) {
+  ASSERT_EQ(run(kEdit + "--fewest panels -o a.obj --report a.json --design d.json"), 0) << err();
+  const json report = json::parse(contents(directory_ / "a.json"));
+  const json& fewest = report["fewest"];
+  EXPECT_EQ(fewest["of"], "panels");
+  EXPECT_EQ(fewest["panels"], report["remake"]["outline"]);
+  EXPECT_EQ(fewest["points"], report["moved_vertices"]);
+  EXPECT_LT(fewest["panels"], fewest["panels_before"]);
+  EXPECT_EQ(fewest["reached"], true);
+  EXPECT_EQ(fewest["minimal"], true);
+  EXPECT_EQ(json::parse(contents(directory_ / "d.json"))["pins"].size(), fewest["held"]);
+  ASSERT_EQ(run("replay d.json -o b.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
+}
+
+TEST_F(Cli, FewestSaysWhereTheHandlesDoNotArriveAnyway) {
+  run("edit sample:vault:16 --handle 136+=0,0,9 --reach 2 --fewest panels --report a.json");
+  EXPECT_NE(err().find("--fewest: with nothing held a handle stops"), std::string::npos) << err();
+  const json fewest = json::parse(contents(directory_ / "a.json"))["fewest"];
+  EXPECT_EQ(fewest["reached"], false);
+  EXPECT_EQ(fewest["held"], 0);
+}
+
+TEST_F(Cli, FewestRefusesInOneSentence) {
+  for (const char* words :
+       {"--fewest stones", "--within-handle 5%", "--fewest panels --within-handle 5",
+        "--fewest panels --within-handle 0%", "--fewest panels --symmetry x",
+        "--fewest panels --solver alm"}) {
+    EXPECT_EQ(run(kEdit + words), 2) << words;
+    const std::string message = err();
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;
+  }
+  EXPECT_EQ(run("edit sample:vault:8 --fewest panels"), 2);
+}
+
+}  // namespace
+}  // namespace planish
+
+#endif
