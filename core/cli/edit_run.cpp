@@ -303,6 +303,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
                                 {"rms_move", run.base.planarised->rms_move}};
   }
   json["spoilt_faces"] = damage_json(run.given, run.given.positions, after);
+  json["motion"] = motion_json(run.base.mesh, after);
   json["sharpest_fold"] = fold_json(run.base.mesh, after);
   json["remake"] = remake_json(run.base.mesh, after);
   add_supports(json, run.supports, run.base.mesh, after);

@@ -21,6 +21,7 @@ Json replay_json(const Design& design, const Replay& replayed) {
       planarity_json(replayed.base, replayed.base.positions, replayed.shape);
   json["moved_vertices"] = replayed.mark.moved;
   json["spoilt_faces"] = damage_json(replayed.base, replayed.base.positions, replayed.shape);
+  json["motion"] = motion_json(replayed.base, replayed.shape);
   json["sharpest_fold"] = fold_json(replayed.base, replayed.shape);
   json["remake"] = remake_json(replayed.base, replayed.shape);
   add_supports(json, replayed.supports, replayed.base, replayed.shape);

@@ -13,6 +13,7 @@
 #include "planish/fabrication/remake.hpp"
 #include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/measures/motion.hpp"
 #include "planish/measures/panel_health.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/mesh/mesh_check.hpp"
@@ -70,6 +71,12 @@ Json fold_json(const Mesh& base, const Positions& after) {
   return {{"before", sharpest_fold(base, adjacency, base.positions, touched).degrees},
           {"after", sharpest_fold(base, adjacency, after, touched).degrees},
           {"growth", largest_fold_growth(base, adjacency, base.positions, after, touched)}};
+}
+
+Json motion_json(const Mesh& base, const Positions& after) {
+  const std::vector<int> moved = moved_vertices(base.positions, after);
+  const MotionRange range = range_of(motions(base, build_adjacency(base), moved, after));
+  return {{"shape_max", range.shape()}, {"slide_max", range.slide}};
 }
 
 /// The faces are those of `base`, so that what is not near a changed vertex need not be compared.

@@ -28,6 +28,10 @@ using Json = nlohmann::ordered_json;
 /// The sharpest folds, in degrees, of the faces of `base` that `after` touches: here and there.
 [[nodiscard]] Json fold_json(const Mesh& base, const Positions& after);
 
+/// The largest distance of a point of `after` from the surface of `base`, on whichever side, and
+/// the longest way along it; model units.
+[[nodiscard]] Json motion_json(const Mesh& base, const Positions& after);
+
 /// How many panels of `base` the shop makes again for `after`: cut (`outline`) or only joined at
 /// another angle (`bevel`); and how many nodes, since they moved or only their arms turned.
 [[nodiscard]] Json remake_json(const Mesh& base, const Positions& after);

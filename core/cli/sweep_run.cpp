@@ -23,11 +23,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t kIdLength = 32;
 
 /// Columns of the table after the values: their names, and where in the report they stand.
-constexpr std::array<std::pair<const char*, const char*>, 15> kColumns = {
+constexpr std::array<std::pair<const char*, const char*>, 17> kColumns = {
     {{"status", "/status"},
      {"message", "/message"},
      {"moved_vertices", "/moved_vertices"},
      {"max_displacement", "/max_displacement"},
+     {"shape_max", "/motion/shape_max"},
+     {"slide_max", "/motion/slide_max"},
      {"handle_error", "/handle_error"},
      {"objective", "/objective/total"},
      {"sharpest_fold_before", "/sharpest_fold/before"},

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/motion.hpp"
 #include "support/cli.hpp"
 #include "support/mesh_builders.hpp"
 
@@ -45,6 +47,12 @@ TEST_F(Cli, TheReportOfAVariationIsThatOfTheMeshItWrites) {
   const Eigen::RowVectorXd moves = (after - before).colwise().norm();
   EXPECT_EQ(report["moved_vertices"], (moves.array() > 0.0).count());
   EXPECT_NEAR(report["max_displacement"].get<double>(), moves.maxCoeff(), 1e-12);
+  const Mesh base = load("v.obj");
+  const auto motion =
+      range_of(motions(base, build_adjacency(base), moved_vertices(before, after), after));
+  EXPECT_GT(motion.slide, 0.0);
+  EXPECT_NEAR(report["motion"]["shape_max"].get<double>(), motion.shape(), 1e-12);
+  EXPECT_NEAR(report["motion"]["slide_max"].get<double>(), motion.slide, 1e-12);
   const double error = (after.col(84) - before.col(84) - Eigen::Vector3d(0, 0, 0.6)).norm();
   EXPECT_GT(error, 1e-3);
   EXPECT_NEAR(report["handle_error"].get<double>(), error, 1e-12);
@@ -295,6 +303,21 @@ TEST_F(Cli, ReportsTheSharpestFold) {
   const auto fold = nlohmann::json::parse(out())["sharpest_fold"];
   EXPECT_EQ(fold["before"], 0.0);
   EXPECT_NEAR(fold["after"].get<double>(), 45.0, 1e-6);
+}
+
+/// Of a flat square of which one corner goes up by 3 and aside by 4; and the same for its replay.
+TEST_F(Cli, ReportsHowFarPointsAreOffTheOldSurfaceAndAlongIt) {
+  save("two.obj",
+       "v 0 0 0\nv 9 0 0\nv 18 0 0\nv 0 9 0\nv 9 9 0\nv 18 9 0\nf 1 2 5\nf 1 5 4\nf 2 3 6 5\n");
+  ASSERT_EQ(
+      run("edit two.obj --handle 3+=-4,0,3 --hard --pin 0,1,2,4,5 --report r.json --design d.json"),
+      0)
+      << err();
+  const auto motion = nlohmann::json::parse(contents(directory_ / "r.json"))["motion"];
+  EXPECT_NEAR(motion["shape_max"].get<double>(), 3.0, 1e-12);
+  EXPECT_NEAR(motion["slide_max"].get<double>(), 4.0, 1e-12);
+  ASSERT_EQ(run("replay d.json --report s.json"), 0) << err();
+  EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "s.json"))["motion"], motion);
 }
 
 TEST_F(Cli, AnEditOfAMeshThatIsNotFlatSaysSo) {

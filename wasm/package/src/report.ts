@@ -40,6 +40,8 @@ export interface Report {
   readonly planarised_first?: Readonly<Record<string, number>>;
   /** Panels that came out flat but crossing, turned over, collapsed or concave. */
   readonly spoilt_faces?: Readonly<Record<string, readonly number[]>>;
+  /** Largest distance of a point from the surface that was edited, and longest way along it. */
+  readonly motion?: { readonly shape_max: number; readonly slide_max: number };
   readonly sharpest_fold?: { readonly before: number; readonly after: number };
   /** Panels and nodes that the shop makes again. */
   readonly remake?: {

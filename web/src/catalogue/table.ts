@@ -50,7 +50,9 @@ const LABELS: Readonly<Record<string, string>> = {
   remake_nodes_arms: "nodes with new arms",
   remake_nodes_moved: "nodes moved",
   remake_outline: "panels made again",
+  shape_max: "farthest from the old surface",
   sharpest_fold_after: "sharpest fold, °",
+  slide_max: "longest slide along it",
 };
 
 /** Always nearly 0, the same for all designs, or of no use to whoever chooses one. */
