@@ -43,10 +43,19 @@ export interface SharpestFold {
   readonly panels: readonly number[];
 }
 
+/** Model units, all at least 0: how far points are off the old surface, and along it, at most. */
+export interface MotionRange {
+  /** On the outside of the old surface. */
+  readonly raised: number;
+  readonly lowered: number;
+  readonly slide: number;
+}
+
 export interface ShapeReport {
   readonly status: string;
   readonly movedVertices: number;
   readonly maxDisplacement: number;
+  readonly motion: MotionRange;
   readonly worstGap: number;
   readonly worstMmPerM: number;
   /** mm/m: of the panel for which the rounding of its coordinates accounts least; often 0. */

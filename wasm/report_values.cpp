@@ -97,6 +97,14 @@ val fold_value(const ShapeReport& report) {
       .value();
 }
 
+val motion_value(const MotionRange& motion) {
+  return Object()
+      .add("raised", motion.raised)
+      .add("lowered", motion.lowered)
+      .add("slide", motion.slide)
+      .value();
+}
+
 }  // namespace
 
 val to_value(const ShapeReport& report) {
@@ -106,6 +114,7 @@ val to_value(const ShapeReport& report) {
       .add("status", status_name(solve.status))
       .add("movedVertices", report.moved_vertices)
       .add("maxDisplacement", report.max_displacement)
+      .put("motion", motion_value(report.motion))
       .put("sharpestFold", fold_value(report))
       .add("handleError", report.handle_error)
       .add("objective", solve.objective.total())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planish/measures/folds.hpp"
+#include "planish/measures/motion.hpp"
 #include "planish/mesh/mesh_check.hpp"
 #include "planish/problem/solve_report.hpp"
 #include "planish/variations/subspace.hpp"
@@ -43,6 +44,7 @@ struct ShapeReport {
   SolveReport solve;  ///< what led to it; its figures of the shape are those below
   int moved_vertices = 0;
   double max_displacement = 0.0;  ///< model units
+  MotionRange motion;             ///< off the surface of the base and along it, model units
   WorstPanel worst;
   double fold_before = 0.0;    ///< degrees: sharpest at the panels of moved vertices, on the base
   Fold fold;                   ///< the same of the design

@@ -8,6 +8,7 @@
 #include "kind_defects.hpp"
 #include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/measures/motion.hpp"
 #include "planish/mesh/mesh_check.hpp"
 #include "session.hpp"
 
@@ -57,6 +58,7 @@ ShapeReport Session::report_of(const Positions& positions, const std::vector<int
   report.solve = std::move(solve);
   report.moved_vertices = static_cast<int>(moved.size());
   report.max_displacement = largest_move(positions, moved);
+  report.motion = range_of(motions(base_, adjacency_, moved, positions));
   report.worst = worst_panel(positions, moved);
   report.fold_before = sharpest_fold(base_, adjacency_, base_.positions, touched).degrees;
   report.fold = sharpest_fold(base_, adjacency_, positions, touched);

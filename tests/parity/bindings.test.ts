@@ -57,6 +57,7 @@ it("declares every field of every report", async () => {
   const shape = session.shapeReport();
   expect(fields(shape)).toEqual(declared("ShapeReport", reports));
   expect(fields(shape.sharpestFold)).toEqual(declared("SharpestFold", reports));
+  expect(fields(shape.motion)).toEqual(declared("MotionRange", reports));
   expect(fields(shape.optimality)).toEqual(declared("Optimality", reports));
   expect(fields(shape.bounds)).toEqual(["fold"]);
   expect(shape.movedVertices).toBe(session.moved().length);

@@ -18,6 +18,9 @@ TEST(SessionEdit, AnEditIsLocalAndFlat) {
   const ShapeReport& report = session.shape_report();
   EXPECT_LE(report.worst.mm_per_m, testing::kPromise);
   EXPECT_EQ(report.moved_vertices, static_cast<int>(session.moved().size()));
+  EXPECT_GT(report.motion.raised, 0.4);  // the handle's own 0.5, less what it is short
+  EXPECT_LE(report.motion.raised, report.max_displacement);
+  EXPECT_GT(report.motion.slide, 0.0);
   int differing = 0;
   for (Eigen::Index v = 0; v < session.current().cols(); ++v) {
     if (session.current().col(v) != session.base().positions.col(v)) ++differing;

@@ -109,6 +109,13 @@ function readFold(value: unknown): ShapeReport["sharpestFold"] {
   return isNumber(before) && isNumber(after) ? { before, after } : null;
 }
 
+function readMotion(value: unknown): Pick<ShapeReport, "motion"> {
+  if (!isRecord(value)) return {};
+  const { raised, lowered, slide } = value;
+  const known = isNumber(raised) && isNumber(lowered) && isNumber(slide);
+  return known ? { motion: { raised, lowered, slide } } : {};
+}
+
 function readReport(value: unknown): ShapeReport | null {
   if (!isRecord(value)) return null;
   const { status, movedVertices } = value;
@@ -117,6 +124,7 @@ function readReport(value: unknown): ShapeReport | null {
     status: typeof status === "string" && STATUS.test(status) ? status : NO_NAME,
     movedVertices,
     maxDisplacement: readFigure(value.maxDisplacement),
+    ...readMotion(value.motion),
     worstGap: readFigure(value.worstGap),
     worstMmPerM: readFigure(value.worstMmPerM),
     // Records from before this figure was kept.

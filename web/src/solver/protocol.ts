@@ -196,7 +196,7 @@ export type ShapeReport = Omit<Reports.ShapeReport, Younger> &
   Partial<Pick<Reports.ShapeReport, Exclude<Younger, "sharpestFold">>> & {
     readonly sharpestFold: SharpestFold | null;
   };
-type Younger = "sharpestFold" | "continuation" | "lowerAtOnce" | "bounds" | "violations";
+type Younger = "sharpestFold" | "motion" | "continuation" | "lowerAtOnce" | "bounds" | "violations";
 
 /** `panels`, `growth`: absent where nobody measured them. */
 export type SharpestFold = Omit<Reports.SharpestFold, "panels" | "growth"> &
