@@ -58,6 +58,19 @@ it("names every figure that it colours by, with a legend in mm or mm/m and a his
     .toBe(`Histogram: ${moved} points move, ${441 - moved} untouched`);
   const choose = (name: string) =>
     page.getByRole("combobox", { name: "Colour by" }).selectOption(name);
+  expect(await page.getByText("Distance from the old surface").count()).toBe(1);
+  expect(await page.getByText(/^−[\d.]+ m?m$/).count()).toBe(1);
+  for (const [name, note] of [
+    ["Slide", "Way along the old surface"],
+    ["Displacement", "0 mm, untouched"],
+    ["Shape", "Distance from the old surface"],
+  ] as const) {
+    await choose(name);
+    await page.getByText(note).waitFor();
+    expect(await histogram.getAttribute("aria-label")).toMatch(
+      name === "Slide" ? /\d+ points slide, \d+ where they were$/ : `${moved} points move`,
+    );
+  }
   await choose("Fairness");
   await expect
     .poll(() => histogram.getAttribute("aria-label"))

@@ -85,11 +85,19 @@ describe("the pointer on a point", () => {
       /largest ([\d.]+ m?m)/.exec(await status(page))?.[1] ?? "";
     await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
     await expect
-      .poll(async () => (await pointFigure(page)) === `Point 220 moved ${await largest()}`)
+      .poll(
+        async () =>
+          (await pointFigure(page)).split(",")[0] === `Point 220 moved ${await largest()}`,
+      )
       .toBe(true);
     await page.mouse.up();
     await idle(page);
-    expect(await pointFigure(page)).toBe(`Point 220 moved ${await largest()}`);
+    const moved = `Point 220 moved ${await largest()}`;
+    expect(await pointFigure(page)).toMatch(new RegExp(`^${moved}, raised [\\d.]+ m?m$`));
+    await page.getByRole("combobox", { name: "Colour by" }).selectOption("Slide");
+    await expect.poll(() => pointFigure(page)).toMatch(/, slid [\d.]+ m?m$/);
+    await page.getByRole("combobox", { name: "Colour by" }).selectOption("Displacement");
+    await expect.poll(() => pointFigure(page)).toBe(moved);
     await page.getByRole("combobox", { name: "Colour by" }).selectOption("Fairness");
     await expect.poll(() => pointFigure(page)).toMatch(/^Point 220 bends [\d.]+ m?m$/);
     await page.context().close();

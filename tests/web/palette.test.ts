@@ -25,7 +25,7 @@ describe.each([
   ["light", LIGHT],
   ["dark", DARK],
 ])("on a %s page", (_, palette) => {
-  const stops = [...palette.displacement, ...palette.planarity];
+  const stops = [...palette.displacement, ...palette.lowered, ...palette.planarity];
 
   it("edges show on every colour of every map", () => {
     const edge = channels(palette.edge);
@@ -37,7 +37,7 @@ describe.each([
   });
 
   it("each map gets darker all the way, well apart from an untouched panel at its end", () => {
-    for (const ramp of [palette.displacement, palette.planarity]) {
+    for (const ramp of [palette.displacement, palette.lowered, palette.planarity]) {
       const lights = ramp.map((stop) => luminance(channels(stop)));
       expect(lights).toEqual([...lights].sort((x, y) => y - x));
       const [first = "", last = ""] = [ramp[0], ramp.at(-1)];
@@ -48,6 +48,7 @@ describe.each([
   it("a panel shows on the page", () => {
     const panel = channels(palette.panel);
     expect(palette.displacement[0]).toBe(palette.panel);
+    expect(palette.lowered[0]).toBe(palette.panel);
     expect(palette.planarity[0]).toBe(palette.panel);
     if (palette === DARK) expect(contrast(panel, channels(palette.paper))).toBeGreaterThan(3);
   });

@@ -14,6 +14,8 @@ export interface Palette {
   readonly shadow: number;
   /** Panel neutral to the deepest displacement. */
   readonly displacement: readonly string[];
+  /** Panel neutral to the farthest inside of the old surface; outside is `displacement`. */
+  readonly lowered: readonly string[];
   /** Just over the tolerance to far over it. */
   readonly planarity: readonly string[];
 }
@@ -29,6 +31,7 @@ export const LIGHT: Palette = {
   ground: "#D9D2C3",
   shadow: 0.16,
   displacement: ["#F3F0E9", "#BFC9E4", "#8AA3E0", "#5A74D2", "#4C58CA", "#6142C4"],
+  lowered: ["#F3F0E9", "#BFDCCF", "#86BEAA", "#4B9C88", "#2C8270", "#166855"],
   planarity: ["#F3F0E9", "#F3CF86", "#E59A45", "#CC5B2C", "#B3261E"],
 };
 
@@ -43,5 +46,6 @@ export const DARK: Palette = {
   ground: "#33363B",
   shadow: 0.45,
   displacement: ["#B4B3AF", "#94A3C6", "#7396D6", "#6A8CF0", "#7B78F5", "#8F57F2"],
+  lowered: ["#B4B3AF", "#93B5A8", "#6CAA97", "#439A85", "#2B8A75", "#1D7A66"],
   planarity: ["#B4B3AF", "#C7AA66", "#D98E3F", "#E0662F", "#F0413A"],
 };

@@ -19,12 +19,16 @@ const CHANGE = 3;
 /** What is measured of points. */
 const OF_POINTS: readonly ColourBy[] = ["fairness", "conical", "mobility"];
 
+/** What is seen from where points are. */
+const OF_MOVES: readonly ColourBy[] = ["displacement", "shape", "slide"];
+
 export class PanelColours {
   readonly attribute: BufferAttribute;
   readonly #mesh: DisplayMesh;
   readonly #colour: Float32Array;
   readonly #dirty = new DirtyRange();
   #ramp: Ramp = [];
+  #loweredRamp: Ramp = [];
   #panelRamp: Ramp = [];
   #groupRamp: Ramp = [];
   #kind: ColourBy = "displacement";
@@ -38,13 +42,14 @@ export class PanelColours {
 
   setPalette(palette: Palette): void {
     this.#ramp = makeRamp(palette.displacement);
+    this.#loweredRamp = makeRamp(palette.lowered);
     this.#panelRamp = makeRamp(palette.planarity);
     this.#groupRamp = makeRamp([palette.planarity[0] ?? "", ...GROUP_COLOURS]);
   }
 
   /**
-   * `figures`: of points for fairness, mobility and conical nodes, of panels otherwise; null for the points'
-   * displacement.
+   * `figures`: of points for fairness, mobility and conical nodes, of panels otherwise; null for how the
+   * points moved.
    */
   choose(kind: ColourBy, figures: Float32Array | null): void {
     this.#kind = kind;
@@ -59,12 +64,13 @@ export class PanelColours {
     this.#dirty.addAll(this.#mesh.vertices.length);
   }
 
-  /** `share` of the largest displacement. */
+  /** `share` of the largest displacement, slide or change of shape; below 0: inside of the old surface. */
   paintVertex(vertex: number, share: number): void {
     if (this.#figures) return;
-    const t = this.#kind === "displacement" ? share : 0;
+    const t = OF_MOVES.includes(this.#kind) ? share : 0;
+    const ramp = t < 0 ? this.#loweredRamp : this.#ramp;
     for (const corner of row(this.#mesh.topology.corners, vertex)) {
-      writeRamp(this.#ramp, t, this.#colour, 3 * corner);
+      writeRamp(ramp, Math.abs(t), this.#colour, 3 * corner);
       this.#dirty.add(corner);
     }
   }

@@ -11,9 +11,11 @@ import {
 } from "three";
 import type { DisplayMesh, Polygons } from "../mesh/display-mesh.ts";
 import { isSameStructure } from "../mesh/likeness.ts";
+import { OldSurface } from "../mesh/old-surface.ts";
 import { row, type Topology } from "../mesh/topology.ts";
 import { panelAt } from "../mesh/triangulation.ts";
 import type { ColourBy } from "../state/page-state.ts";
+import { motionEnd } from "../state/ramp-ends.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import { displaySphere } from "./framing.ts";
 import type { Palette } from "./palette.ts";
@@ -46,6 +48,8 @@ export class Shell {
   readonly #matt = mattMaterial();
   #skin: Skin | null = null;
   readonly #colours: PanelColours;
+  readonly #oldSurface: OldSurface;
+  #kind: ColourBy = "displacement";
   readonly #cuts: PanelCuts;
   readonly #lines: ShellLines;
   readonly #dirtyCorners = new DirtyRange();
@@ -65,6 +69,7 @@ export class Shell {
     this.corners = mesh.corners.slice();
     this.#cuts = new PanelCuts(mesh);
     this.#colours = new PanelColours(mesh);
+    this.#oldSurface = new OldSurface(this.base, mesh);
     this.panels = this.#makePanels();
     this.#lines = new ShellLines(mesh.topology, this.base);
     this.group.add(this.panels, this.#lines.group);
@@ -143,6 +148,7 @@ export class Shell {
   }
 
   colourBy(kind: ColourBy, figures: Float32Array | null): void {
+    this.#kind = kind;
     this.#colours.choose(kind, figures);
     this.#colourAll();
   }
@@ -253,10 +259,24 @@ export class Shell {
   #colourMoved(): void {
     this.#largest = this.#scale;
     for (const v of this.#moved) this.#largest = Math.max(this.#largest, this.#displacement(v));
-    for (const v of this.#moved) {
-      this.#colours.paintVertex(v, this.#displacement(v) / this.#largest);
-    }
+    if (this.#kind === "shape" || this.#kind === "slide") this.#colourMotion(this.#kind);
+    else
+      for (const v of this.#moved)
+        this.#colours.paintVertex(v, this.#displacement(v) / this.#largest);
     this.#colours.upload();
+  }
+
+  #colourMotion(kind: "shape" | "slide"): void {
+    const { current } = this;
+    const figures = Array.from(this.#moved, (v) => {
+      const [x = 0, y = 0, z = 0] = current.subarray(3 * v, 3 * v + 3);
+      return [v, this.#oldSurface.motion(v, [x, y, z])[kind]] as const;
+    });
+    const end = motionEnd(
+      figures.map(([, figure]) => figure),
+      this.#largest,
+    );
+    for (const [v, figure] of figures) this.#colours.paintVertex(v, figure / end);
   }
 
   #colourAll(): void {

@@ -65,6 +65,8 @@ export interface LaidOffset extends OffsetChoice {
 }
 
 export type ColourBy =
+  | "shape"
+  | "slide"
   | "displacement"
   | "planarity"
   | "fold"
@@ -183,7 +185,7 @@ export class PageState {
   readonly eigenbasis = signal(false);
   /** What the next variations are found by; undefined: the core's weights. */
   readonly variationWeights = signal<VariationWeights | undefined>(undefined);
-  readonly colourBy = signal<ColourBy>("displacement");
+  readonly colourBy = signal<ColourBy>("shape");
   /** Gap (model units), mm/m and mm/m beyond rounding of every panel of the last finished design. */
   readonly panelFigures = signal<Float32Array | null>(null);
   /** Outline, shortest edge, smallest angle and whether it changed, of every panel. */

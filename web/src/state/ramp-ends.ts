@@ -28,6 +28,17 @@ export function planarityShare(mmPerM: number, end: number): number {
 export const largest = (values: Float32Array, least = 0): number =>
   values.reduce((most, value) => Math.max(most, value), least);
 
+/**
+ * At the ends of the ramps of shape and slide: the largest, on whichever side; a share of the largest
+ * move at least, below which they are rounding.
+ */
+export function motionEnd(figures: Iterable<number>, move: number): number {
+  const LEAST = 1e-3;
+  let end = LEAST * move;
+  for (const figure of figures) end = Math.max(end, Math.abs(figure));
+  return end;
+}
+
 /** Degrees at the end of the ramp of folds, at least: where a crease begins to be seen as one. */
 const CREASE = 30;
 

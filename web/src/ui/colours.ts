@@ -3,6 +3,8 @@ import type { ColourBy } from "../state/page-state.ts";
 
 /** What the colours of the model can mean, as it is offered. */
 export const COLOURS: readonly (readonly [ColourBy, string])[] = [
+  ["shape", "Shape"],
+  ["slide", "Slide"],
   ["displacement", "Displacement"],
   ["planarity", "Planarity"],
   ["fold", "Folds"],

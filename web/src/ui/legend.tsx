@@ -6,6 +6,7 @@ import { formatLength } from "../quantity/units.ts";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
 import { formatDegrees } from "../state/fold.ts";
+import { movesShown } from "../state/moves.ts";
 import type { Page } from "../state/page.ts";
 import type { ColourBy } from "../state/page-state.ts";
 import { defectEnd, foldEnd, largest } from "../state/ramp-ends.ts";
@@ -51,12 +52,17 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   );
 }
 
-type Linear = "displacement" | "fairness" | "fold" | Kind;
+type Linear = "shape" | "slide" | "displacement" | "fairness" | "fold" | Kind;
 
 function ends(page: Page, kind: Linear): readonly [string, string] {
   const { maxDisplacement } = page.figures.value;
   if (kind === "displacement")
     return ["0 mm, untouched", formatLength(maxDisplacement, page.unit.value)];
+  if (kind === "shape" || kind === "slide") {
+    const end = movesShown(page)?.endOf(kind) ?? 0;
+    const length = formatLength(end, page.unit.value);
+    return [kind === "shape" && end > 0 ? `−${length}` : "0 mm, untouched", length];
+  }
   if (kind === "fold") {
     const end = page.panelFolds.value ? foldEnd(page.panelFolds.value) : 0;
     return ["0°, flat", formatDegrees(end)];
@@ -81,6 +87,23 @@ function Ends({ of }: { of: Linear }) {
   );
 }
 
+/** For kinds whose name does not say all. */
+const NOTES: Partial<Record<ColourBy, string>> = {
+  shape: "Distance from the old surface",
+  slide: "Way along the old surface",
+  fairness: "Difference between neighbours' moves",
+  fold: "Each panel's sharpest with a neighbour",
+  circular: "Opposite angles from 180° together",
+  conical: "Opposite angles' sums from each other",
+};
+
+function rampOf(kind: ColourBy): (palette: Palette) => readonly string[] {
+  if (kind === "shape")
+    return ({ lowered, displacement }) => [...lowered.slice(1).reverse(), ...displacement];
+  const ofPoints = kind === "slide" || kind === "displacement" || kind === "mobility";
+  return (palette) => (ofPoints ? palette.displacement : palette.planarity);
+}
+
 function Scale() {
   const page = usePage();
   const kind = page.colourBy.value;
@@ -96,11 +119,7 @@ function Scale() {
   return (
     <>
       <Histogram />
-      <Bar
-        ramp={(palette) =>
-          kind === "displacement" || kind === "mobility" ? palette.displacement : palette.planarity
-        }
-      />
+      <Bar ramp={rampOf(kind)} />
       {kind === "planarity" ? (
         <PlanarityScale />
       ) : kind === "mobility" ? (
@@ -108,10 +127,7 @@ function Scale() {
       ) : (
         <Ends of={kind} />
       )}
-      {kind === "fairness" && <p class="legend-note">Difference between neighbours' moves</p>}
-      {kind === "fold" && <p class="legend-note">Each panel's sharpest with a neighbour</p>}
-      {kind === "circular" && <p class="legend-note">Opposite angles from 180° together</p>}
-      {kind === "conical" && <p class="legend-note">Opposite angles' sums from each other</p>}
+      {NOTES[kind] && <p class="legend-note">{NOTES[kind]}</p>}
     </>
   );
 }

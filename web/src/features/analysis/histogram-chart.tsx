@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-import { movesOn } from "../../state/moves.ts";
+import type { OpenedMesh } from "../../solver/protocol.ts";
+import { movesOn, movesShown } from "../../state/moves.ts";
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import type { Histogram as Counts } from "./histogram.ts";
@@ -11,6 +12,7 @@ import {
   ofFolds,
   ofMoves,
   ofPlanarity,
+  ofShape,
 } from "./histogram.ts";
 
 const WIDTH = 160;
@@ -22,6 +24,24 @@ interface Shown {
   /** What is counted, for one and for several, and the word for those at rest. */
   readonly what: readonly [string, string];
   readonly rest: string;
+}
+
+/** Of a change of shape every point that moved is counted, of a slide those that slid. */
+function ofMotion(page: Page, base: OpenedMesh, kind: "shape" | "slide"): Shown {
+  const moves = movesShown(page);
+  const figures = Array.from(moves?.motions.values() ?? [], (motion) => motion[kind]);
+  const total = base.report.vertices;
+  return kind === "shape"
+    ? {
+        counts: ofShape(figures, moves?.endOf(kind) ?? 0, total),
+        what: ["point moves", "points move"],
+        rest: "untouched",
+      }
+    : {
+        counts: ofMoves(figures, total),
+        what: ["point slides", "points slide"],
+        rest: "where they were",
+      };
 }
 
 function shown(page: Page): Shown | null {
@@ -38,6 +58,7 @@ function shown(page: Page): Shown | null {
       rest: "untouched",
     };
   }
+  if ((kind === "shape" || kind === "slide") && base) return ofMotion(page, base, kind);
   if (kind === "planarity" && page.panelFigures.value)
     return {
       counts: ofPlanarity(page.panelFigures.value),

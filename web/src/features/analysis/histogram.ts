@@ -58,6 +58,14 @@ export function ofMoves(lengths: Iterable<number>, total: number): Histogram {
   return { ...moved, rest: total - moved.bins.reduce((sum, n) => sum + n, 0) };
 }
 
+/** Off the old surface, from the farthest inside to the farthest outside; `total` points in all. */
+export function ofShape(distances: Iterable<number>, end: number, total: number): Histogram {
+  const moved = [...distances];
+  const share = (x: number): number => Math.max(Number.MIN_VALUE, (x / end + 1) / 2);
+  const counts = count(moved, end, share);
+  return { ...counts, rest: total - moved.length };
+}
+
 /** How sharply the edit bends at points, model units. */
 export const ofBending = (bending: Float32Array): Histogram => linear(bending);
 
