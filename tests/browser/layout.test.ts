@@ -75,12 +75,26 @@ async function expectPlaces(page: Page, width: number, height: number): Promise<
   expect(await cutShort(page)).toEqual([]);
 }
 
+/** What is said of joints that slide is said where there is room, and never makes the status line higher. */
+async function expectNoLineForTheSlide(page: Page): Promise<void> {
+  const [said, unsaid] = await page.evaluate<number[]>(`(() => {
+    const [line, note] = [".status-line", ".motion-note"].map((name) => document.querySelector(name));
+    const said = line.offsetHeight;
+    note.remove();
+    const unsaid = line.offsetHeight;
+    document.querySelector(".status-line .remake-note")?.after(note) ?? line.append(note);
+    return [said, unsaid];
+  })()`);
+  expect(said).toBe(unsaid);
+}
+
 it("everything has its place at every size, and bars of tools are no text to select", async () => {
   const page = await site.open();
   await typeTarget(page, "+0.2345m");
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     await expectPlaces(page, width, height);
+    await expectNoLineForTheSlide(page);
   }
   await page.setViewportSize({ width: 900, height: 640 });
   await dragOverBars(page);

@@ -84,6 +84,29 @@ it("names every figure that it colours by, with a legend in mm or mm/m and a his
   await page.context().close();
 });
 
+it("says how far an edit changes the shape, and how far joints slide, where that is noticeable", async () => {
+  const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
+  const said = page.getByText(/^(raised|lowered) [\d.]+ m?m, joints slide up to [\d.]+ m?m$/);
+  expect(await said.count()).toBe(0);
+  const metres = (words: string | null): number[] =>
+    [...(words ?? "").matchAll(/([\d.]+) (m?m)/g)].map(
+      ([, figure, unit]) => Number(figure) * (unit === "mm" ? 1e-3 : 1),
+    );
+  await typeTarget(page, "+40cm");
+  const [raised = 0, slide = 0] = metres(await said.textContent());
+  expect(await said.textContent()).toMatch(/^raised/);
+  expect(raised).toBeGreaterThan(0.3);
+  expect(slide).toBeGreaterThan(0.5 * raised);
+  // The ends of the legend are the page's own, those in the status line the core's.
+  const [end = 0] = metres(await page.getByText(/^−[\d.]+ m?m$/).textContent());
+  expect(end).toBeCloseTo(raised, 3);
+  await typeTarget(page, "+-80cm");
+  await expect.poll(() => said.textContent()).toMatch(/^lowered/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => said.textContent()).toMatch(/^raised/);
+  await page.context().close();
+});
+
 it("shows how the solve went and changes it behind a fold", async () => {
   const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");

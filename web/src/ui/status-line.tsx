@@ -45,6 +45,33 @@ function numbers(page: Page): readonly string[] {
   return parts;
 }
 
+/** Slides from this share of the change of shape on are worth a word. */
+const NOTICEABLE = 0.5;
+
+/** What the largest move is made of, where points slide noticeably: "" else. */
+function motionWords(page: Page): string {
+  const { motion, movedVertices } = page.figures.value;
+  if (!page.ready.value || !motion || movedVertices === 0) return "";
+  const { raised, lowered, slide } = motion;
+  const shape = Math.max(raised, lowered);
+  if (!(slide > NOTICEABLE * shape)) return "";
+  const way = raised < lowered ? "lowered" : "raised";
+  const [height, along] = [shape, slide].map((one) => formatLength(one, page.unit.value));
+  return `${way} ${height}, joints slide up to ${along}`;
+}
+
+/** Only where nothing else is to be said: a sentence needs the room. */
+function MotionNote() {
+  const page = usePage();
+  const words = motionWords(page);
+  if (!words || page.problem.value || page.notice.value) return null;
+  return (
+    <div class="motion-note" title={words}>
+      <span>{words}</span>
+    </div>
+  );
+}
+
 /** Breaks between figures, never within one or before a dot. */
 function Numbers() {
   const page = usePage();
@@ -78,6 +105,7 @@ export function StatusLine() {
         <Numbers /> <DamageNote />
       </div>
       <RemakeNote />
+      <MotionNote />
       {page.context.value && <ContextNote />}
       {page.problem.value && (
         <div role="alert" class="alert">
