@@ -125,6 +125,8 @@ const STATES = {
     await settled(page);
     await page.getByRole("list", { name: "Gallery of variations" }).scrollIntoViewIfNeeded();
   },
+  shape: colour("shape"),
+  slide: colour("slide"),
   displacement: colour("displacement"),
   planarity: colour("planarity"),
   fairness: colour("fairness"),

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Where the page's default colour is darkest after a first drag: the figures in docs/benchmarks.md.
+
+    /usr/bin/python3 .tools/motion.py [--points N] [--lift EDGES] [--only NAME,...] [FOLDER]
+
+N seeded inner points of each sample and of each mesh of ../shared/meshes (or FOLDER) that can be made flat
+are pulled along their normals by so many mean edges (a quarter) with the page's first settings. Distances
+from the old surface and ways along it are measured by this script's own code, from all panels as triangles,
+and compared with the report's.
+"""
+
+import argparse
+import json
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from survey import ROOT, SAMPLES, Topology, area_vector, mean_edge, read_obj, run
+
+PLANISH = ROOT / "build" / "native" / "planish"
+PAGE = "--keep-boundary --attraction 10000 --reach 6 --softness 5".split()
+LARGEST = 20  # panels a side
+
+
+def nearest_on_triangles(p, triangles):
+    """The place of any of the triangles (m x 3 x 3) that is nearest to p."""
+    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    normals = np.cross(b - a, c - a)
+    squares = np.einsum("ij,ij->i", normals, normals)
+    flat = p - (np.einsum("ij,ij->i", p - a, normals) / np.maximum(squares, 1e-300))[:, None] * normals
+    inside = squares > 0
+    places = []
+    for s, t in ((a, b), (b, c), (c, a)):
+        edge = t - s
+        inside &= np.einsum("ij,ij->i", np.cross(edge, flat - s), normals) >= 0
+        share = np.einsum("ij,ij->i", p - s, edge) / np.maximum(np.einsum("ij,ij->i", edge, edge), 1e-300)
+        places.append(s + np.clip(share, 0, 1)[:, None] * edge)
+    candidates = np.concatenate([flat[inside], *places])
+    return candidates[np.argmin(np.linalg.norm(candidates - p, axis=1))]
+
+
+def inner_points(faces, topology, rings=2):
+    """Used points that are so many rings of panels from the boundary."""
+    near = {int(v) for v in topology.boundary}
+    for _ in range(rings):
+        near |= {v for face in faces if near & set(face) for v in face}
+    return sorted({v for face in faces for v in face} - near)
+
+
+def beside_one(faces, vertex):
+    """The corners of the panels around it."""
+    return {v for face in faces if vertex in face for v in face}
+
+
+def pull(path, vertex, lift, scratch):
+    out, report = scratch / "after.obj", scratch / "report.json"
+    before, faces = read_obj(path)
+    normal = sum(area_vector(before[face]) for face in faces if vertex in face)
+    move = lift * mean_edge(before, faces) * normal / np.linalg.norm(normal)
+    by = ",".join(repr(float(x)) for x in move)
+    run(PLANISH, ["edit", path, "--handle", f"{vertex}+={by}", *PAGE, "-o", out, "--report", report])
+    after, _ = read_obj(out)
+    triangles = np.array([before[[face[0], s, t]] for face in faces for s, t in zip(face[1:], face[2:])])
+    moved = np.flatnonzero(np.any(before != after, axis=1))
+    feet = np.array([nearest_on_triangles(after[v], triangles) for v in moved])
+    shape = np.linalg.norm(after[moved] - feet, axis=1)
+    slide = np.linalg.norm(feet - before[moved], axis=1)
+    total = np.linalg.norm(after[moved] - before[moved], axis=1)
+    said = json.loads(report.read_text())["motion"]
+    return {"points": len(moved), "shape": shape.max(), "slide": slide.max(), "total": total.max(),
+            "shape_there": moved[shape.argmax()] == vertex, "total_there": moved[total.argmax()] == vertex,
+            "beside": int(moved[shape.argmax()]) in beside_one(faces, vertex),
+            "at_handle": float(shape[moved == vertex].max(initial=0.0) / shape.max()),
+            "differs": abs(said["shape_max"] - shape.max()) / shape.max()}
+
+
+def meshes_of(folder, scratch, only):
+    for name, size in {"roof": 20, **SAMPLES}.items():
+        if not only or name in only:
+            path = scratch / f"{name}.obj"
+            run(PLANISH, ["sample", name, "--size", min(size, LARGEST), "-o", path])
+            yield name, path
+    for given in sorted(folder.glob("*.obj")):
+        if only and given.stem not in only:
+            continue
+        path = scratch / given.name
+        run(PLANISH, ["project", given, "-o", path, "--report", scratch / "flat.json"])
+        if json.loads((scratch / "flat.json").read_text())["planarity_mm_per_m"]["after_max"] <= 1e-6:
+            yield given.stem, path
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("folder", nargs="?", type=Path, default=ROOT.parent / "shared" / "meshes")
+    parser.add_argument("--points", type=int, default=5)
+    parser.add_argument("--lift", type=float, default=0.25)
+    parser.add_argument("--only", default="")
+    options = parser.parse_args()
+    only = set(filter(None, options.only.split(",")))
+    print("| mesh | pulls | shape largest at the handle | or one panel beside | move largest at the handle "
+          "| slide over shape, median |")
+    print("|" + " --- |" * 6)
+    everything = []
+    with tempfile.TemporaryDirectory() as name:
+        scratch = Path(name)
+        for k, (mesh, path) in enumerate(meshes_of(options.folder, scratch, only)):
+            points, faces = read_obj(path)
+            inner = inner_points(faces, Topology(faces))
+            picked = np.random.default_rng(1000 + k).permutation(inner)[:options.points]
+            rows = [pull(path, int(v), options.lift, scratch) for v in picked]
+            everything += rows
+            if rows:
+                there, beside, moved = (sum(r[key] for r in rows) for key in ("shape_there", "beside", "total_there"))
+                print(f"| {mesh} | {len(rows)} | {there} | {beside} | {moved} "
+                      f"| {np.median([r['slide'] / r['shape'] for r in rows]):.2g} |", flush=True)
+    count = max(1, len(everything))
+    shape, beside, total = (100 * sum(r[key] for r in everything) / count
+                            for key in ("shape_there", "beside", "total_there"))
+    print(f"\n{len(everything)} pulls: shape largest at the handle {shape:.0f} %, "
+          f"there or one panel beside {beside:.0f} %, move {total:.0f} %; report differs by at most "
+          f"{100 * max(r['differs'] for r in everything):.2g} % of the largest shape; least share of it "
+          f"at the handle {min(r['at_handle'] for r in everything):.2f}")
+
+
+if __name__ == "__main__":
+    main()
