@@ -104,7 +104,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("PLANISH_JOBS", os.cpu_count()))) as pool:
         for name, row in pool.map(measure, names):
             print(f"{name:36}", json.dumps(row) if row else "no flat mesh near, or refused", flush=True)
-            if row and row["reached"]:
+            if row and row["reached"] and row["soft"] > 0:
                 rows.append(row)
     if not rows:
         sys.exit("fewest: no handle arrives")
