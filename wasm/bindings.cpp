@@ -83,6 +83,17 @@ std::string set_supports(Session& s, const std::string& lines) {
 std::string set_cuts(Session& s, const std::string& lines, double tolerance) {
   return attempt([&] { return s.set_cuts(lines, tolerance); });
 }
+val try_cut(const Session& s, const std::string& text, double tolerance) {
+  planish::CutTrial trial;
+  trial.problem = attempt([&]() -> Refusal {
+    trial = s.try_cut(text, tolerance);
+    return trial.problem.empty() ? Refusal() : Refusal(trial.problem);
+  });
+  val value = val::object();
+  value.set("problem", trial.problem);
+  value.set("lines", copy(trial.lines));
+  return value;
+}
 std::string edit(Session& s, EditMode mode, const val& handles, const val& pins, int continuation,
                  double budget) {
   return attempt([&] { return s.edit(mode, to_targets(handles, pins, continuation), budget); });
@@ -182,6 +193,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("setOptions", &set_options)
       .function("setSupports", &set_supports)
       .function("setCuts", &set_cuts)
+      .function("tryCut", &try_cut)
       .function("edit", &edit)
       .function("keepFrame", &keep_frame)
       .function("goBack", &go_back)

@@ -11,7 +11,7 @@ import type {
   VariationFamily,
 } from "./planish_designs.d.ts";
 import type { MobilityModule } from "./planish_mobility.d.ts";
-import type { MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
+import type { CutTrial, MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 import type { SymmetryModule } from "./planish_symmetry.d.ts";
 
 export type * from "./planish_analysis.d.ts";
@@ -37,6 +37,8 @@ export interface Session {
   setSupports(lines: string): string;
   /** Before the edits of this base, one cut a line as --cut says it; "" for none. Tolerance in mm/m. */
   setCuts(lines: string, tolerance: number): string;
+  /** One more of them, which is not made. */
+  tryCut(text: string, tolerance: number): CutTrial;
   /** `handles`: vertex, x, y, z for each. */
   edit(
     mode: EnumValue,

@@ -42,6 +42,12 @@ struct Shape {
   Positions positions;     ///< 3 × |moved|, model units
 };
 
+/// What one more cut would leave.
+struct CutTrial {
+  std::string problem;       ///< why it cannot be made; "" where it can
+  std::vector<float> lines;  ///< both ends of every new side, where the design shown has them
+};
+
 /// What doing a design again gave, beside the shape that is shown.
 struct Replayed {
   std::vector<int> directions;  ///< of each variation
@@ -84,6 +90,8 @@ class Session {
   /// makes that of before the cuts flat, which are then made again.
   /// @param tolerance mm/m
   [[nodiscard]] Refusal set_cuts(const std::string& lines, double tolerance);
+  /// One more of them, which is not made; a new side may be listed once for each of its panels.
+  [[nodiscard]] CutTrial try_cut(const std::string& text, double tolerance) const;
   /// Null without one.
   [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
   /// For all edits from here on, one support a line as --support says it; "" for none.
@@ -167,6 +175,8 @@ class Session {
   [[nodiscard]] Refusal adopt_planarised(Positions flat);
   void take_cuts_back();
   [[nodiscard]] Refusal make_cuts(std::vector<Cut> cuts, double tolerance);
+  [[nodiscard]] std::vector<float> cut_lines(const CutMesh& made) const;
+  [[nodiscard]] Eigen::Vector3d shown_place(const CutMesh& made, int vertex) const;
   [[nodiscard]] std::vector<PointSupport> with_added_points(
       const std::vector<PointSupport>& supports) const;
   [[nodiscard]] Refusal require_flat_base() const;

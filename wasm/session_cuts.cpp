@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The cuts of a session's base: made before its edits, on the mesh that is flat, and symmetric.
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,34 @@
 #include "session.hpp"
 
 namespace planish {
+namespace {
+
+/// Whether points of the cut mesh lie on one side of a panel of the mesh before.
+class PanelSides {
+ public:
+  PanelSides(const Mesh& before, const CutMesh& made) : before_(before), made_(made) {}
+
+  [[nodiscard]] bool hold(int panel, int a, int b) const {
+    const auto corners = before_.face(panel);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto side = std::minmax(corners[k], corners[(k + 1) % corners.size()]);
+      if (stands_on(side, a) && stands_on(side, b)) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool stands_on(const std::pair<const int&, const int&>& side, int v) const {
+    if (v < before_.vertex_count()) return v == side.first || v == side.second;
+    const AddedPoint& point = made_.added[static_cast<std::size_t>(v - before_.vertex_count())];
+    return point.from == side.first && point.to == side.second;
+  }
+
+  const Mesh& before_;
+  const CutMesh& made_;
+};
+
+}  // namespace
 
 Refusal Session::set_cuts(const std::string& lines, double tolerance) {
   std::vector<Cut> cuts;
@@ -20,8 +50,63 @@ Refusal Session::set_cuts(const std::string& lines, double tolerance) {
     left.remove_prefix(std::min(end + 1, left.size()));
   }
   if (base_.vertex_count() == 0) return "Open a mesh first.";
+  std::vector<Cut> before = cut_ ? cut_->cuts : std::vector<Cut>();
+  const double before_tolerance = cut_ ? cut_->tolerance : 0.0;
   take_cuts_back();
-  return cuts.empty() ? std::nullopt : make_cuts(std::move(cuts), tolerance);
+  if (cuts.empty()) return std::nullopt;
+  Refusal refusal = make_cuts(std::move(cuts), tolerance);
+  if (refusal && !before.empty()) (void)make_cuts(std::move(before), before_tolerance);
+  return refusal;
+}
+
+CutTrial Session::try_cut(const std::string& text, double tolerance) const {
+  const auto cut = parse_cut(text);
+  if (const auto* problem = std::get_if<std::string>(&cut)) return {*problem + ".", {}};
+  if (base_.vertex_count() == 0) return {"Open a mesh first.", {}};
+  std::optional<MeshSymmetry> symmetry;
+  if (symmetry_) symmetry = *symmetry_;
+  const auto made = cut_base(base_, {std::get<Cut>(cut)}, symmetry, tolerance);
+  if (const auto* why = std::get_if<std::string>(&made)) return {*why + ".", {}};
+  return {"", cut_lines(std::get<CutMesh>(made))};
+}
+
+std::vector<float> Session::cut_lines(const CutMesh& made) const {
+  const PanelSides sides(base_, made);
+  std::vector<float> lines;
+  for (const CutRecord& record : made.records) {
+    for (const int part : record.panels) {
+      const auto corners = made.mesh.face(part);
+      const int parent = made.parents[static_cast<std::size_t>(part)];
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const int ends[2] = {corners[k], corners[(k + 1) % corners.size()]};
+        if (sides.hold(parent, ends[0], ends[1])) continue;
+        for (const int v : ends) {
+          const Eigen::Vector3d p = scale_ * (shown_place(made, v) - centre_);
+          for (const double x : p) lines.push_back(static_cast<float>(x));
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+Eigen::Vector3d Session::shown_place(const CutMesh& made, int vertex) const {
+  const auto old = static_cast<int>(base_.vertex_count());
+  if (vertex < old) return current_.col(vertex);
+  const AddedPoint& point = made.added[static_cast<std::size_t>(vertex - old)];
+  Eigen::Vector3d place = made.mesh.positions.col(vertex);
+  const auto move = [&](int v) -> Eigen::Vector3d {
+    return current_.col(v) - base_.positions.col(v);
+  };
+  if (point.panel >= 0) {
+    const auto corners = base_.face(point.panel);
+    for (const int v : corners) place += move(v) / static_cast<double>(corners.size());
+    return place;
+  }
+  const Eigen::Vector3d from = base_.positions.col(point.from);
+  const Eigen::Vector3d side = base_.positions.col(point.to) - from;
+  const double share = (place - from).dot(side) / side.squaredNorm();
+  return place + (1.0 - share) * move(point.from) + share * move(point.to);
 }
 
 void Session::take_cuts_back() {

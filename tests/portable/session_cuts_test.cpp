@@ -3,7 +3,11 @@
 /// flat, or another, again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "planish/design/cut_base.hpp"
 #include "session.hpp"
@@ -110,6 +114,62 @@ TEST(SessionCuts, SaysWhatIsWrong) {
   EXPECT_NE(session.set_cuts("saw=1", kTolerance)->find("is no cut"), std::string::npos);
   ASSERT_EQ(session.set_symmetry("x", kTolerance), std::nullopt);
   EXPECT_NE(session.set_cuts("corner=3:3", kTolerance), std::nullopt) << "without its image";
+}
+
+TEST(SessionCuts, RefusedLeavesThoseThatWereThere) {
+  Session session = cut_vault();
+  const Mesh cut = session.base();
+  EXPECT_NE(session.set_cuts(kLines + "\nsplit=900:1,2", kTolerance), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.base(), cut));
+}
+
+TEST(SessionCuts, ATrialHasTheNewSidesAndMakesNothing) {
+  Session session = open_vault();
+  const Mesh whole = session.base();
+  struct Case {
+    std::string text;
+    std::size_t sides;
+  };
+  // A side between two parts is listed by both; a strip of 16 quads gets one in each.
+  for (const auto& [text, sides] : {Case{"corner=120:127", 2}, Case{"strip=140-141@0.25", 32},
+                                    Case{"refine=3", 8}, Case{"split=0:0,18", 2}}) {
+    const CutTrial trial = session.try_cut(text, kTolerance);
+    EXPECT_EQ(trial.problem, "") << text;
+    EXPECT_EQ(trial.lines.size(), 6 * sides) << text;
+  }
+  EXPECT_EQ(session.try_cut("split=900:1,2", kTolerance).problem,
+            "split=900:1,2: there is no panel 900: panels are 0 to 255.");
+  EXPECT_TRUE(testing::same_bits(session.base(), whole));
+}
+
+TEST(SessionCuts, ATrialLiesOnTheDesignShown) {
+  Session session = open_vault();
+  EditTargets targets = lift(session, 0.5);
+  const int lifted = targets.handles.front().vertex;
+  ASSERT_EQ(session.edit(EditMode::kSolve, std::move(targets), 1.0), std::nullopt);
+  const std::vector<float> base = session.display_base();
+  const CutTrial trial = session.try_cut(
+      "strip=" + std::to_string(lifted) + "-" + std::to_string(lifted + 1) + "@0.5", kTolerance);
+  ASSERT_EQ(trial.problem, "");
+  // Half way along the side the new point has half of what its ends have moved by.
+  const std::vector<float> changes = session.take_changes();
+  std::vector<float> shown = base;
+  for (std::size_t k = 0; k + 3 < changes.size(); k += 4) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      shown[3 * static_cast<std::size_t>(changes[k]) + axis] = changes[k + 1 + axis];
+    }
+  }
+  const auto at = static_cast<std::size_t>(lifted);
+  float nearest = 1e9F;
+  for (std::size_t k = 0; k < trial.lines.size(); k += 3) {
+    float away = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float middle = 0.5F * (shown[3 * at + axis] + shown[3 * at + 3 + axis]);
+      away += std::abs(trial.lines[k + axis] - middle);
+    }
+    nearest = std::min(nearest, away);
+  }
+  EXPECT_LT(nearest, 1e-5F);
 }
 
 }  // namespace
