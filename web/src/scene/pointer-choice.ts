@@ -94,7 +94,8 @@ export class PointerChoice {
   /** False if the pointer rests where it did. */
   hover(hold: Hold | null): boolean {
     const { page, canvas } = this.#sight;
-    canvas.style.cursor = hold ? "grab" : page.areaTool.value ? "crosshair" : "";
+    const drawing = page.areaTool.value !== null || page.cutting.value;
+    canvas.style.cursor = hold ? "grab" : drawing ? "crosshair" : "";
     const vertex = hold && !hold.arrow ? hold.vertex : null;
     if (vertex === page.visited.value) return false;
     visit(page, vertex);

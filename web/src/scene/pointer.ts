@@ -45,7 +45,8 @@ export interface PointerEvents {
   readonly find: (x: number, y: number, coarse: boolean) => Hold | null;
   /** What every drag is to draw around points; null: drags do what they usually do. */
   readonly area: () => AreaTool | null;
-  readonly hover: (hold: Hold | null) => void;
+  /** `at`: null where it has left the view. */
+  readonly hover: (hold: Hold | null, at: Place | null) => void;
   readonly click: (x: number, y: number, hold: Hold | null, how: Click) => void;
   /** A double click; `ring` with Alt. */
   readonly double: (x: number, y: number, how: { also: boolean; ring: boolean }) => void;
@@ -112,7 +113,11 @@ export class PointerTool {
     canvas.addEventListener("pointercancel", () => this.abandon(), { signal });
     // Before the shortcuts, which have digits for views.
     window.addEventListener("keydown", (e) => this.#type(e), { capture: true, signal });
-    canvas.addEventListener("pointerleave", () => this.#events.hover(null), { signal });
+    // A finger that is lifted leaves what it showed.
+    const onLeave = (event: PointerEvent): void => {
+      if (!coarse(event)) this.#events.hover(null, null);
+    };
+    canvas.addEventListener("pointerleave", onLeave, { signal });
   }
 
   get dragging(): boolean {
@@ -197,7 +202,7 @@ export class PointerTool {
     const press = this.#press;
     if (!press) {
       if (event.pointerType === "mouse" && event.buttons === 0) {
-        this.#events.hover(this.#events.find(x, y, false));
+        this.#events.hover(this.#events.find(x, y, false), { x, y });
       }
       return;
     }

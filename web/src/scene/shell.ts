@@ -10,7 +10,7 @@ import {
   Mesh,
 } from "three";
 import type { DisplayMesh, Polygons } from "../mesh/display-mesh.ts";
-import { isSameStructure } from "../mesh/likeness.ts";
+import { hasSamePoints, isSameStructure } from "../mesh/likeness.ts";
 import { OldSurface } from "../mesh/old-surface.ts";
 import { row, type Topology } from "../mesh/topology.ts";
 import { panelAt } from "../mesh/triangulation.ts";
@@ -87,7 +87,10 @@ export class Shell {
 
   showsMuchTheSame(mesh: Polygons): boolean {
     const { current: display, offsets, vertices } = this;
-    return isSameStructure({ display, offsets, vertices }, mesh);
+    return (
+      isSameStructure({ display, offsets, vertices }, mesh) ||
+      hasSamePoints(this.base, mesh.display)
+    );
   }
 
   #makePanels(): Mesh<BufferGeometry, Material> {

@@ -29,6 +29,7 @@ import { ReachFollower } from "./reach-follower.ts";
 import { Sight } from "./sight.ts";
 import { Stage } from "./stage.ts";
 import { followStructure } from "./structure-follower.ts";
+import { viewTool } from "./view-tool.ts";
 
 export interface ViewportParts extends OverlayParts, LowerCorners {
   readonly canvas: HTMLCanvasElement;
@@ -87,10 +88,11 @@ export class Viewport {
     this.stage.fit(chosen ?? wholeOf(shell), this.#over());
   }
 
-  /** Gives up a drag, or drawing around points; without either, deselects. */
+  /** Gives up a drag, or drawing around points, or what a tool has begun; without either, deselects. */
   escape(): void {
-    const drawing = this.#page.areaTool.value !== null;
+    const [drawing, tool] = [this.#page.areaTool.value !== null, viewTool(this.#page).peek()];
     if (this.#pointer.dragging || drawing) this.#pointer.abandon();
+    else if (tool) tool.escape();
     else deselect(this.#page);
     this.#page.areaTool.value = null;
   }
@@ -128,15 +130,22 @@ export class Viewport {
   }
 
   #makePointer(): PointerTool {
-    const [choice, sight] = [this.#choice, this.sight];
+    const [choice, sight, tool] = [this.#choice, this.sight, viewTool(this.#page)];
     return new PointerTool(this.#page, this.#parts.canvas, this.stage, {
-      find: (x, y, coarse) => choice.find(x, y, coarse),
+      find: (x, y, coarse) => (tool.peek() ? null : choice.find(x, y, coarse)),
       area: () => this.#page.areaTool.value,
-      hover: (hold) => {
+      hover: (hold, at) => {
         if (choice.hover(hold)) this.#placeOverlay();
+        tool.peek()?.hover(at);
       },
-      click: (x, y, hold, press) => choice.click(x, y, hold, press),
-      double: (x, y, how) => void choice.line({ x, y }, how),
+      click: (x, y, hold, press) => {
+        const used = tool.peek();
+        if (used) used.click({ x, y }, press.coarse);
+        else choice.click(x, y, hold, press);
+      },
+      double: (x, y, how) => {
+        if (!tool.peek()) void choice.line({ x, y }, how);
+      },
       grab: (hold, press) => grip(sight, hold, press),
       turn: (x, y) => this.stage.turnAbout(sight.leader() ?? sight.surfaceAt({ x, y })),
       zoom: (x, y) => {

@@ -249,6 +249,15 @@ export class Dispatcher {
         );
         this.#postOpened(job, null, null);
         return;
+      case "cut":
+        insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
+        this.#postOpened(job, null, null);
+        return;
+      case "tryCut": {
+        const trial = session.tryCut(request.cut, request.tolerance);
+        this.#post({ kind: "tried", job, trial }, [trial.lines.buffer]);
+        return;
+      }
       case "edit":
         this.#postShown(job, request.mode !== "drag", this.#edits.edit(request));
         return;

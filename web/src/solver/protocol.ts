@@ -22,6 +22,7 @@ import type { Context } from "../rhino/context.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
 
 export type {
+  CutTrial,
   DesignReading,
   DesignValue,
   DesignVariation,
@@ -111,6 +112,10 @@ export type Request =
       symmetry: Symmetry | null;
       cuts: readonly string[];
     } // → opened
+  /** Instead of the cuts of the mesh that is open; refused, it has those that it had. */
+  | { kind: "cut"; job: number; cuts: readonly string[]; tolerance: number } // → opened
+  /** One cut more of the mesh that is open, which is not made. */
+  | { kind: "tryCut"; job: number; cut: string; tolerance: number } // → tried
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** The mesh shown, mended in one of these ways, as a file of this name. */
@@ -320,6 +325,7 @@ export type Reply =
       leads: readonly SliderLead[];
       deviation: number;
     }
+  | { kind: "tried"; job: number; trial: Reports.CutTrial }
   | { kind: "marked"; job: number; mark: Reports.ResultMark }
   | { kind: "design"; job: number; reading: Reports.DesignReading }
   | {

@@ -53,6 +53,10 @@ export const baseOf = ({ source, planarised, settings }: BaseSteps): Base => ({
   cuts: settings.cuts,
 });
 
+/** What changes its cuts alone. */
+export const cutQuestion = ({ symmetry, cuts }: Base) =>
+  ({ kind: "cut", cuts, tolerance: symmetry?.tolerance ?? 0 }) as const;
+
 type BaseSteps = Pick<Design, "source" | "planarised" | "settings">;
 
 /** What makes the solver open it. */
@@ -127,6 +131,10 @@ function account(page: Page, question: Question, answer: Answer | null): void {
       if (done && solver.base)
         solver.base = { ...solver.base, planarised: question.how, symmetry: null };
       if (done) solver.centre = null;
+      return;
+    case "cut":
+      if (done && solver.base) solver.base = { ...solver.base, cuts: question.cuts };
+      solver.centre = null;
       return;
     case "restore":
       if (done && !question.keep) solver.centre = null;

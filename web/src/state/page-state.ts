@@ -172,6 +172,8 @@ export class PageState {
   readonly snapStep = signal<number | null>(null);
   /** What a drag in the view draws around points instead; null: nothing. */
   readonly areaTool = signal<AreaTool | null>(null);
+  /** Whether clicks in the view cut panels instead. */
+  readonly cutting = signal(false);
   /** The field of typed moves that a key asked for, until the focus leaves it. */
   readonly typedMove = signal<"X" | "Y" | "Z" | null>(null);
   /** Whether the controls are folded away, where they are a sheet under the view. */

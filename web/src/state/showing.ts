@@ -13,6 +13,7 @@ import {
   announceChanges,
   type Base,
   baseOf,
+  cutQuestion,
   held,
   onDeath,
   openQuestion,
@@ -83,10 +84,12 @@ export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
 /** Lets the solver have the mesh of `design`, and the screen too; in the answer are the symmetries that
  * were found, where all were asked for. */
 export async function openBase(page: Page, design: Design): Promise<Result<Design>> {
-  const { base } = held(page);
-  if (base && sameBase(base, baseOf(design))) return done(design);
-  const question = openQuestion(baseOf(design));
-  const answer = await run(page, `opening ${sourceName(design.source)}`, question, "opened");
+  const [{ base }, wanted] = [held(page), baseOf(design)];
+  if (base && sameBase(base, wanted)) return done(design);
+  const cutsAlone = base !== null && sameBase({ ...base, cuts: wanted.cuts }, wanted);
+  const label = cutsAlone ? "cutting" : `opening ${sourceName(design.source)}`;
+  const question = cutsAlone ? cutQuestion(wanted) : openQuestion(wanted);
+  const answer = await run(page, label, question, "opened");
   if (!answer.ok) return answer;
   const { mesh } = answer.value;
   const symmetry = mesh.symmetry?.elements ?? [];

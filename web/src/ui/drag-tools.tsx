@@ -149,12 +149,31 @@ function PinTool() {
   );
 }
 
+function CutTool() {
+  const page = usePage();
+  const { cut } = COMMANDS;
+  return (
+    <Toggle
+      name={cut.label}
+      about={refusalOf(page, cut) || `clicks part panels, and no point moves (${keyOf(cut)})`}
+      on={page.cutting.value}
+      disabled={refusalOf(page, cut) !== ""}
+      onClick={() => cut.run(page)}
+    >
+      <Icon name="scissors" />
+    </Toggle>
+  );
+}
+
 const SightTools = later(() => import("./view-notes.tsx").then((part) => part.SightTools));
 
 export function DragTools() {
   const page = usePage();
   const resting =
-    page.selection.value.length === 0 && !page.areaTool.value && page.selectedPanel.value === null;
+    page.selection.value.length === 0 &&
+    !page.areaTool.value &&
+    !page.cutting.value &&
+    page.selectedPanel.value === null;
   return (
     <div
       class={resting ? "drag-tools resting" : "drag-tools"}
@@ -163,6 +182,7 @@ export function DragTools() {
     >
       <AreaTools />
       <PinTool />
+      <CutTool />
       <span class="tool-gap" />
       <LockTools />
       <Toggle

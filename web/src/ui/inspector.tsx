@@ -66,6 +66,8 @@ const SelectionStrip = later(() =>
   import("../features/selecting/selection-strip.tsx").then((part) => part.SelectionStrip),
 );
 
+const CutStrip = later(() => import("../features/cut/cut-strip.tsx").then((part) => part.CutStrip));
+
 const KeptSections = later(() => import("./kept-sections.tsx").then((part) => part.KeptSections));
 
 /** Where several points are selected, or about to be; beside the view, so that it covers none of them. */
@@ -73,6 +75,11 @@ function Several() {
   const page = usePage();
   const asked = page.areaTool.value ?? page.typedMove.value;
   return page.selection.value.length > 1 || asked ? <SelectionStrip /> : null;
+}
+
+/** Beside the view in which clicks cut. */
+function Cutting() {
+  return usePage().cutting.value ? <CutStrip /> : null;
 }
 
 /** On a telephone the controls are a sheet under the view: folded, they leave it all the room. */
@@ -102,6 +109,7 @@ export function Inspector() {
   return (
     <aside id="inspector" class="inspector" aria-label="Inspector">
       <Several />
+      <Cutting />
       <ImportReport />
       <section class="step edit-step" aria-labelledby="step-edit">
         <h2 id="step-edit">

@@ -22,6 +22,7 @@ export const KEY_HINTS: readonly KeyHint[] = [
     what: "hold drags to the plane across",
   },
   { of: ["pin"], what: "pins the selected points, or lets them go" },
+  { of: ["cut"], what: "cuts panels by clicks in the view, until pressed again" },
   { of: ["moveBy"], what: "moves the selected points by an amount that is typed" },
   { of: ["step"], what: "step from point to point" },
   { of: ["stepAdding"], what: "the same, and add the next point to the selection" },

@@ -90,6 +90,19 @@ const slid = (by: number): Moment =>
     return [columnX(x), arch(x)] as const;
   });
 
+const PANEL: readonly [Point, Point, Point, Point, Point] = [
+  [60, 78],
+  [172, 84],
+  [186, 22],
+  [74, 14],
+  [60, 78],
+];
+
+const along = (a: Point, b: Point, share: number): Point => [
+  a[0] + share * (b[0] - a[0]),
+  a[1] + share * (b[1] - a[1]),
+];
+
 export const HOW_PICTURES = {
   edit: {
     name: "moving points",
@@ -323,6 +336,16 @@ export const HOW_PICTURES = {
       strip(FLAT, bump(14, 3), bump(28, 3)),
       pointAt(MIDDLE, FLAT, bump(14, 3), bump(28, 3)),
       wall(upright(columnX(MIDDLE))),
+    ],
+  },
+  cut: {
+    name: "cutting",
+    words:
+      "A line parts a panel, or a whole strip. Its parts are as flat as it was, and no point moves: what holds a handle back may let it go.",
+    lines: [
+      wall(PANEL),
+      wall(...[0, 1, 1].map((share): Moment => [PANEL[0], along(PANEL[0], PANEL[2], share)])),
+      { look: "point", moments: [0, 1, 1].map((share) => [along(PANEL[0], PANEL[2], share)]) },
     ],
   },
   numbers: {

@@ -122,6 +122,8 @@ function cannotPin(page: Page): string {
   return notReady(page) || (chosen ? "" : "No point is selected.");
 }
 
+const cannotCut = (page: Page): string => notReady(page) || (page.baseFlat.value ? "" : FLAT_FIRST);
+
 const noPanel = (page: Page): string =>
   page.selection.value.length > 0 || page.selectedPanel.value !== null
     ? ""
@@ -200,6 +202,15 @@ export const COMMANDS = {
     heard: "view",
     refusal: cannotPin,
     run: togglePins,
+  },
+  cut: {
+    label: "Cut panels",
+    keys: ["K"],
+    heard: "view",
+    refusal: cannotCut,
+    run: (page: Page) => {
+      page.cutting.value = !page.cutting.value;
+    },
   },
   moveBy: {
     label: "Move by an amount",

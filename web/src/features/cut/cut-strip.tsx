@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// The tool that cuts panels: what clicks in the view do, the same by numbers, and the cuts made so far.
+import { useEffect } from "preact/hooks";
+import { Ask } from "../../ui/ask.tsx";
+import { Icon } from "../../ui/icon.tsx";
+import { LimitField } from "../../ui/limit-field.tsx";
+import { usePage } from "../../ui/page-context.ts";
+import { viewOf } from "../../ui/view-slot.ts";
+import { followCutting } from "./cut-follower.ts";
+import { otherSide } from "./cut-selection.ts";
+import { CUT_KINDS, type CutKind, cutWords, kindWord } from "./cut-text.ts";
+import { giveUpCut } from "./cut-tool.ts";
+import { cuts, takeCutsBack } from "./cuts.ts";
+import {
+  begun,
+  chooseKind,
+  collar,
+  cornerShare,
+  cutKind,
+  cutNow,
+  numbers,
+  trialNow,
+  type,
+  wantedCut,
+} from "./cutting.ts";
+import "./cut-strip.css";
+
+interface Words {
+  /** What to click. */
+  readonly how: string;
+  readonly label: string;
+  /** How the numbers are typed. */
+  readonly form: string;
+}
+
+const WORDS: Readonly<Record<CutKind, Words>> = {
+  split: {
+    how: "Click two corners or sides of one panel.",
+    label: "Panel:from,to",
+    form: "7:12,40-41@0.3",
+  },
+  strip: {
+    how: "Click a side: a line of points goes through the strip of quads across it.",
+    label: "Side",
+    form: "12-13@0.4",
+  },
+  corner: {
+    how: "Click a panel near the corner that becomes a triangle.",
+    label: "Panel:corner",
+    form: "40:79",
+  },
+  refine: {
+    how: "Click a panel, or select several points or panels first.",
+    label: "Panels",
+    form: "7,8",
+  },
+  trim: {
+    how: "What lies beyond a plane goes: through the selected points, or where Section cuts the view.",
+    label: "Plane a,b,c,d",
+    form: "0,0,1,2.5",
+  },
+};
+
+function Kinds() {
+  const page = usePage();
+  const chosen = cutKind(page).value;
+  return (
+    <div class="cut-kinds">
+      {CUT_KINDS.map((kind) => (
+        <button
+          key={kind}
+          type="button"
+          class="tool"
+          aria-pressed={kind === chosen}
+          onClick={() => chooseKind(page, kind)}
+        >
+          {kindWord(kind)}
+        </button>
+      ))}
+      <Ask about="cut" />
+      <button
+        type="button"
+        class="icon-button"
+        aria-label="Stop cutting"
+        title="Stop cutting (Escape)"
+        onClick={() => {
+          page.cutting.value = false;
+        }}
+      >
+        <Icon name="close" />
+      </button>
+    </div>
+  );
+}
+
+/** What one kind has beside its numbers. */
+function Options() {
+  const page = usePage();
+  const kind = cutKind(page).value;
+  if (kind === "corner")
+    return (
+      <span class="cut-share">
+        at
+        <LimitField
+          label="Share of the sides"
+          about="where the cut meets the two sides; 1: at the next corners, and no point is added"
+          value={cornerShare(page).value}
+          unit={null}
+          invalid={!(cornerShare(page).value > 0 && cornerShare(page).value <= 1)}
+          onApply={(share) => {
+            cornerShare(page).value = share;
+          }}
+        />
+      </span>
+    );
+  if (kind === "refine")
+    return (
+      <label class="check" title="Splits the panels beside, so that none has a straight corner">
+        <input
+          type="checkbox"
+          checked={collar(page).value}
+          onChange={({ currentTarget }) => {
+            collar(page).value = currentTarget.checked;
+          }}
+        />
+        <span>Split those beside</span>
+      </label>
+    );
+  if (kind !== "trim") return null;
+  return (
+    <button
+      type="button"
+      class="tool"
+      title="Takes away what lies on the other side of the plane"
+      disabled={numbers(page) === ""}
+      onClick={() => type(page, otherSide(numbers(page)))}
+    >
+      Other side
+    </button>
+  );
+}
+
+/** The same without a pointer: by numbers, which the selection fills in. */
+function Form() {
+  const page = usePage();
+  const kind = cutKind(page).value;
+  const { label, form } = WORDS[kind];
+  return (
+    <form
+      class="cut-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void cutNow(page);
+      }}
+    >
+      <label>
+        {label}
+        <input
+          type="text"
+          class="number"
+          autocomplete="off"
+          spellcheck={false}
+          placeholder={form}
+          disabled={!page.ready.value}
+          value={numbers(page)}
+          onInput={({ currentTarget }) => type(page, currentTarget.value)}
+        />
+      </label>
+      <Options />
+      <button type="submit" class="button small" disabled={wantedCut(page).value === null}>
+        Cut
+      </button>
+    </form>
+  );
+}
+
+function List() {
+  const page = usePage();
+  const all = cuts(page).value;
+  if (all.length === 0) return null;
+  const rest = (k: number): number => all.length - 1 - k;
+  return (
+    <ol class="cut-list" aria-label="Cuts made">
+      {all.map((text, k) => (
+        <li key={`${k} ${text}`}>
+          <span>{cutWords(text)}</span>
+          <button
+            type="button"
+            class="tool"
+            title={
+              rest(k) > 0
+                ? `Takes back this cut and the ${rest(k)} after it`
+                : "Takes back this cut; an edit is solved again without it"
+            }
+            aria-label={`Take back: ${cutWords(text)}${rest(k) > 0 ? ` and the ${rest(k)} after it` : ""}`}
+            disabled={!page.ready.value}
+            onClick={() => void takeCutsBack(page, k)}
+          >
+            {rest(k) > 0 ? "Back to before" : "Take back"}
+          </button>
+        </li>
+      ))}
+    </ol>
+  );
+}
+
+export function CutStrip() {
+  const page = usePage();
+  useEffect(() => followCutting(page, viewOf(page)), []);
+  const trial = trialNow(page);
+  const how = begun(page)
+    ? "Click the other end on the same panel."
+    : WORDS[cutKind(page).value].how;
+  return (
+    <section
+      class="cut-strip"
+      aria-label="Cut panels"
+      onKeyDown={({ key }) => {
+        if (key === "Escape") giveUpCut(page);
+      }}
+    >
+      <Kinds />
+      <p class="quiet">{how}</p>
+      <Form />
+      {trial?.problem && (
+        <p class="refused" aria-live="polite">
+          {trial.problem}
+        </p>
+      )}
+      <List />
+    </section>
+  );
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The cuts of the design that is open: made before its edit, each one more step of the history.
+import { computed } from "@preact/signals";
+import { FIRST_SETTINGS } from "../../design/design.ts";
+import { refuse } from "../../result/result.ts";
+import { FLAT_FIRST } from "../../state/dragging.ts";
+import { commitSettings } from "../../state/editing.ts";
+import { kept, type Page } from "../../state/page.ts";
+import { inTurn, type Outcome } from "../../state/turns.ts";
+import { cutWords } from "./cut-text.ts";
+
+/** As --cut says them, in the order in which they are made. */
+export const cuts = kept((page) =>
+  computed((): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).cuts),
+);
+
+const SOLVED_AGAIN = "The edit was solved again on the cut mesh.";
+
+/** The edit, if there is one, is solved again on the mesh that they leave. */
+async function commitCuts(page: Page, to: readonly string[], said: string): Outcome {
+  if (!page.baseFlat.value) return inTurn(page, async () => refuse(FLAT_FIRST));
+  const end = await commitSettings(page, { cuts: to });
+  if (!end?.ok) return end;
+  const more = page.handles.value.length > 0 ? ` ${SOLVED_AGAIN}` : "";
+  const before = page.notice.value ? `${page.notice.value} ` : "";
+  page.notice.value = `${before}${said}${more}`;
+  return end;
+}
+
+export const makeCut = (page: Page, text: string): Outcome =>
+  commitCuts(page, [...cuts(page).value, text], `Cut: ${cutWords(text)}.`);
+
+/** Takes back the cut at a place of the list and those after it, whose numbers may be of what it left. */
+export const takeCutsBack = (page: Page, place: number): Outcome =>
+  commitCuts(
+    page,
+    cuts(page).value.slice(0, place),
+    `Taken back: ${cuts(page).value.slice(place).map(cutWords).join("; ")}.`,
+  );

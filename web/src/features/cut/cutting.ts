@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What the tool is about to cut: by what is pointed at in the view, else by what is typed, else by the
+// selection; and what that would leave, asked of the solver before it is made.
+import { computed, effect, signal, untracked } from "@preact/signals";
+import type { DisplayMesh } from "../../mesh/display-mesh.ts";
+import { refuse } from "../../result/result.ts";
+import type { CutTrial } from "../../solver/protocol.ts";
+import { client } from "../../state/connection.ts";
+import { kept, type Page } from "../../state/page.ts";
+import { inTurn, type Outcome } from "../../state/turns.ts";
+import { fromSelection } from "./cut-selection.ts";
+import { type CutKind, type OutlinePlace, refineText } from "./cut-text.ts";
+import { makeCut } from "./cuts.ts";
+
+export const cutKind = kept(() => signal<CutKind>("split"));
+
+/** Of the two sides of a corner that is cut off. */
+export const cornerShare = kept(() => signal(1));
+
+/** Whether the panels beside refined ones are split, too. */
+export const collar = kept(() => signal(false));
+
+/** The first of the two places of a split. */
+export interface Begun {
+  readonly of: DisplayMesh;
+  readonly panel: number;
+  readonly place: OutlinePlace;
+}
+
+/** What the pointer is at. */
+export interface Pointed {
+  readonly of: DisplayMesh;
+  /** null: no cut yet. */
+  readonly cut: string | null;
+  /** Where it would begin or end; null for nowhere. */
+  readonly place: OutlinePlace | null;
+}
+
+interface Cutting {
+  readonly begun: ReturnType<typeof signal<Begun | null>>;
+  readonly pointed: ReturnType<typeof signal<Pointed | null>>;
+  readonly typed: ReturnType<typeof signal<string | null>>;
+  readonly trial: ReturnType<typeof signal<(CutTrial & { readonly cut: string }) | null>>;
+}
+
+const cutting = kept(
+  (): Cutting => ({
+    begun: signal<Begun | null>(null),
+    pointed: signal<Pointed | null>(null),
+    typed: signal<string | null>(null),
+    trial: signal<(CutTrial & { readonly cut: string }) | null>(null),
+  }),
+);
+
+const ofMesh = <T extends { readonly of: DisplayMesh }>(page: Page, value: T | null): T | null =>
+  value && value.of === page.displayMesh.value ? value : null;
+
+export const begun = (page: Page): Begun | null => ofMesh(page, cutting(page).begun.value ?? null);
+
+export const pointed = (page: Page): Pointed | null =>
+  ofMesh(page, cutting(page).pointed.value ?? null);
+
+export function begin(page: Page, first: Begun | null): void {
+  cutting(page).begun.value = first;
+}
+
+export function point(page: Page, at: Pointed | null): void {
+  cutting(page).pointed.value = at;
+}
+
+/** The numbers of the form: those typed, else those that the selection says. */
+export const numbers = (page: Page): string =>
+  cutting(page).typed.value ?? fromSelection(page, cutKind(page).value);
+
+export function type(page: Page, text: string | null): void {
+  cutting(page).typed.value = text;
+}
+
+export function chooseKind(page: Page, kind: CutKind): void {
+  cutKind(page).value = kind;
+  begin(page, null);
+  point(page, null);
+  type(page, null);
+}
+
+/** What the form says; null where it says nothing. */
+function formCut(page: Page): string | null {
+  const [kind, said] = [cutKind(page).value, numbers(page).replace(/\s/g, "")];
+  if (said === "") return null;
+  if (kind === "refine") return refineText([], collar(page).value).replace("=", `=${said}`);
+  const share = cornerShare(page).value;
+  const whole = kind !== "corner" || said.includes("@") || share === 1;
+  return `${kind}=${said}${whole ? "" : `@${share}`}`;
+}
+
+/** The cut that is about to be made; null for none. */
+export const wantedCut = kept((page) =>
+  computed((): string | null => pointed(page)?.cut ?? (begun(page) ? null : formCut(page))),
+);
+
+/** What it would leave, once that is known. */
+export function trialNow(page: Page): CutTrial | null {
+  const trial = cutting(page).trial.value;
+  return trial && trial.cut === wantedCut(page).value ? trial : null;
+}
+
+async function tryOut(page: Page, cut: string, tolerance: number): Promise<void> {
+  const answer = await client(page)
+    .stream({ kind: "tryCut", cut, tolerance })
+    .catch(() => null); // Overtaken, or the solver is gone: what is shown next asks again.
+  if (answer?.kind === "tried") cutting(page).trial.value = { ...answer.trial, cut };
+}
+
+/** Asks what the wanted cut would leave whenever it, or the design that it would cut, is another. */
+export const followTrial = (page: Page): (() => void) =>
+  effect(() => {
+    const [cut, design] = [wantedCut(page).value, page.history.value?.present];
+    const usable = page.ready.value && page.baseFlat.value && !page.busy.value;
+    cutting(page).trial.value = null;
+    if (cut === null || !design || !usable) return;
+    const { symmetry, tolerance } = design.settings;
+    untracked(() => void tryOut(page, cut, symmetry.length > 0 ? tolerance : 0));
+  });
+
+/** Makes the wanted cut, or says why it cannot be made. */
+export async function cutNow(page: Page): Outcome {
+  const cut = wantedCut(page).value;
+  if (cut === null) return;
+  const trial = trialNow(page);
+  const why = trial?.problem;
+  if (why) return inTurn(page, async () => refuse(why));
+  begin(page, null);
+  point(page, null);
+  const end = await makeCut(page, cut);
+  if (end?.ok) type(page, null);
+  return end;
+}
