@@ -166,6 +166,7 @@ void go_back(Session& s) { s.go_back(); }
 val before_planarising(const Session& s) { return copy(s.before_planarising()); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
+val panel_parents(const Session& s) { return copy(s.panel_parents()); }
 val display_base(const Session& s) { return copy(s.display_base()); }
 val take_changes(Session& s) { return copy(s.take_changes()); }
 val moved(const Session& s) { return copy(s.moved()); }
@@ -215,6 +216,7 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("beforePlanarising", &before_planarising)
       .function("faceOffsets", &face_offsets)
       .function("faceVertices", &face_vertices)
+      .function("panelParents", &panel_parents)
       .function("displayBase", &display_base)
       .function("takeChanges", &take_changes)
       .function("moved", &moved)

@@ -82,6 +82,8 @@ export interface Session {
   beforePlanarising(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;
+  /** Of every panel which of the mesh before the cuts; empty without any. */
+  panelParents(): Int32Array;
   displayBase(): Float32Array;
   takeChanges(): Float32Array;
   moved(): Int32Array;

@@ -130,6 +130,10 @@ class Session {
   [[nodiscard]] const Mesh& base() const { return base_; }
   /// The base before its cuts.
   [[nodiscard]] const Mesh& uncut() const { return cut_ ? cut_->before : base_; }
+  /// Of every panel of the base which of uncut(); empty without cuts.
+  [[nodiscard]] std::vector<int> panel_parents() const {
+    return cut_ ? cut_->made.parents : std::vector<int>();
+  }
   /// 3 × n, the base as it was opened; 3 × 0 unless it was planarised since.
   [[nodiscard]] const Positions& before_planarising() const { return before_planarising_; }
   [[nodiscard]] const Positions& current() const { return current_; }

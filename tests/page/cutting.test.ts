@@ -371,3 +371,34 @@ it("a finger sees first what it cuts, and cuts with its next tap there", async (
   expect((await listed(page))[0]).toMatch(/^Strip (15-16|16-15)@0.5$/);
   await page.context().close();
 });
+
+it("groups made here keep what becomes of their panels, and have it back after Undo", async () => {
+  const page = await site.openVault();
+  await openFile(page, "roof.obj", flatRoof(6));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  const { selectedPanel } = (page as unknown as { page: { selectedPanel: { value: number } } })
+    .page;
+  const section = page.getByRole("region", { name: "Groups" });
+  for (const panel of [3, 33]) {
+    selectedPanel.value = panel;
+    await section.getByRole("button", { name: "Group panels" }).click();
+  }
+  const members = async (): Promise<string[]> => {
+    const runs = (await obj(page)).split(/^(?=[og] )/m).slice(1);
+    const counts = runs.map((run) => [run.split("\n")[0], run.match(/^f /gm)?.length ?? 0]);
+    return counts.filter(([name]) => name !== "g ").map(([name, count]) => `${name}: ${count}`);
+  };
+  expect(await members()).toEqual(["o Group 1: 1", "o Group 2: 1"]);
+  await start(page);
+  await typed(page, "Refine", "3");
+  // The first part keeps the number, the three others stand behind all panels.
+  expect(await members()).toEqual(["o Group 1: 1", "o Group 2: 1", "o Group 1: 3"]);
+  await typed(page, "Trim", "0,-1,0,-2.5");
+  expect(await members()).toEqual(["o Group 2: 1"]);
+  for (const _ of ["trim", "refine"]) {
+    await page.getByRole("button", { name: "Undo" }).click();
+    await idle(page);
+  }
+  expect(await members()).toEqual(["o Group 1: 1", "o Group 2: 1"]);
+  await page.context().close();
+});

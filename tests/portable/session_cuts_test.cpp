@@ -51,6 +51,8 @@ TEST(SessionCuts, TheBaseIsWhatTheyLeave) {
   const auto cut = std::get<CutMesh>(cut_mesh(whole.base(), cuts_of_lines()));
   EXPECT_TRUE(testing::same_bits(session.base(), cut.mesh));
   EXPECT_TRUE(testing::same_bits(session.uncut(), whole.base()));
+  EXPECT_EQ(session.panel_parents(), cut.parents);
+  EXPECT_TRUE(whole.panel_parents().empty());
 }
 
 TEST(SessionCuts, AnEditIsThatOfTheRecipe) {

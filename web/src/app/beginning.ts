@@ -4,7 +4,7 @@ import { keepElsewhere, restoreSaved, startAutosave } from "../features/saving/a
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
-import { keptGroups } from "../state/kept-groups.ts";
+import { keepGroups, keptGroups } from "../state/kept-groups.ts";
 import { note } from "../state/note.ts";
 import { openFirst } from "../state/opening.ts";
 import type { Page } from "../state/page.ts";
@@ -40,11 +40,9 @@ async function openSaved(page: Page, saved: ReturnType<typeof restoreSaved>): Pr
   page.views.value = record.views;
   note(page).value = record.note;
   sectionPlane(page).value = record.section;
-  keptGroups(page).value = record.groups && {
-    sources: [record.present.source],
-    list: record.groups,
-  };
   page.history.value = restored.history;
+  keptGroups(page).value = null;
+  if (record.groups) keepGroups(page, record.groups);
   page.unit.value = record.unit;
   placeCamera(page, record.camera);
   if (record.figure !== null) rememberOrigin(page, "name", record.figure);

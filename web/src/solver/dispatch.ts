@@ -54,6 +54,7 @@ function readMesh(
     report: { ...report, warnings: [...warnings, ...report.warnings] },
     positions: session.basePositions(),
     groups: session.groups(),
+    parents: session.panelParents(),
     symmetry: module.symmetryOf(session),
     ...prepareDisplay({
       display: session.displayBase(),
@@ -364,7 +365,7 @@ export class Dispatcher {
   #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
     this.#analysis.forget();
     const mesh = readMesh(this.#module, this.#session, stored?.warnings ?? []);
-    const buffers = [mesh.positions.buffer, ...buffersOf(mesh)];
+    const buffers = [mesh.positions.buffer, mesh.parents.buffer, ...buffersOf(mesh)];
     this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
   }
 

@@ -258,6 +258,8 @@ export interface SliderRange {
 export interface OpenedMesh extends DisplayMesh {
   /** Runs of faces that its file names: see Session.groups. */
   readonly groups: string;
+  /** Of every panel which of the mesh before its cuts; empty without any. */
+  readonly parents: Int32Array;
   readonly report: Reports.MeshReport;
   readonly positions: Float64Array;
   /** Under which its edits have images; null without one. */

@@ -11,7 +11,7 @@ import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { cornersOf, panelsOf } from "../mesh/group-members.ts";
 import { commitSettings, freePins, setPinned } from "./editing.ts";
 import { hidden, hiddenPanels } from "./hidden-panels.ts";
-import { changedGroups, groupFigures, isOf, keptGroups } from "./kept-groups.ts";
+import { changedGroups, groupFigures, keepGroups } from "./kept-groups.ts";
 import { kept, type Page } from "./page.ts";
 import type { Outcome } from "./turns.ts";
 
@@ -27,13 +27,6 @@ const groupsOfFile = kept((page) =>
 export const groups = kept((page) =>
   computed((): readonly Group[] => changedGroups(page) ?? groupsOfFile(page).value),
 );
-
-function change(page: Page, list: readonly Group[]): void {
-  const [own, source] = [keptGroups(page).value, page.history.value?.present.source];
-  if (!source) return;
-  const sources = own && isOf(own, source) ? own.sources : [source];
-  keptGroups(page).value = { sources, list };
-}
 
 const isTaken = (page: Page, name: string): boolean =>
   groups(page).value.some((group) => group.name === name);
@@ -59,11 +52,11 @@ export function addGroup(page: Page, of: Group["of"]): void {
   const [list, members] = [groups(page).value, selectedMembers(page, of)];
   if (members.length === 0 || list.length >= MOST_GROUPS) return;
   const colour = list.length % GROUP_COLOURS.length;
-  change(page, [...list, { name: freeName(page), of, members, colour }]);
+  keepGroups(page, [...list, { name: freeName(page), of, members, colour }]);
 }
 
 const replace = (page: Page, group: Group, by: Partial<Group>): void =>
-  change(
+  keepGroups(
     page,
     groups(page).value.map((one) => (one === group ? { ...one, ...by } : one)),
   );
@@ -82,7 +75,7 @@ export function recolourGroup(page: Page, group: Group): void {
 
 /** The group alone: its points stay as they are. */
 export function deleteGroup(page: Page, group: Group): void {
-  change(
+  keepGroups(
     page,
     groups(page).value.filter((one) => one !== group),
   );

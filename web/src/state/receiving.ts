@@ -9,7 +9,7 @@ import type { Group } from "../design/groups.ts";
 import type { Steps } from "../design/recipe.ts";
 import { counted } from "../quantity/counted.ts";
 import type { MeshReport } from "../solver/protocol.ts";
-import { keptGroups } from "./kept-groups.ts";
+import { keepGroups } from "./kept-groups.ts";
 import { note } from "./note.ts";
 import { kept, type Page } from "./page.ts";
 import { sectionPlane } from "./shown-section.ts";
@@ -75,10 +75,10 @@ const isOfMesh = ({ of, members }: Group, { vertices, faces }: MeshReport): bool
   (members.at(-1) ?? 0) < (of === "points" ? vertices : faces);
 
 /** With the mesh that came: those of the mesh that was open are its own. */
-function keepGroups(page: Page, came: readonly Group[]): readonly Group[] {
-  const [source, mesh] = [page.history.value?.present.source, page.mesh.value];
+function groupsThatCame(page: Page, came: readonly Group[]): readonly Group[] {
+  const mesh = page.mesh.value;
   const list = mesh ? came.filter((group) => isOfMesh(group, mesh.report)) : [];
-  if (source && list.length > 0) keptGroups(page).value = { sources: [source], list };
+  if (list.length > 0) keepGroups(page, list);
   return list;
 }
 
@@ -101,7 +101,7 @@ export function receive(
   if (!came) return "";
   keepNote(page, came.note);
   keepViews(page, came.views);
-  const groups = keepGroups(page, came.groups);
+  const groups = groupsThatCame(page, came.groups);
   if (came.section) sectionPlane(page).value = came.section;
   keepVariants(page, received);
   const words = [

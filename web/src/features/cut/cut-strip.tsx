@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tool that cuts panels: what clicks in the view do, the same by numbers, and the cuts made so far.
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { Ask } from "../../ui/ask.tsx";
 import { Icon } from "../../ui/icon.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
@@ -206,13 +206,18 @@ function List() {
 
 export function CutStrip() {
   const page = usePage();
-  useEffect(() => followCutting(page, viewOf(page)), []);
+  const strip = useRef<HTMLElement>(null);
+  useEffect(() => {
+    strip.current?.scrollIntoView?.({ block: "nearest" });
+    return followCutting(page, viewOf(page));
+  }, []);
   const trial = trialNow(page);
   const how = begun(page)
     ? "Click the other end on the same panel."
     : WORDS[cutKind(page).value].how;
   return (
     <section
+      ref={strip}
       class="cut-strip"
       aria-label="Cut panels"
       onKeyDown={({ key }) => {

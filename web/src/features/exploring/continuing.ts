@@ -41,7 +41,7 @@ export const continueFromShape = (page: Page): Outcome =>
     const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
     const source = read.ok ? read.value.source : null;
     if (!read.ok || !source) return takeBack(page, read.ok ? GIVEN_UP : read);
-    holdAlsoFor(page, design.source, source);
+    holdAlsoFor(page, source);
     adopt(page, source, null, read.value.mesh);
     page.notice.value = SAID;
     return read;

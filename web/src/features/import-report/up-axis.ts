@@ -55,7 +55,7 @@ export const turnUp = (page: Page, to: UpAxis): Outcome =>
     if (!answer.ok || !answer.value.source) return answer;
     const { source: next, mesh } = answer.value;
     turned(page).set(next, to);
-    holdAlsoFor(page, source, next);
+    holdAlsoFor(page, next);
     adopt(page, next, null, { ...mesh, report: { ...mesh.report, warnings } });
     page.importReport.value = true;
     return answer;
