@@ -91,6 +91,7 @@ val try_cut(const Session& s, const std::string& text, double tolerance) {
   });
   val value = val::object();
   value.set("problem", trial.problem);
+  value.set("cuts", trial.cuts);
   value.set("lines", copy(trial.lines));
   return value;
 }

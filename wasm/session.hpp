@@ -45,6 +45,7 @@ struct Shape {
 /// What one more cut would leave.
 struct CutTrial {
   std::string problem;       ///< why it cannot be made; "" where it can
+  std::string cuts;          ///< it, and under a symmetry its images; one a line
   std::vector<float> lines;  ///< both ends of every new side, where the design shown has them
 };
 

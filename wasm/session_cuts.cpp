@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "planish/design/cut_base.hpp"
+#include "planish/design/cut_images.hpp"
 #include "session.hpp"
 
 namespace planish {
@@ -61,13 +62,21 @@ Refusal Session::set_cuts(const std::string& lines, double tolerance) {
 
 CutTrial Session::try_cut(const std::string& text, double tolerance) const {
   const auto cut = parse_cut(text);
-  if (const auto* problem = std::get_if<std::string>(&cut)) return {*problem + ".", {}};
-  if (base_.vertex_count() == 0) return {"Open a mesh first.", {}};
+  if (const auto* problem = std::get_if<std::string>(&cut)) return {*problem + ".", "", {}};
+  if (base_.vertex_count() == 0) return {"Open a mesh first.", "", {}};
   std::optional<MeshSymmetry> symmetry;
   if (symmetry_) symmetry = *symmetry_;
-  const auto made = cut_base(base_, {std::get<Cut>(cut)}, symmetry, tolerance);
-  if (const auto* why = std::get_if<std::string>(&made)) return {*why + ".", {}};
-  return {"", cut_lines(std::get<CutMesh>(made))};
+  const auto all = symmetry ? cut_with_images(base_, std::get<Cut>(cut), *symmetry)
+                            : std::vector<Cut>{std::get<Cut>(cut)};
+  const auto made = cut_base(base_, all, symmetry, tolerance);
+  if (const auto* why = std::get_if<std::string>(&made)) return {*why + ".", "", {}};
+  CutTrial trial;
+  for (const Cut& one : all) {
+    if (!trial.cuts.empty()) trial.cuts += '\n';
+    trial.cuts += cut_text(one);
+  }
+  trial.lines = cut_lines(std::get<CutMesh>(made));
+  return trial;
 }
 
 std::vector<float> Session::cut_lines(const CutMesh& made) const {

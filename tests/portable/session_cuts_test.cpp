@@ -144,6 +144,15 @@ TEST(SessionCuts, ATrialHasTheNewSidesAndMakesNothing) {
   EXPECT_TRUE(testing::same_bits(session.base(), whole));
 }
 
+TEST(SessionCuts, ATrialUnderASymmetryHasTheImages) {
+  Session session = open_vault();
+  ASSERT_EQ(session.set_symmetry("x", kTolerance), std::nullopt);
+  const CutTrial trial = session.try_cut("corner=0:0", kTolerance);
+  EXPECT_EQ(trial.problem, "");
+  EXPECT_EQ(std::count(trial.cuts.begin(), trial.cuts.end(), '\n'), 1) << trial.cuts;
+  EXPECT_EQ(session.set_cuts(trial.cuts, kTolerance), std::nullopt);
+}
+
 TEST(SessionCuts, ATrialLiesOnTheDesignShown) {
   Session session = open_vault();
   EditTargets targets = lift(session, 0.5);

@@ -2,7 +2,10 @@
 // The cuts of the design that is open: made before its edit, each one more step of the history.
 import { computed } from "@preact/signals";
 import { FIRST_SETTINGS } from "../../design/design.ts";
+import { counted } from "../../quantity/counted.ts";
 import { refuse } from "../../result/result.ts";
+import type { Question } from "../../solver/client.ts";
+import { runUnseen } from "../../state/connection.ts";
 import { FLAT_FIRST } from "../../state/dragging.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
@@ -27,8 +30,20 @@ async function commitCuts(page: Page, to: readonly string[], said: string): Outc
   return end;
 }
 
-export const makeCut = (page: Page, text: string): Outcome =>
-  commitCuts(page, [...cuts(page).value, text], `Cut: ${cutWords(text)}.`);
+export type TryCut = Extract<Question, { kind: "tryCut" }>;
+
+/** With its images, where edits have some. @param trial what the solver is asked about it before */
+export async function makeCut(page: Page, text: string, trial: TryCut): Outcome {
+  const tried = await inTurn(page, async () => {
+    const answer = await runUnseen(page, "cutting", trial, "tried");
+    const problem = answer.ok ? answer.value.trial.problem : "";
+    return problem ? refuse(problem) : answer;
+  });
+  if (!tried?.ok) return tried;
+  const all = tried.value.trial.cuts.split("\n");
+  const images = all.length > 1 ? ` and ${counted(all.length - 1, "image")}` : "";
+  return commitCuts(page, [...cuts(page).value, ...all], `Cut: ${cutWords(text)}${images}.`);
+}
 
 /** Takes back the cut at a place of the list and those after it, whose numbers may be of what it left. */
 export const takeCutsBack = (page: Page, place: number): Outcome =>

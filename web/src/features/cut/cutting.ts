@@ -3,14 +3,13 @@
 // selection; and what that would leave, asked of the solver before it is made.
 import { computed, effect, signal, untracked } from "@preact/signals";
 import type { DisplayMesh } from "../../mesh/display-mesh.ts";
-import { refuse } from "../../result/result.ts";
 import type { CutTrial } from "../../solver/protocol.ts";
 import { client } from "../../state/connection.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
+import type { Outcome } from "../../state/turns.ts";
 import { fromSelection } from "./cut-selection.ts";
 import { type CutKind, type OutlinePlace, refineText } from "./cut-text.ts";
-import { makeCut } from "./cuts.ts";
+import { makeCut, type TryCut } from "./cuts.ts";
 
 export const cutKind = kept(() => signal<CutKind>("split"));
 
@@ -104,9 +103,15 @@ export function trialNow(page: Page): CutTrial | null {
   return trial && trial.cut === wantedCut(page).value ? trial : null;
 }
 
-async function tryOut(page: Page, cut: string, tolerance: number): Promise<void> {
+/** Asked of the mesh that is open, with its symmetry. */
+function tryQuestion(page: Page, cut: string): TryCut {
+  const { symmetry = [], tolerance = 0 } = page.history.value?.present.settings ?? {};
+  return { kind: "tryCut", cut, tolerance: symmetry.length > 0 ? tolerance : 0 };
+}
+
+async function tryOut(page: Page, cut: string): Promise<void> {
   const answer = await client(page)
-    .stream({ kind: "tryCut", cut, tolerance })
+    .stream(tryQuestion(page, cut))
     .catch(() => null); // Overtaken, or the solver is gone: what is shown next asks again.
   if (answer?.kind === "tried") cutting(page).trial.value = { ...answer.trial, cut };
 }
@@ -118,20 +123,16 @@ export const followTrial = (page: Page): (() => void) =>
     const usable = page.ready.value && page.baseFlat.value && !page.busy.value;
     cutting(page).trial.value = null;
     if (cut === null || !design || !usable) return;
-    const { symmetry, tolerance } = design.settings;
-    untracked(() => void tryOut(page, cut, symmetry.length > 0 ? tolerance : 0));
+    untracked(() => void tryOut(page, cut));
   });
 
 /** Makes the wanted cut, or says why it cannot be made. */
 export async function cutNow(page: Page): Outcome {
   const cut = wantedCut(page).value;
   if (cut === null) return;
-  const trial = trialNow(page);
-  const why = trial?.problem;
-  if (why) return inTurn(page, async () => refuse(why));
   begin(page, null);
   point(page, null);
-  const end = await makeCut(page, cut);
+  const end = await makeCut(page, cut, tryQuestion(page, cut));
   if (end?.ok) type(page, null);
   return end;
 }
