@@ -129,6 +129,22 @@ async function exported(page, { browser }) {
   return picture;
 }
 
+/** A strip about to be cut through an edited roof that has a corner less. */
+async function cutting(page) {
+  await lift(page, "+900mm");
+  await page.getByRole("button", { name: "Cut panels" }).click();
+  const tool = page.getByRole("region", { name: "Cut panels" });
+  await tool.getByRole("button", { name: "Corner", exact: true }).click();
+  await tool.getByRole("textbox").first().fill("210:219");
+  await tool.getByRole("button", { name: "Cut", exact: true }).click();
+  await settled(page);
+  await tool.getByRole("button", { name: "Strip", exact: true }).click();
+  const box = await canvas(page).boundingBox();
+  await page.mouse.move(box.x + 0.33 * box.width, box.y + 0.4 * box.height);
+  await settled(page);
+  return page.screenshot();
+}
+
 const VIEWER = `<!doctype html><style>body{margin:0}</style>
 <script type="importmap">{"imports":{"three":"./build/three.module.js","three/addons/":"./examples/jsm/"}}</script>
 <script type="module">
@@ -155,7 +171,7 @@ renderer.render(scene, camera);
 window.shown = true;
 </script>`;
 
-const PICTURES = { edit: drag, "heat-map": heatMap, variations, exported };
+const PICTURES = { edit: drag, cutting, "heat-map": heatMap, variations, exported };
 
 const only = process.argv.slice(2);
 const site = await openBrowser();

@@ -130,12 +130,29 @@ async function commanding(page: Page): Promise<void> {
   await page.keyboard.press("Escape");
 }
 
+/** The tool that cuts, one cut made and one refused. */
+async function cutting(page: Page): Promise<void> {
+  await push(page, "Start cutting");
+  const tool = page.getByRole("region", { name: "Cut panels" });
+  const numbers = tool.getByRole("textbox").first();
+  await tool.getByRole("button", { name: "Corner", exact: true }).click();
+  await numbers.fill("0:0");
+  await numbers.press("Enter");
+  await idle(page);
+  await numbers.fill("0:999");
+  await tool.getByText("corner=0:999: panel 0 has no corner 999.").waitFor();
+  await look(page, "cutting");
+  await tool.getByRole("button", { name: "Refine" }).click();
+  await expectClean(page, "refining", ".cut-strip");
+  await push(page, "Stop cutting");
+}
+
 /** What is looked at in one page, one after the other. */
 const WALKS = [
   ["editing and exploring", [editing, exploring]],
   [
     "figures, names, commands and files",
-    [(page: Page) => typeTarget(page, "+40cm"), analysing, naming, commanding, opening],
+    [(page: Page) => typeTarget(page, "+40cm"), analysing, naming, commanding, cutting, opening],
   ],
 ] as const;
 

@@ -154,6 +154,7 @@ function CutTool() {
   const { cut } = COMMANDS;
   return (
     <Toggle
+      kind="cut"
       name={cut.label}
       about={refusalOf(page, cut) || `clicks part panels, and no point moves (${keyOf(cut)})`}
       on={page.cutting.value}
@@ -170,10 +171,7 @@ const SightTools = later(() => import("./view-notes.tsx").then((part) => part.Si
 export function DragTools() {
   const page = usePage();
   const resting =
-    page.selection.value.length === 0 &&
-    !page.areaTool.value &&
-    !page.cutting.value &&
-    page.selectedPanel.value === null;
+    page.selection.value.length === 0 && !page.areaTool.value && page.selectedPanel.value === null;
   return (
     <div
       class={resting ? "drag-tools resting" : "drag-tools"}
