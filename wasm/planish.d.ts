@@ -3,6 +3,7 @@
 // return "" when done, otherwise one sentence that says why nothing changed.
 
 import type { AnalysisModule } from "./planish_analysis.d.ts";
+import type { CutTrial } from "./planish_cuts.d.ts";
 import type {
   DesignValue,
   EditOptions,
@@ -11,10 +12,11 @@ import type {
   VariationFamily,
 } from "./planish_designs.d.ts";
 import type { MobilityModule } from "./planish_mobility.d.ts";
-import type { CutTrial, MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
+import type { MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 import type { SymmetryModule } from "./planish_symmetry.d.ts";
 
 export type * from "./planish_analysis.d.ts";
+export type * from "./planish_cuts.d.ts";
 export type * from "./planish_designs.d.ts";
 export type * from "./planish_mobility.d.ts";
 export type * from "./planish_reports.d.ts";

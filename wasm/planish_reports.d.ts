@@ -106,13 +106,3 @@ export interface Replayed {
   /** From the design's result, model units; 0: the same to the last bit, or nothing to compare. */
   readonly deviation: number;
 }
-
-/** What one more cut would leave. */
-export interface CutTrial {
-  /** Why it cannot be made; "" where it can. */
-  readonly problem: string;
-  /** It, and under a symmetry its images, as --cut says them, one a line. */
-  readonly cuts: string;
-  /** x, y, z of both ends of every new side where the design shown has them, display coordinates. */
-  readonly lines: Float32Array;
-}

@@ -2,7 +2,7 @@
 // Which meshes may be shown from where the one before was seen.
 import { expect, it } from "vitest";
 import type { Polygons } from "../../web/src/mesh/display-mesh.ts";
-import { isSameStructure } from "../../web/src/mesh/likeness.ts";
+import { hasSamePoints, isSameStructure } from "../../web/src/mesh/likeness.ts";
 
 /** Two quads beside each other, 10 long. */
 const pair: Polygons = {
@@ -33,4 +33,13 @@ it("nor are other faces on the same points, or more points", () => {
   expect(isSameStructure(pair, { ...pair, offsets: Int32Array.of(0, 3, 8) })).toBe(false);
   const display = Float32Array.of(...pair.display, 0, 0, 0);
   expect(isSameStructure(pair, { ...pair, display })).toBe(false);
+});
+
+it("keeps its points under cuts, which add some at the end", () => {
+  const before = Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
+  const cut = Float32Array.of(...before, 0.5, 0, 0);
+  expect(hasSamePoints(before, cut)).toBe(true);
+  expect(hasSamePoints(cut, before)).toBe(true);
+  expect(hasSamePoints(before, Float32Array.of(0, 0, 0, 1.1, 0, 0, 1, 1, 0))).toBe(false);
+  expect(hasSamePoints(new Float32Array(0), before)).toBe(false);
 });

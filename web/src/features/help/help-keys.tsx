@@ -43,7 +43,10 @@ export const KEY_HINTS: readonly KeyHint[] = [
     of: ["nextRegion", "previousRegion"],
     what: "go from the bar to the view to the inspector, and back",
   },
-  { of: ["giveUp"], what: "gives up a drag; otherwise clears the selection" },
+  {
+    of: ["giveUp"],
+    what: "gives up a drag, or a cut that was begun; otherwise clears the selection",
+  },
   { of: ["undo", "redo"], what: "undo, redo" },
   {
     of: ["open"],
