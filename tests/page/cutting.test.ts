@@ -424,3 +424,23 @@ it("under a symmetry the images of a cut are cut with it, in one step", async ()
   expect(await panels(page)).toBe(whole);
   await page.context().close();
 });
+
+it("a selected point says the level of a trim, which is turned round", async () => {
+  const page = await site.openVault();
+  await openFile(page, "roof.obj", flatRoof(6));
+  await page.getByRole("button", { name: "Start editing" }).click();
+  const { selection } = (page as unknown as { page: { selection: { value: number[] } } }).page;
+  selection.value = [10];
+  await start(page);
+  await kind(page, "Trim");
+  await expect.poll(() => field(page).inputValue()).toBe("0,0,1,0.3");
+  await strip(page).getByRole("button", { name: "Other side" }).click();
+  await expect.poll(() => field(page).inputValue()).toBe("0,0,-1,-0.3");
+  await field(page).press("Enter");
+  await idle(page);
+  expect(await panels(page)).toBe(18);
+  // Through three points of one side, upright here.
+  selection.value = [6, 13, 20];
+  await expect.poll(() => field(page).inputValue()).toMatch(/^-?1,0,0,-?6$/);
+  await page.context().close();
+});
