@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planish/mesh/area_vector.hpp"
+#include "planish/numeric/index.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
@@ -223,8 +224,8 @@ TEST(MotionOfSamples, TurnsItsSignWithThePanelsAndGrowsWithTheUnit) {
   for (const MovedSample& one : moved_samples(0.4)) {
     MovedSample other = one;
     for (int f = 0; f < other.mesh.face_count(); ++f) {
-      std::reverse(other.mesh.face_vertices.begin() + other.mesh.face_offsets[f],
-                   other.mesh.face_vertices.begin() + other.mesh.face_offsets[f + 1]);
+      std::reverse(other.mesh.face_vertices.begin() + other.mesh.face_offsets[at(f)],
+                   other.mesh.face_vertices.begin() + other.mesh.face_offsets[at(f + 1)]);
     }
     other.mesh.positions *= 1024.0;
     other.after *= 1024.0;
