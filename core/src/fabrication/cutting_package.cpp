@@ -45,7 +45,8 @@ class PackageWriter {
     const std::string ending = "-" + plan_.options.unit + ".dxf";
     zip_.add(folder + ending, write_dxf(all_items()));
     for (const CutItem& item : items_) {
-      zip_.add(folder + "/" + item.name + ending, write_dxf(item.panel.drawing));
+      zip_.add(std::string(folder).append("/").append(item.name).append(ending),
+               write_dxf(item.panel.drawing));
     }
     if (has_sheets) add_sheets(placed);
     zip_.finish();
