@@ -161,7 +161,7 @@ TEST(FewestEdit, NamesWhatIsWrong) {
   FewestOptions options;
   EXPECT_FALSE(find_problem(options, {}, targets).has_value());
   EXPECT_TRUE(find_problem(options, {}, {}).has_value());
-  for (const double within : {0.0, -0.1, HUGE_VAL}) {
+  for (const double within : {0.0, -0.1, 1.0, 1.5, HUGE_VAL, std::nan("")}) {
     options.within_handle = within;
     EXPECT_TRUE(find_problem(options, {}, targets).has_value()) << within;
   }

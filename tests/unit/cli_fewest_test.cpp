@@ -47,8 +47,8 @@ TEST_F(Cli, FewestSaysWhereTheHandlesDoNotArriveAnyway) {
 TEST_F(Cli, FewestRefusesInOneSentence) {
   for (const char* words :
        {"--fewest stones", "--within-handle 5%", "--fewest panels --within-handle 5",
-        "--fewest panels --within-handle 0%", "--fewest panels --symmetry x",
-        "--fewest panels --solver alm"}) {
+        "--fewest panels --within-handle 0%", "--fewest panels --within-handle 150%",
+        "--fewest panels --symmetry x", "--fewest panels --solver alm"}) {
     EXPECT_EQ(run(kEdit + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;

@@ -71,7 +71,7 @@ TEST(CutItems, ByTypeSayHowManyAndHowManyTurnedOver) {
     const auto turned = std::count_if(item.faces.begin(), item.faces.end(),
                                       [&](int face) { return members[at(face)].mirrored; });
     turned_over += static_cast<int>(turned);
-    std::string side = std::to_string(item.faces.size()) + " PIECES ";
+    std::string side = std::to_string(item.faces.size()) + " IN ALL ";
     side += turned == 0 ? "OUTSIDE UP mm" : std::to_string(turned) + " TURNED OVER mm";
     const auto& texts = item.panel.drawing.texts;
     ASSERT_EQ(texts.size(), 2u);

@@ -2,7 +2,6 @@
 #include "planish/edit/fewest.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "planish/measures/folds.hpp"
@@ -198,8 +197,8 @@ class FewestSearch {
 
 Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit,
                      const EditTargets& targets) {
-  if (!(options.within_handle > 0.0) || !std::isfinite(options.within_handle)) {
-    return "within_handle must be greater than 0";
+  if (!(options.within_handle > 0.0 && options.within_handle < 1.0)) {
+    return "within_handle must be more than 0 and less than 1: then handles move";
   }
   if (options.most_solves < 1) return "most_solves must be at least 1";
   if (edit.engine != Engine::kNewton) return "fewest: the engine alm knows none; it needs newton";

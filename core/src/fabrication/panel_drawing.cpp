@@ -259,7 +259,7 @@ std::optional<PanelDrawing> draw_template(const CuttingPlan& plan, int type,
   const PanelTypes& types = plan.types->panels;
   const auto turned = std::count_if(faces.begin(), faces.end(),
                                     [&](int face) { return types.panels[at(face)].mirrored; });
-  std::string side = std::to_string(faces.size()) + " PIECES ";
+  std::string side = std::to_string(faces.size()) + " IN ALL ";
   side += turned == 0 ? "OUTSIDE UP " : std::to_string(turned) + " TURNED OVER ";
   return draw_outline(plan, types.types[at(type)].outline, type_name(type),
                       side + plan.options.unit, [](Drawing&, const CutPiece&, TakenRoom&) {});

@@ -16,7 +16,8 @@ enum class FewestOf {
 
 struct FewestOptions {
   FewestOf of = FewestOf::kPanels;
-  /// > 0: how far handles may be from their targets, as a share of the longest way of a handle.
+  /// 0 … 1, ends excluded: how far handles may be from their targets, as a share of the longest way
+  /// of a handle.
   double within_handle = 0.05;
   int most_solves = 1000;  ///< ≥ 1: then the best so far is given, not minimal
 };
