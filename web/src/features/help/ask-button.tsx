@@ -2,7 +2,8 @@
 // The small "?" beside a control: what it does, in a sentence and a moving picture.
 import { useSignal } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { HOW_PICTURES, type HowLine, type Subject } from "./how-pictures.ts";
+import { HOW_PICTURES, type Subject } from "./how-pictures.ts";
+import type { HowLine } from "./how-shapes.ts";
 import "./ask.css";
 
 /** Seconds that a moment takes to turn into the next. */

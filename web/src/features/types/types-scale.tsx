@@ -2,10 +2,10 @@
 import { useEffect } from "preact/hooks";
 import { formatLength, type Unit } from "../../quantity/units.ts";
 import type { ShownTypes } from "../../state/page-state.ts";
-import { showNextPanel } from "../../state/selection.ts";
+import { NamedPanelsList } from "../../ui/named-panels.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "../../ui/legend-scales.css";
-import { type ColouredType, colouredTypes, followTypes } from "./types.ts";
+import { colouredTypes, followTypes } from "./types.ts";
 
 /** Shares of the mean edge: what rounding leaves, and what a joint takes up. */
 const SHARES: readonly (readonly [number, string])[] = [
@@ -63,26 +63,6 @@ function Count({ types, unit }: { types: ShownTypes["types"]; unit: Unit }) {
   );
 }
 
-function Largest({ coloured }: { coloured: readonly ColouredType[] }) {
-  const page = usePage();
-  return (
-    <ul class="legend-classes">
-      {coloured.map(({ name, colour, panels }) => (
-        <li key={name}>
-          <button
-            type="button"
-            title="Go to the next of these panels"
-            onClick={() => showNextPanel(page, panels)}
-          >
-            <span class="swatch" style={{ background: colour }} />
-            {name} <span class="legend-count">{panels.length}</span>
-          </button>
-        </li>
-      ))}
-    </ul>
-  );
-}
-
 /** The types of panels, the largest with their colours; each leads to its panels in turn. */
 export function TypesScale() {
   const page = usePage();
@@ -96,7 +76,7 @@ export function TypesScale() {
     <>
       <Choice />
       <Count types={types} unit={page.unit.value} />
-      <Largest coloured={coloured} />
+      <NamedPanelsList all={coloured} />
       {coloured.length < types.sizes.length && (
         <p class="legend-note">{`${types.sizes.length - coloured.length} more without a colour`}</p>
       )}

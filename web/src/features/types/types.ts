@@ -7,6 +7,7 @@ import { Abandoned, Died } from "../../solver/client.ts";
 import { client } from "../../state/connection.ts";
 import type { Page } from "../../state/page.ts";
 import type { ShownTypes } from "../../state/page-state.ts";
+import type { NamedPanels } from "../../ui/named-panels.tsx";
 
 /** After the last change. */
 const PAUSE_MS = 150;
@@ -46,19 +47,11 @@ export function followTypes(page: Page): () => void {
   };
 }
 
-/** A type of several panels that has a colour. */
-export interface ColouredType {
-  /** As the command line names it. */
-  readonly name: string;
-  readonly colour: string;
-  readonly panels: readonly number[];
-}
-
 /** "T-0001" for type 0. */
 const typeName = (type: number): string => `T-${String(type + 1).padStart(4, "0")}`;
 
-/** The largest types, as many as there are colours; a type of one panel has none. */
-export function colouredTypes({ types }: ShownTypes): readonly ColouredType[] {
+/** The largest types by the names of the command line, as many as there are colours; one panel has none. */
+export function colouredTypes({ types }: ShownTypes): readonly NamedPanels[] {
   return GROUP_COLOURS.slice(0, types.sizes.length)
     .map((colour, type) => ({
       name: typeName(type),
