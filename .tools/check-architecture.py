@@ -19,6 +19,8 @@ ROOT = Path(__file__).resolve().parent.parent
 FROM_MESH = {"numeric", "text", "mesh"}
 GEOMETRY = FROM_MESH | {"symmetry", "obstacles", "constraints", "supports", "measures"}
 SOLVED = GEOMETRY | {"problem", "engines"}
+CORE = SOLVED | {"cuts", "io", "shapes", "projection", "edit", "variations", "families", "fabrication"}
+CORE |= {"offset", "mobility", "design", "sweep"}
 ARROWS = {
     "numeric": set(),
     "text": set(),  # numbers as text, sentences, refusals
@@ -43,8 +45,9 @@ ARROWS = {
     "design": SOLVED | {"cuts", "projection", "edit", "variations", "shapes", "io"},
     "sweep": FROM_MESH | {"io", "design"},
     "comparison": SOLVED | {"edit", "variations", "projection"},  # native only
+    "workflow": CORE,  # what is asked for, done and told, under every door
+    "library": CORE | {"workflow"},
     "cli": None,  # everything
-    "library": None,
     "wasm": None,
     "python": None,
 }
@@ -84,13 +87,14 @@ def group_of_file(path):
     for prefix in ("core/include/planish/", "core/src/"):
         if relative.startswith(prefix):
             return group_of(relative[len(prefix):])
-    for folder in ("cli", "comparison", "library"):
+    for folder in ("cli", "comparison", "library", "workflow"):
         if relative.startswith(f"core/{folder}/"):
             return folder
     return "python" if relative.startswith("python/") else "wasm"
 
 
 def check_includes():
+    layers = {p.name: f for f in ("workflow", "library", "cli") for p in sources(f"core/{f}")}
     for path in sources("core", "wasm", "python"):
         group = group_of_file(path)
         where = path.relative_to(ROOT)
@@ -101,11 +105,12 @@ def check_includes():
         if allowed is None:
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            # Without a folder it lies beside the file that includes it.
-            match = re.match(r'\s*#\s*include\s*"([^"]+/[^"]+)"', line)
+            # Without a folder it lies beside the file that includes it, or is one of the layers above.
+            match = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
             if not match:
                 continue
-            target = group_of(re.sub(r"^planish/", "", match.group(1)))
+            name = match.group(1)
+            target = group_of(re.sub(r"^planish/", "", name)) if "/" in name else layers.get(name, group)
             if target != group and target not in allowed:
                 yield f"{where}:{number}: {group} must not include {target} ({match.group(1)})"
 
@@ -116,7 +121,7 @@ def check_cycles():
     known = {}
     for path in sources("core"):
         relative = path.relative_to(ROOT).as_posix()
-        known[re.sub(r"^core/(comparison/)?(include|src|cli|library)/", "", relative)] = relative
+        known[re.sub(r"^core/(comparison/)?(include|src|cli|library|workflow)/", "", relative)] = relative
     for name, relative in known.items():
         text = (ROOT / relative).read_text(encoding="utf-8")
         graph[name] = [t for t in re.findall(r'#\s*include\s*"([^"]+)"', text) if t in known]

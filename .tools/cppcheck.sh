@@ -11,5 +11,5 @@ cppcheck --std=c++20 --language=c++ --enable=warning,performance,portability --q
   --error-exitcode=1 --cppcheck-build-dir="$build" -j "${PLANISH_JOBS:-2}" \
   --template='{file}:{line}: {severity}: {message} [{id}]' -I core/include -I core/src \
   --suppress=missingIncludeSystem \
-  --suppress=returnStdMoveLocal:core/cli/files.cpp \
-  core/src core/cli wasm/session.cpp wasm/session_reports.cpp
+  --suppress=returnStdMoveLocal:core/workflow/mesh_files.cpp \
+  core/src core/workflow core/cli wasm/session.cpp wasm/session_reports.cpp

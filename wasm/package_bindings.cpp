@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The list of what the npm package sees: core/library as JavaScript objects. Everything that can
-/// fail returns {value} or {code, sentence}, because an exception would arrive without its text.
+/// fail returns {value} or {kind, sentence}, because an exception would arrive without its text.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -12,10 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "arrays.hpp"
 #include "edits.hpp"
-#include "files.hpp"
+#include "mesh_files.hpp"
 #include "mobility_run.hpp"
 #include "mobility_values.hpp"
 #include "open_mesh.hpp"
@@ -29,9 +28,9 @@ using emscripten::val;
 using namespace planish;
 using namespace planish::library;  // its names are this module's
 
-val refusal(int code, const std::string& sentence) {
+val refusal(const char* kind, const std::string& sentence) {
   val answer = val::object();
-  answer.set("code", code);
+  answer.set("kind", std::string(kind));
   answer.set("sentence", sentence);
   return answer;
 }
@@ -43,12 +42,14 @@ val answer(const Operation& operation) {
     val result = val::object();
     result.set("value", operation());
     return result;
-  } catch (const cli::CommandError& error) {
-    return refusal(static_cast<int>(error.code), error.what());
+  } catch (const UsageError& error) {
+    return refusal("usage", error.what());
+  } catch (const MeshError& error) {
+    return refusal("mesh", error.what());
   } catch (const std::bad_alloc&) {
-    return refusal(1, "There is not enough memory for this mesh.");
+    return refusal("internal", "There is not enough memory for this mesh.");
   } catch (const std::exception& error) {
-    return refusal(1, std::string("Internal error: ") + error.what());
+    return refusal("internal", std::string("Internal error: ") + error.what());
   }
 }
 
@@ -59,8 +60,6 @@ std::string to_bytes(const val& array) {
       .call<void>("set", array);
   return bytes;
 }
-
-Words to_words(const val& list) { return emscripten::vecFromJSArray<std::string>(list); }
 
 /// @param callback (step, objective, residual) → whether to go on; null: nobody watches
 Progress to_progress(const val& callback) {
@@ -96,38 +95,33 @@ using MeshHold = std::shared_ptr<OpenMesh>;
 using EditHold = std::shared_ptr<Edit>;
 using FamilyHold = std::shared_ptr<EditFamily>;
 
-val edit(const MeshHold& mesh, const val& words, const val& progress) {
-  return answer([&] { return shared(make_edit(mesh, to_words(words), to_progress(progress))); });
+val edit(const MeshHold& mesh, const std::string& asked, const val& progress) {
+  return answer([&] { return shared(make_edit(mesh, asked, to_progress(progress))); });
 }
-val explore(const EditHold& edit, const val& words, const val& progress) {
-  return answer([&] { return shared(make_family(edit, to_words(words), to_progress(progress))); });
+val explore(const EditHold& edit, const std::string& asked, const val& progress) {
+  return answer([&] { return shared(make_family(edit, asked, to_progress(progress))); });
 }
-val variation(const FamilyHold& family, const val& words) {
-  return answer([&] { return shared(make_variation(family, to_words(words))); });
+val variation(const FamilyHold& family, const std::string& asked) {
+  return answer([&] { return shared(make_variation(family, asked)); });
 }
 val exact(const EditVariation& variation, const val& progress) {
   return answer([&] { return shared(make_exact(variation, to_progress(progress))); });
 }
 /// @param reference null for none
-val project(const MeshHold& mesh, const val& words, const MeshHold& reference,
+val project(const MeshHold& mesh, const std::string& asked, const MeshHold& reference,
             const val& progress) {
   return answer([&] {
-    return shared(make_projection(*mesh, to_words(words), reference.get(), to_progress(progress)));
+    return shared(make_projection(*mesh, asked, reference.get(), to_progress(progress)));
   });
 }
-val convert(const MeshHold& mesh, const val& words) {
-  return answer([&] { return shared(make_conversion(*mesh, to_words(words))); });
+val convert(const MeshHold& mesh, const std::string& asked) {
+  return answer([&] { return shared(make_conversion(*mesh, asked)); });
 }
-val offset(const MeshHold& mesh, const val& words) {
-  return answer([&] { return shared(make_offset(*mesh, to_words(words))); });
+val offset(const MeshHold& mesh, const std::string& asked) {
+  return answer([&] { return shared(make_offset(*mesh, asked)); });
 }
-/// On the one thread that there is. @param words as `planish mobility` has them
-val mobility(const MeshHold& mesh, const val& words) {
-  return answer([&] {
-    Words own = to_words(words);
-    own.emplace_back("--threads=1");
-    return shared(make_mobility(*mesh, own));
-  });
+val mobility(const MeshHold& mesh, const std::string& asked) {
+  return answer([&] { return shared(make_mobility(*mesh, asked)); });
 }
 /// @param limit keeps the word that the row looks at
 MobilityRow to_row(const val& value, const std::string& limit) {
@@ -140,37 +134,36 @@ MobilityRow to_row(const val& value, const std::string& limit) {
           value["sharpestFold"].as<double>()};
 }
 /// Four rows for each of `vertices`, in their order.
-val measure_mobility(cli::MobilityRun& run, const val& vertices) {
+val measure_mobility(MobilityRun& run, const val& vertices) {
   return answer([&] {
     const auto list = emscripten::convertJSArrayToNumberVector<int>(vertices);
     const int count = run.base().mesh.vertex_count();
     for (const int v : list) {
       if (v >= 0 && v < count) continue;
-      throw cli::CommandError(cli::kWrongUsage, "--vertices: there is no vertex " +
-                                                    std::to_string(v) + " among " +
-                                                    std::to_string(count));
+      throw UsageError("--vertices: there is no vertex " + std::to_string(v) + " among " +
+                       std::to_string(count));
     }
     return to_value(run.measure(list));
   });
 }
 /// The file of rows that were measured. @param name .json, .csv or .glb
-val mobility_file(const cli::MobilityRun& run, const val& values, const std::string& name) {
+val mobility_file(const MobilityRun& run, const val& values, const std::string& name) {
   return answer([&] {
     const auto list = emscripten::vecFromJSArray<val>(values);
     std::vector<std::string> limits;
     for (const val& value : list) limits.push_back(value["limit"].as<std::string>());
     std::vector<MobilityRow> rows;
     for (std::size_t k = 0; k < list.size(); ++k) rows.push_back(to_row(list[k], limits[k]));
-    return copy(cli::mobility_bytes(name, run.base().mesh, rows));
+    return copy(mobility_bytes(name, run.base().mesh, rows));
   });
 }
-val types(const MeshHold& mesh, const val& words) {
-  return answer([&] { return shared(make_types(*mesh, to_words(words))); });
+val types(const MeshHold& mesh, const std::string& asked) {
+  return answer([&] { return shared(make_types(*mesh, asked)); });
 }
 val read_design_text(const std::string& text) {
   return answer([&] { return shared(design_of_text(text)); });
 }
-val replay_design(const cli::OpenedDesign& design, const MeshHold& base, const val& progress) {
+val replay_design(const OpenedDesign& design, const MeshHold& base, const val& progress) {
   return answer([&] { return shared(make_replay(design, base.get(), to_progress(progress))); });
 }
 
@@ -184,13 +177,13 @@ val bytes(const Result& result, const std::string& name) {
   return answer([&] { return copy(bytes_of(result, name)); });
 }
 val mesh_file(const OpenMesh& mesh, const std::string& name) {
-  return answer([&] { return copy(cli::mesh_bytes(name, mesh.mesh)); });
+  return answer([&] { return copy(mesh_bytes(name, mesh.mesh)); });
 }
 
 val option_table(const std::string& command) {
   return answer([&] {
     val rows = val::array();
-    for (const cli::OptionRow& row : option_rows(command)) {
+    for (const OptionRow& row : option_rows(command)) {
       val entry = val::object();
       entry.set("name", std::string(row.name));
       entry.set("value", std::string(row.value));
@@ -219,7 +212,7 @@ EMSCRIPTEN_BINDINGS(planish_package) {
       .function(
           "info",
           +[](const OpenMesh& m) {
-            return cli::info_json({m.mesh, m.warnings}).dump();
+            return info_json({m.mesh, m.warnings}).dump();
           })
       .function("bytes", &mesh_file);
   class_<Shape>("Shape")
@@ -250,8 +243,8 @@ EMSCRIPTEN_BINDINGS(planish_package) {
       .function("exact", &exact)
       .function("shape", &shape<EditVariation>)
       .function("bytes", &bytes<EditVariation>);
-  class_<cli::MobilityRun>("Mobility")
-      .smart_ptr<std::shared_ptr<cli::MobilityRun>>("MobilityHold")
+  class_<MobilityRun>("Mobility")
+      .smart_ptr<std::shared_ptr<MobilityRun>>("MobilityHold")
       .function("measure", &measure_mobility)
       .function("bytes", &mobility_file);
   class_<MeshTypes>("Types")
@@ -261,10 +254,10 @@ EMSCRIPTEN_BINDINGS(planish_package) {
       .function(
           "messages", +[](const MeshTypes& t) { return val::array(t.messages); })
       .function("bytes", &bytes<MeshTypes>);
-  class_<cli::OpenedDesign>("Design")
-      .smart_ptr<std::shared_ptr<cli::OpenedDesign>>("DesignHold")
+  class_<OpenedDesign>("Design")
+      .smart_ptr<std::shared_ptr<OpenedDesign>>("DesignHold")
       .function(
-          "text", +[](const cli::OpenedDesign& d) { return write_design(d.design); })
+          "text", +[](const OpenedDesign& d) { return write_design(d.design); })
       .function("replay", &replay_design);
   class_<Replayed>("Replay")
       .smart_ptr<std::shared_ptr<Replayed>>("ReplayHold")

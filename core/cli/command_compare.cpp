@@ -4,13 +4,13 @@
 #include "commands.hpp"
 #include "edit_options.hpp"
 #include "edit_run.hpp"
-#include "files.hpp"
 #include "planish/comparison/edit_measure.hpp"
 #include "planish/comparison/global_subspace.hpp"
 #include "planish/comparison/methods.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/projection/projection.hpp"
 #include "planish/variations/subspace.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -39,9 +39,8 @@ ComparedEdit run_method(const std::string& method, const EditTask& task) {
   if (method == "hk12") return edit_greedily(task);
   if (method == "shapeup") return edit_by_shape_up(task);
   if (method == "yypm11") return edit_in_tangent_space(task);
-  throw CommandError(kWrongUsage,
-                     "there is no method \"" + method +
-                         "\"; use newton, reference, alm, admm, hof10, hk12, shapeup or yypm11");
+  throw UsageError("there is no method \"" + method +
+                   "\"; use newton, reference, alm, admm, hof10, hk12, shapeup or yypm11");
 }
 
 /// Processor time of this process, seconds: a busy machine does not count.
@@ -115,7 +114,7 @@ void add_exploration(const EditTask& task, const Positions& positions, int dimen
   for (const Handle& handle : task.targets.handles) close.push_back(handle.vertex);
   SubspaceOptions options{.dimension = dimension, .engine = task.options.engine};
   options.fairness = task.options.fairness;
-  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  if (const auto problem = find_problem(options)) throw UsageError(*problem);
   double start = processor_seconds();
   const Subspace subspace = compute_subspace(task.mesh, positions, close, options);
   const double local_seconds = processor_seconds() - start;
@@ -137,7 +136,7 @@ void add_exploration(const EditTask& task, const Positions& positions, int dimen
 
 ExitCode run_compare(const Arguments& arguments) {
   const auto& words = arguments.positional();
-  if (words.size() != 2) throw CommandError(kWrongUsage, "METHOD and MESH are expected");
+  if (words.size() != 2) throw UsageError("METHOD and MESH are expected");
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   EditTask task;

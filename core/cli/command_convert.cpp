@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "conversion_run.hpp"
-#include "files.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 ExitCode run_convert(const Arguments& arguments) {
   const std::string input = arguments.only_positional("IN");
   const auto output = arguments.value("-o");
-  if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
+  if (!output) throw UsageError("-o OUT is missing");
   check_output_name(*output);
   const Converted converted = run_conversion(load_mesh(input).mesh, arguments);
   for (const std::string& message : converted.messages) print_message(message);

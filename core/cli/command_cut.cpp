@@ -8,10 +8,10 @@
 #include "design_input.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
-#include "files.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "shop_input.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -58,13 +58,12 @@ void save_cut_design(const Arguments& arguments, Design design, const std::vecto
 void check_design(const Arguments& arguments, const CutInput& input) {
   if (!arguments.has("--design")) return;
   if (input.is_edited) {
-    throw CommandError(kWrongUsage,
-                       "--design: a design has its cuts before its edit, and this one is edited "
-                       "already; -o writes the mesh that is cut");
+    throw UsageError(
+        "--design: a design has its cuts before its edit, and this one is edited "
+        "already; -o writes the mesh that is cut");
   }
   if (!input.design.symmetry.empty()) {
-    throw CommandError(kWrongUsage,
-                       "--design: this design has a symmetry, and these are cuts without images");
+    throw UsageError("--design: this design has a symmetry, and these are cuts without images");
   }
 }
 
@@ -75,7 +74,7 @@ ExitCode run_cut(const Arguments& arguments) {
   CutInput input = load_input(arguments);
   check_design(arguments, input);
   auto made = cut_mesh(input.mesh, cuts);
-  if (const auto* why = std::get_if<std::string>(&made)) throw CommandError(kWrongUsage, *why);
+  if (const auto* why = std::get_if<std::string>(&made)) throw UsageError(*why);
   const auto& result = std::get<CutMesh>(made);
   if (output) save_mesh(*output, result.mesh);
   save_cut_design(arguments, std::move(input.design), cuts, result.mesh);

@@ -3,17 +3,16 @@
 #include <string_view>
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "planish/fabrication/structure_drawings.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
 
 [[noreturn]] void refuse_section(const std::string& text) {
-  throw CommandError(kWrongUsage,
-                     "--section: \"" + text + "\" is not x=V, y=V, z=V or plane=a,b,c,d");
+  throw UsageError("--section: \"" + text + "\" is not x=V, y=V, z=V or plane=a,b,c,d");
 }
 
 /// "x=1.5" is seen from the right, "y=…" from the front, "z=…" from above.
@@ -21,13 +20,13 @@ SectionPlane parse_section(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse_section(text);
   const std::string name = text.substr(0, equals);
-  const auto words = split_at_commas(std::string_view(text).substr(equals + 1));
+  const auto words = entries_of(text.substr(equals + 1));
   if (name == "plane" && words.size() == 4) {
     Eigen::Vector3d normal;
     for (int k = 0; k < 3; ++k)
       normal[k] = parse_finite(words[static_cast<std::size_t>(k)], "--section");
     const double length = normal.stableNorm();
-    if (!(length > 0.0)) throw CommandError(kWrongUsage, "--section: a plane needs a direction");
+    if (!(length > 0.0)) throw UsageError("--section: a plane needs a direction");
     return {normal / length, parse_finite(words[3], "--section") / length};
   }
   if (words.size() != 1) refuse_section(text);
@@ -45,18 +44,18 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
   if (const auto text = arguments.value("--unit")) options.unit = *text;
   if (const auto text = arguments.value("--scale")) {
     options.scale = parse_finite(*text, "--scale");
-    if (!(options.scale > 0.0)) throw CommandError(kWrongUsage, "--scale must be greater than 0");
+    if (!(options.scale > 0.0)) throw UsageError("--scale must be greater than 0");
   }
-  for (const std::string& text : arguments.values("--section")) {
+  for (const std::string& text : arguments.texts("--section")) {
     options.sections.push_back(parse_section(text));
   }
-  if (const auto problem = find_problem(options)) throw CommandError(kWrongUsage, *problem);
+  if (const auto problem = find_problem(options)) throw UsageError(*problem);
   return options;
 }
 
 ExitCode run_drawings(const Arguments& arguments) {
   const auto output = arguments.value("-o");
-  if (!output) throw CommandError(kWrongUsage, "-o DRAWINGS.zip is missing");
+  if (!output) throw UsageError("-o DRAWINGS.zip is missing");
   check_zip_name(*output, "a set of drawings");
   const ShopInput input = load_shop_input(arguments);
   const StructureDrawings drawings = write_drawings(input.mesh, drawing_options(arguments, input));

@@ -3,7 +3,7 @@
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "edit_run.hpp"
-#include "files.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -15,7 +15,7 @@ ExitCode run_edit(const Arguments& arguments) {
   const EditRun run = run_edit_solver(arguments, options);
   const Design design = make_design(run, options, {}, run.edited);
   save_design(arguments, design);
-  if (output) save_edit(*output, run, run.edited, design);
+  if (output) save_bytes(*output, edit_bytes(*output, run, run.edited, design));
   const Json json = edit_json(run, run.edited, options.engine);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));

@@ -7,8 +7,8 @@
 #include "edit_options.hpp"
 #include "edit_run.hpp"
 #include "exploration.hpp"
-#include "files.hpp"
 #include "projection_run.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -20,7 +20,7 @@ ExitCode run_explore(const Arguments& arguments) {
   const SubspaceOptions family_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, family_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
-  const Family family = find_family(run, options, family_options, arguments, progress_line());
+  const auto family = find_family(run, options, family_options, arguments, progress_line());
   Variation variation = with_sliders(run, family, values);
   if (arguments.has("--exact")) {
     variation = make_exact(run, family, std::move(variation), progress_line());
@@ -31,7 +31,8 @@ ExitCode run_explore(const Arguments& arguments) {
   const Design design = variation_design(run, family, variation);
   save_design(arguments, design);
   if (output) {
-    save_edit(*output, run, variation.positions, design, variations_of(family.subspace));
+    save_bytes(*output, edit_bytes(*output, run, variation.positions, design,
+                                   variations_of(family.subspace)));
   }
   const Json json = exploration_json(run, family, variation);
   print_sentence(damage_sentence(json["spoilt_faces"]));

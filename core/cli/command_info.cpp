@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "files.hpp"
 #include "report.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {

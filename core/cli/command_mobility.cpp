@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "mobility_run.hpp"
 #include "planish/mobility/best_places.hpp"
 #include "planish/numeric/stopwatch.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -58,10 +58,8 @@ int parse_best(const Arguments& arguments, const std::string& output) {
   const auto text = arguments.value("--best");
   if (!text) return 0;
   const int count = parse_whole(*text, "--best");
-  if (count < 1) throw CommandError(kWrongUsage, "--best must be 1 or greater");
-  if (output.ends_with(".glb")) {
-    throw CommandError(kWrongUsage, "--best lists rows: use .json or .csv");
-  }
+  if (count < 1) throw UsageError("--best must be 1 or greater");
+  if (output.ends_with(".glb")) throw UsageError("--best lists rows: use .json or .csv");
   return count;
 }
 
@@ -77,7 +75,7 @@ ExitCode run_mobility(const Arguments& arguments) {
   clear_progress_line();
   if (const auto sentence = planarised_sentence(run.base())) print_message(name + ": " + *sentence);
   if (arguments.has("--estimate")) {
-    if (vertices.empty()) throw CommandError(kWrongUsage, "--part: there is no vertex in it");
+    if (vertices.empty()) throw UsageError("--part: there is no vertex in it");
     save_bytes(output, estimate(run, vertices).dump(2) + "\n");
     return kDone;
   }

@@ -4,8 +4,8 @@
 
 #include "commands.hpp"
 #include "design_input.hpp"
-#include "files.hpp"
 #include "offset_run.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {

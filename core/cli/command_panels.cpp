@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "link_code.hpp"
 #include "planish/fabrication/cutting_package.hpp"
 #include "planish/fabrication/ifc.hpp"
 #include "planish/text/number.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
+#include "terminal.hpp"
 #include "types_run.hpp"
 
 namespace planish::cli {
@@ -20,13 +20,11 @@ namespace {
 /// "2500x1250".
 void set_sheet(const std::string& text, CuttingOptions& options) {
   const std::size_t by = text.find('x');
-  if (by == std::string::npos) {
-    throw CommandError(kWrongUsage, "--sheet: \"" + text + "\" is not WxH");
-  }
+  if (by == std::string::npos) throw UsageError("--sheet: \"" + text + "\" is not WxH");
   options.sheet_width = parse_finite(std::string_view(text).substr(0, by), "--sheet");
   options.sheet_height = parse_finite(std::string_view(text).substr(by + 1), "--sheet");
   if (!(options.sheet_width > 0.0 && options.sheet_height > 0.0)) {
-    throw CommandError(kWrongUsage, "--sheet needs two lengths greater than 0");
+    throw UsageError("--sheet needs two lengths greater than 0");
   }
 }
 
@@ -37,7 +35,7 @@ void set_scope(const std::string& text, CuttingOptions& options) {
     options.remake_only = true;
     return;
   }
-  for (const std::string_view word : split_at_commas(text)) {
+  for (const Json& word : entries_of(text)) {
     options.panels.push_back(parse_whole(word, "--scope"));
   }
 }
@@ -45,7 +43,7 @@ void set_scope(const std::string& text, CuttingOptions& options) {
 /// `panel` or `type`.
 void set_by(const std::string& text, CuttingOptions& options) {
   if (text != "panel" && text != "type") {
-    throw CommandError(kWrongUsage, "--by: \"" + text + "\" is not panel or type");
+    throw UsageError("--by: \"" + text + "\" is not panel or type");
   }
   options.by_type = text == "type";
 }
@@ -66,19 +64,15 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   options.name = input.name;
   options.model_unit = input.model_unit;
   if (const auto text = arguments.value("--unit")) options.unit = *text;
-  if (const auto text = arguments.value("--gap")) options.gap = parse_finite(*text, "--gap");
-  if (const auto text = arguments.value("--thickness")) {
-    options.thickness = parse_finite(*text, "--thickness");
-  }
-  if (const auto text = arguments.value("--text-height")) {
-    options.text_height = parse_finite(*text, "--text-height");
-  }
+  arguments.read("--gap", options.gap);
+  arguments.read("--thickness", options.thickness);
+  arguments.read("--text-height", options.text_height);
   if (const auto text = arguments.value("--sheet")) set_sheet(*text, options);
   if (const auto text = arguments.value("--scope")) set_scope(*text, options);
   if (const auto text = arguments.value("--by")) set_by(*text, options);
   add_types(arguments, input, options);
   if (const auto problem = find_problem(options, input.mesh, input.base.has_value())) {
-    throw CommandError(kWrongUsage, *problem);
+    throw UsageError(*problem);
   }
   return options;
 }
@@ -146,9 +140,7 @@ ExitCode write_model(const Arguments& arguments, const ShopInput& input,
                      const CuttingOptions& options, const std::string& output) {
   for (const char* name :
        {"--sheet", "--text-height", "--link", "--joint", "--within", "--mirrored", "--by"}) {
-    if (arguments.has(name)) {
-      throw CommandError(kWrongUsage, std::string(name) + " is for packages, not for IFC");
-    }
+    if (arguments.has(name)) throw UsageError(std::string(name) + " is for packages, not for IFC");
   }
   const CuttingPlan plan = make_cutting_plan(input.mesh, input.base_or_null(), options);
   const IfcModel model = write_ifc(plan);
@@ -161,15 +153,14 @@ ExitCode write_model(const Arguments& arguments, const ShopInput& input,
 
 ExitCode run_panels(const Arguments& arguments) {
   const auto output = arguments.value("-o");
-  if (!output) throw CommandError(kWrongUsage, "-o PACKAGE.zip or -o MODEL.ifc is missing");
+  if (!output) throw UsageError("-o PACKAGE.zip or -o MODEL.ifc is missing");
   const bool is_model = extension_of(*output) == "ifc";
   if (!is_model) check_zip_name(*output, "a cutting package");
   const ShopInput input = load_shop_input(arguments);
   const CuttingOptions options = cutting_options(arguments, input);
   if (is_model) return write_model(arguments, input, options, *output);
   if (input.mesh.face_count() > kMostPackagePanels) {
-    throw CommandError(kInvalidMesh,
-                       "a package holds at most " + std::to_string(kMostPackagePanels) + " panels");
+    throw MeshError("a package holds at most " + std::to_string(kMostPackagePanels) + " panels");
   }
   return write_package(arguments, input, options, *output);
 }

@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "projection_run.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {

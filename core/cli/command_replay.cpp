@@ -6,9 +6,9 @@
 #include "commands.hpp"
 #include "design_input.hpp"
 #include "design_output.hpp"
-#include "files.hpp"
 #include "replay_run.hpp"
 #include "report.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {

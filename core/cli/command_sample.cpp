@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "files.hpp"
 #include "planish/shapes/shapes.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 ExitCode run_sample(const Arguments& arguments) {
   const std::string name = arguments.only_positional("NAME");
   const auto output = arguments.value("-o");
-  if (!output) throw CommandError(kWrongUsage, "-o OUT is missing");
+  if (!output) throw UsageError("-o OUT is missing");
   check_output_name(*output);
   const int size = parse_whole(arguments.value("--size").value_or("32"), "--size");
   if (const auto mesh = make_sample(name, size)) {
@@ -17,11 +17,11 @@ ExitCode run_sample(const Arguments& arguments) {
     return kDone;
   }
   if (make_sample(name, 3)) {
-    throw CommandError(kWrongUsage, "--size: " + std::to_string(size) + " is not in 3 … 2000");
+    throw UsageError("--size: " + std::to_string(size) + " is not in 3 … 2000");
   }
   std::string known;
   for (const std::string_view sample : sample_names()) (known += ' ') += sample;
-  throw CommandError(kWrongUsage, "there is no sample \"" + name + "\"; there are:" + known);
+  throw UsageError("there is no sample \"" + name + "\"; there are:" + known);
 }
 
 }  // namespace

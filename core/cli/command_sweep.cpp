@@ -4,8 +4,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "files.hpp"
 #include "sweep_run.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -25,7 +25,7 @@ PartRange find_job(const SweepPlan& plan, const std::string& id) {
   for (std::size_t k = 0; k < plan.job_count(); ++k) {
     if (plan.job_id(k) == id) return {k, k + 1};
   }
-  throw CommandError(kWrongUsage, "--job: there is no job \"" + id + "\" in the plan");
+  throw UsageError("--job: there is no job \"" + id + "\" in the plan");
 }
 
 void run_jobs(const SweepPlan& plan, const PartRange& range, const std::string& folder) {
@@ -39,10 +39,10 @@ ExitCode run_sweep(const Arguments& arguments) {
   const auto job = arguments.value("--job");
   const auto part = arguments.value("--part");
   if (arguments.has("--list") + job.has_value() + part.has_value() != 1) {
-    throw CommandError(kWrongUsage, "one of --list, --job ID and --part K/N is expected");
+    throw UsageError("one of --list, --job ID and --part K/N is expected");
   }
   const auto folder = arguments.value("-o");
-  if (!folder && !arguments.has("--list")) throw CommandError(kWrongUsage, "-o DIR is missing");
+  if (!folder && !arguments.has("--list")) throw UsageError("-o DIR is missing");
   const SweepPlan plan = read_plan(load_bytes(arguments.only_positional("PLAN.json")));
   if (arguments.has("--list")) {
     print_jobs(plan);
@@ -56,7 +56,7 @@ ExitCode run_sweep(const Arguments& arguments) {
 
 ExitCode run_gather(const Arguments& arguments) {
   const auto output = arguments.value("-o");
-  if (!output) throw CommandError(kWrongUsage, "-o results.csv is missing");
+  if (!output) throw UsageError("-o results.csv is missing");
   save_bytes(*output, gather(arguments.only_positional("DIR")));
   return kDone;
 }

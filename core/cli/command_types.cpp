@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "files.hpp"
+#include "terminal.hpp"
 #include "types_run.hpp"
 
 namespace planish::cli {

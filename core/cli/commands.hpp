@@ -14,7 +14,7 @@ struct Command {
   std::string_view usage;    ///< the words that follow the name
   std::string_view summary;  ///< one line for the list of commands
   std::vector<OptionRow> options;
-  ExitCode (*run)(const Arguments& arguments);  ///< throws CommandError
+  ExitCode (*run)(const Arguments& arguments);  ///< throws RequestError
 };
 
 [[nodiscard]] Command info_command();

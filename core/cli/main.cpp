@@ -8,7 +8,7 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "files.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -50,13 +50,13 @@ ExitCode run_command(const Command& command, std::span<const std::string_view> w
   }
   const Arguments arguments(words, command.options);
   if (arguments.value("-o") == "-" && arguments.value("--report") == "-") {
-    throw CommandError(kWrongUsage, "-o and --report cannot both go to standard output");
+    throw UsageError("-o and --report cannot both go to standard output");
   }
   return command.run(arguments);
 }
 
 ExitCode run(std::span<const std::string_view> words) {
-  if (words.empty()) throw CommandError(kWrongUsage, "a command is missing; see planish --help");
+  if (words.empty()) throw UsageError("a command is missing; see planish --help");
   if (words[0] == "--help" || words[0] == "help" || words[0] == "-h") {
     print_overview();
     return kDone;
@@ -68,8 +68,7 @@ ExitCode run(std::span<const std::string_view> words) {
   for (const Command& command : all_commands()) {
     if (command.name == words[0]) return run_command(command, words.subspan(1));
   }
-  throw CommandError(kWrongUsage,
-                     "there is no command \"" + std::string(words[0]) + "\"; see planish --help");
+  throw UsageError("there is no command \"" + std::string(words[0]) + "\"; see planish --help");
 }
 
 }  // namespace
@@ -80,9 +79,12 @@ int main(int argument_count, char** arguments) {
                                             arguments + argument_count);
   try {
     return planish::cli::run(words);
-  } catch (const planish::cli::CommandError& error) {
+  } catch (const planish::workflow::UsageError& error) {
     planish::cli::print_message(error.what());
-    return error.code;
+    return planish::cli::kWrongUsage;
+  } catch (const planish::workflow::MeshError& error) {
+    planish::cli::print_message(error.what());
+    return planish::cli::kInvalidMesh;
   } catch (const std::bad_alloc&) {
     planish::cli::print_message("out of memory");
     return planish::cli::kInvalidMesh;

@@ -6,9 +6,8 @@
 
 #include "design_input.hpp"
 #include "edit_options.hpp"
-#include "files.hpp"
 #include "planish/io/gltf.hpp"
-#include "report.hpp"
+#include "terminal.hpp"
 
 namespace planish::cli {
 namespace {
@@ -43,11 +42,6 @@ ShopInput read_glb_input(const std::string& path, const std::string& unit) {
   return input;
 }
 
-/// The last part of a path.
-std::string file_name_of(const std::string& path) {
-  return path.substr(path.find_last_of('/') + 1);
-}
-
 /// The same without its extension.
 std::string stem_of(const std::string& path) {
   const std::string name = file_name_of(path);
@@ -56,29 +50,13 @@ std::string stem_of(const std::string& path) {
 
 }  // namespace
 
-std::string extension_of(const std::string& path) {
-  const std::string name = file_name_of(path);
-  const std::size_t point = name.find_last_of('.');
-  std::string extension = point == std::string::npos ? "" : name.substr(point + 1);
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
-
 void check_zip_name(const std::string& path, const std::string& what) {
   const std::string extension = extension_of(path);
   for (const char* other : {"png", "jpg", "jpeg", "pdf", "svg", "dxf", "dwg", "html", "csv", "json",
                             "ifc", "step", "stl", "obj", "off", "ply", "glb", "gltf", "3dm"}) {
     if (extension == other) {
-      throw CommandError(
-          kWrongUsage, path + ": " + what + " is a zip file and cannot be written as " + extension);
+      throw UsageError(path + ": " + what + " is a zip file and cannot be written as " + extension);
     }
-  }
-}
-
-void read_shop_options(const Arguments& arguments, ShopInput& input) {
-  if (arguments.has("--model-unit")) input.model_unit = model_unit(arguments);
-  if (const auto text = arguments.value("--tolerance")) {
-    input.tolerance = parse_finite(*text, "--tolerance");
   }
 }
 

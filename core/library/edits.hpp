@@ -19,9 +19,6 @@
 
 namespace planish::library {
 
-/// Options as the command line has them: "--softness=6".
-using Words = std::vector<std::string>;
-
 /// What every result of an operation offers.
 struct Shape {
   Mesh base;                          ///< what it was made from
@@ -33,23 +30,23 @@ struct Shape {
 /// An edit, kept for its variations.
 struct Edit {
   std::shared_ptr<const OpenMesh> given;
-  cli::EditRun run;
+  EditRun run;
   HandleEditOptions options;
 };
 
 /// The variations of an edit.
 struct EditFamily {
   std::shared_ptr<const Edit> edit;
-  cli::Family family;
+  workflow::Family family;
 };
 
 /// One of them.
 struct EditVariation {
   std::shared_ptr<const EditFamily> of;
-  cli::Variation variation;
+  Variation variation;
 };
 
-[[nodiscard]] Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const Words& words,
+[[nodiscard]] Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const std::string& asked,
                              const Progress& progress);
 [[nodiscard]] Shape shape_of(const Edit& edit);
 [[nodiscard]] Design design_of(const Edit& edit);
@@ -57,24 +54,24 @@ struct EditVariation {
 /// with base, design and variations. So for all that have it.
 [[nodiscard]] std::string bytes_of(const Edit& edit, const std::string& name);
 
-[[nodiscard]] EditFamily make_family(std::shared_ptr<const Edit> edit, const Words& words,
+[[nodiscard]] EditFamily make_family(std::shared_ptr<const Edit> edit, const std::string& asked,
                                      const Progress& progress);
-/// @param words "--coefficients=..."
+/// @param asked for: coefficients
 [[nodiscard]] EditVariation make_variation(std::shared_ptr<const EditFamily> family,
-                                           const Words& words);
+                                           const std::string& asked);
 [[nodiscard]] EditVariation make_exact(const EditVariation& variation, const Progress& progress);
 [[nodiscard]] Shape shape_of(const EditVariation& variation);
 [[nodiscard]] Design design_of(const EditVariation& variation);
 [[nodiscard]] std::string bytes_of(const EditVariation& variation, const std::string& name);
 
-[[nodiscard]] Shape make_projection(const OpenMesh& mesh, const Words& words,
+[[nodiscard]] Shape make_projection(const OpenMesh& mesh, const std::string& asked,
                                     const OpenMesh* reference, const Progress& progress);
 [[nodiscard]] std::string bytes_of(const Shape& shape, const std::string& name);
 
-[[nodiscard]] Shape make_offset(const OpenMesh& mesh, const Words& words);
+[[nodiscard]] Shape make_offset(const OpenMesh& mesh, const std::string& asked);
 
-/// Ready to measure where `mesh` can move. @param words as `planish mobility` has them
-[[nodiscard]] cli::MobilityRun make_mobility(const OpenMesh& mesh, const Words& words);
+/// Ready to measure where `mesh` can move. @param asked the options of `planish mobility`
+[[nodiscard]] MobilityRun make_mobility(const OpenMesh& mesh, const std::string& asked);
 
 /// What of a mesh is alike.
 struct MeshTypes {
@@ -83,8 +80,8 @@ struct MeshTypes {
   std::vector<std::string> messages;
 };
 
-/// @param words as `planish types` has them
-[[nodiscard]] MeshTypes make_types(const OpenMesh& mesh, const Words& words);
+/// @param asked the options of `planish types`
+[[nodiscard]] MeshTypes make_types(const OpenMesh& mesh, const std::string& asked);
 /// @param name must end in .csv
 [[nodiscard]] std::string bytes_of(const MeshTypes& types, const std::string& name);
 
@@ -95,8 +92,8 @@ struct Replayed {
   Shape shape;
 };
 
-[[nodiscard]] cli::OpenedDesign design_of_text(const std::string& text);
-[[nodiscard]] Replayed make_replay(const cli::OpenedDesign& opened, const OpenMesh* base,
+[[nodiscard]] OpenedDesign design_of_text(const std::string& text);
+[[nodiscard]] Replayed make_replay(const OpenedDesign& opened, const OpenMesh* base,
                                    const Progress& progress);
 [[nodiscard]] std::string bytes_of(const Replayed& replayed, const std::string& name);
 
@@ -105,6 +102,6 @@ struct Replayed {
 
 /// Rows (name, value, help) that `command` takes: edit, explore, project, offset, mobility,
 /// convert or types.
-[[nodiscard]] std::vector<cli::OptionRow> option_rows(const std::string& command);
+[[nodiscard]] std::vector<OptionRow> option_rows(const std::string& command);
 
 }  // namespace planish::library

@@ -5,34 +5,27 @@
 #include <utility>
 #include <variant>
 
-#include "arguments.hpp"
 #include "conversion_run.hpp"
-#include "files.hpp"
+#include "mesh_files.hpp"
 #include "planish/io/mesh_format.hpp"
 #include "planish/mesh/mesh_check.hpp"
 
 namespace planish::library {
-
-using cli::CommandError;
 
 namespace {
 
 constexpr const char* kArrayName = "mesh.obj";  ///< of a mesh that came without a file
 
 void check_offsets(const std::vector<int>& offsets, std::size_t corners) {
-  if (offsets.empty() || offsets.front() != 0) {
-    throw CommandError(cli::kInvalidMesh, "offsets must begin with 0");
-  }
+  if (offsets.empty() || offsets.front() != 0) throw MeshError("offsets must begin with 0");
   for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
     if (offsets[f + 1] < offsets[f]) {
-      throw CommandError(cli::kInvalidMesh,
-                         "offsets[" + std::to_string(f + 1) + "] is less than the one before");
+      throw MeshError("offsets[" + std::to_string(f + 1) + "] is less than the one before");
     }
   }
   if (static_cast<std::size_t>(offsets.back()) != corners) {
-    throw CommandError(cli::kInvalidMesh, "offsets end with " + std::to_string(offsets.back()) +
-                                              ", but there are " + std::to_string(corners) +
-                                              " corners");
+    throw MeshError("offsets end with " + std::to_string(offsets.back()) + ", but there are " +
+                    std::to_string(corners) + " corners");
   }
 }
 
@@ -45,21 +38,19 @@ OpenMesh mesh_of_lists(Positions positions, std::vector<int> offsets, std::vecto
   mesh.face_offsets = std::move(offsets);
   mesh.face_vertices = std::move(corners);
   ReadResult checked = check_mesh(std::move(mesh));
-  if (const auto* error = std::get_if<ReadError>(&checked)) {
-    throw CommandError(cli::kInvalidMesh, error->message);
-  }
+  if (const auto* error = std::get_if<ReadError>(&checked)) throw MeshError(error->message);
   auto& file = std::get<MeshFile>(checked);
   return {std::move(file.mesh), FileSource{kArrayName, {}, "", ""}, std::move(file.warnings),
           "the mesh"};
 }
 
 OpenMesh read_mesh_file(const std::string& path) {
-  cli::LoadedSource loaded = cli::open_source(path);
+  LoadedSource loaded = open_source(path);
   return {std::move(loaded.mesh), std::move(loaded.source), std::move(loaded.warnings), path};
 }
 
 OpenMesh read_mesh_bytes(const std::string& name, std::string bytes) {
-  cli::LoadedSource loaded = cli::source_of_bytes(name, std::move(bytes));
+  LoadedSource loaded = source_of_bytes(name, std::move(bytes));
   return {std::move(loaded.mesh), std::move(loaded.source), std::move(loaded.warnings), name};
 }
 
@@ -69,10 +60,8 @@ OpenMesh mesh_with(const Mesh& mesh, const Positions& positions) {
   return result;
 }
 
-OpenMesh make_conversion(const OpenMesh& mesh, const std::vector<std::string>& words) {
-  const std::vector<std::string_view> views(words.begin(), words.end());
-  cli::Converted converted =
-      cli::run_conversion(mesh.mesh, cli::Arguments(views, cli::conversion_option_rows()));
+OpenMesh make_conversion(const OpenMesh& mesh, const std::string& asked) {
+  Converted converted = run_conversion(mesh.mesh, Request(asked, conversion_option_rows()));
   OpenMesh result = mesh_with(converted.mesh, converted.mesh.positions);
   result.warnings = std::move(converted.messages);
   return result;

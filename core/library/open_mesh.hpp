@@ -7,8 +7,11 @@
 
 #include "planish/design/design.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "request.hpp"
 
 namespace planish::library {
+
+using namespace workflow;  // its names are the library's
 
 /// Never changes once it is made.
 struct OpenMesh {
@@ -18,7 +21,7 @@ struct OpenMesh {
   std::string name;  ///< for messages
 };
 
-/// Throws CommandError, as all of these do, naming what is wrong.
+/// Throws RequestError, as all of these do, naming what is wrong.
 /// @param positions 3 × n  @param offsets f + 1  @param corners offsets[f] vertex indices
 [[nodiscard]] OpenMesh mesh_of_lists(Positions positions, std::vector<int> offsets,
                                      std::vector<int> corners);
@@ -33,8 +36,8 @@ struct OpenMesh {
 [[nodiscard]] OpenMesh mesh_with(const Mesh& mesh, const Positions& positions);
 
 /// `mesh` with its points joined, its panels turned or its triangles joined; what was done is among
-/// its warnings. @param words as `planish convert` has them
-[[nodiscard]] OpenMesh make_conversion(const OpenMesh& mesh, const std::vector<std::string>& words);
+/// its warnings. @param asked the options of `planish convert`
+[[nodiscard]] OpenMesh make_conversion(const OpenMesh& mesh, const std::string& asked);
 
 /// The source of `open` with the bytes that make a design complete.
 [[nodiscard]] DesignSource complete_source(const OpenMesh& open);

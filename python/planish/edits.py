@@ -8,8 +8,8 @@ from typing import Any
 
 from . import _core
 from .mesh import Mesh
+from .request import request
 from .shape import DesignedShape, Progress
-from .words import handle_words, list_text, option_words
 
 
 class Variation(DesignedShape):
@@ -35,7 +35,7 @@ class Family:
 
     def __call__(self, coefficients: Iterable[float]) -> Variation:
         """As many numbers as were asked for; 1 moves some point by the edit's own largest move."""
-        return Variation(self._core.at([f"--coefficients={list_text(coefficients)}"]))
+        return Variation(self._core.at(request({"coefficients": coefficients})))
 
     def __repr__(self) -> str:
         return f"<planish.Family of {self.dimension}>"
@@ -55,8 +55,8 @@ class Edit(DesignedShape):
         **more: Any,
     ) -> Family:
         """A family of local variations around this edit: `planish explore`."""
-        words = option_words("explore", {"dimension": dimension, "eigen": eigen, **more})
-        return Family(self._core.explore(words, progress))
+        asked = request({"dimension": dimension, "eigen": eigen, **more})
+        return Family(self._core.explore(asked, progress))
 
 
 def edit(
@@ -118,7 +118,9 @@ def edit(
         UsageError: a handle or an option that is wrong, in the core's sentence.
         MeshError: a mesh that breaks a constraint itself.
     """
+    way = "by" if relative else "to"
     options = {
+        "handles": [{"vertex": vertex, way: point} for vertex, point in handles.items()],
         "cuts": cuts,
         "fewest": fewest,
         "pins": pins,
@@ -143,5 +145,4 @@ def edit(
         "tolerance": tolerance,
         **more,
     }
-    words = handle_words(handles, relative) + option_words("edit", options)
-    return Edit(_core.edit(mesh._core, words, progress))
+    return Edit(_core.edit(mesh._core, request(options), progress))

@@ -20,11 +20,6 @@ _OPTION = re.compile(r"--([a-z][a-z-]*)")
 
 
 def wording(sentence: str) -> str:
-    """The core's sentence with options as Python writes them: keep_boundary, not --keep-boundary."""
-    return _OPTION.sub(lambda match: match[1].replace("-", "_"), sentence)
-
-
-def of_core(code: int, sentence: str) -> Error:
-    """The exception for an exit code of the command."""
-    kind = {2: UsageError, 3: MeshError}.get(code, Error)
-    return kind(wording(sentence))
+    """The core's sentence as Python writes it: keep_boundary, not --keep-boundary."""
+    named = _OPTION.sub(lambda match: match[1].replace("-", "_"), sentence)
+    return named.replace("must be true or false", "must be True or False")

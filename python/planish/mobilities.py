@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from .errors import UsageError
 from .mesh import Mesh
-from .words import option_words
+from .request import request
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -89,13 +89,11 @@ def mobility(
         "softness": softness,
         **more,
     }
-    words = option_words("mobility", options)
-    own = words if threads is None else [*words, f"--threads={threads}"]
-    core = _core.Mobility(mesh._core, own)
+    core = _core.Mobility(mesh._core, request({**options, "threads": threads}))
     chunks = _chunks(mesh, vertices)
     count = sum(map(len, chunks))
     parts: dict[int, list[_core.MobilityRow]] = {}
-    measured = _here(core, chunks) if client is None else _there(client, mesh, words, chunks)
+    measured = _here(core, chunks) if client is None else _there(client, mesh, options, chunks)
     done = 0
     for k, rows in measured:
         parts[k] = rows
@@ -123,14 +121,15 @@ def _here(core: _core.Mobility, chunks: list[list[int]]) -> Generator[_Part, Non
 
 
 def _there(
-    client: Client, mesh: Mesh, words: list[str], chunks: list[list[int]]
+    client: Client, mesh: Mesh, options: dict[str, Any], chunks: list[list[int]]
 ) -> Generator[_Part, None, None]:
     """The parts as they come; what is left is given up if the caller stops."""
     from distributed import as_completed
 
     sent = client.scatter(mesh, broadcast=True)
+    asked = request({**options, "threads": 1})  # a worker's threads share nothing but the mesh
     futures = {
-        client.submit(_measure, sent, words, chunk, pure=False, retries=3): k
+        client.submit(_measure, sent, asked, chunk, pure=False, retries=3): k
         for k, chunk in enumerate(chunks)
     }
     try:
@@ -140,6 +139,6 @@ def _there(
         client.cancel(list(futures))
 
 
-def _measure(mesh: Mesh, words: list[str], vertices: list[int]) -> list[_core.MobilityRow]:
-    """On a worker, whose threads share nothing but the mesh."""
-    return _core.Mobility(mesh._core, [*words, "--threads=1"]).measure(vertices)
+def _measure(mesh: Mesh, asked: str, vertices: list[int]) -> list[_core.MobilityRow]:
+    """On a worker."""
+    return _core.Mobility(mesh._core, asked).measure(vertices)

@@ -9,8 +9,8 @@ from typing import Any
 from . import _core
 from .mesh import Mesh
 from .report import Report
+from .request import request
 from .shape import Progress, Shape
-from .words import option_words
 
 
 class Projection(Shape):
@@ -57,14 +57,13 @@ def project(
         **more,
     }
     other = None if reference is None else reference._core
-    words = option_words("project", options)
-    return Projection(_core.project(mesh._core, words, other, progress))
+    return Projection(_core.project(mesh._core, request(options), other, progress))
 
 
 def offset(mesh: Mesh, distance: float, *, kind: str | None = None, **more: Any) -> Offset:
     """The mesh at a distance: `planish offset`. Positive is outside."""
-    words = option_words("offset", {"distance": distance, "kind": kind, **more})
-    return Offset(_core.offset(mesh._core, words))
+    asked = request({"distance": distance, "kind": kind, **more})
+    return Offset(_core.offset(mesh._core, asked))
 
 
 def convert(
@@ -83,7 +82,7 @@ def convert(
         join_triangles: two by two, into the quads that a program split.
     """
     options = {"join_points": join_points, "orient": orient, "join_triangles": join_triangles}
-    return Mesh._of(_core.convert(mesh._core, option_words("convert", {**options, **more})))
+    return Mesh._of(_core.convert(mesh._core, request({**options, **more})))
 
 
 def info(mesh: Mesh) -> Report:

@@ -14,7 +14,7 @@ from . import _core
 from .errors import wording
 from .mesh import Mesh
 from .report import Report
-from .words import list_text, option_words
+from .request import request
 
 
 class Types:
@@ -67,6 +67,5 @@ def types(
     Raises:
         UsageError: what is wrong with an option, naming it.
     """
-    widths = None if joint is None else list_text(joint, ":")
-    options = {"joint": widths, "within": within, "mirrored": mirrored, "angle": angle, **more}
-    return Types(_core.Types(mesh._core, option_words("types", options)))
+    options = {"joint": joint, "within": within, "mirrored": mirrored, "angle": angle, **more}
+    return Types(_core.Types(mesh._core, request(options)))

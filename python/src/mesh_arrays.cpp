@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "planish/measures/metrics.hpp"
+#include "request.hpp"
 
 namespace planish::python {
 
 namespace py = pybind11;
-using cli::CommandError;
+using workflow::MeshError;
 
 namespace {
 
@@ -22,8 +22,8 @@ std::vector<int> whole_numbers(const Indices& values, const char* what) {
   for (py::ssize_t k = 0; k < values.size(); ++k) {
     const long long value = values.data()[k];
     if (value < 0 || value > std::numeric_limits<int>::max()) {
-      throw CommandError(cli::kInvalidMesh, std::string(what) + "[" + std::to_string(k) + "] is " +
-                                                std::to_string(value) + ", no index from 0");
+      throw MeshError(std::string(what) + "[" + std::to_string(k) + "] is " +
+                      std::to_string(value) + ", no index from 0");
     }
     result[static_cast<std::size_t>(k)] = static_cast<int>(value);
   }
@@ -35,7 +35,7 @@ std::vector<int> whole_numbers(const Indices& values, const char* what) {
 library::OpenMesh mesh_of_arrays(const Points& points, const Indices& offsets,
                                  const Indices& corners) {
   if (points.ndim() != 2 || points.shape(1) != 3) {
-    throw CommandError(cli::kInvalidMesh, "points must be an array of shape (n, 3)");
+    throw MeshError("points must be an array of shape (n, 3)");
   }
   return library::mesh_of_lists(Eigen::Map<const Positions>(points.data(), 3, points.shape(0)),
                                 whole_numbers(offsets, "offsets"),

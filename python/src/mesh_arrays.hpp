@@ -12,7 +12,7 @@ namespace planish::python {
 using Points = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 using Indices = pybind11::array_t<long long, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// Throws CommandError, naming what is wrong.
+/// Throws MeshError, naming what is wrong.
 /// @param points (n, 3)  @param offsets f + 1  @param corners offsets[f] vertex indices
 [[nodiscard]] library::OpenMesh mesh_of_arrays(const Points& points, const Indices& offsets,
                                                const Indices& corners);

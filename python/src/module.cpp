@@ -4,8 +4,8 @@
 #include <pybind11/stl.h>
 
 #include "edits.hpp"
-#include "files.hpp"
 #include "mesh_arrays.hpp"
+#include "mesh_files.hpp"
 #include "mobility_run.hpp"
 #include "planish/design/design_text.hpp"
 #include "progress.hpp"
@@ -30,17 +30,21 @@ py::array window(const Value* values, std::vector<py::ssize_t> shape, const py::
 /// Whatever has bytes, to the file that names their format.
 template <class Result>
 void save(const Result& result, const std::string& path) {
-  cli::save_bytes(path, bytes_of(result, path));
+  save_bytes(path, bytes_of(result, path));
 }
 
 /// Errors become exceptions of planish.errors, which words them for Python.
 void translate(std::exception_ptr error) {
+  const auto raise = [](const char* kind, const char* sentence) {
+    const py::module_ errors = py::module_::import("planish.errors");
+    PyErr_SetObject(errors.attr(kind).ptr(), errors.attr("wording")(sentence).ptr());
+  };
   try {
     if (error) std::rethrow_exception(error);
-  } catch (const cli::CommandError& e) {
-    const py::object raised =
-        py::module_::import("planish.errors").attr("of_core")(static_cast<int>(e.code), e.what());
-    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
+  } catch (const UsageError& e) {
+    raise("UsageError", e.what());
+  } catch (const MeshError& e) {
+    raise("MeshError", e.what());
   }
 }
 
@@ -54,8 +58,8 @@ void bind_mesh(py::module_& module) {
       .def(
           "write",
           [](const OpenMesh& self, const std::string& path) {
-            cli::check_output_name(path);
-            cli::save_mesh(path, self.mesh);
+            check_output_name(path);
+            save_bytes(path, mesh_bytes(path, self.mesh));
           },
           py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("points",
@@ -75,7 +79,7 @@ void bind_mesh(py::module_& module) {
                              })
       .def_readonly("warnings", &OpenMesh::warnings)
       .def("info", [](const OpenMesh& self) {
-        return cli::info_json({self.mesh, self.warnings}).dump(2);
+        return info_json({self.mesh, self.warnings}).dump(2);
       });
 }
 
@@ -108,16 +112,16 @@ void bind_edit(py::module_& module) {
       .def("design", [](const Edit& self) { return write_design(design_of(self)); })
       .def("save", &save<Edit>, py::call_guard<py::gil_scoped_release>())
       .def("explore",
-           [](const std::shared_ptr<Edit>& self, const Words& words, py::object progress) {
+           [](const std::shared_ptr<Edit>& self, const std::string& asked, py::object progress) {
              return run_unlocked(std::move(progress), [&](const Progress& step) {
-               return std::make_shared<EditFamily>(make_family(self, words, step));
+               return std::make_shared<EditFamily>(make_family(self, asked, step));
              });
            });
   py::class_<EditFamily, std::shared_ptr<EditFamily>>(module, "Family")
       .def_property_readonly(
           "dimension", [](const EditFamily& self) { return self.family.subspace.dimension(); })
-      .def("at", [](const std::shared_ptr<EditFamily>& self, const Words& words) {
-        return make_variation(self, words);
+      .def("at", [](const std::shared_ptr<EditFamily>& self, const std::string& asked) {
+        return make_variation(self, asked);
       });
   py::class_<EditVariation>(module, "Variation")
       .def("shape", py::overload_cast<const EditVariation&>(&shape_of),
@@ -128,19 +132,18 @@ void bind_edit(py::module_& module) {
         return run_unlocked(std::move(progress),
                             [&](const Progress& step) { return make_exact(self, step); });
       });
-  module.def("edit",
-             [](const std::shared_ptr<OpenMesh>& mesh, const Words& words, py::object progress) {
-               return run_unlocked(std::move(progress), [&](const Progress& step) {
-                 return std::make_shared<Edit>(make_edit(mesh, words, step));
-               });
-             });
+  module.def("edit", [](const std::shared_ptr<OpenMesh>& mesh, const std::string& asked,
+                        py::object progress) {
+    return run_unlocked(std::move(progress), [&](const Progress& step) {
+      return std::make_shared<Edit>(make_edit(mesh, asked, step));
+    });
+  });
 }
 
 void bind_design(py::module_& module) {
-  using cli::OpenedDesign;
   py::class_<OpenedDesign>(module, "Design")
       .def(py::init(&design_of_text))
-      .def_static("load", &cli::open_design)
+      .def_static("load", &open_design)
       .def_property_readonly("text",
                              [](const OpenedDesign& self) { return write_design(self.design); })
       .def("save",
@@ -162,16 +165,16 @@ void bind_design(py::module_& module) {
 
 void bind_sweep(py::module_& module) {
   py::class_<SweepPlan>(module, "Plan")
-      .def(py::init(&cli::read_plan), py::call_guard<py::gil_scoped_release>())
+      .def(py::init(&read_plan), py::call_guard<py::gil_scoped_release>())
       .def("__len__", &SweepPlan::job_count)
       .def("job_id", &SweepPlan::job_id)
       .def("job_values",
-           [](const SweepPlan& self, std::size_t k) { return cli::values_text(self.job(k)); })
+           [](const SweepPlan& self, std::size_t k) { return values_text(self.job(k)); })
       .def("run", [](const SweepPlan& self, std::size_t k) {
-        cli::SweepResult result;
+        SweepResult result;
         {
           const py::gil_scoped_release unlocked;
-          result = cli::run_job(self.job(k));
+          result = run_job(self.job(k));
         }
         return py::make_tuple(result.figures, result.design, result.seconds);
       });
@@ -179,14 +182,12 @@ void bind_sweep(py::module_& module) {
       "save_job",
       [](const std::string& folder, const std::string& id, const std::string& figures,
          const std::string& design, const std::string& seconds) {
-        cli::save_result(folder, id, {figures, design, seconds});
+        save_result(folder, id, {figures, design, seconds});
       },
       py::call_guard<py::gil_scoped_release>());
   module.def(
       "gather",
-      [](const std::string& folder, const std::string& path) {
-        cli::save_bytes(path, cli::gather(folder));
-      },
+      [](const std::string& folder, const std::string& path) { save_bytes(path, gather(folder)); },
       py::call_guard<py::gil_scoped_release>());
 }
 
@@ -214,7 +215,6 @@ std::vector<MobilityRow> rows_of(const std::vector<RowTuple>& tuples) {
 }
 
 void bind_mobility(py::module_& module) {
-  using cli::MobilityRun;
   using Unlocked = py::call_guard<py::gil_scoped_release>;
   py::class_<MobilityRun>(module, "Mobility")
       .def(py::init(&make_mobility), Unlocked())
@@ -227,7 +227,7 @@ void bind_mobility(py::module_& module) {
       .def(
           "save",
           [](const MobilityRun& self, const std::vector<RowTuple>& rows, const std::string& path) {
-            cli::save_bytes(path, cli::mobility_bytes(path, self.base().mesh, rows_of(rows)));
+            save_bytes(path, mobility_bytes(path, self.base().mesh, rows_of(rows)));
           },
           Unlocked());
 }
@@ -251,22 +251,23 @@ void bind_types(py::module_& module) {
 void bind_functions(py::module_& module) {
   module.def(
       "project",
-      [](const OpenMesh& mesh, const Words& words, const OpenMesh* reference, py::object progress) {
+      [](const OpenMesh& mesh, const std::string& asked, const OpenMesh* reference,
+         py::object progress) {
         return run_unlocked(std::move(progress), [&](const Progress& step) {
-          return make_projection(mesh, words, reference, step);
+          return make_projection(mesh, asked, reference, step);
         });
       },
-      py::arg("mesh"), py::arg("words"), py::arg("reference").none(true), py::arg("progress"));
+      py::arg("mesh"), py::arg("asked"), py::arg("reference").none(true), py::arg("progress"));
   module.def(
       "convert",
-      [](const OpenMesh& mesh, const Words& words) {
-        return std::make_shared<OpenMesh>(make_conversion(mesh, words));
+      [](const OpenMesh& mesh, const std::string& asked) {
+        return std::make_shared<OpenMesh>(make_conversion(mesh, asked));
       },
       py::call_guard<py::gil_scoped_release>());
   module.def("offset", &make_offset, py::call_guard<py::gil_scoped_release>());
   module.def("options", [](const std::string& command) {
     std::vector<std::tuple<std::string, std::string, std::string>> rows;
-    for (const cli::OptionRow& row : option_rows(command)) {
+    for (const OptionRow& row : option_rows(command)) {
       rows.emplace_back(row.name, row.value, row.help);
     }
     return rows;

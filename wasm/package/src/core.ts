@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import { camelCase, insist } from "./error.ts";
-import createPackage, { type OptionRow, type PackageModule } from "./planish_package.mjs";
+import createPackage, { type PackageModule } from "./planish_package.mjs";
 import { Pool } from "./pool.ts";
 import { wasmBytes } from "./wasm-source.ts";
 
@@ -12,17 +12,9 @@ export type Command = "edit" | "explore" | "project" | "offset" | "mobility" | "
 export class Core {
   readonly pool = new Pool();
   readonly module: PackageModule;
-  readonly #rows = new Map<Command, readonly OptionRow[]>();
 
   constructor(module: PackageModule) {
     this.module = module;
-  }
-
-  /** What a command takes, as the core lists it. */
-  rows(command: Command): readonly OptionRow[] {
-    const known = this.#rows.get(command) ?? insist(this.module.options(command));
-    this.#rows.set(command, known);
-    return known;
   }
 }
 
@@ -43,7 +35,7 @@ export function loadCore(): Promise<Core> {
 /** What a command takes: each option with what it does. */
 export async function options(command: Command): Promise<Record<string, string>> {
   const core = await loadCore();
-  const lines = core.rows(command).map(({ name, help }) => {
+  const lines = insist(core.module.options(command)).map(({ name, help }) => {
     return [camelCase(name), help.replace(/\s+/g, " ").trim()] as const;
   });
   return Object.fromEntries(lines);

@@ -6,14 +6,8 @@ import { insist } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { EditHandle, FamilyHandle, VariationHandle } from "./planish_package.mjs";
 import { once, Place } from "./pool.ts";
+import { type Bounds, type Constraints, type HandleTarget, request } from "./request.ts";
 import { type Progress, Shape } from "./shape.ts";
-import {
-  type Bounds,
-  type Constraints,
-  type HandleTarget,
-  handleWords,
-  optionWords,
-} from "./words.ts";
 
 /** Options of `planish edit`, by the same names; what is left out has the core's default. */
 export interface EditOptions {
@@ -96,10 +90,10 @@ export class Edit extends Designed<EditHandle> {
   readonly #core: Core;
 
   /** @internal Use edit(). */
-  constructor(core: Core, mesh: Mesh, { handles, progress, ...options }: EditOptions) {
-    const words = [...handleWords(handles), ...optionWords(core, "edit", options)];
+  constructor(core: Core, mesh: Mesh, { progress, ...options }: EditOptions) {
+    const asked = request(options);
     const solve = (): EditHandle =>
-      insist(core.module.edit(mesh.handle(), words, progress ?? null));
+      insist(core.module.edit(mesh.handle(), asked, progress ?? null));
     const place = new Place(core.pool, solve);
     super(core, place.handle);
     place.keepIfStopped(this.report.status);
@@ -109,9 +103,9 @@ export class Edit extends Designed<EditHandle> {
   /** A family of local variations around this edit. @throws PlanishError */
   explore({ progress, ...options }: ExploreOptions): Family {
     const core = this.#core;
-    const words = optionWords(core, "explore", options);
+    const asked = request(options);
     return new Family(core, () =>
-      insist(core.module.explore(this.handle(), words, progress ?? null)),
+      insist(core.module.explore(this.handle(), asked, progress ?? null)),
     );
   }
 }
@@ -139,8 +133,8 @@ export class Family {
    */
   at(coefficients: ArrayLike<number>): Variation {
     const core = this.#core;
-    const words = [`--coefficients=${Array.from(coefficients).join(",")}`];
-    return new Variation(core, () => insist(core.module.variation(this.#place.handle(), words)));
+    const asked = request({ coefficients: Array.from(coefficients) });
+    return new Variation(core, () => insist(core.module.variation(this.#place.handle(), asked)));
   }
 }
 

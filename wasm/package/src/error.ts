@@ -23,13 +23,8 @@ export const camelCase = (option: string): string =>
 export const wording = (sentence: string): string =>
   sentence.replace(/--[a-z][a-z-]*/g, (option) => camelCase(option));
 
-const KINDS = new Map<number, ErrorKind>([
-  [2, "usage"],
-  [3, "mesh"],
-]);
-
 /** The value of an answer; throws a PlanishError where there is none. */
 export function insist<T>(answer: Answer<T>): T {
-  if (answer.code === undefined) return answer.value;
-  throw new PlanishError(KINDS.get(answer.code) ?? "internal", wording(answer.sentence));
+  if (answer.kind === undefined) return answer.value;
+  throw new PlanishError(answer.kind, wording(answer.sentence));
 }

@@ -4,7 +4,7 @@ import { insist } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { MobilityHandle, MobilityValue } from "./planish_package.mjs";
 import { Place } from "./pool.ts";
-import { type Bounds, type Constraints, optionWords } from "./words.ts";
+import { type Bounds, type Constraints, request } from "./request.ts";
 
 /** One vertex in one direction, which is of length 1; distances are in model units, folds in degrees. */
 export type MobilityRow = MobilityValue;
@@ -49,8 +49,8 @@ export class Mobility {
 export function mobility(mesh: Mesh, options: MobilityOptions = {}): Mobility {
   const { vertices, progress, ...named } = options;
   const { core } = mesh;
-  const words = optionWords(core, "mobility", named);
-  const place = new Place(core.pool, () => insist(core.module.mobility(mesh.handle(), words)));
+  const asked = request({ ...named, threads: 1 }); // that is all there is
+  const place = new Place(core.pool, () => insist(core.module.mobility(mesh.handle(), asked)));
   const all = vertices ?? new Array(mesh.points.length / 3).keys();
   const chosen = [...new Set(all)].sort((a, b) => a - b);
   const rows: MobilityRow[] = [];

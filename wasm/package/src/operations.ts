@@ -2,8 +2,8 @@
 // What is done to a whole mesh.
 import { insist } from "./error.ts";
 import { Mesh } from "./mesh.ts";
+import { type Constraints, request } from "./request.ts";
 import { type Progress, Shape } from "./shape.ts";
-import { type Constraints, optionWords } from "./words.ts";
 
 /** Options of `planish project`, by the same names. */
 export interface ProjectOptions {
@@ -45,24 +45,23 @@ export interface ConvertOptions {
 /** A mended mesh, whose `warnings` say how much was. @throws PlanishError */
 export function convert(mesh: Mesh, options: ConvertOptions): Mesh {
   const { core } = mesh;
-  const words = optionWords(core, "convert", options);
-  return new Mesh(core, () => insist(core.module.convert(mesh.handle(), words)));
+  const asked = request(options);
+  return new Mesh(core, () => insist(core.module.convert(mesh.handle(), asked)));
 }
 
 /** Makes every panel flat, close by and fair. @throws PlanishError */
 export function project(mesh: Mesh, options: ProjectOptions = {}): Shape {
   const { reference, progress, ...named } = options;
   const { core } = mesh;
-  const words = optionWords(core, "project", named);
-  if (reference) words.push("--reference=reference");
+  const asked = request({ ...named, reference: reference && "reference" });
   return Shape.of(core, () => {
     const other = reference?.handle() ?? null;
-    return insist(core.module.project(mesh.handle(), words, other, progress ?? null));
+    return insist(core.module.project(mesh.handle(), asked, other, progress ?? null));
   });
 }
 
 /** A second layer whose edges are parallel to the mesh's own. @throws PlanishError */
 export function offset(mesh: Mesh, options: OffsetOptions): Shape {
-  const words = optionWords(mesh.core, "offset", options);
-  return Shape.of(mesh.core, () => insist(mesh.core.module.offset(mesh.handle(), words)));
+  const asked = request(options);
+  return Shape.of(mesh.core, () => insist(mesh.core.module.offset(mesh.handle(), asked)));
 }

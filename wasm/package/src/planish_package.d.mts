@@ -2,10 +2,14 @@
 // What package_bindings.cpp lists, by hand. Whatever ends in Handle lives in wasm memory until
 // delete(); nothing of it leaves the package.
 
-/** {value}, or why there is none: the exit code of the command line and one sentence. */
+/** {value}, or why there is none: whose fault it is, and one sentence. */
 export type Answer<T> =
-  | { readonly value: T; readonly code?: undefined }
-  | { readonly code: number; readonly sentence: string; readonly value?: undefined };
+  | { readonly value: T; readonly kind?: undefined }
+  | {
+      readonly kind: "usage" | "mesh" | "internal";
+      readonly sentence: string;
+      readonly value?: undefined;
+    };
 
 /** Whether to go on. */
 export type Watch = (step: number, objective: number, residual: number) => boolean;
@@ -99,19 +103,19 @@ export interface PackageModule {
   ): Answer<MeshHandle>;
   sampleMesh(name: string): Answer<MeshHandle>;
   readMesh(name: string, bytes: Uint8Array): Answer<MeshHandle>;
-  edit(mesh: MeshHandle, words: readonly string[], watch: Watch | null): Answer<EditHandle>;
-  explore(edit: EditHandle, words: readonly string[], watch: Watch | null): Answer<FamilyHandle>;
-  variation(family: FamilyHandle, words: readonly string[]): Answer<VariationHandle>;
+  edit(mesh: MeshHandle, asked: string, watch: Watch | null): Answer<EditHandle>;
+  explore(edit: EditHandle, asked: string, watch: Watch | null): Answer<FamilyHandle>;
+  variation(family: FamilyHandle, asked: string): Answer<VariationHandle>;
   project(
     mesh: MeshHandle,
-    words: readonly string[],
+    asked: string,
     reference: MeshHandle | null,
     watch: Watch | null,
   ): Answer<ShapeHandle>;
-  convert(mesh: MeshHandle, words: readonly string[]): Answer<MeshHandle>;
-  offset(mesh: MeshHandle, words: readonly string[]): Answer<ShapeHandle>;
-  mobility(mesh: MeshHandle, words: readonly string[]): Answer<MobilityHandle>;
-  types(mesh: MeshHandle, words: readonly string[]): Answer<TypesHandle>;
+  convert(mesh: MeshHandle, asked: string): Answer<MeshHandle>;
+  offset(mesh: MeshHandle, asked: string): Answer<ShapeHandle>;
+  mobility(mesh: MeshHandle, asked: string): Answer<MobilityHandle>;
+  types(mesh: MeshHandle, asked: string): Answer<TypesHandle>;
   readDesign(text: string): Answer<DesignHandle>;
   options(command: string): Answer<OptionRow[]>;
 }

@@ -4,7 +4,7 @@ import { insist, wording } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { TypesHandle } from "./planish_package.mjs";
 import { Place } from "./pool.ts";
-import { optionWords } from "./words.ts";
+import { request } from "./request.ts";
 
 /** Options of `planish types`, by the same names; lengths are in `unit`, mm without. */
 export interface TypesOptions {
@@ -68,7 +68,6 @@ export class Types {
 /** What of a mesh is alike; no point moves. @throws PlanishError */
 export function types(mesh: Mesh, options: TypesOptions = {}): Types {
   const { core } = mesh;
-  const { joint, ...named } = options;
-  const words = optionWords(core, "types", { ...named, joint: joint?.join(":") });
-  return new Types(new Place(core.pool, () => insist(core.module.types(mesh.handle(), words))));
+  const asked = request(options);
+  return new Types(new Place(core.pool, () => insist(core.module.types(mesh.handle(), asked))));
 }

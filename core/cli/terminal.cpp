@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "terminal.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <vector>
+
+#include "planish/design/design_text.hpp"
+
+namespace planish::cli {
+
+void print_message(const std::string& message) {
+  std::string line = "planish: " + message;
+  for (char& c : line) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  std::cerr << line << '\n';
+}
+
+void print_sentence(const std::optional<std::string>& sentence) {
+  if (sentence) print_message(*sentence);
+}
+
+namespace {
+
+void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    print_message(shown_name(path) + ": warning: " + warning);
+  }
+}
+
+}  // namespace
+
+MeshFile load_mesh(const std::string& path) {
+  MeshFile file = open_mesh(path);
+  print_warnings(path, file.warnings);
+  return file;
+}
+
+LoadedSource load_source(const std::string& path) {
+  LoadedSource source = open_source(path);
+  print_warnings(path, source.warnings);
+  return source;
+}
+
+EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
+  const std::string name = arguments.only_positional("MESH");
+  EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
+  clear_progress_line();
+  for (const auto& sentence :
+       {planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)}) {
+    if (sentence) print_message(name + ": " + *sentence);
+  }
+  return run;
+}
+
+void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content) {
+  save_bytes(path, mesh_bytes(path, mesh, content));
+}
+
+void save_design(const Arguments& arguments, const Design& design) {
+  if (const auto path = arguments.value("--design")) save_bytes(*path, write_design(design) + "\n");
+}
+
+void save_report(const Arguments& arguments, const Json& json) {
+  const auto path = arguments.value("--report");
+  const bool wanted = path || !(arguments.value("-o") || arguments.value("--design"));
+  if (wanted) save_bytes(path.value_or("-"), json.dump(2) + "\n");
+}
+
+ExitCode exit_code(const SolveReport& report) { return report.usable() ? kDone : kToleranceNotMet; }
+
+Progress progress_line() {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [step = 0](const IterationRecord& record) mutable {
+    std::fprintf(stderr, "\rstep %d  objective %.6g  residual %.2g\033[K", ++step, record.objective,
+                 record.primal_residual);
+    return Flow::kContinue;
+  };
+}
+
+void clear_progress_line() {
+  if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace planish::cli

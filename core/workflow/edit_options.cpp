@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+#include "edit_options.hpp"
+
+#include <string>
+#include <utility>
+
+#include "mesh_files.hpp"
+#include "planish/constraints/kept_kinds.hpp"
+#include "planish/design/cut_base.hpp"
+#include "planish/edit/design_words.hpp"
+
+namespace planish::workflow {
+namespace {
+
+/// One of a few words, each with its meaning.
+template <class Value, std::size_t kCount>
+Value parse_word(std::string_view text, std::string_view what, const Words<Value, kCount>& words) {
+  std::string known;
+  for (const auto& [word, value] : words) {
+    if (word == text) return value;
+    known += (known.empty() ? "" : ", ") + std::string(word);
+  }
+  throw UsageError(std::string(what) + ": \"" + std::string(text) + "\" is none of " + known);
+}
+
+}  // namespace
+
+namespace {
+
+/// {"angle": [60, 120]} as a design says it.
+std::string bound_text(const Json& stated) {
+  if (!stated.is_object()) return text_of(stated);
+  const Json& value = stated.front();
+  const std::string name = stated.begin().key();
+  if (value.is_boolean()) return name + (value.get<bool>() ? "=on" : "=off");
+  const char* separator = "=";
+  std::string text = name;
+  for (const Json& number : entries_of(value)) {
+    text.append(separator).append(text_of(number));
+    separator = name == "sheet" ? "x" : ":";
+  }
+  return text;
+}
+
+}  // namespace
+
+Bounds parse_bounds(const Request& request) {
+  Bounds bounds;
+  for (const Json& stated : request.values("--bound")) {
+    const std::string text = bound_text(stated);
+    if (text == "shape=on" || text == "shape=off") {
+      bounds.keep_shape = text == "shape=on";
+    } else if (text.starts_with("flat=")) {
+      bounds.flat = parse_finite(std::string_view(text).substr(5), "--bound flat");
+      if (!(*bounds.flat > 0.0)) throw UsageError("--bound: flat=MM_PER_M must be greater than 0");
+    } else if (auto limit = parse_stated_limit(text)) {
+      bounds.limits.push_back(std::move(*limit));
+    } else if (const std::string name = text.substr(0, text.find('='));
+               const auto form = limit_form(name)) {
+      throw UsageError("--bound: \"" + text + "\" is not " + name + "=" + *form);
+    } else {
+      throw UsageError("--bound: \"" + text + "\" is none of shape=on, shape=off, " +
+                       known_limits());
+    }
+  }
+  return bounds;
+}
+
+namespace {
+
+int parse_vertex(const Json& stated, std::string_view what, const Mesh& mesh) {
+  const int vertex = parse_whole(stated, what);
+  if (vertex < 0 || vertex >= mesh.vertex_count()) {
+    throw UsageError(std::string(what) + ": there is no vertex " + text_of(stated) +
+                     "; the mesh has " + std::to_string(mesh.vertex_count()) + " (from 0)");
+  }
+  return vertex;
+}
+
+/// "V=x,y,z" or "V+=dx,dy,dz" as {"vertex": V, "to" or "by": "x,y,z"}.
+Json parts_of_handle(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError("--handle: \"" + text + "\" is not V=x,y,z or V+=dx,dy,dz");
+  }
+  const bool relative = text[equals - 1] == '+';
+  return {{"vertex", text.substr(0, equals - (relative ? 1 : 0))},
+          {relative ? "by" : "to", text.substr(equals + 1)}};
+}
+
+Handle parse_handle(const Json& stated, const Mesh& base) {
+  const Json parts = stated.is_object() ? stated : parts_of_handle(text_of(stated));
+  const bool relative = parts.contains("by");
+  const Json vertex = parts.value("vertex", Json());
+  const Json point = parts.value(relative ? "by" : "to", Json());
+  Handle handle;
+  handle.vertex = parse_vertex(vertex, "--handle", base);
+  const std::vector<Json> numbers = entries_of(point);
+  if (numbers.size() != 3) {
+    throw UsageError("--handle: \"" + text_of(vertex) + (relative ? "+=" : "=") + text_of(point) +
+                     "\" needs 3 coordinates");
+  }
+  for (int c = 0; c < 3; ++c) {
+    handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
+  }
+  if (relative) handle.target += base.positions.col(handle.vertex);
+  return handle;
+}
+
+}  // namespace
+
+OptionRow support_row() {
+  return {"--support", "KIND:POINTS",
+          "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
+          "plane=a,b,c,d (a·x + b·y + c·z = d), line=x,y,z,dx,dy,dz, outline\n"
+          "(the boundary as it is drawn), polyline (the line of MESH through V,V,...\n"
+          "in this order), surface (MESH itself) or surface=FILE; spring=STIFFNESS\n"
+          "leaves them free: above 1 they move less willingly, below 1 more;\n"
+          "POINTS is V,V,... or boundary or all (repeatable)"};
+}
+
+std::vector<OptionRow> edit_option_rows() {
+  return {{"--handle", "V=x,y,z", "move vertex V (from 0) there; V+=dx,dy,dz moves it by that"},
+          {"--pin", "V,V,...", "vertices that stay where they are"},
+          support_row(),
+          {"--continuation", "N",
+           "handles go to their targets in N equal steps, each solved from the\n"
+           "last, as in a drag: another minimum where there is more than one"},
+          {"--hard", "", "handles reach their targets exactly"},
+          {"--bound", "NAME=VALUE",
+           "shape=on|off, default on: no panel becomes concave, crossing,\n"
+           "turned over or collapsed that was not; limits of panels, each at most\n"
+           "as broken as in MESH: fold=MAX degrees or fold=+MAX beyond what it was,\n"
+           "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH (repeatable)"},
+          {"--keep-out", "KIND=VALUE",
+           "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
+           "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "
+           "mesh=FILE: through none of\nits panels; self: through no other panel;\n"
+           "what is there in MESH goes no deeper (repeatable)"},
+          {"--clearance", "D", "kept from every --keep-out (units of the mesh)"},
+          kConstraintRow,
+          {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
+          {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
+          {"--softness", "S", "1 … 10, in place of these two weights: higher is wider and gentler"},
+          {"--reach", "R", "nothing moves beyond R face rings, or a length such as 1.5m"},
+          {"--keep-boundary", "", "boundary points stay, handles excepted"},
+          {"--model-unit", "UNIT", "of the coordinates: mm, cm, m, km, in or ft; default m"},
+          {"--attraction", "W", "weight ω_h, default 1000: higher meets the handles closer"},
+          {"--fairness", "KIND", "laplacian, second or third; default second"},
+          {"--sparsity", "KIND", "l21, l2 or none; default l21"},
+          {"--solver", "NAME", "newton or alm; default newton"},
+          {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+}
+
+std::vector<OptionRow> edit_command_rows() {
+  std::vector<OptionRow> rows = edit_option_rows();
+  rows.push_back({"--cut", "KIND=VALUE",
+                  "before the edit, in the order given: split=F:A,B, strip=V-W[@T],\n"
+                  "corner=F:V[@T], refine=F,F,...[:collar], trim=a,b,c,d, as planish cut\n"
+                  "has them; handles may name the points that these add (repeatable)"});
+  rows.push_back({"--fewest", "panels|points",
+                  "few to make again: holds points as long as the handles arrive, until\n"
+                  "none can be held any more; they are pins of the design"});
+  rows.push_back({"--within-handle", "P%",
+                  "of the longest way of a handle, within which handles have arrived for\n"
+                  "--fewest; default 5%"});
+  rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
+                  "default off; an edit of one point edits its images. x, y, z: the mirror\n"
+                  "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
+                  "turns about z, or x; several joined by commas; auto: all that MESH has"});
+  return rows;
+}
+
+namespace {
+
+constexpr Words<FewestOf, 2> kFewestWords = {
+    {{"panels", FewestOf::kPanels}, {"points", FewestOf::kPoints}}};
+
+/// ω_h of an edit that makes few panels again, where none is asked for.
+constexpr double kFewestAttraction = 1e5;
+
+constexpr Words<double, 6> kUnits = {
+    {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
+
+/// "4" (face rings) or "1.5m" (a length).
+void set_reach(std::string_view text, std::string_view model_unit, HandleEditOptions& options) {
+  const std::size_t unit = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
+  if (unit == text.size()) {
+    options.reach = parse_whole(text, "--reach");
+    if (options.reach < 1) throw UsageError("--reach must be at least 1 face ring");
+    return;
+  }
+  const double metres = parse_word(text.substr(unit), "--reach", kUnits) *
+                        parse_finite(text.substr(0, unit), "--reach");
+  options.reach_length = metres / parse_word(model_unit, "--model-unit", kUnits);
+  if (!(options.reach_length > 0.0)) throw UsageError("--reach must be longer than 0");
+}
+
+void set_softness(const Request& request, HandleEditOptions& options) {
+  if (!request.has("--softness")) return;
+  if (request.has("--locality") || request.has("--smoothness")) {
+    throw UsageError(
+        "--softness takes the place of --locality and --smoothness: give one or the "
+        "other");
+  }
+  request.read("--softness", options.softness);
+  if (options.softness == 0.0) throw UsageError("--softness must be from 1 to 10");
+}
+
+}  // namespace
+
+namespace {
+
+/// "circular:1e-6" as its kind and tolerance; null for its own. {"circular": 1e-6} is that already.
+std::pair<std::string, Json> parts_of_constraint(const Json& stated) {
+  if (stated.is_object()) return {stated.begin().key(), stated.begin().value()};
+  const std::string text = text_of(stated);
+  const std::size_t colon = text.find(':');
+  const bool own = colon == std::string::npos;
+  return {text.substr(0, colon), own ? Json() : Json(text.substr(colon + 1))};
+}
+
+}  // namespace
+
+std::vector<KeptConstraint> parse_constraints(const Request& request, double& planar) {
+  std::vector<KeptConstraint> constraints;
+  for (const Json& stated : request.values("--constraint")) {
+    const auto [kind, given] = parts_of_constraint(stated);
+    const double tolerance =
+        given.is_null() ? own_tolerance(kind).value_or(1.0) : parse_finite(given, "--constraint");
+    if (kind != PlanarPolygon::kName) {
+      constraints.push_back({kind, tolerance});
+    } else if (!given.is_null()) {
+      planar = tolerance;
+    }
+  }
+  return constraints;
+}
+
+std::string model_unit(const Request& request) {
+  const std::string unit = request.value("--model-unit").value_or("m");
+  static_cast<void>(parse_word(unit, "--model-unit", kUnits));
+  return unit;
+}
+
+FairnessKind parse_fairness(std::string_view text) {
+  return parse_word(text, "--fairness", kFairnessWords);
+}
+
+Engine parse_engine(std::string_view text) { return parse_word(text, "--solver", kEngineWords); }
+
+namespace {
+
+ContextMesh to_context(const Mesh& mesh) {
+  ContextMesh context;
+  for (const auto point : mesh.positions.colwise()) {
+    context.points.push_back({point.x(), point.y(), point.z()});
+  }
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    context.panels.emplace_back(face.begin(), face.end());
+  }
+  return context;
+}
+
+/// As designs say it; a model may also be a file.
+KeepOut to_keep_out(const std::string& text) {
+  constexpr std::string_view kMesh = "mesh=";
+  if (auto keep_out = parse_keep_out(text)) return std::move(*keep_out);
+  if (text.starts_with(kMesh)) {
+    const LoadedSource model = open_source(text.substr(kMesh.size()));
+    return {.kind = KeepOut::Kind::kMesh, .mesh = to_context(model.mesh)};
+  }
+  throw UsageError("--keep-out: \"" + text + "\" is none of " + std::string(known_keep_outs()));
+}
+
+void set_keep_outs(const Request& request, HandleEditOptions& options) {
+  for (const std::string& text : request.texts("--keep-out")) {
+    options.keep_outs.push_back(to_keep_out(text));
+  }
+  request.read("--clearance", options.clearance);
+  if (request.has("--clearance") && options.keep_outs.empty()) {
+    throw UsageError("--clearance is from a --keep-out: there is none");
+  }
+}
+
+}  // namespace
+
+std::optional<FewestOptions> fewest_options(const Request& request) {
+  const auto of = request.value("--fewest");
+  const auto within = request.value("--within-handle");
+  if (!of) {
+    if (within) throw UsageError("--within-handle is for --fewest: there is none");
+    return std::nullopt;
+  }
+  FewestOptions options;
+  options.of = parse_word(*of, "--fewest", kFewestWords);
+  if (!within) return options;
+  if (!within->ends_with('%')) throw UsageError("--within-handle: \"" + *within + "\" is not P%");
+  const std::string_view share = std::string_view(*within).substr(0, within->size() - 1);
+  options.within_handle = 0.01 * parse_finite(share, "--within-handle");
+  return options;
+}
+
+HandleEditOptions edit_options(const Request& request) {
+  HandleEditOptions options;
+  // Handles that stop short for the sake of a soft edit would not have arrived.
+  if (request.has("--fewest")) options.attraction = kFewestAttraction;
+  request.read("--locality", options.locality);
+  request.read("--smoothness", options.smoothness);
+  request.read("--attraction", options.attraction);
+  request.read("--tolerance", options.tolerance);
+  options.hard_handles = request.has("--hard");
+  Bounds bounds = parse_bounds(request);
+  if (bounds.flat) {
+    throw UsageError(
+        "--bound: flat=MM_PER_M is for project; an edit leaves out of flat what "
+        "--tolerance allows");
+  }
+  options.keep_shape = bounds.keep_shape;
+  options.bounds = std::move(bounds.limits);
+  set_keep_outs(request, options);
+  options.constraints = parse_constraints(request, options.tolerance);
+  if (const auto text = request.value("--fairness")) options.fairness = parse_fairness(*text);
+  if (const auto text = request.value("--solver")) options.engine = parse_engine(*text);
+  set_softness(request, options);
+  if (const auto text = request.value("--reach")) {
+    set_reach(*text, model_unit(request), options);
+  }
+  options.keep_boundary = request.has("--keep-boundary");
+  if (const auto text = request.value("--sparsity")) {
+    options.sparsity = parse_word(*text, "--sparsity", kSparsityWords);
+  }
+  if (const auto problem = find_problem(options)) throw UsageError(*problem);
+  if (request.has("--support") && options.engine != Engine::kNewton) {
+    throw UsageError("--support: the solver alm knows none; supports need newton");
+  }
+  if (!options.keep_outs.empty() && options.engine != Engine::kNewton) {
+    throw UsageError("--keep-out: the solver alm knows none; it needs newton");
+  }
+  if (request.has("--continuation") && options.engine != Engine::kNewton) {
+    throw UsageError("--continuation: the solver alm knows none; it needs newton");
+  }
+  return options;
+}
+
+std::vector<int> parse_vertices(const Request& request, std::string_view option, const Mesh& mesh) {
+  std::vector<int> vertices;
+  for (const Json& list : request.values(option)) {
+    for (const Json& stated : entries_of(list)) {
+      vertices.push_back(parse_vertex(stated, option, mesh));
+    }
+  }
+  return vertices;
+}
+
+std::vector<int> parse_pins(const Request& request, const Mesh& mesh) {
+  return parse_vertices(request, "--pin", mesh);
+}
+
+namespace {
+
+/// As designs say it; a surface may also be a file.
+std::optional<PointSupport> to_support(const std::string& text) {
+  constexpr std::string_view kSurface = "surface=";
+  if (auto support = parse_point_support(text)) return support;
+  const std::size_t colon = text.rfind(':');
+  if (!text.starts_with(kSurface) || colon == std::string::npos) return std::nullopt;
+  auto support = parse_point_support("surface" + text.substr(colon));
+  if (!support) return std::nullopt;
+  const std::string path = text.substr(kSurface.size(), colon - kSurface.size());
+  support->surface = to_context(open_source(path).mesh);
+  return support;
+}
+
+}  // namespace
+
+std::vector<PointSupport> parse_supports(const Request& request) {
+  std::vector<PointSupport> supports;
+  for (const std::string& text : request.texts("--support")) {
+    auto support = to_support(text);
+    if (!support) {
+      throw UsageError("--support: \"" + text + "\" is none of " + std::string(known_supports()));
+    }
+    supports.push_back(std::move(*support));
+  }
+  return supports;
+}
+
+EditTargets edit_targets(const Request& request, const Mesh& base, const CutMesh* cut) {
+  EditTargets targets;
+  for (const Json& stated : request.values("--handle")) {
+    targets.handles.push_back(parse_handle(stated, base));
+  }
+  targets.pins = parse_pins(request, base);
+  targets.supports = parse_supports(request);
+  request.read("--continuation", targets.continuation);
+  if (targets.handles.empty()) throw UsageError("--handle is missing");
+  EditTargets carried = targets;
+  if (cut != nullptr) carried.supports = supports_after_cuts(targets.supports, *cut);
+  if (const auto problem = find_problem(carried, base)) throw UsageError(*problem);
+  return targets;
+}
+
+}  // namespace planish::workflow

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+/// An edit, run: a flat and, where asked, symmetric base; the edit; its
+/// report.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh_files.hpp"
+#include "planish/design/design.hpp"
+#include "planish/edit/fewest.hpp"
+#include "planish/edit/handle_edit.hpp"
+#include "planish/edit/symmetric_edit.hpp"
+#include "planish/mesh/mesh.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/projection/projection.hpp"
+#include "report.hpp"
+#include "request.hpp"
+
+namespace planish::workflow {
+
+/// A mesh whose panels are flat to the tolerance.
+struct FlatBase {
+  Mesh mesh;
+  Planarising how;                             ///< if it was not
+  std::optional<ProjectionResult> planarised;  ///< set if the file's mesh was not flat
+};
+
+/// `mesh` itself if it is flat to the tolerance, else a fair flat mesh near it, or the nearest one
+/// where panels could not keep their shape in a fair one; whatever the edit's engine: a base is the
+/// same for every edit of it.
+[[nodiscard]] FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options,
+                                 const Progress& progress);
+
+/// An edit with everything that the commands report about it.
+struct EditRun {
+  std::string unit;  ///< of the model
+  Mesh given;        ///< as in the file; where there are cuts: parted as they part the flat mesh
+  DesignSource source;
+  FlatBase base;  ///< after the cuts
+  std::vector<Cut> cuts;
+  std::optional<CutMesh> cut;               ///< what they made; absent without any
+  std::optional<std::uint32_t> uncut_hash;  ///< mesh_hash() of the base before them
+  EditTargets targets;                      ///< without images, as asked for
+  std::vector<PointSupport> supports;       ///< of `targets`, with the points that the cuts added
+  std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
+  SymmetricBase evened;                  ///< how the base became symmetric
+  std::optional<FewestOptions> fewest;  ///< where few panels are asked for; targets.pins has `held`
+  FewestEdit fewest_found;              ///< what came of it, its result apart
+  Positions edited;                     ///< 3 × n
+  SolveReport report;
+};
+
+/// Its targets with the points that cuts added to supports, and with all images under a symmetry.
+[[nodiscard]] EditTargets targets_with_images(const EditRun& run);
+
+/// Null without one, or where it has the identity alone.
+[[nodiscard]] std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run);
+
+/// Planarises if needed, and edits. A stop that `progress` asks for gives kCancelled and a valid
+/// design: before the edit, the mesh as given. Throws RequestError for wrong options or targets.
+/// @param name of the mesh, for messages
+[[nodiscard]] EditRun run_edit(const Request& request, const HandleEditOptions& options,
+                               LoadedSource source, const std::string& name,
+                               const Progress& progress);
+
+/// That --fewest held nothing, or not all that could be held; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run);
+
+/// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
+/// the mesh was flat.
+[[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
+
+/// Nor that what points stand on went along; nullopt if it did not.
+[[nodiscard]] std::optional<std::string> moved_support_sentence(const EditRun& run);
+
+/// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
+/// nullopt if none does, or where outcome_sentence() has more to say.
+[[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
+/// Nor need it be symmetric; nullopt where it was.
+[[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
+
+/// Everything of the report that does not depend on the command.
+[[nodiscard]] Json edit_json(const EditRun& run, const Positions& after, Engine engine);
+
+}  // namespace planish::workflow

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// What `explore` does around an edit: a family, one variation of it, and their report.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit_run.hpp"
+#include "planish/design/design.hpp"
+#include "planish/projection/projection.hpp"
+#include "planish/variations/subspace.hpp"
+#include "report.hpp"
+#include "request.hpp"
+
+namespace planish::workflow {
+
+/// Rows of the option table for the family.
+[[nodiscard]] std::vector<OptionRow> family_option_rows();
+
+/// Throws RequestError, also where `edit` keeps what variations cannot keep.
+[[nodiscard]] SubspaceOptions subspace_options(const Request& request,
+                                               const HandleEditOptions& edit);
+
+/// Slider values, all 0 without --coefficients.
+[[nodiscard]] Eigen::VectorXd coefficients(const Request& request, int dimension);
+
+/// The variations around one edit.
+struct Family {
+  HandleEditOptions edit;
+  SubspaceOptions options;
+  std::vector<int> close;       ///< Ψ: empty, the handles
+  double exact_fairness = 0.0;  ///< α_f of the exact projection
+  KeptByVariations keeps;
+  Subspace subspace;
+};
+
+/// --close and --smooth are read from `request`. Throws RequestError.
+[[nodiscard]] Family find_family(const EditRun& run, const HandleEditOptions& edit,
+                                 const SubspaceOptions& options, const Request& request,
+                                 const Progress& progress);
+
+/// One member of a family.
+struct Variation {
+  Eigen::VectorXd values;                 ///< of the sliders, options.dimension of them
+  Positions positions;                    ///< 3 × n
+  std::optional<ProjectionResult> exact;  ///< set once it was made exact
+};
+
+/// As the sliders show it. @param values options.dimension of them
+[[nodiscard]] Variation with_sliders(const EditRun& run, const Family& family,
+                                     const Eigen::VectorXd& values);
+
+/// The exact mesh next to `shown`, unmoved vertices of the base staying where they are.
+[[nodiscard]] Variation make_exact(const EditRun& run, const Family& family, Variation shown,
+                                   const Progress& progress);
+
+/// The design of `variation`.
+[[nodiscard]] Design variation_design(const EditRun& run, const Family& family,
+                                      const Variation& variation);
+
+/// The report of `explore`.
+[[nodiscard]] Json exploration_json(const EditRun& run, const Family& family,
+                                    const Variation& variation);
+
+/// Where making it exact has no certificate; nullopt where it has, or was not asked for.
+[[nodiscard]] std::optional<std::string> exact_outcome_sentence(const Variation& variation);
+
+/// By how much a variation that was not made exact is out of flat; nullopt where it is flat.
+[[nodiscard]] std::optional<std::string> not_exact_sentence(const EditRun& run,
+                                                            const Family& family,
+                                                            const Variation& variation);
+
+}  // namespace planish::workflow

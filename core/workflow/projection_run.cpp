@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "projection_run.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <string>
+
+#include "edit_options.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/projection/planarising.hpp"
+#include "planish/text/number.hpp"
+
+namespace planish::workflow {
+
+std::vector<OptionRow> projection_option_rows() {
+  return {{"--smooth", "A",
+           "weight α_f, 0 … 10000, default 10, with --reference 0: higher is\n"
+           "fairer and farther away, 0 the nearest flat mesh"},
+          {"--bound", "NAME=VALUE",
+           "shape=on|off, default on: no panel becomes concave, crossing,\n"
+           "turned over or collapsed that was not; flat=MM_PER_M: panels may\n"
+           "stay that far out of flat, and change as little as that needs"},
+          {"--within", "D",
+           "no vertex moves farther (units of the mesh); where the flat mesh\n"
+           "does, the result is as flat as that allows"},
+          {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
+          {"--pin", "V,V,...", "vertices that stay where they are"},
+          {"--keep-boundary", "", "boundary points stay"},
+          {"--fairness", "KIND", "laplacian, second or third; default second"},
+          kConstraintRow,
+          support_row(),
+          {"--solver", "NAME", "newton or alm; default newton"},
+          {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+}
+
+ProjectionOptions projection_options(const Request& request) {
+  ProjectionOptions options;
+  if (const auto text = request.value("--fairness")) options.fairness = parse_fairness(*text);
+  if (const auto text = request.value("--solver")) options.engine = parse_engine(*text);
+  request.read("--tolerance", options.tolerance);
+  if (!request.has("--reference")) options.fairness_weight = Planarising{}.fairness_weight;
+  request.read("--smooth", options.fairness_weight);
+  if (request.has("--within")) {
+    request.read("--within", options.within);
+    if (options.within <= 0.0) throw UsageError("--within must be greater than 0");
+  }
+  const Bounds bounds = parse_bounds(request);
+  if (!bounds.limits.empty()) {
+    throw UsageError("--bound: project keeps the panels' shape; limits are for edit");
+  }
+  options.keep_shape = bounds.keep_shape;
+  if (bounds.flat) {
+    if (request.has("--reference") || request.has("--tolerance")) {
+      throw UsageError("--bound: flat=MM_PER_M takes no --reference or --tolerance");
+    }
+    options.tolerance = *bounds.flat;
+    options.no_flatter = true;
+  }
+  options.constraints = parse_constraints(request, options.tolerance);
+  options.supports = parse_supports(request);
+  if (std::any_of(options.supports.begin(), options.supports.end(), is_spring)) {
+    throw UsageError("--support: springs are for edits; project has --reference");
+  }
+  if (const auto problem = find_problem(options)) throw UsageError(*problem);
+  return options;
+}
+
+namespace {
+
+void check_supports(const ProjectionOptions& options, const Mesh& base) {
+  const auto problem = find_problem(options.supports, base);
+  if (problem) throw UsageError(*problem);
+}
+
+}  // namespace
+
+ProjectionResult run_projection(const Mesh& mesh, const Request& request,
+                                const ProjectionOptions& options, const Mesh* reference,
+                                const Progress& progress) {
+  std::vector<int> pins = parse_pins(request, mesh);
+  if (request.has("--keep-boundary")) {
+    const std::vector<int> boundary = boundary_vertices(mesh);
+    pins.insert(pins.end(), boundary.begin(), boundary.end());
+  }
+  if (!reference) {
+    check_supports(options, mesh);
+    return project_to_planar(mesh, options, pins, progress);
+  }
+  if (reference->vertex_count() != mesh.vertex_count() ||
+      reference->face_offsets != mesh.face_offsets ||
+      reference->face_vertices != mesh.face_vertices) {
+    throw MeshError(request.value("--reference").value_or("--reference") +
+                    ": the reference must have the faces of MESH");
+  }
+  check_supports(options, *reference);
+  return project_to_planar(mesh, reference->positions, options, pins, progress);
+}
+
+Positions projected(const Mesh& mesh, const ProjectionResult& result) {
+  Positions positions = mesh.positions;
+  for (std::size_t k = 0; k < result.moved.size(); ++k) {
+    positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
+  }
+  return positions;
+}
+
+Json projection_json(const Mesh& mesh, const Mesh& base, const ProjectionResult& result,
+                     const ProjectionOptions& options) {
+  const Positions flat = projected(mesh, result);
+  Json json = Json::object();
+  add_solve(json, result.report, options.engine);
+  json["mesh"] = mesh_json(mesh);
+  json["planarity_mm_per_m"] = planarity_json(mesh, mesh.positions, flat);
+  json["rms_move"] = result.rms_move;
+  json["max_move"] = result.max_move;
+  json["failing_faces"] = result.failing_faces;
+  json["spoilt_faces"] = damage_json(mesh, mesh.positions, flat);
+  json["remake"] = remake_json(mesh, flat);
+  json["smooth"] = result.fairness_weight;
+  add_supports(json, options.supports, base, flat);
+  if (result.confined_because != ConfinedBecause::kNothing) {
+    json["because"] = reason(result.confined_because);
+  }
+  return json;
+}
+
+std::optional<std::string> confined_sentence(const ProjectionResult& result) {
+  if (result.report.status != SolveStatus::kNearestConfined) return std::nullopt;
+  return "the nearest flat mesh of the surroundings took the place of the weighted one; " +
+         std::string(reason(result.confined_because));
+}
+
+std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
+                                             const ProjectionOptions& options) {
+  if (result.report.status != SolveStatus::kToleranceNotMet || !options.keep_shape) {
+    return std::nullopt;
+  }
+  if (options.within > 0.0 || options.no_flatter) {
+    return std::to_string(result.failing_faces.size()) + " panels stay less flat, the worst " +
+           three_digits(result.report.planarity_after) + " mm/m: panels keep their shape" +
+           (options.within > 0.0 ? ", and no vertex moves farther than --within" : "");
+  }
+  const std::size_t count = result.failing_faces.size();
+  return std::to_string(count) + (count == 1 ? " panel" : " panels") +
+         " cannot become flat and keep their shape; --bound shape=off gives up the shape, a "
+         "higher --smooth goes farther away";
+}
+
+std::optional<std::string> lost_height_sentence(const Mesh& mesh, const ProjectionResult& result) {
+  constexpr double kMostLost = 0.5;
+  const Positions& before = mesh.positions;
+  if (before.cols() == 0) return std::nullopt;
+  const Eigen::Matrix3Xd off = before.colwise() - before.rowwise().mean();
+  // Across the mesh: where it extends least.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(off * off.transpose());
+  const Eigen::RowVector3d across = axes.eigenvectors().col(0).transpose();
+  const auto height = [&](const Positions& positions) {
+    const Eigen::RowVectorXd along = across * positions;
+    return along.maxCoeff() - along.minCoeff();
+  };
+  const double was = height(before), is = height(projected(mesh, result));
+  if (!(is < (1.0 - kMostLost) * was)) return std::nullopt;
+  // What single panels are out of flat is theirs to lose.
+  if (was <= 2.0 * planarity_summary(mesh).max_gap) return std::nullopt;
+  return "flat panels take the shape with them: the height goes from " + three_digits(was) +
+         " to " + three_digits(is) + ", points move by up to " + three_digits(result.max_move) +
+         "; --within D stays nearer and less flat, --bound shape=off lets panels be concave";
+}
+
+}  // namespace planish::workflow

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Options as the core reads them: a JSON object, by the core's names. Every option is known to the
+// core alone, with its default, its range and its errors; what is undefined is not asked for.
+
+/** Limits of the panels, in degrees and model units. */
+export interface Bounds {
+  /** Keep every panel's shape; on unless it is false. */
+  readonly shape?: boolean;
+  /** Most degrees between neighbours; "+5": at most that much sharper than before. */
+  readonly fold?: number | string;
+  readonly angle?: readonly [least: number, most: number];
+  readonly edge?: readonly [least: number, most: number];
+  readonly area?: number;
+  readonly sheet?: readonly [width: number, height: number];
+}
+
+/** One point and where it goes: by a displacement or to a place. */
+export type HandleTarget = { readonly vertex: number } & (
+  | { readonly by: readonly [x: number, y: number, z: number] }
+  | { readonly to: readonly [x: number, y: number, z: number] }
+);
+
+/** "circular", "conical", or each with its tolerance in degrees. */
+export type Constraints =
+  | readonly string[]
+  | { readonly circular?: number; readonly conical?: number };
+
+/** "keepBoundary" → "keep-boundary" */
+const coreName = (name: string): string =>
+  name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+/** What JSON has not: arrays of bytes become lists; infinity a text, for the core to refuse. */
+function plain(_: string, value: unknown): unknown {
+  if (typeof value === "number" && !Number.isFinite(value)) return String(value);
+  return ArrayBuffer.isView(value) ? Array.from(value as Float64Array) : value;
+}
+
+export function request(options: object): string {
+  const named = Object.entries(options).map(([name, value]) => [coreName(name), value]);
+  return JSON.stringify(Object.fromEntries(named), plain);
+}
