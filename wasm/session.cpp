@@ -138,20 +138,13 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
   return std::nullopt;
 }
 
-/// By variations of the edit shown.
-KeptByVariations Session::kept() const {
-  if (symmetry_) return kept_with_images();
-  return kept_by_variations(base_, targets_, options_);
-}
-
 Refusal Session::explore(SubspaceOptions options) {
   options.fairness = options_.fairness;
   options.engine = options_.engine;
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  std::vector<int> close;
-  for (const Handle& handle : targets_.handles) close.push_back(handle.vertex);
+  const std::vector<int> close = handle_vertices(targets_);
   const Stopwatch watch;
   const KeptByVariations keeps = kept();
   if (!measure_standing(shown_mesh(), adjacency_, keeps.kinds).failing.empty())
@@ -205,9 +198,7 @@ Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   const Stopwatch watch;
   Positions positions = base_.positions;
   positions(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
-  Positions rows;
-  evaluate(*subspace_, coefficients, rows);
-  positions(Eigen::all, subspace_->support) = rows;
+  positions = with_sliders(*subspace_, coefficients, std::move(positions));
   SolveReport report;
   if (const Refusal refusal = project(positions, report)) return refusal;
   projected_ = shape_of(positions);
@@ -219,10 +210,7 @@ Positions Session::variations_centre() const {
   Positions centre = base_.positions;
   if (!subspace_) return centre;
   centre(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
-  Positions rows;
-  evaluate(*subspace_, Eigen::VectorXd::Zero(subspace_->dimension()), rows);
-  centre(Eigen::all, subspace_->support) = rows;
-  return centre;
+  return with_sliders(*subspace_, Eigen::VectorXd::Zero(subspace_->dimension()), std::move(centre));
 }
 
 Refusal Session::project(Positions& positions, SolveReport& report) const {

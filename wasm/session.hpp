@@ -190,9 +190,7 @@ class Session {
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
   [[nodiscard]] Refusal solve_symmetric(EditMode mode, const EditTargets& targets,
                                         double budget_seconds, HandleEditResult& result);
-  [[nodiscard]] std::variant<Replay, std::string> replay_symmetric(const Design& design) const;
   [[nodiscard]] KeptByVariations kept() const;
-  [[nodiscard]] KeptByVariations kept_with_images() const;
   [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
   [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
   [[nodiscard]] Refusal require_kept_constraints();

@@ -49,9 +49,7 @@ Refusal Session::planarise(const Planarising& how) {
   if (const auto problem = find_problem(how)) return *problem;
   Mesh opened = as_opened();
   const ProjectionResult result = planish::planarise(opened, how, progress_);
-  const bool sound = how.keep_shape && !result.moved.empty() &&
-                     result.report.status == SolveStatus::kToleranceNotMet;
-  if (!result.report.usable() && !sound) {
+  if (!is_flattened(result, how)) {
     return std::to_string(result.failing_faces.size()) +
            (how.constraints.empty() ? " panels cannot be made flat" : " panels cannot be made so") +
            "; the mesh is as it was.";

@@ -34,10 +34,13 @@ Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
   if (design.cuts != (cut_ ? cut_->cuts : std::vector<Cut>())) {
     return "The design has other cuts.";
   }
+  if (symmetry_ && design.symmetry != symmetry_->elements) {
+    return "The design has another symmetry.";
+  }
   std::vector<PointSupport> stated = design.targets.supports;
   design.targets.supports = with_added_points(stated);
   const Stopwatch watch;
-  auto result = symmetry_ ? replay_symmetric(design) : replay_on(base_, design, progress_);
+  auto result = replay_on(base_, symmetry_, design, progress_);
   if (auto* sentence = std::get_if<std::string>(&result)) return as_sentence(std::move(*sentence));
   auto& done = std::get<Replay>(result);
   if (Refusal refusal = stopped(done)) return refusal;

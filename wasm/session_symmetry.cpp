@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Edits of a session whose base has a symmetry: of every image as well. None of it is called
-/// without one.
+/// Edits of a session whose base has a symmetry: of every image as well.
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,15 +57,12 @@ Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, doub
   return std::nullopt;
 }
 
-KeptByVariations Session::kept_with_images() const {
+/// By variations of the edit shown.
+KeptByVariations Session::kept() const {
+  if (!symmetry_) return kept_by_variations(base_, targets_, options_);
   const auto all = with_images(targets_, base_, *symmetry_);
   const auto* images = std::get_if<EditTargets>(&all);
   return kept_by_variations(base_, images != nullptr ? *images : targets_, options_, symmetry_);
-}
-
-std::variant<Replay, std::string> Session::replay_symmetric(const Design& design) const {
-  if (design.symmetry != symmetry_->elements) return "The design has another symmetry.";
-  return replay_on(base_, *symmetry_, design, progress_);
 }
 
 }  // namespace planish

@@ -48,10 +48,7 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Pro
     base.how = kNearestFlat;  // an edit needs a flat base: what this spoils is reported
     base.planarised = planarise(mesh, base.how, progress);
   }
-  for (std::size_t k = 0; k < base.planarised->moved.size(); ++k) {
-    base.mesh.positions.col(base.planarised->moved[k]) =
-        base.planarised->moved_positions.col(static_cast<Eigen::Index>(k));
-  }
+  base.mesh.positions(Eigen::all, base.planarised->moved) = base.planarised->moved_positions;
   return base;
 }
 
@@ -226,11 +223,11 @@ EditRun run_edit(const Request& request, const HandleEditOptions& options, Loade
     run.report.status = SolveStatus::kCancelled;
     return run;
   }
-  if (run.symmetry && (!run.base.planarised || run.base.planarised->report.usable())) {
+  if (run.symmetry && run.base.is_flat()) {
     run.evened = make_symmetric(run.base.mesh, *run.symmetry, options.tolerance, watched);
   }
   run.edited = run.base.mesh.positions;
-  if (run.base.planarised && !run.base.planarised->report.usable()) {
+  if (!run.base.is_flat()) {
     run.report = run.base.planarised->report;  // an edit needs a flat base: this is the result
     return run;
   }

@@ -27,6 +27,9 @@ struct FlatBase {
   Mesh mesh;
   Planarising how;                             ///< if it was not
   std::optional<ProjectionResult> planarised;  ///< set if the file's mesh was not flat
+
+  /// What edits ask for; else it could not be had.
+  [[nodiscard]] bool is_flat() const { return !planarised || planarised->report.usable(); }
 };
 
 /// `mesh` itself if it is flat to the tolerance, else a fair flat mesh near it, or the nearest one

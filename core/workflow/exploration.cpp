@@ -83,12 +83,6 @@ double exact_fairness(const Request& request) {
   return weight;
 }
 
-std::vector<int> handle_vertices(const EditTargets& targets) {
-  std::vector<int> vertices;
-  for (const Handle& handle : targets.handles) vertices.push_back(handle.vertex);
-  return vertices;
-}
-
 }  // namespace
 
 Family find_family(const EditRun& run, const HandleEditOptions& edit,
@@ -109,25 +103,16 @@ Family find_family(const EditRun& run, const HandleEditOptions& edit,
 
 Variation with_sliders(const EditRun& run, const Family& family, const Eigen::VectorXd& values) {
   const Subspace& subspace = family.subspace;
-  Positions support_positions(3, static_cast<Eigen::Index>(subspace.support.size()));
   // The solver may find fewer vectors than asked for; the sliders of the others do nothing.
-  evaluate(subspace, values.head(subspace.dimension()), support_positions);
-  Variation variation{values, run.edited, std::nullopt};
-  for (std::size_t k = 0; k < subspace.support.size(); ++k) {
-    variation.positions.col(subspace.support[k]) =
-        support_positions.col(static_cast<Eigen::Index>(k));
-  }
-  return variation;
+  return {values, with_sliders(subspace, values.head(subspace.dimension()), run.edited),
+          std::nullopt};
 }
 
 Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
   shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, family.edit,
                                     family.exact_fairness, family.keeps, progress);
-  for (std::size_t k = 0; k < shown.exact->moved.size(); ++k) {
-    shown.positions.col(shown.exact->moved[k]) =
-        shown.exact->moved_positions.col(static_cast<Eigen::Index>(k));
-  }
+  shown.positions(Eigen::all, shown.exact->moved) = shown.exact->moved_positions;
   return shown;
 }
 

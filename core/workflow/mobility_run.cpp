@@ -147,7 +147,7 @@ MobilityRun::MobilityRun(const Mesh& mesh, const Request& request, const std::st
                          const Progress& progress)
     : options_(mobility_options(request)), thread_count_(parse_threads(request)) {
   base_ = std::make_unique<FlatBase>(flat_base(mesh, options_.edit, progress));
-  if (base_->planarised && !base_->planarised->report.usable()) {
+  if (!base_->is_flat()) {
     refuse_file(name, "could not be made flat; planish project says where");
   }
   if (const auto broken = find_broken_constraint(base_->mesh, options_.edit)) {

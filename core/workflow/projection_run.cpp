@@ -98,9 +98,7 @@ ProjectionResult run_projection(const Mesh& mesh, const Request& request,
 
 Positions projected(const Mesh& mesh, const ProjectionResult& result) {
   Positions positions = mesh.positions;
-  for (std::size_t k = 0; k < result.moved.size(); ++k) {
-    positions.col(result.moved[k]) = result.moved_positions.col(static_cast<Eigen::Index>(k));
-  }
+  positions(Eigen::all, result.moved) = result.moved_positions;
   return positions;
 }
 

@@ -2,7 +2,6 @@
 #include "planish/design/design.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -89,9 +88,7 @@ std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* give
   if (design.planarised) {
     const ProjectionResult flat = planarise(base, *design.planarised, progress);
     base.positions(Eigen::all, flat.moved) = flat.moved_positions;
-    // Where shape leaves panels above the tolerance, the edit has its own.
-    const bool done = flat.report.usable() || design.planarised->keep_shape;
-    if (!done) return "the mesh cannot be made flat";
+    if (!is_flattened(flat, *design.planarised)) return "the mesh cannot be made flat";
   }
   if (symmetry && !make_symmetric(base, *symmetry, design.options.tolerance, progress).symmetric) {
     return "symmetry: the mesh cannot be made flat and symmetric";
@@ -105,8 +102,6 @@ std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* give
   }
   return opened;
 }
-
-using SolveEdit = std::function<HandleEditResult(HandleEditSolver&)>;
 
 /// Replays the steps of one design on its base.
 class Player {
@@ -137,11 +132,13 @@ class Player {
     return std::nullopt;
   }
 
-  void edit(const SolveEdit& solve) {
+  void edit() {
     result_.report.status = SolveStatus::kConverged;
     if (design_.targets.handles.empty()) return;
     HandleEditSolver solver(result_.base, design_.options);
-    const HandleEditResult edited = solve(solver);
+    const HandleEditResult edited = symmetry_
+                                        ? solver.solve_symmetric(targets_, *symmetry_, progress_)
+                                        : solver.solve(targets_, progress_);
     result_.report = edited.report;
     if (edited.report.usable()) result_.shape = apply(result_.base, edited);
   }
@@ -152,10 +149,8 @@ class Player {
     SubspaceOptions options = variation.options;
     options.fairness = design_.options.fairness;
     options.engine = design_.options.engine;
-    std::vector<int> close = variation.close;
-    if (close.empty()) {
-      for (const Handle& handle : design_.targets.handles) close.push_back(handle.vertex);
-    }
+    const std::vector<int> close =
+        variation.close.empty() ? handle_vertices(design_.targets) : variation.close;
     Subspace found =
         compute_subspace(result_.base, result_.shape, close, options, keeps_, progress_);
     result_.directions.push_back(found.dimension());
@@ -167,15 +162,14 @@ class Player {
     for (Eigen::Index k = 0; k < std::min(given, values.size()); ++k) {
       values[k] = variation.coefficients[static_cast<std::size_t>(k)];
     }
-    Positions rows;
-    evaluate(found, values, rows);
-    result_.shape(Eigen::all, found.support) = rows;
+    result_.shape = with_sliders(found, values, std::move(result_.shape));
     result_.subspace = std::move(found);
     return !variation.exact || make_exact(variation.exact_fairness);
   }
 
   Replay finish() {
     result_.mark = mark_of(result_.base, result_.shape);
+    if (symmetry_) result_.symmetry = *symmetry_;
     if (design_.result) {
       result_.deviation = planish::deviation(*design_.result, result_.base, result_.shape);
       result_.verified = result_.deviation == 0.0;
@@ -259,50 +253,32 @@ GlbVariations variations_of(const Subspace& subspace) {
 
 namespace {
 
-std::variant<Replay, std::string> play(Player player, const Design& design,
-                                       const EditTargets& stated, const SolveEdit& solve) {
+/// @param stated the targets of the design, with the points that cuts added
+/// @param symmetry null: none
+std::variant<Replay, std::string> play(Mesh base, std::shared_ptr<const MeshSymmetry> symmetry,
+                                       const Design& design, const EditTargets& stated,
+                                       const Progress& progress) {
+  EditTargets targets = stated;
+  if (symmetry) {
+    auto all = with_images(stated, base, *symmetry);
+    if (auto* problem = std::get_if<std::string>(&all)) return std::move(*problem);
+    targets = std::get<EditTargets>(std::move(all));
+  }
+  Player player(std::move(base), design, targets, std::move(symmetry), progress);
   if (auto problem = player.check(stated)) return std::move(*problem);
-  player.edit(solve);
+  player.edit();
   for (const DesignVariation& variation : design.variations) {
     if (!player.vary(variation)) break;
   }
   return player.finish();
 }
 
-/// @param targets those of the design, with the points that cuts added
-std::variant<Replay, std::string> replay_targets(Mesh base, const MeshSymmetry& symmetry,
-                                                 const Design& design, const EditTargets& targets,
-                                                 const Progress& progress) {
-  auto all = with_images(targets, base, symmetry);
-  if (auto* problem = std::get_if<std::string>(&all)) return std::move(*problem);
-  const auto& images = std::get<EditTargets>(all);
-  const auto solve = [&](HandleEditSolver& solver) {
-    return solver.solve_symmetric(images, symmetry, progress);
-  };
-  auto played = play(
-      {std::move(base), design, images, std::make_shared<const MeshSymmetry>(symmetry), progress},
-      design, targets, solve);
-  if (auto* done = std::get_if<Replay>(&played)) done->symmetry = symmetry;
-  return played;
-}
-
-std::variant<Replay, std::string> replay_targets(Mesh base, const Design& design,
-                                                 const EditTargets& targets,
-                                                 const Progress& progress) {
-  const auto solve = [&](HandleEditSolver& solver) { return solver.solve(targets, progress); };
-  return play({std::move(base), design, targets, nullptr, progress}, design, targets, solve);
-}
-
-Refusal find_any_problem(const Design& design) {
-  if (auto problem = find_problem(design)) return problem;
-  return find_symmetry_problem(design);
-}
-
 }  // namespace
 
 std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
                                          const Progress& progress) {
-  if (auto problem = find_any_problem(design)) return std::move(*problem);
+  if (auto problem = find_problem(design)) return std::move(*problem);
+  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
   std::optional<MeshSymmetry> symmetry;
   auto opened = open_base(design, given, progress, symmetry);
   if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
@@ -316,11 +292,9 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
     base = cut->mesh;
     targets.supports = supports_after_cuts(targets.supports, *cut);
   }
-  const auto play_on_base = [&] {
-    if (symmetry) return replay_targets(std::move(base), *symmetry, design, targets, progress);
-    return replay_targets(std::move(base), design, targets, progress);
-  };
-  auto played = play_on_base();
+  auto played =
+      play(std::move(base), symmetry ? std::make_shared<const MeshSymmetry>(*symmetry) : nullptr,
+           design, targets, progress);
   if (auto* done = std::get_if<Replay>(&played)) {
     done->cut = std::move(cut);
     done->supports = std::move(targets.supports);
@@ -328,17 +302,14 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
   return played;
 }
 
-std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
+std::variant<Replay, std::string> replay_on(Mesh base, std::shared_ptr<const MeshSymmetry> symmetry,
                                             const Design& design, const Progress& progress) {
-  if (auto problem = find_any_problem(design)) return std::move(*problem);
-  return replay_targets(std::move(base), symmetry, design, design.targets, progress);
-}
-
-std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
-                                            const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);
-  if (!design.symmetry.empty()) return "symmetry: this base is of a design without one";
-  return replay_targets(std::move(base), design, design.targets, progress);
+  if (!symmetry && !design.symmetry.empty()) {
+    return "symmetry: this base is of a design without one";
+  }
+  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
+  return play(std::move(base), std::move(symmetry), design, design.targets, progress);
 }
 
 }  // namespace planish

@@ -20,4 +20,10 @@ ProjectionResult planarise(const Mesh& mesh, const Planarising& how, const Progr
   return project_to_planar(mesh, options, pins, progress);
 }
 
+bool is_flattened(const ProjectionResult& result, const Planarising& how) {
+  const bool sound = how.keep_shape && !result.moved.empty() &&
+                     result.report.status == SolveStatus::kToleranceNotMet;
+  return result.report.usable() || sound;
+}
+
 }  // namespace planish

@@ -344,6 +344,12 @@ Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::
   return result;
 }
 
+std::vector<int> handle_vertices(const EditTargets& targets) {
+  std::vector<int> vertices;
+  for (const Handle& handle : targets.handles) vertices.push_back(handle.vertex);
+  return vertices;
+}
+
 void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>& coefficients,
               Positions& out) {
   out = subspace.origin;
@@ -353,6 +359,14 @@ void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>&
   }
   // −0 + 0 is 0: what did not move keeps its bits.
   out = (out.array() == subspace.origin.array()).select(subspace.origin, out);
+}
+
+Positions with_sliders(const Subspace& subspace,
+                       const Eigen::Ref<const Eigen::VectorXd>& coefficients, Positions shape) {
+  Positions rows;
+  evaluate(subspace, coefficients, rows);
+  shape(Eigen::all, subspace.support) = rows;
+  return shape;
 }
 
 }  // namespace planish

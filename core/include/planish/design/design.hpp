@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -130,16 +131,12 @@ struct Replay {
                                                        const Mesh* given = nullptr,
                                                        const Progress& progress = {});
 
-/// The same on a base that was opened, made flat and cut, already, with supports that have the
-/// points of the cuts (supports_after_cuts()) and are not told in the result; refuses designs with
-/// a symmetry, whose base that is found on before it is made flat.
-[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const Design& design,
-                                                          const Progress& progress = {});
-
-/// The same of a design with a symmetry, on a base that is flat, symmetric and cut already.
-/// @param symmetry of that base, which is the design's
-[[nodiscard]] std::variant<Replay, std::string> replay_on(Mesh base, const MeshSymmetry& symmetry,
-                                                          const Design& design,
-                                                          const Progress& progress = {});
+/// The same on a base that was opened, made flat, symmetric and cut, already, with supports that
+/// have the points of the cuts (supports_after_cuts()) and are not told in the result.
+/// @param symmetry of that base, which is the design's; null: none, and designs with one are
+/// refused
+[[nodiscard]] std::variant<Replay, std::string> replay_on(
+    Mesh base, std::shared_ptr<const MeshSymmetry> symmetry, const Design& design,
+    const Progress& progress = {});
 
 }  // namespace planish

@@ -40,4 +40,8 @@ inline const Planarising kNearestFlat{0.0, false, false, {}, 0.0, 0.0};
 [[nodiscard]] ProjectionResult planarise(const Mesh& mesh, const Planarising& how,
                                          const Progress& progress = {});
 
+/// Whether `result` takes the place of the mesh: every panel is flat, or as flat as its shape
+/// allows. Edits ask for more: a mesh that is flat to their tolerance.
+[[nodiscard]] bool is_flattened(const ProjectionResult& result, const Planarising& how);
+
 }  // namespace planish

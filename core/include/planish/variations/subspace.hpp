@@ -74,10 +74,18 @@ struct Subspace {
                                         const KeptByVariations& keeps = {},
                                         const Progress& progress = {});
 
+/// Ψ where nothing else is asked for: the vertices of the handles.
+[[nodiscard]] std::vector<int> handle_vertices(const EditTargets& targets);
+
 /// Positions of the support rows for coefficients x: origin + B (scale ∘ x). Touches nothing else.
 /// @param coefficients s values
 /// @param out 3 × r, overwritten; never allocates when already that size
 void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>& coefficients,
               Positions& out);
+
+/// `shape` (3 × n) with the support where the sliders at `coefficients` have it.
+[[nodiscard]] Positions with_sliders(const Subspace& subspace,
+                                     const Eigen::Ref<const Eigen::VectorXd>& coefficients,
+                                     Positions shape);
 
 }  // namespace planish
