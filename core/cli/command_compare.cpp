@@ -140,11 +140,12 @@ ExitCode run_compare(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
   EditTask task;
-  task.options = edit_options(arguments);
+  const EditRequest asked = edit_request(arguments);
+  task.options = asked.options;
   task.options.engine = words[0] == "newton" ? Engine::kNewton : Engine::kAugmentedLagrangian;
   task.mesh = flat_base(load_mesh(words[1]).mesh, task.options, progress_line()).mesh;
   clear_progress_line();
-  task.targets = edit_targets(arguments, task.mesh);
+  task.targets = edit_targets(asked, task.mesh);
   const double start = processor_seconds();
   const ComparedEdit result = run_method(words[0], task);
   const double seconds = processor_seconds() - start;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "design_output.hpp"
 #include "edit_options.hpp"
-#include "edit_run.hpp"
 #include "terminal.hpp"
 
 namespace planish::cli {
@@ -11,12 +9,11 @@ namespace {
 ExitCode run_edit(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
-  const HandleEditOptions options = edit_options(arguments);
-  const EditRun run = run_edit_solver(arguments, options);
-  const Design design = make_design(run, options, {}, run.edited);
+  const EditRun run = run_edit_solver(arguments, edit_request(arguments));
+  const Design design = make_design(run, {}, run.edited);
   save_design(arguments, design);
   if (output) save_bytes(*output, edit_bytes(*output, run, run.edited, design));
-  const Json json = edit_json(run, run.edited, options.engine);
+  const Json json = edit_json(run, run.edited);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));

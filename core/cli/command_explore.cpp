@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "design_output.hpp"
 #include "edit_options.hpp"
-#include "edit_run.hpp"
 #include "exploration.hpp"
 #include "projection_run.hpp"
 #include "terminal.hpp"
@@ -16,11 +14,11 @@ namespace {
 ExitCode run_explore(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
-  const HandleEditOptions options = edit_options(arguments);
-  const SubspaceOptions family_options = subspace_options(arguments, options);
-  const Eigen::VectorXd values = coefficients(arguments, family_options.dimension);
-  const EditRun run = run_edit_solver(arguments, options);
-  const auto family = find_family(run, options, family_options, arguments, progress_line());
+  EditRequest edit = edit_request(arguments);
+  FamilyRequest asked = family_request(arguments, edit.options);
+  const Eigen::VectorXd values = coefficients(arguments, asked.options.dimension);
+  const EditRun run = run_edit_solver(arguments, std::move(edit));
+  const auto family = find_family(run, std::move(asked), progress_line());
   Variation variation = with_sliders(run, family, values);
   if (arguments.has("--exact")) {
     variation = make_exact(run, family, std::move(variation), progress_line());
@@ -38,7 +36,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
-  print_sentence(not_exact_sentence(run, family, variation));
+  print_sentence(not_exact_sentence(run, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   print_sentence(exact_outcome_sentence(variation));
   save_report(arguments, json);

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "planish/design/design_text.hpp"
@@ -45,9 +46,9 @@ LoadedSource load_source(const std::string& path) {
   return source;
 }
 
-EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options) {
+EditRun run_edit_solver(const Arguments& arguments, EditRequest asked) {
   const std::string name = arguments.only_positional("MESH");
-  EditRun run = run_edit(arguments, options, load_source(name), name, progress_line());
+  EditRun run = run_edit(std::move(asked), load_source(name), name, progress_line());
   clear_progress_line();
   for (const auto& sentence :
        {planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)}) {

@@ -25,7 +25,7 @@ void print_sentence(const std::optional<std::string>& sentence);
 [[nodiscard]] LoadedSource load_source(const std::string& path);
 
 /// The edit of the only positional word, and what happened to its base to standard error.
-[[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& options);
+[[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, EditRequest asked);
 
 /// Writes `mesh` to `path`; `content` is used by GLB only.
 void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content = {});

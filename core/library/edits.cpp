@@ -38,32 +38,23 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
   return messages;
 }
 
-/// A run whose design holds the base, also where that came as arrays.
-EditRun with_source(const Edit& edit) {
-  EditRun run = edit.run;
-  run.source = complete_source(*edit.given);
-  return run;
-}
-
 }  // namespace
 
 Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const std::string& asked,
                const Progress& progress) {
   const Request request(asked, edit_command_rows());
-  // Not in the braces of `edit`: g++ 12 destroys its members twice where an initializer throws.
-  const HandleEditOptions options = edit_options(request);
-  Edit edit{mesh, {}, options};
-  edit.run = run_edit(request, edit.options, {mesh->mesh, mesh->source, {}}, mesh->name, progress);
+  Edit edit{mesh, {}};  // the rest not in its braces, see edit_request()
+  edit.run = run_edit(edit_request(request), {mesh->mesh, mesh->source, {}}, mesh->name, progress);
   return edit;
 }
 
 Shape shape_of(const Edit& edit) {
-  const Json report = edit_json(edit.run, edit.run.edited, edit.options.engine);
+  const Json report = edit_json(edit.run, edit.run.edited);
   return {edit.run.base.mesh, edit.run.edited, report.dump(2), edit_messages(edit.run, report)};
 }
 
 Design design_of(const Edit& edit) {
-  return make_design(with_source(edit), edit.options, {}, edit.run.edited);
+  return complete(make_design(edit.run, {}, edit.run.edited), *edit.given);
 }
 
 std::string bytes_of(const Edit& edit, const std::string& name) {
@@ -74,14 +65,14 @@ std::string bytes_of(const Edit& edit, const std::string& name) {
 EditFamily make_family(std::shared_ptr<const Edit> edit, const std::string& asked,
                        const Progress& progress) {
   const Request request(asked, family_option_rows());
-  const SubspaceOptions options = subspace_options(request, edit->options);
+  FamilyRequest family = family_request(request, edit->run.asked.options);
   if (edit->run.symmetry) throw UsageError("symmetry: variations do not keep it");
-  return {edit, find_family(edit->run, edit->options, options, request, progress)};
+  return {edit, find_family(edit->run, std::move(family), progress)};
 }
 
 EditVariation make_variation(std::shared_ptr<const EditFamily> family, const std::string& asked) {
   const Request request(asked, family_option_rows());
-  const Eigen::VectorXd values = coefficients(request, family->family.options.dimension);
+  const Eigen::VectorXd values = coefficients(request, family->family.asked.options.dimension);
   Variation shown = with_sliders(family->edit->run, family->family, values);
   return {std::move(family), std::move(shown)};
 }
@@ -100,14 +91,15 @@ Shape shape_of(const EditVariation& variation) {
   const Json report = exploration_json(run, family, variation.variation);
   Shape shape{run.base.mesh, variation.variation.positions, report.dump(2),
               edit_messages(run, report)};
-  add(shape.messages, not_exact_sentence(run, family, variation.variation));
+  add(shape.messages, not_exact_sentence(run, variation.variation));
   add(shape.messages, exact_outcome_sentence(variation.variation));
   return shape;
 }
 
 Design design_of(const EditVariation& variation) {
-  return variation_design(with_source(*variation.of->edit), variation.of->family,
-                          variation.variation);
+  const Edit& edit = *variation.of->edit;
+  return complete(variation_design(edit.run, variation.of->family, variation.variation),
+                  *edit.given);
 }
 
 std::string bytes_of(const EditVariation& variation, const std::string& name) {

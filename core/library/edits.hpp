@@ -31,7 +31,6 @@ struct Shape {
 struct Edit {
   std::shared_ptr<const OpenMesh> given;
   EditRun run;
-  HandleEditOptions options;
 };
 
 /// The variations of an edit.

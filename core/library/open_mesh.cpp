@@ -67,13 +67,12 @@ OpenMesh make_conversion(const OpenMesh& mesh, const std::string& asked) {
   return result;
 }
 
-DesignSource complete_source(const OpenMesh& open) {
-  DesignSource source = open.source;
-  if (auto* file = std::get_if<FileSource>(&source); file && file->bytes.empty()) {
+Design complete(Design design, const OpenMesh& open) {
+  if (auto* file = std::get_if<FileSource>(&design.source); file && file->bytes.empty()) {
     file->format = "obj";
     file->bytes = write_mesh(open.mesh, MeshFormat::kObj);
   }
-  return source;
+  return design;
 }
 
 }  // namespace planish::library

@@ -39,7 +39,7 @@ struct OpenMesh {
 /// its warnings. @param asked the options of `planish convert`
 [[nodiscard]] OpenMesh make_conversion(const OpenMesh& mesh, const std::string& asked);
 
-/// The source of `open` with the bytes that make a design complete.
-[[nodiscard]] DesignSource complete_source(const OpenMesh& open);
+/// `design`, holding its base also where that came as arrays.
+[[nodiscard]] Design complete(Design design, const OpenMesh& open);
 
 }  // namespace planish::library

@@ -9,8 +9,8 @@
 
 namespace planish::workflow {
 
-Design make_design(const EditRun& run, const HandleEditOptions& options,
-                   std::vector<DesignVariation> variations, const Positions& shape) {
+Design make_design(const EditRun& run, std::vector<DesignVariation> variations,
+                   const Positions& shape) {
   Design design;
   design.source = run.source;
   const bool as_opened = !run.base.planarised && !run.symmetry;
@@ -19,11 +19,11 @@ Design make_design(const EditRun& run, const HandleEditOptions& options,
     file->hash = run.uncut_hash ? *run.uncut_hash : mesh_hash(run.base.mesh);
   }
   if (run.base.planarised) design.planarised = run.base.how;
-  design.unit = run.unit;
-  design.cuts = run.cuts;
+  design.unit = run.asked.unit;
+  design.cuts = run.asked.cuts;
   design.targets = run.targets;
   if (run.symmetry) design.symmetry = run.symmetry->elements;
-  design.options = options;
+  design.options = run.asked.options;
   design.variations = std::move(variations);
   design.result = mark_of(run.base.mesh, shape);
   return design;

@@ -14,8 +14,8 @@
 namespace planish::workflow {
 
 /// The design of a run. @param shape 3 × n, what came out
-[[nodiscard]] Design make_design(const EditRun& run, const HandleEditOptions& options,
-                                 std::vector<DesignVariation> variations, const Positions& shape);
+[[nodiscard]] Design make_design(const EditRun& run, std::vector<DesignVariation> variations,
+                                 const Positions& shape);
 
 /// Its text without the file that it came from: a GLB holds the base itself. With it where there
 /// are cuts, since that base is what they left.

@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "edit_options.hpp"
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 
+#include "cut_run.hpp"
 #include "mesh_files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/design/cut_base.hpp"
-#include "planish/edit/design_words.hpp"
+#include "planish/edit/edit_option_table.hpp"
+#include "planish/variations/subspace.hpp"
 
 namespace planish::workflow {
-namespace {
-
-/// One of a few words, each with its meaning.
-template <class Value, std::size_t kCount>
-Value parse_word(std::string_view text, std::string_view what, const Words<Value, kCount>& words) {
-  std::string known;
-  for (const auto& [word, value] : words) {
-    if (word == text) return value;
-    known += (known.empty() ? "" : ", ") + std::string(word);
-  }
-  throw UsageError(std::string(what) + ": \"" + std::string(text) + "\" is none of " + known);
-}
-
-}  // namespace
-
 namespace {
 
 /// {"angle": [60, 120]} as a design says it.
@@ -68,15 +57,6 @@ Bounds parse_bounds(const Request& request) {
 
 namespace {
 
-int parse_vertex(const Json& stated, std::string_view what, const Mesh& mesh) {
-  const int vertex = parse_whole(stated, what);
-  if (vertex < 0 || vertex >= mesh.vertex_count()) {
-    throw UsageError(std::string(what) + ": there is no vertex " + text_of(stated) +
-                     "; the mesh has " + std::to_string(mesh.vertex_count()) + " (from 0)");
-  }
-  return vertex;
-}
-
 /// "V=x,y,z" or "V+=dx,dy,dz" as {"vertex": V, "to" or "by": "x,y,z"}.
 Json parts_of_handle(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -88,13 +68,14 @@ Json parts_of_handle(const std::string& text) {
           {relative ? "by" : "to", text.substr(equals + 1)}};
 }
 
-Handle parse_handle(const Json& stated, const Mesh& base) {
+/// With whether its target is a way from the base.
+std::pair<Handle, bool> parse_handle(const Json& stated) {
   const Json parts = stated.is_object() ? stated : parts_of_handle(text_of(stated));
   const bool relative = parts.contains("by");
   const Json vertex = parts.value("vertex", Json());
   const Json point = parts.value(relative ? "by" : "to", Json());
   Handle handle;
-  handle.vertex = parse_vertex(vertex, "--handle", base);
+  handle.vertex = parse_whole(vertex, "--handle");
   const std::vector<Json> numbers = entries_of(point);
   if (numbers.size() != 3) {
     throw UsageError("--handle: \"" + text_of(vertex) + (relative ? "+=" : "=") + text_of(point) +
@@ -103,8 +84,7 @@ Handle parse_handle(const Json& stated, const Mesh& base) {
   for (int c = 0; c < 3; ++c) {
     handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
   }
-  if (relative) handle.target += base.positions.col(handle.vertex);
-  return handle;
+  return {handle, relative};
 }
 
 }  // namespace
@@ -196,20 +176,15 @@ void set_reach(std::string_view text, std::string_view model_unit, HandleEditOpt
   if (!(options.reach_length > 0.0)) throw UsageError("--reach must be longer than 0");
 }
 
-void set_softness(const Request& request, HandleEditOptions& options) {
+void check_softness(const Request& request, const HandleEditOptions& options) {
   if (!request.has("--softness")) return;
   if (request.has("--locality") || request.has("--smoothness")) {
     throw UsageError(
         "--softness takes the place of --locality and --smoothness: give one or the "
         "other");
   }
-  request.read("--softness", options.softness);
   if (options.softness == 0.0) throw UsageError("--softness must be from 1 to 10");
 }
-
-}  // namespace
-
-namespace {
 
 /// "circular:1e-6" as its kind and tolerance; null for its own. {"circular": 1e-6} is that already.
 std::pair<std::string, Json> parts_of_constraint(const Json& stated) {
@@ -243,12 +218,6 @@ std::string model_unit(const Request& request) {
   return unit;
 }
 
-FairnessKind parse_fairness(std::string_view text) {
-  return parse_word(text, "--fairness", kFairnessWords);
-}
-
-Engine parse_engine(std::string_view text) { return parse_word(text, "--solver", kEngineWords); }
-
 namespace {
 
 ContextMesh to_context(const Mesh& mesh) {
@@ -278,14 +247,12 @@ void set_keep_outs(const Request& request, HandleEditOptions& options) {
   for (const std::string& text : request.texts("--keep-out")) {
     options.keep_outs.push_back(to_keep_out(text));
   }
-  request.read("--clearance", options.clearance);
   if (request.has("--clearance") && options.keep_outs.empty()) {
     throw UsageError("--clearance is from a --keep-out: there is none");
   }
 }
 
-}  // namespace
-
+/// What --fewest and --within-handle ask for; nullopt without.
 std::optional<FewestOptions> fewest_options(const Request& request) {
   const auto of = request.value("--fewest");
   const auto within = request.value("--within-handle");
@@ -302,15 +269,29 @@ std::optional<FewestOptions> fewest_options(const Request& request) {
   return options;
 }
 
+/// What is one number, word or switch has the name that it has in designs; the rest says more.
+void read_table(const Request& request, HandleEditOptions& options) {
+  for_each_edit_option([&]<class Value>(const EditOption<Value>& option) {
+    std::string name = std::string("--").append(option.name);
+    std::replace(name.begin(), name.end(), '_', '-');
+    Value& value = options.*option.member;
+    if constexpr (std::is_same_v<Value, bool>) {
+      value = value || request.has(name);
+    } else if constexpr (std::is_same_v<Value, double>) {
+      request.read(name, value);
+    } else if constexpr (requires { words_for(value); }) {
+      read_word(request, name, value);
+    }
+  });
+}
+
+}  // namespace
+
 HandleEditOptions edit_options(const Request& request) {
   HandleEditOptions options;
   // Handles that stop short for the sake of a soft edit would not have arrived.
   if (request.has("--fewest")) options.attraction = kFewestAttraction;
-  request.read("--locality", options.locality);
-  request.read("--smoothness", options.smoothness);
-  request.read("--attraction", options.attraction);
-  request.read("--tolerance", options.tolerance);
-  options.hard_handles = request.has("--hard");
+  read_table(request, options);
   Bounds bounds = parse_bounds(request);
   if (bounds.flat) {
     throw UsageError(
@@ -321,15 +302,9 @@ HandleEditOptions edit_options(const Request& request) {
   options.bounds = std::move(bounds.limits);
   set_keep_outs(request, options);
   options.constraints = parse_constraints(request, options.tolerance);
-  if (const auto text = request.value("--fairness")) options.fairness = parse_fairness(*text);
-  if (const auto text = request.value("--solver")) options.engine = parse_engine(*text);
-  set_softness(request, options);
+  check_softness(request, options);
   if (const auto text = request.value("--reach")) {
     set_reach(*text, model_unit(request), options);
-  }
-  options.keep_boundary = request.has("--keep-boundary");
-  if (const auto text = request.value("--sparsity")) {
-    options.sparsity = parse_word(*text, "--sparsity", kSparsityWords);
   }
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
   if (request.has("--support") && options.engine != Engine::kNewton) {
@@ -344,18 +319,20 @@ HandleEditOptions edit_options(const Request& request) {
   return options;
 }
 
-std::vector<int> parse_vertices(const Request& request, std::string_view option, const Mesh& mesh) {
+std::vector<int> parse_vertices(const Request& request, std::string_view option) {
   std::vector<int> vertices;
   for (const Json& list : request.values(option)) {
-    for (const Json& stated : entries_of(list)) {
-      vertices.push_back(parse_vertex(stated, option, mesh));
-    }
+    for (const Json& stated : entries_of(list)) vertices.push_back(parse_whole(stated, option));
   }
   return vertices;
 }
 
-std::vector<int> parse_pins(const Request& request, const Mesh& mesh) {
-  return parse_vertices(request, "--pin", mesh);
+void check_vertices(const std::vector<int>& vertices, std::string_view option, const Mesh& mesh) {
+  for (const int vertex : vertices) {
+    if (vertex >= 0 && vertex < mesh.vertex_count()) continue;
+    throw UsageError(std::string(option) + ": there is no vertex " + std::to_string(vertex) +
+                     "; the mesh has " + std::to_string(mesh.vertex_count()) + " (from 0)");
+  }
 }
 
 namespace {
@@ -387,14 +364,50 @@ std::vector<PointSupport> parse_supports(const Request& request) {
   return supports;
 }
 
-EditTargets edit_targets(const Request& request, const Mesh& base, const CutMesh* cut) {
-  EditTargets targets;
-  for (const Json& stated : request.values("--handle")) {
-    targets.handles.push_back(parse_handle(stated, base));
+namespace {
+
+std::optional<StatedSymmetry> stated_symmetry(const Request& request) {
+  const auto text = request.value("--symmetry");
+  if (!text) return std::nullopt;
+  auto stated = parse_symmetry(*text);
+  if (!stated) {
+    throw UsageError("--symmetry: \"" + *text + "\" is none of " + std::string(known_symmetries()));
   }
-  targets.pins = parse_pins(request, base);
-  targets.supports = parse_supports(request);
-  request.read("--continuation", targets.continuation);
+  return stated->is_off() ? std::nullopt : stated;
+}
+
+}  // namespace
+
+EditRequest edit_request(const Request& request) {
+  // Not in its braces: g++ 12 destroys members twice where an initializer throws.
+  EditRequest asked;
+  asked.options = edit_options(request);
+  asked.unit = model_unit(request);
+  asked.cuts = cuts_before_edit(request);
+  asked.symmetry = stated_symmetry(request);
+  asked.fewest = fewest_options(request);
+  if (asked.symmetry && asked.options.engine != Engine::kNewton) {
+    throw UsageError("symmetry: the engine alm knows none; it needs newton");
+  }
+  for (const Json& stated : request.values("--handle")) {
+    const auto [handle, relative] = parse_handle(stated);
+    asked.targets.handles.push_back(handle);
+    asked.relative.push_back(relative);
+  }
+  asked.targets.pins = parse_vertices(request, "--pin");
+  asked.targets.supports = parse_supports(request);
+  request.read("--continuation", asked.targets.continuation);
+  return asked;
+}
+
+EditTargets edit_targets(const EditRequest& asked, const Mesh& base, const CutMesh* cut) {
+  EditTargets targets = asked.targets;
+  check_vertices(handle_vertices(targets), "--handle", base);
+  for (std::size_t k = 0; k < targets.handles.size(); ++k) {
+    auto& [vertex, target] = targets.handles[k];
+    if (asked.relative[k]) target += base.positions.col(vertex);
+  }
+  check_vertices(targets.pins, "--pin", base);
   if (targets.handles.empty()) throw UsageError("--handle is missing");
   EditTargets carried = targets;
   if (cut != nullptr) carried.supports = supports_after_cuts(targets.supports, *cut);

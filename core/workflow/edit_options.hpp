@@ -9,9 +9,11 @@
 
 #include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
+#include "planish/edit/design_words.hpp"
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/symmetry/symmetry.hpp"
 #include "request.hpp"
 
 namespace planish::workflow {
@@ -22,18 +24,28 @@ namespace planish::workflow {
 /// The same and what `edit` and `explore` know: --cut and --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
-/// What --fewest and --within-handle ask for; nullopt without. Throws RequestError.
-[[nodiscard]] std::optional<FewestOptions> fewest_options(const Request& request);
+/// What an edit is asked for; whether its mesh has the vertices is seen when that is there.
+struct EditRequest {
+  HandleEditOptions options;
+  std::string unit;       ///< of the model
+  std::vector<Cut> cuts;  ///< before the edit, in this order
+  std::optional<StatedSymmetry> symmetry;
+  std::optional<FewestOptions> fewest;
+  EditTargets targets = {};
+  std::vector<bool> relative = {};  ///< of each handle: its target is a way from the base
+};
+
+/// Throws UsageError; RequestError where a file that is named cannot be used.
+[[nodiscard]] EditRequest edit_request(const Request& request);
 
 [[nodiscard]] HandleEditOptions edit_options(const Request& request);
 
 /// Of the coordinates, m unless --model-unit says otherwise. Throws RequestError for another word.
 [[nodiscard]] std::string model_unit(const Request& request);
 
-/// Handles, pins and supports as they were asked for; "V+=" counts from the positions of `base`.
-/// Throws RequestError.
+/// Handles, pins and supports of `asked` on `base`. Throws UsageError.
 /// @param cut what made `base`: its added points go with the supports that are checked; or null
-[[nodiscard]] EditTargets edit_targets(const Request& request, const Mesh& base,
+[[nodiscard]] EditTargets edit_targets(const EditRequest& asked, const Mesh& base,
                                        const CutMesh* cut = nullptr);
 
 /// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
@@ -53,12 +65,27 @@ inline constexpr OptionRow kConstraintRow = {
 /// a text that is no support.
 [[nodiscard]] std::vector<PointSupport> parse_supports(const Request& request);
 
-[[nodiscard]] FairnessKind parse_fairness(std::string_view text);
-[[nodiscard]] Engine parse_engine(std::string_view text);
-/// All of "V,V,...", in every place that the option is given. Throws RequestError.
-[[nodiscard]] std::vector<int> parse_vertices(const Request& request, std::string_view option,
-                                              const Mesh& mesh);
-[[nodiscard]] std::vector<int> parse_pins(const Request& request, const Mesh& mesh);
+/// One of a few words, each with its meaning. Throws UsageError.
+template <class Value, std::size_t kCount>
+Value parse_word(std::string_view text, std::string_view what, const Words<Value, kCount>& words) {
+  std::string known;
+  for (const auto& [word, value] : words) {
+    if (word == text) return value;
+    known += (known.empty() ? "" : ", ") + std::string(word);
+  }
+  throw UsageError(std::string(what) + ": \"" + std::string(text) + "\" is none of " + known);
+}
+
+/// Sets `value` where `option` is given. Throws UsageError.
+template <class Value>
+void read_word(const Request& request, std::string_view option, Value& value) {
+  if (const auto text = request.value(option)) value = parse_word(*text, option, words_for(value));
+}
+
+/// All of "V,V,...", in every place that the option is given. Throws UsageError.
+[[nodiscard]] std::vector<int> parse_vertices(const Request& request, std::string_view option);
+/// Throws UsageError that names `option` unless `mesh` has all of `vertices`.
+void check_vertices(const std::vector<int>& vertices, std::string_view option, const Mesh& mesh);
 
 /// What --bound asks for.
 struct Bounds {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cut_run.hpp"
-#include "edit_options.hpp"
 #include "planish/design/cut_base.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/text/number.hpp"
@@ -13,24 +12,6 @@
 
 namespace planish::workflow {
 namespace {
-
-/// The symmetry of `mesh` that --symmetry asks for; nullopt without or off.
-std::optional<MeshSymmetry> asked_symmetry(const Request& request, const Mesh& mesh,
-                                           const HandleEditOptions& options) {
-  const auto text = request.value("--symmetry");
-  if (!text) return std::nullopt;
-  const auto stated = parse_symmetry(*text);
-  if (!stated) {
-    throw UsageError("--symmetry: \"" + *text + "\" is none of " + std::string(known_symmetries()));
-  }
-  if (stated->is_off()) return std::nullopt;
-  if (options.engine != Engine::kNewton) {
-    throw UsageError("symmetry: the engine alm knows none; it needs newton");
-  }
-  auto found = find_symmetry(mesh, *stated);
-  if (auto* why = std::get_if<std::string>(&found)) throw UsageError(*why);
-  return std::get<MeshSymmetry>(std::move(found));
-}
 
 EditTargets all_images(const EditTargets& targets, const Mesh& base, const MeshSymmetry& symmetry) {
   auto all = with_images(targets, base, symmetry);
@@ -142,19 +123,19 @@ EditTargets targets_with_images(const EditRun& run) {
 namespace {
 
 /// Wrong targets must not cost a projection first; the vertices are the same after it.
-void check_targets(const Request& request, const EditRun& run) {
-  (void)edit_targets(request, run.given);
+void check_targets(const EditRun& run) {
+  (void)edit_targets(run.asked, run.given);
   if (!run.symmetry) return;
   Mesh even = run.given;
   even_out(*run.symmetry, even.face_vertices, even.positions);
-  (void)all_images(edit_targets(request, even), even, *run.symmetry);
+  (void)all_images(edit_targets(run.asked, even), even, *run.symmetry);
 }
 
 /// The flat base becomes what the cuts leave of it, and what was given, that parted likewise.
-void make_cuts(EditRun& run, double tolerance) {
-  if (run.cuts.empty()) return;
+void make_cuts(EditRun& run) {
+  if (run.asked.cuts.empty()) return;
   run.uncut_hash = mesh_hash(run.base.mesh);
-  auto made = cut_base(run.base.mesh, run.cuts, run.symmetry, tolerance);
+  auto made = cut_base(run.base.mesh, run.asked.cuts, run.symmetry, run.asked.options.tolerance);
   if (const auto* why = std::get_if<std::string>(&made)) throw UsageError(*why);
   run.cut = std::get<CutMesh>(std::move(made));
   run.base.mesh = run.cut->mesh;
@@ -163,35 +144,24 @@ void make_cuts(EditRun& run, double tolerance) {
   run.given.positions.leftCols(given.cols()) = given;
 }
 
-void set_targets(EditRun& run, const Request& request) {
-  run.targets = edit_targets(request, run.base.mesh, run.cut ? &*run.cut : nullptr);
-  run.supports = run.targets.supports;
-  if (run.cut) run.supports = supports_after_cuts(run.supports, *run.cut);
-}
-
-}  // namespace
-
-namespace {
-
 /// What is held for the sake of few panels becomes pins.
-HandleEditResult solve_fewest(EditRun& run, const HandleEditOptions& options,
-                              const FewestOptions& fewest, const Progress& progress) {
+HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
   if (run.symmetry) throw UsageError("--fewest: it knows no --symmetry");
+  const HandleEditOptions& options = run.asked.options;
   EditTargets targets = targets_with_images(run);
-  if (const auto problem = find_problem(fewest, options, targets)) throw UsageError(*problem);
+  if (const auto problem = find_problem(*run.asked.fewest, options, targets)) {
+    throw UsageError(*problem);
+  }
   HandleEditSolver solver(run.base.mesh, options);
-  FewestEdit found = find_fewest(run.base.mesh, solver, targets, fewest, progress);
-  run.targets.pins.insert(run.targets.pins.end(), found.held.begin(), found.held.end());
-  HandleEditResult result = std::move(found.result);
-  run.fewest = fewest;
-  run.fewest_found = std::move(found);
-  return result;
+  run.fewest = find_fewest(run.base.mesh, solver, targets, *run.asked.fewest, progress);
+  const std::vector<int>& held = run.fewest->held;
+  run.targets.pins.insert(run.targets.pins.end(), held.begin(), held.end());
+  return std::move(run.fewest->result);
 }
 
-HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
-                            const std::optional<FewestOptions>& fewest, const Progress& progress) {
-  if (fewest) return solve_fewest(run, options, *fewest, progress);
-  HandleEditSolver solver(run.base.mesh, options);
+HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
+  if (run.asked.fewest) return solve_fewest(run, progress);
+  HandleEditSolver solver(run.base.mesh, run.asked.options);
   const EditTargets targets = targets_with_images(run);
   if (has_images(run)) return solver.solve_symmetric(targets, *run.symmetry, progress);
   return solver.solve(targets, progress);
@@ -199,15 +169,19 @@ HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
 
 }  // namespace
 
-EditRun run_edit(const Request& request, const HandleEditOptions& options, LoadedSource source,
-                 const std::string& name, const Progress& progress) {
+EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name,
+                 const Progress& progress) {
   EditRun run;
-  run.unit = model_unit(request);
+  run.asked = std::move(asked);
+  const HandleEditOptions& options = run.asked.options;
   run.given = std::move(source.mesh);
   run.source = std::move(source.source);
-  run.cuts = cuts_before_edit(request);
-  run.symmetry = asked_symmetry(request, run.given, options);
-  if (run.cuts.empty()) check_targets(request, run);
+  if (run.asked.symmetry) {
+    auto found = find_symmetry(run.given, *run.asked.symmetry);
+    if (auto* why = std::get_if<std::string>(&found)) throw UsageError(*why);
+    run.symmetry = std::get<MeshSymmetry>(std::move(found));
+  }
+  if (run.asked.cuts.empty()) check_targets(run);
   bool stopped = false;
   Progress watched;
   if (progress) {
@@ -234,12 +208,14 @@ EditRun run_edit(const Request& request, const HandleEditOptions& options, Loade
   if (!run.evened.symmetric) {
     throw MeshError(name + ": symmetry: the mesh cannot be made flat and symmetric");
   }
-  make_cuts(run, options.tolerance);
-  set_targets(run, request);
+  make_cuts(run);
+  run.targets = edit_targets(run.asked, run.base.mesh, run.cut ? &*run.cut : nullptr);
+  run.supports = run.targets.supports;
+  if (run.cut) run.supports = supports_after_cuts(run.supports, *run.cut);
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
     throw MeshError(name + ": " + *broken + "; planish project --constraint makes it so");
   }
-  const HandleEditResult result = solve_edit(run, options, fewest_options(request), watched);
+  const HandleEditResult result = solve_edit(run, watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -247,7 +223,7 @@ EditRun run_edit(const Request& request, const HandleEditOptions& options, Loade
 
 std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!run.fewest) return std::nullopt;
-  const FewestEdit& found = run.fewest_found;
+  const FewestEdit& found = *run.fewest;
   if (!found.reached) {
     return "--fewest: with nothing held a handle stops " + three_digits(run.report.handle_error) +
            " short of its target (units of the mesh), more than --within-handle; nothing was held";
@@ -261,9 +237,9 @@ std::optional<std::string> fewest_sentence(const EditRun& run) {
 namespace {
 
 Json fewest_json(const EditRun& run) {
-  const FewestEdit& found = run.fewest_found;
-  return {{"of", run.fewest->of == FewestOf::kPanels ? "panels" : "points"},
-          {"within_handle", run.fewest->within_handle},
+  const FewestEdit& found = *run.fewest;
+  return {{"of", run.asked.fewest->of == FewestOf::kPanels ? "panels" : "points"},
+          {"within_handle", run.asked.fewest->within_handle},
           {"panels", found.panels},
           {"panels_before", found.panels_before},
           {"points", run.report.moved_vertices},
@@ -275,9 +251,9 @@ Json fewest_json(const EditRun& run) {
 
 }  // namespace
 
-Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
+Json edit_json(const EditRun& run, const Positions& after) {
   Json json = Json::object();
-  add_solve(json, run.report, engine);
+  add_solve(json, run.report, run.asked.options.engine);
   json["mesh"] = mesh_json(run.given);
   json["planarity_mm_per_m"] = planarity_json(run.given, run.given.positions, after);
   if (run.base.planarised) {

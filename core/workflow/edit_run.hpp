@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "edit_options.hpp"
 #include "mesh_files.hpp"
 #include "planish/design/design.hpp"
 #include "planish/edit/fewest.hpp"
@@ -40,20 +41,18 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  std::string unit;  ///< of the model
-  Mesh given;        ///< as in the file; where there are cuts: parted as they part the flat mesh
+  EditRequest asked;
+  Mesh given;  ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
-  FlatBase base;  ///< after the cuts
-  std::vector<Cut> cuts;
+  FlatBase base;                            ///< after the cuts
   std::optional<CutMesh> cut;               ///< what they made; absent without any
   std::optional<std::uint32_t> uncut_hash;  ///< mesh_hash() of the base before them
   EditTargets targets;                      ///< without images, as asked for
   std::vector<PointSupport> supports;       ///< of `targets`, with the points that the cuts added
   std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
   SymmetricBase evened;                  ///< how the base became symmetric
-  std::optional<FewestOptions> fewest;  ///< where few panels are asked for; targets.pins has `held`
-  FewestEdit fewest_found;              ///< what came of it, its result apart
-  Positions edited;                     ///< 3 × n
+  std::optional<FewestEdit> fewest;      ///< its result apart; targets.pins has what it holds
+  Positions edited;                      ///< 3 × n
   SolveReport report;
 };
 
@@ -66,8 +65,7 @@ struct EditRun {
 /// Planarises if needed, and edits. A stop that `progress` asks for gives kCancelled and a valid
 /// design: before the edit, the mesh as given. Throws RequestError for wrong options or targets.
 /// @param name of the mesh, for messages
-[[nodiscard]] EditRun run_edit(const Request& request, const HandleEditOptions& options,
-                               LoadedSource source, const std::string& name,
+[[nodiscard]] EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name,
                                const Progress& progress);
 
 /// That --fewest held nothing, or not all that could be held; nullopt otherwise.
@@ -88,6 +86,6 @@ struct EditRun {
 [[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
 
 /// Everything of the report that does not depend on the command.
-[[nodiscard]] Json edit_json(const EditRun& run, const Positions& after, Engine engine);
+[[nodiscard]] Json edit_json(const EditRun& run, const Positions& after);
 
 }  // namespace planish::workflow

@@ -16,6 +16,10 @@
 namespace planish::workflow {
 namespace {
 
+KeptKinds kinds_of(const EditRun& run) {
+  return kept_kinds(run.asked.options.tolerance, run.asked.options.constraints);
+}
+
 Violations violations_of(const EditRun& run, const Positions& positions, const KeptKinds& kept) {
   Mesh mesh = run.base.mesh;
   mesh.positions = positions;
@@ -42,8 +46,9 @@ std::vector<OptionRow> family_option_rows() {
       {"--smooth", "A", "weight α_f of --exact, default 0: higher is fairer and moves more"}};
 }
 
-SubspaceOptions subspace_options(const Request& request, const HandleEditOptions& edit) {
-  SubspaceOptions options;
+FamilyRequest family_request(const Request& request, const HandleEditOptions& edit) {
+  FamilyRequest asked;
+  SubspaceOptions& options = asked.options;
   if (!request.has("--dimension")) throw UsageError("--dimension is missing");
   request.read("--dimension", options.dimension);
   options.eigenbasis = request.has("--eigen");
@@ -56,7 +61,10 @@ SubspaceOptions subspace_options(const Request& request, const HandleEditOptions
   options.fairness = edit.fairness;
   options.engine = edit.engine;
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
-  return options;
+  asked.close = parse_vertices(request, "--close");
+  request.read("--smooth", asked.exact_fairness);
+  if (asked.exact_fairness < 0.0) throw UsageError("--smooth must be at least 0");
+  return asked;
 }
 
 Eigen::VectorXd coefficients(const Request& request, int dimension) {
@@ -74,30 +82,16 @@ Eigen::VectorXd coefficients(const Request& request, int dimension) {
   return values;
 }
 
-namespace {
-
-double exact_fairness(const Request& request) {
-  double weight = 0.0;
-  request.read("--smooth", weight);
-  if (weight < 0.0) throw UsageError("--smooth must be at least 0");
-  return weight;
-}
-
-}  // namespace
-
-Family find_family(const EditRun& run, const HandleEditOptions& edit,
-                   const SubspaceOptions& options, const Request& request,
-                   const Progress& progress) {
-  Family family{
-      .edit = edit,
-      .options = options,
-      .close = parse_vertices(request, "--close", run.base.mesh),
-      .exact_fairness = exact_fairness(request),
-      .keeps = kept_by_variations(run.base.mesh, targets_with_images(run), edit, symmetry_of(run)),
-      .subspace = {}};
-  const std::vector<int> close = family.close.empty() ? handle_vertices(run.targets) : family.close;
-  family.subspace =
-      compute_subspace(run.base.mesh, run.edited, close, options, family.keeps, progress);
+Family find_family(const EditRun& run, FamilyRequest asked, const Progress& progress) {
+  check_vertices(asked.close, "--close", run.base.mesh);
+  Family family{.asked = std::move(asked),
+                .keeps = kept_by_variations(run.base.mesh, targets_with_images(run),
+                                            run.asked.options, symmetry_of(run)),
+                .subspace = {}};
+  const std::vector<int>& close = family.asked.close;
+  family.subspace = compute_subspace(run.base.mesh, run.edited,
+                                     close.empty() ? handle_vertices(run.targets) : close,
+                                     family.asked.options, family.keeps, progress);
   return family;
 }
 
@@ -110,19 +104,19 @@ Variation with_sliders(const EditRun& run, const Family& family, const Eigen::Ve
 
 Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
-  shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, family.edit,
-                                    family.exact_fairness, family.keeps, progress);
+  shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, run.asked.options,
+                                    family.asked.exact_fairness, family.keeps, progress);
   shown.positions(Eigen::all, shown.exact->moved) = shown.exact->moved_positions;
   return shown;
 }
 
 Design variation_design(const EditRun& run, const Family& family, const Variation& variation) {
-  const DesignVariation recipe{family.options,
+  const DesignVariation recipe{family.asked.options,
                                {variation.values.begin(), variation.values.end()},
                                variation.exact.has_value(),
-                               family.exact_fairness,
-                               family.close};
-  return make_design(run, family.edit, {recipe}, variation.positions);
+                               family.asked.exact_fairness,
+                               family.asked.close};
+  return make_design(run, {recipe}, variation.positions);
 }
 
 std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
@@ -131,10 +125,9 @@ std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
   return sentence ? std::optional("made exact: " + *sentence) : std::nullopt;
 }
 
-std::optional<std::string> not_exact_sentence(const EditRun& run, const Family& family,
-                                              const Variation& variation) {
+std::optional<std::string> not_exact_sentence(const EditRun& run, const Variation& variation) {
   if (variation.exact) return std::nullopt;
-  const KeptKinds kept = kept_kinds(family.edit.tolerance, family.edit.constraints);
+  const KeptKinds kept = kinds_of(run);
   const Violations worst = violations_of(run, variation.positions, kept);
   if (is_within(worst, kept)) return std::nullopt;
   std::string sentence;
@@ -175,8 +168,7 @@ Json exact_json(const ProjectionResult& exact) {
 }
 
 /// The report's figures become those of the variation; the edit before it keeps its own.
-void add_variation(Json& json, const EditRun& run, const HandleEditOptions& edit,
-                   const Positions& after) {
+void add_variation(Json& json, const EditRun& run, const Positions& after) {
   for (const char* key : {"objective", "moved_vertices", "max_displacement", "handle_error"}) {
     json["edit"][key] = json[key];
   }
@@ -189,7 +181,7 @@ void add_variation(Json& json, const EditRun& run, const HandleEditOptions& edit
   json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
   if (json.contains("violations")) {
-    const KeptKinds kept = kept_kinds(edit.tolerance, edit.constraints);
+    const KeptKinds kept = kinds_of(run);
     const Violations worst = violations_of(run, after, kept);
     std::vector<KindViolation> kinds = kind_violations(kept, worst, worst);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -204,8 +196,8 @@ void add_variation(Json& json, const EditRun& run, const HandleEditOptions& edit
 
 Json exploration_json(const EditRun& run, const Family& family, const Variation& variation) {
   const Subspace& subspace = family.subspace;
-  Json json = edit_json(run, variation.positions, family.edit.engine);
-  add_variation(json, run, family.edit, variation.positions);
+  Json json = edit_json(run, variation.positions);
+  add_variation(json, run, variation.positions);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   json["subspace"]["stops"] = stops_json(slider_ranges(
       run.base.mesh, run.edited, subspace, variation.values.head(subspace.dimension())));

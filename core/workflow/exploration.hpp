@@ -19,27 +19,29 @@ namespace planish::workflow {
 /// Rows of the option table for the family.
 [[nodiscard]] std::vector<OptionRow> family_option_rows();
 
-/// Throws RequestError, also where `edit` keeps what variations cannot keep.
-[[nodiscard]] SubspaceOptions subspace_options(const Request& request,
-                                               const HandleEditOptions& edit);
+/// What a family is asked for.
+struct FamilyRequest {
+  SubspaceOptions options;
+  std::vector<int> close;       ///< Ψ: empty, the handles
+  double exact_fairness = 0.0;  ///< α_f of the exact projection
+};
+
+/// Throws UsageError.
+/// @param edit whose fairness and engine are the family's
+[[nodiscard]] FamilyRequest family_request(const Request& request, const HandleEditOptions& edit);
 
 /// Slider values, all 0 without --coefficients.
 [[nodiscard]] Eigen::VectorXd coefficients(const Request& request, int dimension);
 
 /// The variations around one edit.
 struct Family {
-  HandleEditOptions edit;
-  SubspaceOptions options;
-  std::vector<int> close;       ///< Ψ: empty, the handles
-  double exact_fairness = 0.0;  ///< α_f of the exact projection
+  FamilyRequest asked;
   KeptByVariations keeps;
   Subspace subspace;
 };
 
-/// --close and --smooth are read from `request`. Throws RequestError.
-[[nodiscard]] Family find_family(const EditRun& run, const HandleEditOptions& edit,
-                                 const SubspaceOptions& options, const Request& request,
-                                 const Progress& progress);
+/// Throws UsageError where there is no such vertex.
+[[nodiscard]] Family find_family(const EditRun& run, FamilyRequest asked, const Progress& progress);
 
 /// One member of a family.
 struct Variation {
@@ -69,7 +71,6 @@ struct Variation {
 
 /// By how much a variation that was not made exact is out of flat; nullopt where it is flat.
 [[nodiscard]] std::optional<std::string> not_exact_sentence(const EditRun& run,
-                                                            const Family& family,
                                                             const Variation& variation);
 
 }  // namespace planish::workflow

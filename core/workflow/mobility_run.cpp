@@ -129,7 +129,8 @@ MobilityOptions mobility_options(const Request& request) {
 }
 
 std::vector<int> mobility_vertices(const Request& request, const Mesh& mesh) {
-  std::vector<int> vertices = parse_vertices(request, "--vertices", mesh);
+  std::vector<int> vertices = parse_vertices(request, "--vertices");
+  check_vertices(vertices, "--vertices", mesh);
   if (!request.has("--vertices")) {
     vertices.resize(static_cast<std::size_t>(mesh.vertex_count()));
     std::iota(vertices.begin(), vertices.end(), 0);

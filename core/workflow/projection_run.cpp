@@ -35,8 +35,8 @@ std::vector<OptionRow> projection_option_rows() {
 
 ProjectionOptions projection_options(const Request& request) {
   ProjectionOptions options;
-  if (const auto text = request.value("--fairness")) options.fairness = parse_fairness(*text);
-  if (const auto text = request.value("--solver")) options.engine = parse_engine(*text);
+  read_word(request, "--fairness", options.fairness);
+  read_word(request, "--solver", options.engine);
   request.read("--tolerance", options.tolerance);
   if (!request.has("--reference")) options.fairness_weight = Planarising{}.fairness_weight;
   request.read("--smooth", options.fairness_weight);
@@ -77,7 +77,8 @@ void check_supports(const ProjectionOptions& options, const Mesh& base) {
 ProjectionResult run_projection(const Mesh& mesh, const Request& request,
                                 const ProjectionOptions& options, const Mesh* reference,
                                 const Progress& progress) {
-  std::vector<int> pins = parse_pins(request, mesh);
+  std::vector<int> pins = parse_vertices(request, "--pin");
+  check_vertices(pins, "--pin", mesh);
   if (request.has("--keep-boundary")) {
     const std::vector<int> boundary = boundary_vertices(mesh);
     pins.insert(pins.end(), boundary.begin(), boundary.end());
