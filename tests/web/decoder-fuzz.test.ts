@@ -2,16 +2,18 @@
 // Whatever bytes they get, the decoders of links and saved records give a value or a reason: they
 // do not throw, do not hang, do not take memory out of proportion, and give no half-valid value.
 // PLANISH_FUZZ_INPUTS sets how many inputs each decoder gets, PLANISH_SEED the seed.
+import { inflateRawSync } from "node:zlib";
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../web/src/bytes/crc32.ts";
 import type { Design } from "../../web/src/design/design.ts";
-import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
-import { decodePayload, encodePayload } from "../../web/src/design/payload.ts";
-import { type Recipe, recipeOf } from "../../web/src/design/recipe.ts";
+import { recipeOf, type Steps } from "../../web/src/design/recipe.ts";
 import { fileKey } from "../../web/src/design/saved-design.ts";
 import { decodeRecord, encodeRecord, type SavedRecord } from "../../web/src/design/saved-record.ts";
+import { decodePayload } from "../../web/src/design/v1/link.ts";
 import { isUnit } from "../../web/src/quantity/units.ts";
 import { EDITED, FILE, MARK, OPENED, RECORD } from "./support/golden-designs.ts";
+import { GOLDEN_LINKS } from "./support/golden-links.ts";
+import { decodeLink, encodeLink } from "./support/links.ts";
 import { Damage, join } from "./support/mutations.ts";
 
 const INPUTS = Number(process.env.PLANISH_FUZZ_INPUTS ?? 20_000);
@@ -22,6 +24,8 @@ const LINKS = process.env.PLANISH_FUZZ_INPUTS ? INPUTS : Math.ceil(INPUTS / 20);
 const files = new Map([[fileKey(FILE), FILE.bytes]]);
 const camera = { position: [1, 2, 3], target: [0, 0, 0] } as const;
 const RECIPES = [recipeOf(EDITED, "m", camera, MARK), recipeOf(OPENED, "mm", null, MARK)];
+
+const V1_LINKS = GOLDEN_LINKS.map(({ link }) => link);
 
 /** A layout with a JSON part: where its length stands, where it begins, what the CRC covers. */
 interface Layout {
@@ -63,14 +67,14 @@ function damaged(originals: readonly Uint8Array[], layout: Layout, damage: Damag
 const finite = (numbers: Iterable<number>): boolean => [...numbers].every(Number.isFinite);
 const index = (x: number): boolean => Number.isInteger(x) && x >= 0;
 
-function whatIsWrongWithRecipe(recipe: Recipe): string | null {
+function whatIsWrongWithRecipe(recipe: Steps): string | null {
   const { handles, settings, families, unit, mark, source } = recipe;
   const { attraction, locality, smoothness } = settings;
   if (!handles.every(({ vertex, target }) => index(vertex) && finite(target))) return "handles";
   if (!finite([attraction, locality, smoothness])) return "settings";
   for (const { coefficients, asked } of families)
     if (!finite(coefficients) || asked < coefficients.length) return "families";
-  if (!isUnit(unit) || !index(mark.hash) || !finite(mark.probes)) return "unit or mark";
+  if (!isUnit(unit) || (mark && !(index(mark.hash) && finite(mark.probes)))) return "unit or mark";
   return typeof source.name === "string" ? null : "source";
 }
 
@@ -115,7 +119,9 @@ function fuzz(inputs: number, make: () => Uint8Array, judge: (bytes: Uint8Array)
 describe("on damaged input", { timeout: 3_600_000 }, () => {
   it("a link's payload gives a recipe or nothing", async () => {
     const damage = new Damage(SEED);
-    const originals = await Promise.all(RECIPES.map(encodePayload));
+    const originals = V1_LINKS.map((link) =>
+      Uint8Array.from(inflateRawSync(Buffer.from(link.slice(4), "base64url"))),
+    );
     const accepted = fuzz(
       INPUTS,
       () => damaged(originals, PAYLOAD, damage),
@@ -145,7 +151,7 @@ describe("on damaged input", { timeout: 3_600_000 }, () => {
 
   it("a link's text gives a recipe or a sentence", async () => {
     const damage = new Damage(SEED + 2);
-    const links = await Promise.all(RECIPES.map(encodeLink));
+    const links = [...(await Promise.all(RECIPES.map(encodeLink))), ...V1_LINKS];
     const text = new TextEncoder();
     for (let k = 0; k < LINKS; ++k) {
       const [link, other] = [damage.pick(links), damage.pick(links)];

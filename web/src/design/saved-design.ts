@@ -13,14 +13,13 @@ import {
   isNumbers,
   isRecord,
   type Json,
-  MOST_DIRECTIONS,
   readFormat,
-  readHandles,
-  readSettings,
-  readWeights,
-  writeSettings,
-  writeWeights,
 } from "./reading.ts";
+import { writeSettings, writeWeights } from "./saved-settings.ts";
+import { readHandles, readSettings, readWeights } from "./v1/settings.ts";
+
+/** The solver's own limit. */
+const MOST_DIRECTIONS = 24;
 
 /** Kept files by fileKey(). */
 export type Files = ReadonlyMap<string, Blob>;
