@@ -27,14 +27,7 @@ export function readHandles(value: unknown): HandleRow[] | null {
 }
 
 /** Where version 1 has each weight of variations. */
-export const WEIGHTS = [
-  "fairness",
-  "sparsity",
-  "closeness",
-  "correlation",
-  "spread",
-  "family",
-] as const;
+const WEIGHTS = ["fairness", "sparsity", "closeness", "correlation", "spread", "family"] as const;
 export const WEIGHT_COUNT = WEIGHTS.length;
 
 /** Nothing where a family says nothing of them; null: not weights. */
@@ -50,18 +43,18 @@ export function readWeights(value: unknown): Pick<Family, "weights"> | null {
  * Where version 1 has each setting. Pages added places at the end, and left out those at the end that
  * were as usual.
  */
-export const PLACES = [
+const PLACES = [
   ...(["attraction", "locality", "smoothness", "fairness", "engine"] as const),
   ...(["sparsity", "hardHandles", "tolerance", "maxIterations"] as const),
   ...(["reach", "reachLength", "keepBoundary", "softness"] as const),
   "continuation",
 ] as const;
-export type Place = (typeof PLACES)[number];
+type Place = (typeof PLACES)[number];
 /** How many places there are in what some page wrote. */
 const READ_LENGTHS = [5, 6, 9, 13, 14];
 
 /** The supports that have a number, behind whether the boundary is kept, which is its first bit. */
-export const NUMBERED = [[], ["level=z:boundary"], ["outline:boundary"]] as const;
+const NUMBERED = [[], ["level=z:boundary"], ["outline:boundary"]] as const;
 
 /** What `given` in `place` says; null if it says nothing. The core's table knows types and words. */
 function unpack(place: Place, given: unknown): Partial<EditSettings> | null {
@@ -92,7 +85,7 @@ const isSupport = (value: unknown): value is string =>
   typeof value === "string" && value.length <= LONGEST && SUPPORT.test(value);
 
 /** Last of the settings but the lists where panels keep their shape; absent in designs from before that bound. */
-export const SHAPE = "shape";
+const SHAPE = "shape";
 
 const isKind = (one: unknown): boolean => typeof one === "string" && !one.includes("=");
 
@@ -102,12 +95,12 @@ const isKeepOut = (one: unknown): one is string =>
   (/^(self|(below|above|plane|box|clearance)=[-+.,\de]{1,400})$/.test(one) ||
     (one.length <= LONGEST && /^mesh=[-+.,;\de]+\/[,;\d]+$/.test(one)));
 
-export const SYMMETRY = "symmetry=";
+const SYMMETRY = "symmetry=";
 
 const isOfSymmetry = (one: unknown): one is string =>
   typeof one === "string" && one.startsWith(SYMMETRY) && isSymmetry(one.slice(SYMMETRY.length));
 
-export const CUT = "cut=";
+const CUT = "cut=";
 
 /** The core knows what they say. */
 const isOfCuts = (one: unknown): one is string =>
