@@ -77,8 +77,8 @@ std::string take_planarised(Session& s, const val& found) {
 std::string set_options(Session& s, const val& settings) {
   return attempt([&] { return s.set_options(planish::to_options(settings)); });
 }
-std::string set_supports(Session& s, const std::string& lines) {
-  return attempt([&] { return s.set_supports(lines); });
+std::string set_supports(Session& s, const val& texts) {
+  return attempt([&] { return s.set_supports(emscripten::vecFromJSArray<std::string>(texts)); });
 }
 std::string set_cuts(Session& s, const std::string& lines, double tolerance) {
   return attempt([&] { return s.set_cuts(lines, tolerance); });

@@ -39,8 +39,15 @@ std::string constraint_text(const KeptConstraint& one) {
   return one.kind + ":" + val(one.tolerance).call<std::string>("toString");
 }
 
-/// One text a line.
-std::string lines_of(const val& texts) { return texts.call<std::string>("join", val("\n")); }
+/// @param read what a text says
+template <class Item>
+std::vector<Item> items_of(const val& texts, Item (*read)(std::string_view)) {
+  std::vector<Item> items;
+  for (const val& text : emscripten::vecFromJSArray<val>(texts)) {
+    items.push_back(read(text.as<std::string>()));
+  }
+  return items;
+}
 
 val option_value(double number) { return val(number); }
 val option_value(int number) { return val(number); }
@@ -65,13 +72,13 @@ void take(const val& given, int& value) {
 }
 void take(const val& given, bool& value) { value = given.as<bool>(); }
 void take(const val& given, std::vector<KeptConstraint>& value) {
-  value = read_constraints(lines_of(given));
+  value = items_of(given, &read_constraint);
 }
 void take(const val& given, std::vector<StatedLimit>& value) {
-  value = read_limits(lines_of(given));
+  value = items_of(given, &read_limit);
 }
 void take(const val& given, std::vector<KeepOut>& value) {
-  value = read_keep_outs(lines_of(given));
+  value = items_of(given, &read_keep_out);
 }
 template <class Value>
 void take(const val& given, Value& value) {
@@ -290,7 +297,7 @@ SubspaceOptions to_subspace_options(const val& family) {
 
 Planarising to_planarising(const val& how) {
   return {how["smooth"].as<double>(),  how["keepBoundary"].as<bool>(),
-          how["keepShape"].as<bool>(), read_constraints(lines_of(how["constraints"])),
+          how["keepShape"].as<bool>(), items_of(how["constraints"], &read_constraint),
           how["within"].as<double>(),  how["flat"].as<double>()};
 }
 

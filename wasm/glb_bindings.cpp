@@ -44,9 +44,9 @@ val read_design(const std::string& text) {
   }
 }
 
-std::string write_design(const val& design) {
+std::string write_design(const val& design, planish::FileText file) {
   try {
-    return planish::write_design(planish::to_design(design));
+    return planish::write_design(planish::to_design(design), file);
   } catch (const std::exception&) {
     return "";
   }
@@ -89,8 +89,9 @@ GlbVariations to_variations(const val& support, const val& displacements) {
 val assemble(const std::string& mesh, const val& base, const val& support, const val& displacements,
              const val& offset, const val& design) {
   try {
-    GlbContent content{
-        .base = to_positions(base), .variations = {}, .design = write_design(design)};
+    GlbContent content{.base = to_positions(base),
+                       .variations = {},
+                       .design = write_design(design, planish::FileText::kBase64)};
     if (Positions layer = to_positions(offset); layer.cols() > 0) content.offset = layer;
     GlbVariations variations = to_variations(support, displacements);
     if (!variations.displacements.empty()) content.variations = std::move(variations);
@@ -129,6 +130,11 @@ EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("joinedPoints", &joined_points);
   emscripten::function("orient", &mended<planish::orient_of>);
   emscripten::function("readDesign", &read_design);
-  emscripten::function("writeDesign", &write_design);
+  emscripten::function(
+      "writeDesign",
+      +[](const val& design) { return write_design(design, planish::FileText::kBase64); });
+  emscripten::function(
+      "writeLinkText",
+      +[](const val& design) { return write_design(design, planish::FileText::kPlain); });
   emscripten::function("defaults", &planish::defaults_value);
 }

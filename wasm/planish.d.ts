@@ -36,7 +36,7 @@ export interface Session {
   /** For all edits from here on. */
   setOptions(options: EditOptions): string;
   /** For all edits from here on, one support a line as --support says it; "" for none. */
-  setSupports(lines: string): string;
+  setSupports(texts: readonly string[]): string;
   /** Before the edits of this base, one cut a line as --cut says it; "" for none. Tolerance in mm/m. */
   setCuts(lines: string, tolerance: number): string;
   /** One more of them, which is not made. */

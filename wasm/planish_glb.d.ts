@@ -43,5 +43,7 @@ export interface GlbModule {
   readDesign(text: string): DesignReading;
   /** As docs/formats.md describes it; "" without memory. */
   writeDesign(design: DesignValue): string;
+  /** The same for a link: a file that is UTF-8 rides along as text, which compresses. */
+  writeLinkText(design: DesignValue): string;
   defaults(): Defaults;
 }

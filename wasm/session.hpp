@@ -56,11 +56,11 @@ struct Replayed {
   double deviation = 0.0;       ///< from the recorded result, see deviation()
 };
 
-// One a line, as --constraint, --bound and --keep-out say them; "" for none. What cannot be read
-// breaks a rule of find_problem().
-[[nodiscard]] std::vector<KeptConstraint> read_constraints(std::string_view lines);
-[[nodiscard]] std::vector<StatedLimit> read_limits(std::string_view lines);
-[[nodiscard]] std::vector<KeepOut> read_keep_outs(std::string_view lines);
+// As --constraint, --bound and --keep-out say it. What cannot be read breaks a rule of
+// find_problem().
+[[nodiscard]] KeptConstraint read_constraint(std::string_view text);
+[[nodiscard]] StatedLimit read_limit(std::string_view text);
+[[nodiscard]] KeepOut read_keep_out(std::string_view text);
 
 class Session {
  public:
@@ -95,8 +95,8 @@ class Session {
   [[nodiscard]] CutTrial try_cut(const std::string& text, double tolerance) const;
   /// Null without one.
   [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
-  /// For all edits from here on, one support a line as --support says it; "" for none.
-  [[nodiscard]] Refusal set_supports(const std::string& lines);
+  /// For all edits from here on, each as --support says it.
+  [[nodiscard]] Refusal set_supports(const std::vector<std::string>& texts);
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
   /// report says it, and whether a solve at once ends lower.
   [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);

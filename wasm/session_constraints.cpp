@@ -2,6 +2,7 @@
 /// What holds the points of a session's mesh: kinds beside planarity, stated limits, supports; and
 /// how an opened mesh comes to keep them.
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -9,40 +10,23 @@
 #include "session.hpp"
 
 namespace planish {
-namespace {
 
-/// No stream: it would bring the library's locales along, a tenth of the module.
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
+KeptConstraint read_constraint(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  const bool own = colon == std::string_view::npos;
+  const std::optional<double> tolerance =
+      own ? own_tolerance(kind).value_or(1.0) : parse_number(text.substr(colon + 1));
+  return {std::string(kind), tolerance.value_or(0.0)};
 }
 
-}  // namespace
-
-std::vector<KeptConstraint> read_constraints(std::string_view lines) {
-  std::vector<KeptConstraint> constraints;
-  for (const std::string_view line : lines_of(lines)) {
-    const std::size_t colon = line.find(':');
-    const std::string_view kind = line.substr(0, colon);
-    const bool own = colon == std::string_view::npos;
-    const std::optional<double> tolerance =
-        own ? own_tolerance(kind).value_or(1.0) : parse_number(line.substr(colon + 1));
-    constraints.push_back({std::string(kind), tolerance.value_or(0.0)});
-  }
-  return constraints;
+StatedLimit read_limit(std::string_view text) {
+  return parse_stated_limit(text).value_or(StatedLimit{.name = std::string(text)});
 }
 
-std::vector<StatedLimit> read_limits(std::string_view lines) {
-  std::vector<StatedLimit> limits;
-  for (const std::string_view line : lines_of(lines)) {
-    limits.push_back(parse_stated_limit(line).value_or(StatedLimit{.name = std::string(line)}));
-  }
-  return limits;
+KeepOut read_keep_out(std::string_view text) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return parse_keep_out(text).value_or(KeepOut{KeepOut::Kind::kBelow, {kNone}});
 }
 
 Refusal Session::planarise(const Planarising& how) {
@@ -105,10 +89,10 @@ Refusal Session::require_kept_constraints() {
   return std::nullopt;
 }
 
-Refusal Session::set_supports(const std::string& lines) {
+Refusal Session::set_supports(const std::vector<std::string>& texts) {
   std::vector<PointSupport> supports;
-  for (const std::string_view line : lines_of(lines)) {
-    auto support = parse_point_support(line);
+  for (const std::string& text : texts) {
+    auto support = parse_point_support(text);
     if (!support) return "A support must be one of " + std::string(known_supports());
     supports.push_back(std::move(*support));
   }

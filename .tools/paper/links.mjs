@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Links of recorded designs: replayed in the page's own solver (in node), marked with what that
-// gave, and written by the page's own encoder. The command line's last bits may be others: rounding
+// gave, and written as the page does. The command line's last bits may be others: rounding
 // differs between the two builds by up to 1e-9 of the mesh; the largest difference is reported.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -40,8 +40,9 @@ class Solver {
 
   /** What replaying `recipe` gives, and its mark. */
   async replay(recipe, { toDesign }) {
-    const { source, planarised } = recipe;
-    await this.ask({ kind: "open", source, planarise: planarised });
+    const { source, planarised, settings } = recipe;
+    const { cuts } = settings;
+    await this.ask({ kind: "open", source, planarise: planarised, symmetry: null, cuts });
     const { shape, deviation } = await this.ask({ kind: "replay", design: toDesign(recipe) });
     const { mark } = await this.ask({ kind: "mark", shape });
     return { mark, deviation };
@@ -50,6 +51,7 @@ class Solver {
 
 const PAGE = {
   link: "/web/src/design/link.ts",
+  beside: "/web/src/design/beside-text.ts",
   text: "/web/src/design/design-value.ts",
   dispatch: "/web/src/solver/dispatch.ts",
 };
@@ -75,18 +77,19 @@ async function withPageModules(use) {
   }
 }
 
-/** One { link, moved, deviation } per { design, camera }: its fragment ("#v1=…"), and how far apart
+/** One { link, moved, deviation } per { design, camera }: its fragment ("#v2=…"), and how far apart
  * page and command line are, model units. */
 export const linksOf = (views) =>
-  withPageModules(async ({ link, text, dispatch }) => {
+  withPageModules(async ({ link, beside, text, dispatch }) => {
     const solver = new Solver(dispatch, await load("planish"));
     const files = await load("planish_documents");
     const links = [];
     for (const view of views) {
       const native = toRecipe(view.design, view.camera, text, files);
       const { mark, deviation } = await solver.replay(native, text);
+      const design = files.writeLinkText(text.toDesign({ ...native, mark }));
       links.push({
-        link: await link.encodeLink({ ...native, mark }),
+        link: link.packLink(beside.withBeside(design, { camera: view.camera }, [])),
         moved: mark.moved,
         deviation,
       });

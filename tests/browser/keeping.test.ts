@@ -4,7 +4,7 @@
 // than the record, by one that cannot open it. A tab that is killed leaves the old or the new design.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { encodeRecord } from "../../web/src/design/saved-record.ts";
+import { storeRecord } from "../../web/src/design/stored-record.ts";
 import { EDITED, RECORD } from "../web/support/golden-designs.ts";
 import { keptRecords, putRecord, slowStorage } from "./support/faults.ts";
 import { idle, kept, obj, status, typeTarget, usable } from "./support/page.ts";
@@ -60,7 +60,7 @@ it("a record of a newer version is left alone; the tab keeps its own beside it",
   const page = await site.open();
   await typeTarget(page, "+60cm");
   await kept(page);
-  const newer = await keptRecords(page, { at: 4, bits: 2 });
+  const newer = await keptRecords(page, 3);
   await visit(page);
   expect(await status(page)).toMatch(/0 of 425 points move/);
   expect(await page.getByRole("alert").count()).toBe(0);
@@ -81,7 +81,7 @@ it("a design that cannot be opened is said, and stays kept", async () => {
   await kept(page);
   const [slot = ""] = Object.keys(await keptRecords(page));
   const source = { kind: "sample", name: "no such sample", size: 9 } as const;
-  const strange = encodeRecord({ ...RECORD, present: { ...EDITED, source }, snapshots: [] });
+  const strange = storeRecord({ ...RECORD, present: { ...EDITED, source }, snapshots: [] });
   // Reloaded at once: the page itself would write its own design again when it is left.
   await page.goto("about:blank");
   const other = await site.openTab(page);

@@ -81,7 +81,7 @@ it("edits, explores, makes exact, shares and exports", async () => {
   await tabTo(page, "Share");
   await page.keyboard.press("Enter");
   await page.getByRole("dialog").waitFor();
-  expect(await page.getByRole("textbox", { name: "Link" }).inputValue()).toContain("#v1=");
+  expect(await page.getByRole("textbox", { name: "Link" }).inputValue()).toContain("#v2=");
   await page.keyboard.press("Escape");
   expect(await focused(page)).toBe("Share");
   await page.keyboard.press("Control+z");

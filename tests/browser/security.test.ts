@@ -5,9 +5,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { EDITED, FILE, MARK } from "../web/support/golden-designs.ts";
+import { encodeLink } from "../web/support/links.ts";
 import { flatRoof } from "./support/faults.ts";
 import { openSite, type Prepare } from "./support/open.ts";
 import { kept, openFile, still, typeTarget, usable } from "./support/page.ts";

@@ -12,7 +12,7 @@ import { site } from "./support/site.ts";
 const LIMIT = 1_000_000;
 
 /** Parts that come by themselves later; a drag must not wait for any of them. */
-const LATER = /(controls|saved-[a-z]+|offered|occlusion|glass)-/;
+const LATER = /(controls|(saved|stored)-[a-z]+|offered|occlusion|glass)-/;
 
 it("is at most 1 MB for everything that a drag needs", async () => {
   const sizes: (readonly [string, Promise<number>])[] = [];

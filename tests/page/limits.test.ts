@@ -3,7 +3,6 @@
 // hold back, and designs and links carry them.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { decodeLink } from "../../web/src/design/link.ts";
 import {
   exportAs,
   idle,
@@ -14,6 +13,7 @@ import {
   typeTarget,
 } from "../browser/support/page.ts";
 import { hintedPoint, press } from "../browser/support/view.ts";
+import { decodeLink } from "../web/support/links.ts";
 import { site } from "./support/site.ts";
 
 /** Degrees; more than a tenth above a limit would break it. */

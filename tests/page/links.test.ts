@@ -3,9 +3,9 @@
 // design is from the one that was shared.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Recipe } from "../../web/src/design/recipe.ts";
 import { exportAs, idle, status, typeTarget } from "../browser/support/page.ts";
+import { decodeLink, encodeLink } from "../web/support/links.ts";
 import { site } from "./support/site.ts";
 
 let shared: Recipe;
@@ -21,7 +21,8 @@ it("a link is shown with its length", async () => {
   fragment = new URL(link).hash;
   const decoded = await decodeLink(fragment);
   if (!decoded.ok) throw new Error(decoded.reason);
-  shared = decoded.value;
+  if (!decoded.value.mark) throw new Error("no mark");
+  shared = { ...decoded.value, mark: decoded.value.mark };
   await page.context().close();
 });
 
@@ -53,16 +54,15 @@ describe("a link that cannot be opened says why, and the page still works", () =
     return fragment.slice(0, k) + (fragment[k] === "A" ? "B" : "A") + fragment.slice(k + 1);
   };
 
-  /** Three directions are there when three are asked for. */
-  const family = { coefficients: [0.1, 0.1], asked: 3, eigenbasis: false };
+  const family = { coefficients: [0.1, 0.1], asked: 1, eigenbasis: false };
 
   const handle = { vertex: 5000, target: [0, 0, 0], pinned: false } as const;
 
   const cases: readonly (readonly [string, () => string | Promise<string>, RegExp])[] = [
     ["cut", cut, /damaged: part of it is missing or was changed/],
     ["changed", turned, /damaged/],
-    ["of a later version", () => fragment.replace("#v1=", "#v9="), /version 9.*version 1/],
-    ["empty", () => "#v1=", /damaged/],
+    ["of a later version", () => fragment.replace("#v2=", "#v9="), /version 9.*versions 1 and 2/],
+    ["empty", () => "#v2=", /damaged/],
     [
       "of a point that is not there",
       () => encodeLink({ ...shared, handles: [handle] }),
@@ -74,9 +74,9 @@ describe("a link that cannot be opened says why, and the page still works", () =
       /There is no sample "castle"/,
     ],
     [
-      "of other sliders than there are",
+      "of more sliders than directions",
       () => encodeLink({ ...shared, families: [family] }),
-      /sets 2 variations where its edit has 3/,
+      /coefficients must be at most as many as dimension/i,
     ],
   ];
 

@@ -48,7 +48,7 @@ it("Share puts the link itself on the clipboard", async () => {
   const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(link);
   expect(await page.getByText(`Copied: ${link.length} characters.`).count()).toBe(1);
-  expect(link.startsWith(`${site.url}#v1=`)).toBe(true);
+  expect(link.startsWith(`${site.url}#v2=`)).toBe(true);
   await page.context().close();
 });
 

@@ -3,9 +3,9 @@
 // they went, and all of them are one step.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { decodeLink } from "../../web/src/design/link.ts";
 import { downloaded, exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
 import { hintedPoint, press as hold } from "../browser/support/view.ts";
+import { decodeLink } from "../web/support/links.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {

@@ -60,7 +60,8 @@ TEST(SessionCuts, AnEditIsThatOfTheRecipe) {
   // A line of the file's mesh that a cut divided.
   for (const std::string support : {"", "polyline:140,141,142", "outline:boundary"}) {
     SCOPED_TRACE(support);
-    ASSERT_EQ(session.set_supports(support), std::nullopt);
+    const auto supports = support.empty() ? std::vector<std::string>() : std::vector{support};
+    ASSERT_EQ(session.set_supports(supports), std::nullopt);
     const EditTargets targets = lift(session, 0.5);
     ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
     EXPECT_TRUE(replay_of(session, targets, support).verified);

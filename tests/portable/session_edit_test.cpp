@@ -99,7 +99,7 @@ TEST(SessionEdit, SupportsHoldInEveryEditFromThereOn) {
   const auto leaves_level = [&] {
     return session.current()(2, rim) != session.base().positions(2, rim);
   };
-  ASSERT_EQ(session.set_supports("level=z:boundary\n"), std::nullopt);
+  ASSERT_EQ(session.set_supports({"level=z:boundary"}), std::nullopt);
   for (const EditMode mode : {EditMode::kDrag, EditMode::kRelease, EditMode::kSolve}) {
     ASSERT_EQ(session.edit(mode, targets, 10.0), std::nullopt);
     EXPECT_FALSE(leaves_level());
@@ -108,19 +108,20 @@ TEST(SessionEdit, SupportsHoldInEveryEditFromThereOn) {
   ASSERT_EQ(session.vary(Eigen::Vector2d(0.3, 0.3)), std::nullopt);
   ASSERT_EQ(session.make_exact(), std::nullopt);
   EXPECT_FALSE(leaves_level()) << "variations leave the boundary where the edit put it";
-  ASSERT_EQ(session.set_supports(""), std::nullopt);
+  ASSERT_EQ(session.set_supports({}), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, targets, 10.0), std::nullopt);
   EXPECT_TRUE(leaves_level());
 }
 
 TEST(SessionEdit, RefusesSupportsThatTheBaseHasNot) {
   Session session = open_vault();
-  EXPECT_NE(session.set_supports("roof:boundary"), std::nullopt);
-  ASSERT_EQ(session.set_supports("plane=0,0,1,99:3"), std::nullopt) << "the base is not asked yet";
+  EXPECT_NE(session.set_supports({"roof:boundary"}), std::nullopt);
+  ASSERT_EQ(session.set_supports({"plane=0,0,1,99:3"}), std::nullopt)
+      << "the base is not asked yet";
   const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
   ASSERT_NE(refusal, std::nullopt);
   EXPECT_NE(refusal->find("away from it"), std::string::npos) << *refusal;
-  ASSERT_EQ(session.set_supports("level:boundary"), std::nullopt);
+  ASSERT_EQ(session.set_supports({"level:boundary"}), std::nullopt);
   HandleEditOptions paper;
   paper.engine = Engine::kAugmentedLagrangian;
   ASSERT_EQ(session.set_options(paper), std::nullopt);
@@ -141,7 +142,7 @@ TEST(SessionEdit, LimitsHoldInEveryEditFromThereOn) {
   ASSERT_GT(sharpest_fold_of(session), 20.1);
   EXPECT_TRUE(session.shape_report().solve.bounds.empty());
   HandleEditOptions limited = soft;
-  limited.bounds = read_limits("fold=20\nangle=45:135\n");
+  limited.bounds = {read_limit("fold=20"), read_limit("angle=45:135")};
   ASSERT_EQ(session.set_options(limited), std::nullopt);
   for (int frame = 1; frame <= 8; ++frame) {
     ASSERT_EQ(session.edit(EditMode::kDrag, lift(session, 0.1 * frame), 10.0), std::nullopt);
@@ -173,7 +174,7 @@ TEST(SessionEdit, LimitsThatCannotBeAreRefusedInWordsAndVariationsKeepTheOthers)
     return refusal && refusal->find(words) != std::string::npos;
   };
   const auto limit = [&](const char* text) {
-    return session.set_options({.bounds = read_limits(text)});
+    return session.set_options({.bounds = {read_limit(text)}});
   };
   EXPECT_TRUE(says(limit("flat=20"), "one of fold=MAX"));
   EXPECT_TRUE(says(limit("angle=120:60"), "must be less than the second"));
@@ -197,12 +198,12 @@ TEST(SessionEdit, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   const KindSpread circular = circular_of(session);
   EXPECT_LE(circular.excess, 1e-9);
   EXPECT_LE(circular.median, circular.worst);
-  const auto keep = [&](const char* kinds) {
-    return session.set_options({.constraints = read_constraints(kinds)});
+  const auto keep = [&](const char* kind) {
+    return session.set_options({.constraints = {read_constraint(kind)}});
   };
   EXPECT_NE(keep("round"), std::nullopt);
   EXPECT_NE(keep("circular:0"), std::nullopt);
-  ASSERT_EQ(keep("circular\n"), std::nullopt);
+  ASSERT_EQ(keep("circular"), std::nullopt);
   const auto worst = [&] {
     const std::vector<KindViolation>& kept = session.shape_report().solve.violations;
     EXPECT_EQ(kept.back().kind, "circular");
@@ -218,13 +219,13 @@ TEST(SessionEdit, KindsAreKeptByEveryEditOfAMeshThatKeepsThem) {
   EXPECT_NE(session.explore({.dimension = 2}), std::nullopt) << "not circular as the sliders go";
   ASSERT_EQ(session.make_exact(), std::nullopt);
   EXPECT_LE(worst(), 1e-8);
-  ASSERT_EQ(keep(""), std::nullopt);
+  ASSERT_EQ(session.set_options({}), std::nullopt);
   EXPECT_EQ(session.explore({.dimension = 2}), std::nullopt);
 }
 
 TEST(SessionEdit, RefusesKindsThatTheBaseDoesNotKeep) {
   Session session = open_vault();
-  const HandleEditOptions circular{.constraints = read_constraints("circular")};
+  const HandleEditOptions circular{.constraints = {read_constraint("circular")}};
   ASSERT_EQ(session.set_options(circular), std::nullopt) << "the base is not asked yet";
   const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.3), 1.0);
   ASSERT_NE(refusal, std::nullopt);

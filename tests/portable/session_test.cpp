@@ -111,13 +111,13 @@ TEST(Session, AMeshBecomesCircularAndItsEditsKeepThat) {
   Session session = open_vault();
   const auto defect = [&] { return circular_of(session).excess; };
   EXPECT_GT(defect(), 0.05);
-  ASSERT_EQ(session.planarise({.constraints = read_constraints("circular")}), std::nullopt);
+  ASSERT_EQ(session.planarise({.constraints = {read_constraint("circular")}}), std::nullopt);
   EXPECT_LE(defect(), 1e-9);
   EXPECT_GT(session.before_planarising().cols(), 0);
-  ASSERT_EQ(session.set_options({.constraints = read_constraints("circular")}), std::nullopt);
+  ASSERT_EQ(session.set_options({.constraints = {read_constraint("circular")}}), std::nullopt);
   ASSERT_EQ(session.edit(EditMode::kSolve, lift(session, 0.3), 1.0), std::nullopt);
   EXPECT_FALSE(session.moved().empty());
-  const Refusal unknown = session.planarise({.constraints = read_constraints("round")});
+  const Refusal unknown = session.planarise({.constraints = {read_constraint("round")}});
   ASSERT_NE(unknown, std::nullopt);
   EXPECT_NE(unknown->find("circular, conical"), std::string::npos) << *unknown;
 }

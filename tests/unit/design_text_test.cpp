@@ -281,6 +281,35 @@ TEST(DesignTextFields, AHashOfZerosIsAHash) {
   EXPECT_EQ(write_design(design).find("\"hash\""), std::string::npos);
 }
 
+/// The file of the design in `text`.
+FileSource file_in(const std::string& text) {
+  const auto read = read_design(text);
+  if (!std::holds_alternative<Design>(read)) return {};
+  return std::get<FileSource>(std::get<Design>(read).source);
+}
+
+TEST(DesignTextFields, AMeshRidesAlongAsTextWhereThatIsAskedForAndPossible) {
+  Design design;
+  const std::string utf8 = "# D\u00e4ch \uFFFD\r\nv 0 0 0\n";
+  for (const std::string& bytes : {utf8, std::string("\xff\0ply", 5)}) {
+    design.source = FileSource{"roof.obj", {}, "obj", bytes};
+    const std::string text = write_design(design, FileText::kPlain);
+    EXPECT_EQ(text.find("\"text\"") != std::string::npos, bytes == utf8) << text;
+    EXPECT_EQ(file_in(text).bytes, bytes);
+    EXPECT_EQ(file_in(text).format, "obj");
+    EXPECT_EQ(write_design(design).find("\"text\""), std::string::npos);
+  }
+}
+
+TEST(DesignTextFields, AMeshIsThereOnceAndNotEmpty) {
+  const std::string start = R"({"format":"planish-design","version":1,"source":{"file":"a.obj",)";
+  EXPECT_EQ(sentence_of(start + R"("format":"obj","text":""}})"),
+            "source.text must be the mesh's file");
+  EXPECT_EQ(sentence_of(start + R"("format":"obj","text":"v","bytes":"dg=="}})"),
+            "source.text must be left out where there are bytes");
+  EXPECT_EQ(sentence_of(start + R"("text":"v"}})"), "source.format is missing");
+}
+
 TEST(DesignTextFields, WhatIsNoDesignIsRefused) {
   EXPECT_EQ(sentence_of(""), "the design is not JSON");
   EXPECT_EQ(sentence_of("null"), "the design must be an object");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { beforeEach, expect, it, vi } from "vitest";
 import type { Design } from "../../web/src/design/design.ts";
-import { decodeRecord } from "../../web/src/design/saved-record.ts";
+import { readRecord } from "../../web/src/design/stored-record.ts";
 import { restoreSaved, saveNow, startAutosave } from "../../web/src/features/saving/autosave.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
@@ -10,8 +10,8 @@ import { openedPage, pageAlone } from "./support/page-here.ts";
 
 /** What the database would hold. */
 const database = vi.hoisted(() => ({
-  record: null as Uint8Array | null,
-  files: new Map<string, Blob>(),
+  record: undefined as unknown,
+  files: new Map<string, unknown>(),
   writes: 0,
   full: false,
 }));
@@ -20,21 +20,21 @@ vi.mock("../../web/src/features/saving/slot.ts", () => ({
   claimSlot: async () => "0",
   claimNewSlot: async () => "1",
   rememberSlot: () => {},
-  readRecord: async () => database.record,
+  readKept: async () => database.record,
   readFiles: async () => new Map(database.files),
   dropFiles: async (_slot: string, keys: readonly string[]) => {
     for (const key of keys) database.files.delete(key);
   },
-  writeRecord: async (_slot: string, record: Uint8Array, files: ReadonlyMap<string, Blob>) => {
+  writeRecord: async (_slot: string, record: object, files: ReadonlyMap<string, unknown>) => {
     if (database.full) throw new DOMException("full", "QuotaExceededError");
     database.writes += 1;
-    database.record = record;
-    for (const [key, file] of files) database.files.set(key, file);
+    database.record = structuredClone(record);
+    for (const [key, file] of files) database.files.set(key, structuredClone(file));
   },
 }));
 
 beforeEach(() => {
-  Object.assign(database, { record: null, files: new Map(), writes: 0, full: false });
+  Object.assign(database, { record: undefined, files: new Map(), writes: 0, full: false });
   vi.stubGlobal("document", new EventTarget());
   vi.stubGlobal("window", new EventTarget());
 });
@@ -62,8 +62,8 @@ it("keeps the design and its snapshots with every bit, changes close together in
   await saveNow(page);
   stop();
   expect(database.writes).toBeLessThanOrEqual(2);
-  const read = database.record && decodeRecord(database.record, new Map());
-  if (read?.kind !== "record") throw new Error(read?.kind ?? "nothing");
+  const read = await readRecord(database.record, new Map());
+  if (read.kind !== "record") throw new Error(read.kind);
   expect(read.record.unit).toBe("mm");
   expect(read.record.present.shape).toEqual(page.history.value?.present.shape);
   expect(read.record.views).toEqual(page.views.value);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What travels beside a design comes back as it was; what is wrong with it costs the design nothing.
+import { inflateRawSync } from "node:zlib";
 import { describe, expect, it } from "vitest";
 import { readBeside, withBeside } from "../../web/src/design/beside-text.ts";
 import {
@@ -7,8 +8,8 @@ import {
   readCompanions,
   writeCompanions,
 } from "../../web/src/design/companions.ts";
-import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf, stepsOf } from "../../web/src/design/recipe.ts";
+import { variantJson } from "../../web/src/design/variant-text.ts";
 import { companionsOf, EVERYTHING, NOTHING } from "../../web/src/export/companions.ts";
 import { onChanges } from "../../web/src/state/connection.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
@@ -20,6 +21,8 @@ import { arrivedNote } from "../../web/src/state/receiving.ts";
 import { replay } from "../../web/src/state/replaying.ts";
 import { cancel } from "../../web/src/state/showing.ts";
 import { takeSnapshot } from "../../web/src/state/snapshots.ts";
+import { GOLDEN_LINKS } from "./support/golden-links.ts";
+import { decodeLink, encodeLink, linkText, readText } from "./support/links.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 const MIDDLE = 220;
@@ -107,16 +110,18 @@ describe("what travels beside a design", () => {
     const none = await linkOf(page, NOTHING);
     expect(none.length).toBeLessThan(all.length - 100);
     const bare = await decodeLink(none);
-    expect(bare.ok && "companions" in bare.value).toBe(false);
+    expect(bare.ok && bare.value.companions).toBeUndefined();
     await openSample(page, "vault");
     expect((await companionsOf(page, EVERYTHING)).variants).toEqual([]);
   });
+});
 
-  it("costs the design nothing where it is damaged or hostile", async () => {
+describe("of what travels beside a design", () => {
+  it("whatever is damaged or hostile costs the design nothing", async () => {
     const page = await author();
     const whole = await companionsOf(page, EVERYTHING);
-    const json = JSON.parse(JSON.stringify(writeCompanions(whole)));
-    expect(readCompanions(json)).toEqual(whole);
+    const json = JSON.parse(JSON.stringify(writeCompanions(whole, [])));
+    expect(readCompanions(json, whole.variants)).toEqual(whole);
     const long = "x".repeat(5000);
     const odd: unknown[] = [
       null,
@@ -125,36 +130,65 @@ describe("what travels beside a design", () => {
       [],
       {},
       { n: 7, v: 7, s: 7 },
-      { v: [[1, 2], ["a", 1], null], s: [null, {}, { n: "a" }] },
-      { s: json.s.map((one: object) => ({ ...one, h: "none" })) },
+      { v: [[1, 2], ["a", 1], null] },
       { v: [["a", 1, 2, 3, 4, 5, Number.NaN]] },
     ];
-    for (const one of odd) expect(readCompanions(one), JSON.stringify(one)).toBeUndefined();
-    expect(readCompanions({ n: long })?.note).toHaveLength(2000);
+    for (const one of odd) expect(readCompanions(one, []), JSON.stringify(one)).toBeUndefined();
+    expect(readCompanions({ n: long }, [])?.note).toHaveLength(2000);
     const many = Array.from({ length: 99 }, (_, k) => [`v${k}`, 1, 2, 3, 4, 5, 6]);
-    expect(readCompanions({ v: many })?.views).toHaveLength(50);
-    expect(readCompanions({ s: Array(99).fill(json.s[0]) })?.variants).toHaveLength(20);
+    expect(readCompanions({ v: many }, [])?.views).toHaveLength(50);
   });
 
-  it('stands in a saved design under "page", beside numbers that stay as they were written', async () => {
+  it("at most twenty variants are read, and none that is not whole", async () => {
+    const page = await author();
+    const { variants } = await companionsOf(page, EVERYTHING);
+    const design = page.history.value?.present;
+    const [first] = variants;
+    if (!design || !first) throw new Error("no variant");
+    const recipe = { ...recipeOf(design, "m", null, first.steps.mark), ...first.steps };
+    const whole = variantJson("one", await linkText(recipe));
+    const beside = (s: unknown) => readBeside(JSON.stringify({ page: { n: "a", s } }), readText);
+    const read = await beside([whole]);
+    expect(read.companions?.variants).toEqual([
+      { name: "one", steps: expect.objectContaining({ ...variants[0]?.steps }) },
+    ]);
+    expect((await beside(Array(99).fill(whole))).companions?.variants).toHaveLength(20);
+    const { n: _, ...nameless } = whole;
+    const odd = [null, {}, { n: "a" }, { n: "a", w: [] }, nameless, { ...whole, handles: "none" }];
+    const unmarked = { ...whole, result: undefined };
+    expect((await beside([...odd, unmarked])).companions?.variants).toEqual([]);
+  });
+
+  it("what an earlier page saved opens, its variants packed", async () => {
+    const golden = GOLDEN_LINKS.find(({ name }) => name === "what travels beside it");
+    const bytes = inflateRawSync(Buffer.from(golden?.link.slice(4) ?? "", "base64url"));
+    const { a } = JSON.parse(bytes.subarray(8, 8 + bytes.readUInt32LE(4)).toString());
+    const read = await readBeside(JSON.stringify({ page: a }), readText);
+    expect(read.companions).toEqual(golden?.recipe.companions);
+    expect(read.companions?.variants).toHaveLength(2);
+  });
+
+  it('a saved design holds all under "page", beside numbers that stay as they were written', async () => {
     const page = await author();
     const design = page.history.value?.present;
     const mark = design && (await readMark(page, design.shape));
     if (!design || !mark?.ok) throw new Error("no design");
+    const recipe = recipeOf(design, "m", null, mark.value);
+    const variants = [variantJson("now", await linkText(recipe))];
     const companions: Companions = {
       note: "A } in a note",
       views: [VIEW],
-      variants: [{ name: "now", steps: stepsOf(design, mark.value) }],
+      variants: [{ name: "now", steps: expect.objectContaining(stepsOf(design, mark.value)) }],
       section: { axis: 2, at: 1.25, flipped: true },
       groups: [{ name: "Ridge", of: "points", members: [4, 5, 90], colour: null }],
     };
     const text = '{"format": "planish-design",\n "x": 0.1000000000000000055511151231257827}\n';
-    const saved = withBeside(text, { camera: CAMERA, companions });
+    const saved = withBeside(text, { camera: CAMERA, companions }, variants);
     expect(saved).toContain('"x": 0.1000000000000000055511151231257827,\n "page": {');
-    expect(readBeside(saved)).toEqual({ camera: CAMERA, companions });
-    expect(withBeside(text, { camera: null, companions: undefined })).toBe(text);
+    expect(await readBeside(saved, readText)).toEqual({ camera: CAMERA, companions });
+    expect(withBeside(text, { camera: null, companions: undefined }, [])).toBe(text);
     for (const odd of ["", '"page"', '{"page": 1}', '{"page": {"c": "no"}', text])
-      expect(readBeside(odd)).toEqual({ camera: null, companions: undefined });
+      expect(await readBeside(odd, readText)).toEqual({ camera: null, companions: undefined });
   });
 });
 

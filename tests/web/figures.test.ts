@@ -4,8 +4,8 @@
 // changed on purpose, `node .tools/paper.mjs scenes` records them anew.
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
-import { decodeLink } from "../../web/src/design/link.ts";
 import { replay } from "../../web/src/state/replaying.ts";
+import { decodeLink } from "./support/links.ts";
 import { pageHere } from "./support/page-here.ts";
 
 interface Link {

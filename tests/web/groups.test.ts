@@ -8,7 +8,6 @@ import {
   withPoints,
   withSpring,
 } from "../../web/src/design/listed-supports.ts";
-import { readSupports } from "../../web/src/design/reading.ts";
 import { boundaryForm, withBoundary } from "../../web/src/design/supports.ts";
 import { prepareDisplay } from "../../web/src/mesh/display-mesh.ts";
 import { cornersOf, panelsOf } from "../../web/src/mesh/group-members.ts";
@@ -82,11 +81,6 @@ describe("groups of panels in OBJ", () => {
 });
 
 describe("a spring", () => {
-  it("is a support like others to who reads designs", () => {
-    expect(readSupports(["spring=0.25:3,4", "spring=30:boundary"])).toHaveLength(2);
-    expect(readSupports(["spring:3"])).toBeNull();
-  });
-
   const SUPPORTS = ["level=z:boundary", "spring=2:boundary", "level=x:3,4", "spring=4:4,5"];
 
   it("is given to some points and taken from them, and nothing else changes", () => {

@@ -10,7 +10,6 @@ import {
   type PlainKind,
   readKeepOut,
 } from "../../web/src/design/keep-outs.ts";
-import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import type { Steps } from "../../web/src/design/recipe.ts";
 import {
   addContext,
@@ -32,11 +31,12 @@ import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
 import { panelsAtLimit } from "../../web/src/state/wanted.ts";
 import { loadDocuments } from "../parity/support/planish.ts";
+import { decodeLink, encodeLink } from "./support/links.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 /** The middle of the roof, of 21 by 21 points. */
 const MIDDLE = 220;
-const MODEL = "mesh=0,0,1;1,0,1;1,1,0.5;-1e-3,1,1/0,1,2;0,2,3";
+const MODEL = "mesh=0,0,1;1,0,1;1,1,0.5;-0.001,1,1/0,1,2;0,2,3";
 const ROOF = { sample: "roof", size: 21 };
 
 async function middle(): Promise<readonly [number, number, number]> {
@@ -94,7 +94,7 @@ it("edits go on with them, and another mesh begins without", async () => {
 it("a link and a saved design hold them", async () => {
   const settings = {
     ...DEFAULT_SETTINGS,
-    keepOuts: ["below=0", "plane=0,0.5,-1e-3,4", "box=-1,0,0.5,2,1,3.25", "self", MODEL],
+    keepOuts: ["below=0", "plane=0,0.5,-0.001,4", "box=-1,0,0.5,2,1,3.25", "self", MODEL],
     clearance: 0.125,
     limits: ["fold=+5"],
     constraints: ["circular:1e-9"],

@@ -1,91 +1,154 @@
 // SPDX-License-Identifier: MIT
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { fromBase64Url } from "../../web/src/bytes/base64url.ts";
 import type { Group } from "../../web/src/design/groups.ts";
-import { type Files, fileKey } from "../../web/src/design/saved-design.ts";
-import { decodeRecord, encodeRecord } from "../../web/src/design/saved-record.ts";
-import { FILE, RECORD } from "./support/golden-designs.ts";
+import { fileKey, type KeptFiles, storeDesign } from "../../web/src/design/saved-design.ts";
+import type { SavedRecord } from "../../web/src/design/saved-record.ts";
+import { StepFiles } from "../../web/src/design/saved-steps.ts";
+import { readRecord, storeRecord } from "../../web/src/design/stored-record.ts";
+import { decodeRecord } from "../../web/src/design/v1/record.ts";
+import { OF_NEWER_PAGE } from "../../web/src/features/saving/slot.ts";
+import { EDITED, FILE, OPENED, RECORD } from "./support/golden-designs.ts";
 
-const files: Files = new Map([[fileKey(FILE), FILE.bytes]]);
+const files: KeptFiles = new Map([[fileKey(FILE), FILE.bytes]]);
 
-describe("a saved record", () => {
-  it("comes back to the same bits", () => {
-    const sharpestFold = { before: 3.5, after: 14.25 };
-    const report = { ...RECORD.present.report, worstExcess: 0, sharpestFold };
-    const settings = {
-      ...RECORD.present.settings,
+/** As IndexedDB keeps it. */
+const kept = (record: SavedRecord): unknown => structuredClone(storeRecord(record));
+
+const FULL: SavedRecord = {
+  ...RECORD,
+  figure: "figure-1",
+  present: {
+    ...EDITED,
+    planarised: {
+      smooth: 100,
+      keepBoundary: true,
+      keepShape: true,
+      constraints: ["circular:1e-9"],
+      within: 0.3,
+      flat: 20,
+    },
+    settings: {
+      ...EDITED.settings,
+      keepShape: true,
+      softness: 5,
       limits: ["angle=60:120"],
       constraints: ["conical:1e-9"],
-    };
-    const present = { ...RECORD.present, report, settings };
-    const [position, target] = [[0.1, -2, 3] as const, [0, 0, 0.25] as const];
-    const views = [{ name: "From the street", camera: { position, target } }];
-    const section = { axis: 2, at: 0.1, flipped: true } as const;
-    const groups: readonly Group[] = [
-      { name: "Ridge", of: "points", members: [0, 3], colour: 1 },
-      { name: "Doors", of: "panels", members: [2], colour: null },
-    ];
-    const record = { ...RECORD, figure: "figure-1", present, views, section, groups };
-    const read = decodeRecord(encodeRecord(record), files);
-    expect(read).toEqual({ kind: "record", record });
+      keepOuts: ["below=0"],
+      clearance: 0.5,
+      supports: ["level=z:3"],
+      symmetry: ["x"],
+      cuts: ["strip=1-2"],
+    },
+    report: {
+      ...EDITED.report,
+      worstExcess: 0,
+      sharpestFold: { before: 3.5, after: 14.25 },
+      motion: { raised: 1, lowered: 0.5, slide: 0 },
+      seconds: Number.NaN,
+    },
+    variation: EDITED.variation && {
+      ...EDITED.variation,
+      weights: {
+        fairness: 7.5,
+        sparsity: 0.3,
+        closeness: 4,
+        correlation: 0.5,
+        spread: 3,
+        family: 9,
+      },
+    },
+  },
+  views: [{ name: "From the street", camera: { position: [0.1, -2, 3], target: [0, 0, 0.25] } }],
+  note: "A note",
+  section: { axis: 2, at: 0.1, flipped: true },
+  groups: [{ name: "Ridge", of: "points", members: [0, 3], colour: 1 }] satisfies Group[],
+  steps: { past: ["step-a-1"], future: ["step-b-2"] },
+};
+
+describe("a saved record", () => {
+  it("comes back to the same bits", async () => {
+    const read = await readRecord(kept(FULL), files);
+    expect(read).toEqual({ kind: "record", record: FULL });
     if (read.kind !== "record") return;
     const { positions } = read.record.present.shape;
     const bits = (array: Float64Array) => new BigUint64Array(array.slice().buffer);
     expect(bits(positions)).toEqual(bits(RECORD.present.shape.positions));
   });
 
-  it("of version 1 opens for ever", () => {
-    const read = decodeRecord(fromBase64Url(GOLDEN) ?? new Uint8Array(0), files);
-    expect(read).toEqual({ kind: "record", record: RECORD });
+  it("keeps of an array what the design has, not the memory around it", () => {
+    const large = new Float64Array(100_000);
+    const shape = { moved: Int32Array.of(0), positions: large.subarray(3, 6) };
+    expect(storeDesign({ ...EDITED, shape }).shape.positions.buffer.byteLength).toBe(24);
   });
 
-  it("without its file is damaged, of a newer version is newer", () => {
-    const bytes = encodeRecord(RECORD);
-    expect(decodeRecord(bytes, new Map())).toEqual({ kind: "damaged" });
-    new DataView(bytes.buffer).setUint32(4, 2, true);
-    expect(decodeRecord(bytes, files)).toEqual({ kind: "newer" });
+  it("has what later pages added to a design as usual", async () => {
+    const { clearance: _, ...settings } = FULL.present.settings;
+    const { worstExcess: __, ...report } = FULL.present.report;
+    const older = { ...FULL.present, settings, report } as typeof FULL.present;
+    const read = await readRecord(kept({ ...FULL, present: older }), files);
+    if (read.kind !== "record") throw new Error(read.kind);
+    expect(read.record.present.settings.clearance).toBe(0);
+    expect(read.record.present.report.worstExcess).toBe(0);
   });
 
-  it("leaves out a camera or a picture that its reader would refuse, never the design", () => {
-    const camera = { position: [Number.NaN, 0, 1], target: [0, 0, 0] } as const;
-    const [first] = RECORD.snapshots;
-    if (!first) throw new Error("no snapshot");
-    const odd = [
-      "data:,",
-      "data:image/svg+xml;base64,AAAA",
-      `data:image/png;base64,${"A".repeat(300_000)}`,
-    ];
-    const many = Array.from({ length: 1500 }, (_, k) => ({ ...first, picture: odd[k % 3] ?? "" }));
-    const row = { vertex: 7, target: [1, 2, 3], pinned: true } as const;
-    const present = { ...RECORD.present, handles: Array.from({ length: 150_000 }, () => row) };
-    const read = decodeRecord(encodeRecord({ ...RECORD, camera, present, snapshots: many }), files);
-    const snapshots = many.map((snapshot) => ({ ...snapshot, picture: "" }));
-    expect(read.kind).toBe("record");
-    if (read.kind !== "record") return;
-    expect(read.record.camera).toBeNull();
-    expect(read.record.snapshots).toEqual(snapshots);
-    expect(read.record.present.handles).toHaveLength(150_000);
+  it("without its file is damaged, of a newer version is newer", async () => {
+    expect(await readRecord(kept(RECORD), new Map())).toEqual({ kind: "damaged" });
+    const newer = { ...storeRecord(RECORD), version: 3 };
+    expect(await readRecord(newer, files)).toEqual({ kind: "newer" });
+    for (const odd of [null, 7, "", {}, [], { version: "x" }, { version: 1 }, new Blob(["a"])])
+      expect(await readRecord(odd, files)).toEqual({ kind: "damaged" });
   });
 
-  it("leaves out views that are none, and all but the last of one name", () => {
+  it("is of a newer version to a page of version 1, which leaves its slot alone", async () => {
+    expect(decodeRecord(OF_NEWER_PAGE, files)).toEqual({ kind: "newer" });
+  });
+
+  it("leaves out views from nowhere, and such a camera, never the design", async () => {
     const view = (name: string, x: number) => ({
       name,
       camera: { position: [x, 0, 1], target: [0, 0, 0] } as const,
     });
-    const views = [view("a", 1), view("b", Number.NaN), view("a", 2), view("c", 3)];
-    const read = decodeRecord(encodeRecord({ ...RECORD, views }), files);
+    const views = [view("a", 1), view("b", Number.NaN), view("c", 3)];
+    const { camera } = view("", Number.NaN);
+    const read = await readRecord(kept({ ...RECORD, camera, views }), files);
     if (read.kind !== "record") throw new Error(read.kind);
-    expect(read.record).toEqual({ ...RECORD, views: [view("a", 2), view("c", 3)] });
+    expect(read.record).toEqual({ ...RECORD, camera: null, views: [view("a", 1), view("c", 3)] });
+  });
+});
+
+/** What the last page of version 1 kept: FULL, and its steps. */
+const packed: Record<"record" | "past" | "future", string> = JSON.parse(
+  readFileSync(new URL("./golden/record-v1.json", import.meta.url), "utf8"),
+);
+const unpacked = (text: string) => Uint8Array.from(fromBase64Url(text) ?? []);
+
+describe("a record of version 1", () => {
+  it("opens as it was: the first that was published, and the last", async () => {
+    const first = await readRecord(unpacked(GOLDEN), files);
+    expect(first).toEqual({ kind: "record", record: RECORD });
+    const last = await readRecord(unpacked(packed.record), files);
+    expect(last).toEqual({ kind: "record", record: FULL });
   });
 
-  it("is whole or damaged, wherever it is cut or changed", () => {
-    const bytes = encodeRecord(RECORD);
+  it("opens with its history", async () => {
+    const steps = new Map<string, unknown>([...files]);
+    steps.set("step-a-1", new Blob([unpacked(packed.past)]));
+    steps.set("step-b-2", new Blob([unpacked(packed.future)]));
+    const history = await new StepFiles().restore(FULL.present, FULL.steps, steps);
+    expect(history).toEqual({ past: [EDITED], present: FULL.present, future: [OPENED] });
+  });
+
+  it("is whole or damaged, wherever it is cut or changed", async () => {
+    const bytes = unpacked(packed.record);
+    expect(await readRecord(bytes, new Map())).toEqual({ kind: "damaged" });
     for (let cut = 0; cut < bytes.length; cut += 3)
-      expect(decodeRecord(bytes.slice(0, cut), files).kind).toBe("damaged");
+      expect((await readRecord(bytes.slice(0, cut), files)).kind).toBe("damaged");
     for (let at = 0; at < bytes.length; ++at) {
       const other = bytes.slice();
       other[at] = (other[at] ?? 0) ^ 0x10;
-      expect(decodeRecord(other, files).kind).not.toBe("record");
+      expect((await readRecord(other, files)).kind).not.toBe("record");
     }
   });
 });

@@ -2,7 +2,6 @@
 import { readFile } from "node:fs/promises";
 import { expect, it } from "vitest";
 import { DEFAULT_SETTINGS, FIRST_SETTINGS, settingsForNew } from "../../web/src/design/design.ts";
-import { readSettings, writeSettings } from "../../web/src/design/reading.ts";
 
 const isUsual = (key: string, value: unknown): boolean =>
   Object.entries(DEFAULT_SETTINGS).some(([name, usual]) => name === key && usual === value);
@@ -59,11 +58,4 @@ it("another mesh starts with what the page has controls for, and with nothing un
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);
   expect(settingsForNew(FIRST_SETTINGS)).toEqual(FIRST_SETTINGS);
-});
-
-it("a link names nothing that is usual", () => {
-  const first = [1000, 1, 1, "second", "newton"];
-  expect(writeSettings(DEFAULT_SETTINGS)).toEqual([...first, "shape"]);
-  expect(writeSettings({ ...DEFAULT_SETTINGS, keepShape: false })).toEqual(first);
-  expect(readSettings(first)).toEqual({ ...DEFAULT_SETTINGS, keepShape: false });
 });

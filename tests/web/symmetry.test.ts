@@ -3,7 +3,6 @@
 import { describe, expect, it } from "vitest";
 import type { HandleRow, Point } from "../../web/src/design/design.ts";
 import { fromDesign, toDesign } from "../../web/src/design/design-value.ts";
-import { decodeLink, encodeLink } from "../../web/src/design/link.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { imagesOf, mirrorsIn, mirrorsText, withoutImages } from "../../web/src/design/symmetry.ts";
 import { commitVariation, explore } from "../../web/src/features/exploring/exploring.ts";
@@ -21,6 +20,7 @@ import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
 import { cancel } from "../../web/src/state/showing.ts";
 import { loadDocuments } from "../parity/support/planish.ts";
+import { decodeLink, encodeLink } from "./support/links.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
 
 const NONE = { across: [false, false, false], turns: [0, 0, 0] };

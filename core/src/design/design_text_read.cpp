@@ -148,12 +148,19 @@ DesignSource read_source(const Field& source) {
     source.only({"sample", "size"});
     return SampleSource{source.at("sample").text(kLongestName), source.at("size").whole(1)};
   }
-  source.only({"file", "hash", "format", "bytes"});
+  source.only({"file", "hash", "format", "bytes", "text"});
   FileSource file;
   file.name = source.at("file").text(kLongestName);
   if (source.has("hash")) file.hash = source.at("hash").hash();
-  if (!source.has("bytes")) return file;
+  const bool plain = source.has("text");
+  if (!plain && !source.has("bytes")) return file;
+  if (plain && source.has("bytes")) source.at("text").refuse("left out where there are bytes");
   file.format = source.at("format").text(kLongestName);
+  if (plain) {
+    file.bytes = source.at("text").text(kLongestText);
+    if (file.bytes.empty()) source.at("text").refuse("the mesh's file");
+    return file;
+  }
   auto bytes = decode_base64(source.at("bytes").text(kLongestText));
   if (!bytes || bytes->empty()) source.at("bytes").refuse("base64");
   file.bytes = std::move(*bytes);

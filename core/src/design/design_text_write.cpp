@@ -8,6 +8,7 @@
 #include "planish/design/design_text.hpp"
 #include "planish/edit/design_words.hpp"
 #include "planish/edit/edit_option_table.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 namespace {
@@ -22,7 +23,7 @@ std::string hash_text(std::uint32_t hash) {
 
 Json point_json(int vertex, const Eigen::Vector3d& p) { return {vertex, p.x(), p.y(), p.z()}; }
 
-Json source_json(const DesignSource& source) {
+Json source_json(const DesignSource& source, FileText as) {
   if (const auto* sample = std::get_if<SampleSource>(&source)) {
     return {{"sample", sample->name}, {"size", sample->size}};
   }
@@ -31,7 +32,8 @@ Json source_json(const DesignSource& source) {
   if (file.hash) json["hash"] = hash_text(*file.hash);
   if (!file.bytes.empty()) {
     json["format"] = file.format;
-    json["bytes"] = encode_base64(file.bytes);
+    const bool plain = as == FileText::kPlain && as_utf8(file.bytes) == file.bytes;
+    json[plain ? "text" : "bytes"] = plain ? file.bytes : encode_base64(file.bytes);
   }
   return json;
 }
@@ -114,10 +116,10 @@ Json mark_json(const DesignMark& mark) {
 
 }  // namespace
 
-std::string write_design(const Design& design) {
+std::string write_design(const Design& design, FileText file) {
   Json json = {{"format", kDesignFormat}, {"version", kDesignVersion}};
   if (!design.title.empty()) json["title"] = design.title;
-  json["source"] = source_json(design.source);
+  json["source"] = source_json(design.source, file);
   json["planarised"] = planarised_json(design.planarised);
   json["unit"] = design.unit;
   for (const Cut& cut : design.cuts) json["cuts"].push_back(cut_text(cut));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Things that go wrong, made to happen: inside the page, inside the solver's worker, in storage.
+
 import type { Page } from "playwright-core";
+import type { StoredRecord } from "../../../web/src/design/stored-record.ts";
 import type { Prepare } from "./open.ts";
 
 interface FaultyWindow extends Window {
@@ -111,13 +113,13 @@ export const slowStorage =
     }, milliseconds);
   };
 
-/** The kept records by slot, as base64, after `flip` was applied to a byte of each: place, bits. */
+/** The kept records by slot, as text, after each was said to be of `version`, if that is given. */
 export const keptRecords = (
   page: Page,
-  flip: { at: number | "middle"; bits: number } | null = null,
+  version: number | null = null,
 ): Promise<Record<string, string>> =>
   page.evaluate(
-    (change) =>
+    (given) =>
       new Promise<Record<string, string>>((resolve, reject) => {
         const opening = indexedDB.open("planish");
         opening.onerror = () => reject(opening.error);
@@ -127,12 +129,13 @@ export const keptRecords = (
           transaction.objectStore("designs").openCursor().onsuccess = ({ target }) => {
             const cursor = (target as IDBRequest<IDBCursorWithValue | null>).result;
             if (!cursor) return;
-            const bytes: unknown = cursor.value;
-            if (bytes instanceof Uint8Array) {
-              const at = change?.at === "middle" ? bytes.length >> 1 : (change?.at ?? 0);
-              bytes[at] = (bytes[at] ?? 0) ^ (change?.bits ?? 0);
-              if (change) cursor.update(bytes);
-              found[String(cursor.key)] = btoa(String.fromCharCode(...bytes));
+            const key = String(cursor.key);
+            if (key.startsWith("record:")) {
+              const record = { ...cursor.value, ...(given !== null && { version: given }) };
+              if (given !== null) cursor.update(record);
+              found[key] = JSON.stringify(record, (_, value: unknown) =>
+                ArrayBuffer.isView(value) ? [...(value as Float64Array)] : value,
+              );
             }
             cursor.continue();
           };
@@ -142,30 +145,30 @@ export const keptRecords = (
           };
         };
       }),
-    flip,
+    version,
   );
 
-/** Changes one byte in the middle of every kept record; gives how many there were. */
+/** Makes of every kept record what no page has written; gives how many there were. */
 export const damageRecords = async (page: Page): Promise<number> =>
-  Object.keys(await keptRecords(page, { at: "middle", bits: 1 })).length;
+  Object.keys(await keptRecords(page, 0)).length;
 
 /** Puts a record into a slot. */
-export const putRecord = (page: Page, slot: string, record: Uint8Array): Promise<void> =>
+export const putRecord = (page: Page, key: string, record: StoredRecord): Promise<void> =>
   page.evaluate(
-    ([key, numbers]) =>
+    ([to, value]) =>
       new Promise<void>((resolve, reject) => {
         const opening = indexedDB.open("planish");
         opening.onerror = () => reject(opening.error);
         opening.onsuccess = () => {
           const transaction = opening.result.transaction("designs", "readwrite");
-          transaction.objectStore("designs").put(Uint8Array.from(numbers), key);
+          transaction.objectStore("designs").put(value, to);
           transaction.oncomplete = () => {
             opening.result.close();
             resolve();
           };
         };
       }),
-    [slot, [...record]] as const,
+    [key, record] as const,
   );
 
 /** Drops a large file on the page, made there: `text` and then `filler` until it has so many bytes. To send it

@@ -9,9 +9,9 @@ import {
 import { expect, inject } from "vitest";
 import { serve } from "../../../.tools/serve.mjs";
 import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
-import { encodeLink } from "../../../web/src/design/link.ts";
 import type { Recipe } from "../../../web/src/design/recipe.ts";
 import { PATIENCE } from "../../patience.ts";
+import { encodeLink } from "../../web/support/links.ts";
 import { usable } from "./page.ts";
 
 export type Prepare = (context: BrowserContext) => Promise<void>;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-async function pump(
-  bytes: Uint8Array,
-  through: CompressionStream | DecompressionStream,
+/**
+ * Rejects damaged bytes, and those that unpack to more than `largest` bytes.
+ * @param format "deflate" is zlib's, which has a checksum
+ */
+export async function inflate(
+  bytes: Uint8Array | Blob,
   largest: number,
+  format: CompressionFormat,
 ): Promise<Uint8Array> {
+  const through = new DecompressionStream(format);
   const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(through);
   const chunks: Uint8Array[] = [];
   let size = 0;
@@ -26,16 +31,3 @@ async function pump(
   }
   return all;
 }
-
-export const deflate = (bytes: Uint8Array): Promise<Uint8Array> =>
-  pump(bytes, new CompressionStream("deflate-raw"), Number.POSITIVE_INFINITY);
-
-/**
- * Rejects damaged bytes, and those that unpack to more than `largest` bytes.
- * @param format "deflate" is zlib's, which has a checksum
- */
-export const inflate = (
-  bytes: Uint8Array,
-  largest: number,
-  format: CompressionFormat = "deflate-raw",
-): Promise<Uint8Array> => pump(bytes, new DecompressionStream(format), largest);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What travels beside a design, in a link or in a file that a page saves: a note, views to look from,
-// and variants of the design on the same mesh. It makes no part of the design: whatever is wrong with
-// it is left out, and costs the design nothing.
+// and variants of the design on the same mesh (variant-text.ts). It makes no part of the design: whatever
+// is wrong with it is left out, and costs the design nothing.
 import type { NamedView } from "./camera.ts";
 import { type Group, type GroupJson, MOST_GROUPS, readGroups, writeGroup } from "./groups.ts";
 import type { MarkedSteps } from "./marked-steps.ts";
-import { readSteps, type StepsJson, writeSteps } from "./payload-steps.ts";
-import { isName, isRecord, type Json, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
+import { isName, isRecord, LONGEST_NAME, readCamera, writeCamera } from "./reading.ts";
 import { readSection, type SectionPlane, writeSection } from "./section-plane.ts";
+import type { VariantJson } from "./variant-text.ts";
 
 /** Characters. */
 export const LONGEST_NOTE = 2000;
@@ -37,40 +37,33 @@ export interface CompanionsJson {
   n?: string;
   /** Views: a name, then position and target of the camera. */
   v?: [string, ...number[]][];
-  /** Variants: a name (n) and what was done. */
-  s?: ({ n: string } & StepsJson)[];
+  /** Variants. */
+  s?: VariantJson[];
   /** The section: axis, place, whether the other side is shown. */
   p?: [0 | 1 | 2, number, 0 | 1];
   /** Groups. */
   g?: GroupJson[];
 }
 
-/** null where there is nothing to say. */
-export function writeCompanions({
-  note,
-  views,
-  variants,
-  section,
-  groups,
-}: Companions): CompanionsJson | null {
+/** null where there is nothing to say. @param variants those of the companions */
+export function writeCompanions(
+  { note, views, section, groups }: Companions,
+  variants: readonly VariantJson[],
+): CompanionsJson | null {
   const cut = (name: string): string => name.slice(0, LONGEST_NAME);
   const json: CompanionsJson = {
     ...(note && { n: note.slice(0, LONGEST_NOTE) }),
     ...(views.length > 0 && {
       v: views.slice(0, MOST_VIEWS).map(({ name, camera }) => [cut(name), ...writeCamera(camera)]),
     }),
-    ...(variants.length > 0 && {
-      s: variants
-        .slice(0, MOST_VARIANTS)
-        .map(({ name, steps }) => ({ n: cut(name), ...writeSteps(steps) })),
-    }),
+    ...(variants.length > 0 && { s: variants.slice(0, MOST_VARIANTS) }),
     ...(section && { p: writeSection(section) }),
     ...(groups.length > 0 && { g: groups.slice(0, MOST_GROUPS).map(writeGroup) }),
   };
   return Object.keys(json).length > 0 ? json : null;
 }
 
-const listOf = (value: unknown, most: number): readonly unknown[] =>
+export const listOf = (value: unknown, most: number): readonly unknown[] =>
   Array.isArray(value) ? value.slice(0, most) : [];
 
 function readViews(value: unknown): NamedView[] {
@@ -83,19 +76,14 @@ function readViews(value: unknown): NamedView[] {
   return [...views.values()];
 }
 
-function readVariant(value: unknown): Variant | null {
-  if (!isRecord(value)) return null;
-  const { n: name } = value as Json;
-  const steps = readSteps(value);
-  return isName(name) && steps ? { name, steps } : null;
-}
-
-/** Anything gives what can be read of it; undefined for nothing. */
-export function readCompanions(value: unknown): Companions | undefined {
-  const { n, v, s, p, g } = isRecord(value) ? value : {};
+/** Anything gives what can be read of it; undefined for nothing. @param variants those of `value` */
+export function readCompanions(
+  value: unknown,
+  variants: readonly Variant[],
+): Companions | undefined {
+  const { n, v, p, g } = isRecord(value) ? value : {};
   const note = typeof n === "string" ? n.slice(0, LONGEST_NOTE) : "";
   const views = readViews(v);
-  const variants = listOf(s, MOST_VARIANTS).flatMap((one) => readVariant(one) ?? []);
   const section = readSection(p);
   const groups = readGroups(g);
   const lists = [views, variants, groups];

@@ -9,7 +9,7 @@ import type { DesignReading, DesignValue, Source } from "../solver/protocol.ts";
 import type { HandleRow } from "./design.ts";
 import { toTargets } from "./design.ts";
 import { readKept } from "./kept-kind.ts";
-import { readFormat, readSupports } from "./reading.ts";
+import { readFormat } from "./reading.ts";
 import type { Steps } from "./recipe.ts";
 import { readLimits } from "./stated-limit.ts";
 import { readSymmetry } from "./symmetry.ts";
@@ -56,9 +56,8 @@ type Read = NonNullable<DesignReading["design"]>;
 
 /** What the page has no control for, in words; null if it can show all. */
 function whatIsUnknown(design: Read): string | null {
-  const { options, supports, symmetry, variations, planarised, source } = design;
+  const { options, symmetry, variations, planarised, source } = design;
   if (!readSymmetry(symmetry)) return "symmetry: this page does not know one of them.";
-  if (!readSupports(supports)) return "supports: this page does not know one of them.";
   if (!readLimits(options.limits)) return "options.bounds: this page knows each limit once.";
   const kinds = "this page knows the kinds circular and conical, each once.";
   if (!readKept(options.constraints)) return `options.constraints: ${kinds}`;

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
-// A design as the fragment of a link: "#v1=" and base64url of the deflated payload.
+// A design's text as the fragment of a link: "#v2=" and base64url of its JSON, which zlib compressed, by the
+// dictionary of link-dictionary.ts or by none. "#d1=" is the same without one.
 
 import { fromBase64Url, toBase64Url } from "../bytes/base64url.ts";
-import { deflate, inflate } from "../bytes/deflate.ts";
+import { compress, decompress } from "../bytes/zlib.ts";
 import { type Result, refuse } from "../result/result.ts";
-import { decodePayload, encodePayload } from "./payload.ts";
-import type { Recipe } from "./recipe.ts";
+import { DICTIONARY } from "./link-dictionary.ts";
 import { DAMAGED_LINK } from "./refusal.ts";
 
-const PREFIX = "#v1=";
+const PREFIX = "#v2=";
 
-/** Bytes. No browser opens a link as long as one that packs more than this. */
-const LARGEST = 32 * 1024 * 1024;
+/** Bytes; what a design may have as a file. */
+const LARGEST = 64 * 1024 * 1024;
 
-/** The fragment for `recipe`, "#" included. */
-export const encodeLink = async (recipe: Recipe): Promise<string> =>
-  PREFIX + toBase64Url(await deflate(await encodePayload(recipe)));
+const dictionary = (): Uint8Array => new TextEncoder().encode(DICTIONARY);
 
-/** Any string gives a recipe or a sentence that says what is wrong with it; it never throws. */
-export async function decodeLink(hash: string): Promise<Result<Recipe>> {
-  const version = /^#v(\d{1,9})=/.exec(hash)?.[1];
-  if (version === undefined) return refuse("This is not a link to a design.");
-  if (version !== "1") {
-    return refuse(
-      `This link is of version ${version}; this page reads version 1. Reload the page.`,
-    );
+/** The fragment for a design's text, "#" included. */
+export const packLink = (text: string): string =>
+  PREFIX + toBase64Url(compress(new TextEncoder().encode(text), dictionary()));
+
+/** The design's JSON or a sentence; never throws. zlib's checksum finds what was changed on the way. */
+export async function unpackLink(hash: string): Promise<Result<string>> {
+  const [start = "", kind, version] = /^#([dv])(\d{1,9})=/.exec(hash) ?? [];
+  if (!start) return refuse("This is not a link to a design.");
+  if (start !== PREFIX && start !== "#d1=") {
+    const known = kind === "v" ? "versions 1 and 2" : "version 1";
+    return refuse(`This link is of version ${version}; this page reads ${known}. Reload the page.`);
   }
-  const packed = fromBase64Url(hash.slice(PREFIX.length));
-  const bytes = packed && (await inflate(packed, LARGEST).catch(() => null));
-  const recipe = bytes && decodePayload(bytes);
-  return recipe ? { ok: true, value: recipe } : DAMAGED_LINK;
+  const packed = fromBase64Url(hash.slice(start.length));
+  const bytes = packed && (await decompress(packed, dictionary(), LARGEST).catch(() => null));
+  return bytes ? { ok: true, value: new TextDecoder().decode(bytes) } : DAMAGED_LINK;
 }

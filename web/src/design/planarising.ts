@@ -37,9 +37,6 @@ export const sameWay = (a: Planarising | null, b: Planarising | null): boolean =
   a?.flat === b?.flat &&
   a?.constraints.join() === b?.constraints.join();
 
-/** What designs write as `true`, and links as 1. */
-export const isNearestFlat = (how: Planarising): boolean => sameWay(how, NEAREST_FLAT);
-
 /** "2570 points moved by up to 1675 mm"; "" where nothing had to be made flat. */
 export function planarisingWords({ planarising }: MeshReport, unit: Unit): string {
   const { moved, largest } = planarising;

@@ -1,105 +1,91 @@
 // SPDX-License-Identifier: MIT
-// The steps before and after the design that autosave keeps, a file each beside its record: a step never
-// changes, so that each is written once.
+// The steps before and after the design that autosave keeps, each beside its record: a step never
+// changes, so that it is written once.
 
-import { PoolWriter } from "../bytes/number-pool.ts";
+import type { Shape } from "../solver/protocol.ts";
 import type { Design } from "./design.ts";
 import type { History } from "./history.ts";
-import { packBlock, unpackBlock } from "./saved-block.ts";
-import { type Files, readDesign, writeDesign } from "./saved-design.ts";
-
-/** Keys of files, oldest first: of the steps before the design, and of those that were undone. */
-export interface StepKeys {
-  readonly past: readonly string[];
-  readonly future: readonly string[];
-}
-
-export const NO_STEPS: StepKeys = { past: [], future: [] };
-
-const MAGIC = 0x484e4c50; // "PLNH"
-const VERSION = 1;
+import { isRecord } from "./reading.ts";
+import { type KeptFiles, restoreDesign, type StoredDesign } from "./saved-design.ts";
+import type { StepKeys } from "./saved-record.ts";
 
 /** Bytes of the steps kept on either side of the design: the nearest. */
 const MOST_PAST = 12e6;
 const MOST_FUTURE = 4e6;
 
-const KEY = /^step-[0-9a-z-]{1,40}$/;
-export const isStepKey = (value: unknown): value is string =>
-  typeof value === "string" && KEY.test(value);
-
-interface StepFile {
+/** One step in the storage: its key, and about how many bytes it takes. */
+interface KeptStep {
   readonly key: string;
-  readonly file: Blob;
+  readonly size: number;
 }
 
 const newKey = (): string =>
   `step-${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
-function write(design: Design): StepFile {
-  const pool = new PoolWriter();
-  const json = { design: writeDesign(design, pool) };
-  return { key: newKey(), file: new Blob([packBlock(MAGIC, VERSION, json, pool)]) };
-}
+const shapeSize = ({ moved, positions }: Shape): number => moved.byteLength + positions.byteLength;
 
-async function read(file: Blob, files: Files): Promise<Design | null> {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  const design = unpackBlock(MAGIC, VERSION, bytes, (json, pool) =>
-    readDesign(json.design, pool, files),
-  );
-  return typeof design === "string" ? null : design;
+/** All but the shapes is small. */
+const sizeOf = ({ shape, handles, variation }: Design): number =>
+  2000 + 100 * handles.length + shapeSize(shape) + (variation ? shapeSize(variation.centre) : 0);
+
+/** Version 1 packed each step into a file. */
+async function read(kept: unknown, files: KeptFiles): Promise<Design | null> {
+  if (isRecord(kept) && !(kept instanceof Blob))
+    return restoreDesign(kept as unknown as StoredDesign, files);
+  if (!(kept instanceof Blob)) return null;
+  const { decodeStep } = await import("./v1/record.ts");
+  return decodeStep(new Uint8Array(await kept.arrayBuffer()), files);
 }
 
 /** Of the steps of one page. */
 export class StepFiles {
-  readonly #written = new WeakMap<Design, StepFile>();
+  readonly #kept = new WeakMap<Design, KeptStep>();
 
-  #of(design: Design): StepFile {
-    const known = this.#written.get(design) ?? write(design);
-    this.#written.set(design, known);
+  #of(design: Design): KeptStep {
+    const known = this.#kept.get(design) ?? { key: newKey(), size: sizeOf(design) };
+    this.#kept.set(design, known);
     return known;
   }
 
-  /** The files of `steps`, nearest first, as far as they fit into `most` bytes. */
-  #within(most: number, steps: Iterable<Design>): { step: Design; written: StepFile }[] {
-    const all: { step: Design; written: StepFile }[] = [];
+  /** The `steps`, nearest first, as far as they fit into `most` bytes. */
+  #within(most: number, steps: Iterable<Design>): Design[] {
+    const all: Design[] = [];
     let left = most;
     for (const step of steps) {
-      const written = this.#of(step);
-      left -= written.file.size;
+      left -= this.#of(step).size;
       if (left < 0) break;
-      all.push({ step, written });
+      all.push(step);
     }
     return all;
   }
 
-  /** What is kept of a history: the steps, their keys and their files. */
+  /** What is kept of a history: the steps, their keys, and each by its key. */
   keep({ past, future }: History<Design>) {
     const before = this.#within(MOST_PAST, past.toReversed()).reverse();
     const after = this.#within(MOST_FUTURE, future);
     const all = [...before, ...after];
-    const keysOf = (steps: typeof all): string[] => steps.map(({ written }) => written.key);
+    const keysOf = (steps: readonly Design[]): string[] => steps.map((step) => this.#of(step).key);
     return {
-      designs: all.map(({ step }) => step),
+      designs: all,
       keys: { past: keysOf(before), future: keysOf(after) } satisfies StepKeys,
-      files: new Map(all.map(({ written: { key, file } }) => [key, file])),
+      steps: new Map(all.map((step) => [this.#of(step).key, step])),
     };
   }
 
   /** The designs of `keys`, nearest first, up to one that cannot be read. */
-  async #read(keys: readonly string[], files: Files): Promise<Design[]> {
+  async #read(keys: readonly string[], files: KeptFiles): Promise<Design[]> {
     const designs: Design[] = [];
     for (const key of keys) {
-      const file = files.get(key);
-      const design = file ? await read(file, files) : null;
-      if (!file || !design) break;
-      this.#written.set(design, { key, file });
+      const design = await read(files.get(key), files);
+      if (!design) break;
+      this.#kept.set(design, { key, size: sizeOf(design) });
       designs.push(design);
     }
     return designs;
   }
 
   /** The history about `present`, as far as its steps can be read. */
-  async restore(present: Design, keys: StepKeys, files: Files): Promise<History<Design>> {
+  async restore(present: Design, keys: StepKeys, files: KeptFiles): Promise<History<Design>> {
     const past = await this.#read(keys.past.toReversed(), files);
     const future = await this.#read(keys.future, files);
     return { past: past.reverse(), present, future };

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-import { recipeOf } from "../design/recipe.ts";
-import { done, GIVEN_UP, type Result, refuse } from "../result/result.ts";
+import { done, type Result, refuse } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import type { DesignValue, FileFormat } from "../solver/protocol.ts";
 import { readCamera } from "../state/camera.ts";
 import { run } from "../state/connection.ts";
 import { changedGroups } from "../state/kept-groups.ts";
 import { loadPart } from "../state/later.ts";
-import { readMark } from "../state/marking.ts";
 import type { Page } from "../state/page.ts";
 import { inTurn, type Outcome } from "../state/turns.ts";
 
@@ -30,24 +28,19 @@ export function save(page: Page, blob: Blob, ending: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-/** What makes the design again; `whole` with the mesh itself, which one with cuts is always. */
+const textParts = () => loadPart(() => import("./design-text.ts"));
+
+/** What makes the design again. @param whole with the mesh itself */
 async function recipe(page: Page, whole: boolean): Promise<Result<DesignValue>> {
-  const parts = await loadPart(() => import("../design/design-value.ts"));
-  const design = page.history.value?.present;
-  if (!parts.ok || !design) return parts.ok ? GIVEN_UP : parts;
-  const mark = await readMark(page, design.shape);
-  if (!mark.ok) return mark;
-  const { source, settings } = design;
-  const rides = source.kind === "file" && (whole || settings.cuts.length > 0);
-  const bytes = rides ? new Uint8Array(await source.bytes.arrayBuffer()) : undefined;
-  return done(parts.value.toDesign(recipeOf(design, page.unit.value, null, mark.value), bytes));
+  const part = await textParts();
+  return part.ok ? part.value.designValue(page, whole) : part;
 }
 
 /** Of a file that opens again, here and on the command line. */
-async function designFile(page: Page, format: "glb" | "json"): Promise<Result<Question>> {
-  const design = await recipe(page, format === "json");
+async function glbFile(page: Page): Promise<Result<Question>> {
+  const design = await recipe(page, false);
   const offset = page.offsetLayer.value?.positions ?? null;
-  return design.ok ? done({ kind: "export", format, design: design.value, offset }) : design;
+  return design.ok ? done({ kind: "export", format: "glb", design: design.value, offset }) : design;
 }
 
 /** Of the panels' groups OBJ has names: those of the file, as it has them, unless they were changed. */
@@ -60,28 +53,26 @@ async function meshFile(page: Page, format: "obj" | "off" | "ply"): Promise<Resu
   return done({ kind: "export", format, design: null, groups });
 }
 
+/** The design as text, with all that was written and kept under names here. */
+async function textFile(page: Page): Promise<Result<Blob>> {
+  const parts = await loadPart(() =>
+    Promise.all([import("./design-text.ts"), import("./companions.ts")]),
+  );
+  if (!parts.ok) return parts;
+  const [{ designText }, { EVERYTHING: taken }] = parts.value;
+  const camera = readCamera(page);
+  const text = await designText(page, { format: "json", label: "writing JSON", camera, taken });
+  return text.ok ? done(new Blob([text.value], { type: MEDIA.json })) : text;
+}
+
 /** The design as a file, within a turn. */
 async function fileNow(page: Page, format: FileFormat | "json"): Promise<Result<Blob>> {
-  const question: Result<Question> =
-    format === "glb" || format === "json"
-      ? await designFile(page, format)
-      : await meshFile(page, format);
+  if (format === "json") return textFile(page);
+  const question = format === "glb" ? await glbFile(page) : await meshFile(page, format);
   if (!question.ok) return question;
   const answer = await run(page, `writing ${format.toUpperCase()}`, question.value, "exported");
   if (!answer.ok) return answer;
-  const file = new Blob([answer.value.bytes as BlobPart], { type: MEDIA[format] });
-  return format === "json" ? withCompanions(page, file) : done(file);
-}
-
-/** A design as text with all that was written and kept under names here. */
-async function withCompanions(page: Page, file: Blob): Promise<Result<Blob>> {
-  const parts = await loadPart(() =>
-    Promise.all([import("../design/beside-text.ts"), import("./companions.ts")]),
-  );
-  if (!parts.ok) return parts;
-  const [{ withBeside }, { companionsOf, EVERYTHING }] = parts.value;
-  const beside = { camera: readCamera(page), companions: await companionsOf(page, EVERYTHING) };
-  return done(new Blob([withBeside(await file.text(), beside)], { type: file.type }));
+  return done(new Blob([answer.value.bytes as BlobPart], { type: MEDIA[format] }));
 }
 
 async function exportNow(page: Page, format: FileFormat | "json", ending: string): Outcome {

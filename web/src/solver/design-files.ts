@@ -21,7 +21,7 @@ const withBase = (session: Session, { source, ...design }: DesignValue): DesignV
   source: "sample" in source ? source : { ...source, hash: session.baseHash() },
 });
 
-type Export = Extract<Request, { kind: "export"; format: "glb" | "json" }>;
+type Export = Extract<Request, { kind: "export"; format: "glb" | "json" | "link" }>;
 
 /** Every call rejects with a sentence where the module cannot be had; the next one tries again. */
 export class DesignFiles {
@@ -53,15 +53,17 @@ export class DesignFiles {
   /** The design shown: as text, or as GLB with its base, its variations as morph targets, its recipe as
    * text, and a second layer if there is one. */
   async write(session: Session, { format, design, offset }: Export): Promise<Uint8Array> {
-    if (format === "json") return new TextEncoder().encode(await this.text(session, design));
     const glb = await this.#module();
+    const whole = withBase(session, design);
+    if (format === "json") return new TextEncoder().encode(glb.writeDesign(whole));
+    if (format === "link") return new TextEncoder().encode(glb.writeLinkText(whole));
     return glb.assembleGlb(
       session.write("obj"),
       session.basePositions(),
       session.variationSupport(),
       session.variationDisplacements(),
       offset ?? new Float64Array(),
-      withBase(session, design),
+      whole,
     );
   }
 

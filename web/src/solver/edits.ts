@@ -115,7 +115,7 @@ export class Edits {
     if (JSON.stringify(settings) === JSON.stringify(this.#settings)) return;
     this.#settings = null; // where one of them is refused, the others hold already
     insist(this.#session.setOptions(settings));
-    insist(this.#session.setSupports(settings.supports.join("\n")));
+    insist(this.#session.setSupports(settings.supports));
     this.#settings = settings;
   }
 }

@@ -173,12 +173,12 @@ export type Request =
       design: null;
       groups: string | null;
     } // → exported
-  /** `design`: of the mesh that is open, whose hash is added. `offset`: the points of a second layer
-   * that a GLB shows beside it. */
+  /** `design`: of the mesh that is open, whose hash is added; "link" is its JSON, too, with the mesh's
+   * file as text. `offset`: the points of a second layer that a GLB shows beside it. */
   | {
       kind: "export";
       job: number;
-      format: "glb" | "json";
+      format: "glb" | "json" | "link";
       design: Reports.DesignValue;
       offset: Float64Array | null;
     } // → exported

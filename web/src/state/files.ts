@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Opening the user's files. A design, as text or in a GLB or 3DM, opens as that design.
 
-import { readBeside } from "../design/beside-text.ts";
 import { type Design, toTargets } from "../design/design.ts";
 import { fromDesign } from "../design/design-value.ts";
 import * as steps from "../design/history.ts";
@@ -18,6 +17,7 @@ import {
   type StoredDesign,
 } from "../solver/protocol.ts";
 import { baseOf, openQuestion, run } from "./connection.ts";
+import { readText } from "./design-text.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
 import { adopt, freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
@@ -123,14 +123,12 @@ async function openDesign(page: Page, file: File): Promise<Result<unknown>> {
   if (file.size > LONGEST_DESIGN) return wrong("A design has at most 64 MB.");
   const text = await file.text().catch(() => null);
   if (text === null) return wrong("It could not be read. Open it again.");
-  const answer = await run(page, `reading ${file.name}`, { kind: "readDesign", text }, "design");
-  if (!answer.ok) return answer;
-  const read = fromDesign(answer.value.reading);
-  if (!read.ok) return wrong(read.reason);
+  const read = await readText(page, `reading ${file.name}`, text);
+  if (!read.ok) return read.reason ? wrong(read.reason) : read;
   const { source, meshName } = read.value;
   if (!source)
     return wrong(`Its mesh, ${meshName.slice(0, 100)}, lies beside it. Open it as a GLB instead.`);
-  const opened = await replayNow(page, { ...read.value, source, ...readBeside(text) });
+  const opened = await replayNow(page, { ...read.value, source });
   return opened.ok || !opened.reason ? differingIn(opened) : wrong(opened.reason);
 }
 

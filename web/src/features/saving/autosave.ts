@@ -5,7 +5,7 @@
 import { effect } from "@preact/signals";
 import type { Design } from "../../design/design.ts";
 import type { History } from "../../design/history.ts";
-import type { Files } from "../../design/saved-design.ts";
+import type { KeptFiles, StoredDesign } from "../../design/saved-design.ts";
 import type { SavedRecord } from "../../design/saved-record.ts";
 import type { StepFiles } from "../../design/saved-steps.ts";
 import { readCamera } from "../../state/camera.ts";
@@ -19,7 +19,7 @@ import {
   claimSlot,
   dropFiles,
   readFiles,
-  readRecord,
+  readKept,
   rememberSlot,
   writeRecord,
 } from "./slot.ts";
@@ -31,11 +31,12 @@ const PATIENCE = 8000;
 
 /** What reads and writes records: nobody waits for it to move a point. */
 const codec = async () => {
-  const [record, steps] = await Promise.all([
-    import("../../design/saved-record.ts"),
+  const [record, steps, design] = await Promise.all([
+    import("../../design/stored-record.ts"),
     import("../../design/saved-steps.ts"),
+    import("../../design/saved-design.ts"),
   ]);
-  return { ...record, ...steps };
+  return { ...record, ...steps, ...design };
 };
 
 interface Own {
@@ -62,12 +63,12 @@ const own = kept(
 const NO_STORAGE =
   "This browser does not let the page keep your design: export or share it before you leave.";
 
-/** What is kept of the page now, and the files beside it. */
+/** What is kept of the page now, and what is new beside it, by key. */
 async function whatIsKept(page: Page, history: History<Design>) {
   const keeper = own(page);
-  const { encodeRecord, filesOf, StepFiles } = await codec();
+  const { filesOf, storeDesign, storeRecord, StepFiles } = await codec();
   keeper.steps ??= new StepFiles();
-  const { designs, keys, files } = keeper.steps.keep(history);
+  const { designs, keys, steps } = keeper.steps.keep(history);
   const { present } = history;
   const snapshots = page.snapshots.value;
   const record: SavedRecord = {
@@ -84,7 +85,14 @@ async function whatIsKept(page: Page, history: History<Design>) {
     steps: keys,
   };
   const sources = filesOf([present, ...snapshots.map(({ design }) => design), ...designs]);
-  return { bytes: encodeRecord(record), files: new Map([...sources, ...files]) };
+  const missing = new Map<string, Blob | StoredDesign>();
+  for (const [key, file] of sources) if (!keeper.stored.has(key)) missing.set(key, file);
+  for (const [key, step] of steps) if (!keeper.stored.has(key)) missing.set(key, storeDesign(step));
+  return {
+    record: storeRecord(record),
+    missing,
+    keys: new Set([...sources.keys(), ...steps.keys()]),
+  };
 }
 
 async function write(page: Page): Promise<void> {
@@ -93,15 +101,14 @@ async function write(page: Page): Promise<void> {
   const history = page.history.value;
   if (slot === null || !history) return;
   try {
-    const { bytes, files } = await whatIsKept(page, history);
-    const missing = new Map([...files].filter(([key]) => !keeper.stored.has(key)));
-    const unused = [...keeper.stored].filter((key) => !files.has(key));
-    await writeRecord(slot, bytes, missing);
+    const { record, missing, keys } = await whatIsKept(page, history);
+    const unused = [...keeper.stored].filter((key) => !keys.has(key));
+    await writeRecord(slot, record, missing);
     rememberSlot(slot);
-    keeper.stored = new Set([...keeper.stored, ...files.keys()]);
+    keeper.stored = new Set([...keeper.stored, ...keys]);
     page.keeping.value = null;
     if (unused.length > 0) await dropFiles(slot, unused);
-    keeper.stored = new Set(files.keys());
+    keeper.stored = keys;
   } catch {
     page.keeping.value = NO_STORAGE;
   }
@@ -147,30 +154,31 @@ export type Restored =
 
 interface Loaded {
   readonly slot: string;
-  readonly files: Files;
+  readonly files: KeptFiles;
   readonly steps: StepFiles | null;
   readonly restored: Restored;
 }
 
 /** What was kept, with the steps before and after it. */
-async function read(bytes: Uint8Array, files: Files): Promise<Omit<Loaded, "slot"> | "newer"> {
-  const { decodeRecord, StepFiles } = await codec();
-  const decoded = decodeRecord(bytes, files);
-  if (decoded.kind === "newer") return "newer";
-  if (decoded.kind === "damaged") return { files, steps: null, restored: decoded };
+async function read(value: unknown, files: KeptFiles): Promise<Omit<Loaded, "slot"> | "newer"> {
+  const { readRecord, StepFiles } = await codec();
+  const found = await readRecord(value, files);
+  if (found.kind === "newer") return "newer";
+  if (found.kind === "damaged") return { files, steps: null, restored: found };
   const steps = new StepFiles();
-  const { present, steps: keys } = decoded.record;
+  const { present, steps: keys } = found.record;
   const history = await steps.restore(present, keys, files);
-  return { files, steps, restored: { ...decoded, history } };
+  return { files, steps, restored: { ...found, history } };
 }
 
 /** A newer version's record is left alone: its slot is passed, nothing is written over it. */
 async function load(): Promise<Loaded> {
   for (const passed: string[] = []; ; ) {
     const claimed = await claimSlot(passed);
-    const bytes = await readRecord(claimed);
-    if (!bytes) return { slot: claimed, files: new Map(), steps: null, restored: { kind: "none" } };
-    const found = await read(bytes, await readFiles(claimed));
+    const kept = await readKept(claimed);
+    if (kept === undefined)
+      return { slot: claimed, files: new Map(), steps: null, restored: { kind: "none" } };
+    const found = await read(kept, await readFiles(claimed));
     if (found !== "newer") return { slot: claimed, ...found };
     passed.push(claimed);
   }

@@ -5,6 +5,28 @@ import { createStore, delMany, get, keys, setMany } from "idb-keyval";
 
 const TAB_KEY = "planish.slot";
 const PREFIX = "slot:";
+const RECORD = "record:";
+
+/** What a page of version 1 finds in the slot: "PLNS", version 2. It leaves the slot alone, and so what is
+ * in it is never written over by a page that could not read it. */
+export const OF_NEWER_PAGE = Uint8Array.of(
+  0x50,
+  0x4c,
+  0x4e,
+  0x53,
+  2,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+  0,
+);
 
 /**
  * Milliseconds a reloaded tab waits for the page before it to let go of its slot. A busy machine may
@@ -91,31 +113,30 @@ export async function claimSlot(passed: readonly string[]): Promise<string> {
   return known ?? (await claimNewSlot());
 }
 
-export async function readRecord(slot: string): Promise<Uint8Array | null> {
-  const value = await get<unknown>(PREFIX + slot, STORE);
-  return value instanceof Uint8Array ? value : value === undefined ? null : new Uint8Array(0);
+/** The record of a slot, of whatever version; undefined for none. */
+export async function readKept(slot: string): Promise<unknown> {
+  return (await get<unknown>(RECORD + slot, STORE)) ?? get<unknown>(PREFIX + slot, STORE);
 }
 
-/** The files beside a record, by their keys. */
-export async function readFiles(slot: string): Promise<Map<string, Blob>> {
+/** What lies beside a record, by key. */
+export async function readFiles(slot: string): Promise<Map<string, unknown>> {
   const prefix = fileEntry(slot, "");
-  const files = new Map<string, Blob>();
+  const files = new Map<string, unknown>();
   for (const key of await keys<IDBValidKey>(STORE)) {
-    if (typeof key !== "string" || !key.startsWith(prefix)) continue;
-    const value = await get<unknown>(key, STORE);
-    if (value instanceof Blob) files.set(key.slice(prefix.length), value);
+    if (typeof key === "string" && key.startsWith(prefix))
+      files.set(key.slice(prefix.length), await get<unknown>(key, STORE));
   }
   return files;
 }
 
-/** Writes a record and the files it names that are not there yet, all or nothing. */
+/** Writes a record and what it names that is not there yet, all or nothing. */
 export async function writeRecord(
   slot: string,
-  record: Uint8Array,
-  files: ReadonlyMap<string, Blob>,
+  record: object,
+  files: ReadonlyMap<string, unknown>,
 ): Promise<void> {
-  const entries = [...files].map(([key, blob]): [string, Blob] => [fileEntry(slot, key), blob]);
-  await setMany([[PREFIX + slot, record], ...entries], STORE);
+  const entries = [...files].map(([key, file]): [string, unknown] => [fileEntry(slot, key), file]);
+  await setMany([[PREFIX + slot, OF_NEWER_PAGE], [RECORD + slot, record], ...entries], STORE);
 }
 
 export const dropFiles = (slot: string, files: readonly string[]): Promise<void> =>

@@ -1,71 +1,31 @@
 // SPDX-License-Identifier: MIT
-// What was done to a mesh, as it stands in the JSON of a link: of the design, and of its variants.
+// Frozen: what was done to a mesh, as version 1 packed it into links, and into variants of saved designs:
+//   p  how its mesh was planarised: 0, 1 (the nearest flat mesh), or the weight of fairness, the
+//      boundary and the shape kept, kinds of constraints, how far points go and panels stay out of flat
+//   h  handles: vertex, x, y, z, pinned
+//   w  settings, by the PLACES of settings.ts
+//   x  slider values of the last family; null for none
+//   d  directions asked for, whether by stiffness (1) and by weights that follow (2)
+//   e  families before that of `x`: what `d` says, then the coefficients
+//   r  mark of the result
 
-import type { Planarising, ResultMark } from "../solver/protocol.ts";
-import type { Family } from "./design.ts";
-import { readKept } from "./kept-kind.ts";
-import type { MarkedSteps } from "./marked-steps.ts";
-import { isNearestFlat, NEAREST_FLAT } from "./planarising.ts";
-import {
-  isIndex,
-  isNumbers,
-  type Json,
-  MOST_DIRECTIONS,
-  readHandles,
-  readSettings,
-  readWeights,
-  WEIGHT_COUNT,
-  writeSettings,
-  writeWeights,
-} from "./reading.ts";
+import type { Planarising, ResultMark } from "../../solver/protocol.ts";
+import type { Variant } from "../companions.ts";
+import type { Family } from "../design.ts";
+import { readKept } from "../kept-kind.ts";
+import type { MarkedSteps } from "../marked-steps.ts";
+import { NEAREST_FLAT } from "../planarising.ts";
+import { isIndex, isName, isNumbers, isRecord, type Json } from "../reading.ts";
+import { readHandles, readSettings, readWeights, WEIGHT_COUNT } from "./settings.ts";
 
+/** The solver's own limit. */
+const MOST_DIRECTIONS = 24;
 /** Vertex, x, y, z for each recorded point. */
 const MOST_PROBES = 4 * 64;
 const MOST_FAMILIES = 100;
 
-/** Short names: they are part of every link. */
-export interface StepsJson {
-  /** Whether its mesh was planarised; then the weight of fairness, the boundary and the
-   * shape kept, and kinds of constraints if there are any; then how far points may go and how far
-   * panels stay out of flat, if they do. */
-  p:
-    | 0
-    | 1
-    | [number, 0 | 1, 0 | 1]
-    | [number, 0 | 1, 0 | 1, readonly string[]]
-    | [number, 0 | 1, 0 | 1, readonly string[], number, number];
-  h: [number, number, number, number, 0 | 1][];
-  /** By the PLACES of reading.ts. */
-  w: readonly unknown[];
-  x: readonly number[] | null;
-  /**
-   * Directions asked for, and whether by stiffness (1) and by weights that follow (2); without it as
-   * many as `x` has, not.
-   */
-  d?: number[];
-  /** Families before that of `x`: what `d` says, then the coefficients. */
-  e?: number[][];
-  r: [number, number, readonly number[]];
-}
-
 const BY_STIFFNESS = 1;
 const BY_WEIGHTS = 2;
-
-const howFound = ({ asked, eigenbasis, weights }: Family): number[] => [
-  asked,
-  (eigenbasis ? BY_STIFFNESS : 0) + (weights ? BY_WEIGHTS : 0),
-  ...(weights ? writeWeights(weights) : []),
-];
-
-/** 1 is the nearest flat mesh, which links of earlier versions mean by it. */
-function writePlanarising(how: Planarising | null): StepsJson["p"] {
-  if (!how) return 0;
-  if (isNearestFlat(how)) return 1;
-  const flags = [how.keepBoundary ? 1 : 0, how.keepShape ? 1 : 0] as const;
-  const { smooth, constraints, within, flat } = how;
-  if (within > 0 || flat > 0) return [smooth, ...flags, constraints, within, flat];
-  return constraints.length > 0 ? [smooth, ...flags, constraints] : [smooth, ...flags];
-}
 
 /** undefined if it is neither. */
 function readPlanarising(value: unknown): Planarising | null | undefined {
@@ -117,23 +77,6 @@ function readMark(value: unknown): ResultMark | null {
   return probes.length % 4 === 0 && probes.length <= MOST_PROBES ? { hash, moved, probes } : null;
 }
 
-export function writeSteps(steps: MarkedSteps): StepsJson {
-  const { handles, families, mark } = steps;
-  const variation = families.at(-1);
-  const earlier = families.slice(0, -1);
-  return {
-    p: writePlanarising(steps.planarised),
-    h: handles.map(({ vertex, target, pinned }) => [vertex, ...target, pinned ? 1 : 0]),
-    w: writeSettings(steps.settings),
-    x: variation?.coefficients ?? null,
-    ...(variation && { d: howFound(variation) }),
-    ...(earlier.length > 0 && {
-      e: earlier.map((family) => [...howFound(family), ...family.coefficients]),
-    }),
-    r: [mark.hash, mark.moved, mark.probes],
-  };
-}
-
 /** null if they are not whole. */
 export function readSteps(json: Json): MarkedSteps | null {
   const handles = readHandles(json.h);
@@ -143,4 +86,10 @@ export function readSteps(json: Json): MarkedSteps | null {
   const planarised = readPlanarising(json.p);
   if (!handles || !settings || !families || !mark || planarised === undefined) return null;
   return { planarised, handles, settings, families, mark };
+}
+
+/** A variant beside a design: what was done, and a name (n). */
+export function readVariant(value: unknown): Variant | null {
+  const steps = isRecord(value) ? readSteps(value) : null;
+  return isRecord(value) && isName(value.n) && steps ? { name: value.n, steps } : null;
 }
