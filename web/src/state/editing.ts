@@ -267,6 +267,12 @@ const needsFlatterMesh = (page: Page, { handles, settings }: Design): boolean =>
   toTargets(handles).handles.length > 0 &&
   (page.mesh.value?.report.worstExcess ?? 0) > settings.tolerance;
 
+/** Of limits that are committed those that someone states; the page itself may have found the others. */
+function noteStated(page: Page, { limits }: EditSettings, next: readonly string[]): void {
+  const stated = page.statedLimits.value;
+  page.statedLimits.value = next.filter((one) => stated.includes(one) || !limits.includes(one));
+}
+
 export function commitSettings(
   page: Page,
   change: Partial<EditSettings>,
@@ -279,6 +285,7 @@ export function commitSettings(
       const design = page.draft.value;
       if (!design) return;
       const next = { ...design, settings: { ...design.settings, ...change } };
+      if (change.limits) noteStated(page, design.settings, change.limits);
       page.refusedTolerance.value = needsFlatterMesh(page, next) ? next.settings.tolerance : null;
       if (page.refusedTolerance.value !== null) return;
       const based = await openBase(page, next);
