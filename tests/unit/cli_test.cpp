@@ -55,6 +55,9 @@ TEST_F(Cli, ConvertJoinsPointsAndTurnsPanels) {
   ASSERT_EQ(run("convert --join-points 0.01 --orient apart.obj -o near.obj"), 0) << err();
   EXPECT_NE(err().find("1 panel was turned over"), std::string::npos) << err();
   EXPECT_EQ(load("near.obj").vertex_count(), 6);
+  EXPECT_EQ(err().find("opposite orientation"), std::string::npos) << err();
+  ASSERT_EQ(run("convert --join-points 0.01 apart.obj -o near.obj"), 0) << err();
+  EXPECT_NE(err().find("opposite orientation"), std::string::npos) << err();
   EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=0.9"), 3);
   EXPECT_NE(err().find("half the shortest side"), std::string::npos) << err();
   EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=x"), 2);
