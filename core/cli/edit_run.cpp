@@ -167,10 +167,24 @@ void make_cuts(EditRun& run, double tolerance) {
   run.given.positions.leftCols(given.cols()) = given;
 }
 
+/// A point that a trim leaves without panels stays in the mesh, so that numbers do: nothing follows
+/// it.
+void check_handles_left(const EditTargets& targets, const CutMesh& cut) {
+  const std::vector<int>& corners = cut.mesh.face_vertices;
+  for (const Handle& handle : targets.handles) {
+    if (std::find(corners.begin(), corners.end(), handle.vertex) != corners.end()) continue;
+    throw CommandError(kWrongUsage,
+                       "--handle: vertex " + std::to_string(handle.vertex) +
+                           " belongs to no panel after --cut: nothing would follow it");
+  }
+}
+
 void set_targets(EditRun& run, const Arguments& arguments) {
   run.targets = edit_targets(arguments, run.base.mesh, run.cut ? &*run.cut : nullptr);
   run.supports = run.targets.supports;
-  if (run.cut) run.supports = supports_after_cuts(run.supports, *run.cut);
+  if (!run.cut) return;
+  check_handles_left(run.targets, *run.cut);
+  run.supports = supports_after_cuts(run.supports, *run.cut);
 }
 
 }  // namespace
