@@ -210,6 +210,16 @@ TEST_F(Cli, WrongUsageIsExitCodeTwoAndOneLine) {
   EXPECT_EQ(file_count(), 3u);  // a.obj, out, err: nothing half written
 }
 
+TEST_F(Cli, AForgottenValueIsMissedAtItsOption) {
+  const std::string edit = "edit sample:vault:6 --handle 14+=0,0,0.1 ";
+  EXPECT_EQ(run(edit + "--fewest -o x.obj"), 2);
+  EXPECT_EQ(err(), "planish: --fewest needs a value: panels|points\n");
+  EXPECT_EQ(run(edit + "--softness --hard"), 2);
+  EXPECT_EQ(err(), "planish: --softness needs a value: S\n");
+  EXPECT_EQ(run(edit + "--attraction -1"), 2) << "a number may be less than 0, and is refused";
+  EXPECT_EQ(err().find("needs a value"), std::string::npos) << err();
+}
+
 TEST_F(Cli, AnInvalidMeshIsExitCodeThreeAndNamesTheLine) {
   save("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
   EXPECT_EQ(run("info bad.obj"), 3);
