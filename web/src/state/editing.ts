@@ -15,6 +15,7 @@ import {
 import * as steps from "../design/history.ts";
 import { limitNumbers } from "../design/stated-limit.ts";
 import { withoutImages } from "../design/symmetry.ts";
+import { row } from "../mesh/topology.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
@@ -267,6 +268,14 @@ const needsFlatterMesh = (page: Page, { handles, settings }: Design): boolean =>
   toTargets(handles).handles.length > 0 &&
   (page.mesh.value?.report.worstExcess ?? 0) > settings.tolerance;
 
+/** Without handles at points that belong to no panel of the mesh that is open: cuts may have taken them. */
+function withHandlesLeft(page: Page, design: Design): Design {
+  const corners = page.mesh.value?.topology.corners;
+  if (!corners) return design;
+  const handles = design.handles.filter(({ vertex }) => row(corners, vertex).length > 0);
+  return handles.length === design.handles.length ? design : { ...design, handles };
+}
+
 /** Of limits that are committed those that someone states; the page itself may have found the others. */
 function noteStated(page: Page, { limits }: EditSettings, next: readonly string[]): void {
   const stated = page.statedLimits.value;
@@ -290,7 +299,8 @@ export function commitSettings(
       if (page.refusedTolerance.value !== null) return;
       const based = await openBase(page, next);
       if (!based.ok) return takeBack(page, based);
-      return commitEdit(page, based.value, "solve", burst);
+      const left = change.cuts ? withHandlesLeft(page, based.value) : based.value;
+      return commitEdit(page, left, "solve", burst);
     },
     burst,
   );
