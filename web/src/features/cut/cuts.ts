@@ -43,14 +43,17 @@ async function commitCuts(page: Page, to: readonly string[], said: string): Outc
 
 export type TryCut = Extract<Question, { kind: "tryCut" }>;
 
-/** With its images, where edits have some. @param trial what the solver is asked about it before */
-export async function makeCut(page: Page, text: string, trial: TryCut): Outcome {
-  const tried = await inTurn(page, async () => {
-    const answer = await runUnseen(page, "cutting", trial, "tried");
-    const problem = answer.ok ? answer.value.trial.problem : "";
-    return problem ? refuse(problem) : answer;
-  });
+/** With its images, where edits have some; a sentence where it cannot be made, which the tool says.
+ * @param trial what the solver is asked about it before */
+export async function makeCut(
+  page: Page,
+  text: string,
+  trial: TryCut,
+): Promise<Awaited<Outcome> | string> {
+  const tried = await inTurn(page, () => runUnseen(page, "cutting", trial, "tried"));
   if (!tried?.ok) return tried;
+  const { problem } = tried.value.trial;
+  if (problem) return problem;
   const all = tried.value.trial.cuts.split("\n");
   const images = all.length > 1 ? ` and ${counted(all.length - 1, "image")}` : "";
   return commitCuts(page, [...cuts(page).value, ...all], `Cut: ${cutWords(text)}${images}.`);
