@@ -11,15 +11,15 @@ namespace {
 ExitCode run_edit(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
-  const HandleEditOptions options = edit_options(arguments);
-  const EditRun run = run_edit_solver(arguments, options);
-  const Design design = make_design(run, options, {}, run.edited);
+  const EditRun run = run_edit_solver(arguments, edit_options(arguments));
+  const Design design = make_design(run, run.options, {}, run.edited);
   save_design(arguments, design);
   if (output) save_edit(*output, run, run.edited, design);
-  const Json json = edit_json(run, run.edited, options.engine);
+  const Json json = edit_json(run, run.edited, run.options.engine);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
+  print_sentence(broken_limits_sentence(run));
   print_sentence(fewest_sentence(run));
   print_sentence(shortfall_sentence(run));
   save_report(arguments, json);

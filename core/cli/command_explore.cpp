@@ -20,7 +20,7 @@ ExitCode run_explore(const Arguments& arguments) {
   const SubspaceOptions family_options = subspace_options(arguments, options);
   const Eigen::VectorXd values = coefficients(arguments, family_options.dimension);
   const EditRun run = run_edit_solver(arguments, options);
-  const Family family = find_family(run, options, family_options, arguments, progress_line());
+  const Family family = find_family(run, run.options, family_options, arguments, progress_line());
   Variation variation = with_sliders(run, family, values);
   if (arguments.has("--exact")) {
     variation = make_exact(run, family, std::move(variation), progress_line());
@@ -37,6 +37,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
+  print_sentence(broken_limits_sentence(run));
   print_sentence(not_exact_sentence(run, family, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   print_sentence(exact_outcome_sentence(variation));

@@ -6,8 +6,11 @@
 
 #include "cut_run.hpp"
 #include "edit_options.hpp"
+#include "planish/constraints/mesh_limits.hpp"
 #include "planish/design/cut_base.hpp"
+#include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "planish/text/number.hpp"
 #include "report.hpp"
 
@@ -129,6 +132,59 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
 
 namespace {
 
+/// Those about the handles, with their neighbours, and those at a limit, ascending.
+std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
+  const Mesh& mesh = run.base.mesh;
+  std::vector<int> handles;
+  for (const Handle& handle : run.targets.handles) handles.push_back(handle.vertex);
+  std::vector<int> corners;
+  for (const int f : faces_of(adjacency, handles)) {
+    corners.insert(corners.end(), mesh.face(f).begin(), mesh.face(f).end());
+  }
+  std::vector<int> panels = faces_of(adjacency, corners);
+  for (const BoundStanding& bound : run.report.bounds) {
+    if (bound.name != "keep-out") {  // its are points
+      panels.insert(panels.end(), bound.binding.begin(), bound.binding.end());
+    }
+  }
+  std::sort(panels.begin(), panels.end());
+  return panels;
+}
+
+/// As --bound had it.
+std::string limit_words(const EditRun& run, std::string_view name) {
+  std::string words;
+  for (const StatedLimit& limit : run.options.bounds) {
+    if (limit.name != name) continue;
+    words += (words.empty() ? "" : " and ") + ("--bound " + stated_limit_text(limit));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::optional<std::string> broken_limits_sentence(const EditRun& run) {
+  const bool arrived =
+      run.report.status == SolveStatus::kConverged && !shortfall_sentence(run).has_value();
+  if (arrived || run.options.bounds.empty()) return std::nullopt;
+  const Mesh& mesh = run.base.mesh;
+  const Adjacency adjacency = build_adjacency(mesh);
+  const MeshLimits limits({mesh, adjacency, mesh.positions}, run.options.bounds);
+  const std::vector<int> held = held_panels(run, adjacency);
+  for (const LimitExcess& excess : limit_excess(limits, mesh.face_count())) {
+    const bool near = std::any_of(excess.panels.begin(), excess.panels.end(), [&](int f) {
+      return std::binary_search(held.begin(), held.end(), f);
+    });
+    if (!near) continue;
+    return std::to_string(excess.panels.size()) + " of " + std::to_string(mesh.face_count()) +
+           " panels break " + limit_words(run, excess.name) +
+           " before the edit and may not get worse, which holds it back: a wider limit frees them";
+  }
+  return std::nullopt;
+}
+
+namespace {
+
 bool has_images(const EditRun& run) { return run.symmetry && run.symmetry->operations.size() > 1; }
 
 }  // namespace
@@ -191,16 +247,28 @@ void set_targets(EditRun& run, const Arguments& arguments) {
 
 namespace {
 
-/// What is held for the sake of few panels becomes pins.
-HandleEditResult solve_fewest(EditRun& run, const HandleEditOptions& options,
-                              const FewestOptions& fewest, const Progress& progress) {
+/// What is held for the sake of few panels becomes pins; panels stay such that they can be built,
+/// where the handles arrive so.
+HandleEditResult solve_fewest(EditRun& run, const FewestOptions& fewest, const Progress& progress) {
   if (run.symmetry) throw CommandError(kWrongUsage, "--fewest: it knows no --symmetry");
   EditTargets targets = targets_with_images(run);
-  if (const auto problem = find_problem(fewest, options, targets)) {
+  if (const auto problem = find_problem(fewest, run.options, targets)) {
     throw CommandError(kWrongUsage, *problem);
   }
-  HandleEditSolver solver(run.base.mesh, options);
-  FewestEdit found = find_fewest(run.base.mesh, solver, targets, fewest, progress);
+  const Mesh& mesh = run.base.mesh;
+  const HandleEditOptions given = run.options;
+  const auto limits = buildable_limits(mesh, given.bounds);
+  run.options.bounds.insert(run.options.bounds.end(), limits.begin(), limits.end());
+  HandleEditSolver solver(mesh, run.options);
+  FewestEdit found = find_fewest(mesh, solver, targets, fewest, progress);
+  if (!found.reached && !limits.empty()) {
+    HandleEditSolver freer(mesh, given);
+    FewestEdit free = find_fewest(mesh, freer, targets, fewest, progress);
+    if (free.reached) {
+      run.options = given;
+      found = std::move(free);
+    }
+  }
   run.targets.pins.insert(run.targets.pins.end(), found.held.begin(), found.held.end());
   HandleEditResult result = std::move(found.result);
   run.fewest = fewest;
@@ -208,10 +276,10 @@ HandleEditResult solve_fewest(EditRun& run, const HandleEditOptions& options,
   return result;
 }
 
-HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
-                            const std::optional<FewestOptions>& fewest, const Progress& progress) {
-  if (fewest) return solve_fewest(run, options, *fewest, progress);
-  HandleEditSolver solver(run.base.mesh, options);
+HandleEditResult solve_edit(EditRun& run, const std::optional<FewestOptions>& fewest,
+                            const Progress& progress) {
+  if (fewest) return solve_fewest(run, *fewest, progress);
+  HandleEditSolver solver(run.base.mesh, run.options);
   const EditTargets targets = targets_with_images(run);
   if (has_images(run)) return solver.solve_symmetric(targets, *run.symmetry, progress);
   return solver.solve(targets, progress);
@@ -222,6 +290,7 @@ HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
 EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, LoadedSource source,
                  const std::string& name, const Progress& progress) {
   EditRun run;
+  run.options = options;
   run.unit = model_unit(arguments);
   run.given = std::move(source.mesh);
   run.source = std::move(source.source);
@@ -261,7 +330,7 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
     throw CommandError(kInvalidMesh,
                        name + ": " + *broken + "; planish project --constraint makes it so");
   }
-  const HandleEditResult result = solve_edit(run, options, fewest_options(arguments), watched);
+  const HandleEditResult result = solve_edit(run, fewest_options(arguments), watched);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -277,6 +346,21 @@ EditRun run_edit_solver(const Arguments& arguments, const HandleEditOptions& opt
   return run;
 }
 
+namespace {
+
+/// Panels that --fewest made slivers, ascending.
+std::vector<int> new_slivers(const EditRun& run) {
+  std::vector<int> slivers;
+  for (int f = 0; f < run.base.mesh.face_count(); ++f) {
+    if (became_sliver(run.base.mesh.positions, run.edited, run.base.mesh.face(f))) {
+      slivers.push_back(f);
+    }
+  }
+  return slivers;
+}
+
+}  // namespace
+
 std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!run.fewest) return std::nullopt;
   const FewestEdit& found = run.fewest_found;
@@ -287,7 +371,12 @@ std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!found.minimal) {
     return "--fewest: stopped after " + std::to_string(found.solves) + " solves; fewer may do";
   }
-  return std::nullopt;
+  const std::size_t slivers = new_slivers(run).size();
+  if (slivers == 0) return std::nullopt;
+  return "--fewest: " + std::to_string(slivers) +
+         (slivers == 1 ? " panel became a sliver" : " panels became slivers") +
+         " with a corner below " + three_digits(kSliverAngle) +
+         " degrees; --bound angle=MIN:MAX and edge=MIN:MAX limit that";
 }
 
 namespace {
@@ -300,6 +389,7 @@ Json fewest_json(const EditRun& run) {
           {"panels_before", found.panels_before},
           {"points", run.report.moved_vertices},
           {"held", found.held.size()},
+          {"slivers", new_slivers(run)},
           {"reached", found.reached},
           {"minimal", found.minimal},
           {"solves", found.solves}};

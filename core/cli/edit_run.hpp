@@ -48,6 +48,7 @@ struct EditRun {
   std::vector<PointSupport> supports;       ///< of `targets`, with the points that the cuts added
   std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
   SymmetricBase evened;                  ///< how the base became symmetric
+  HandleEditOptions options;  ///< with the limits that --fewest adds to those that were given
   std::optional<FewestOptions> fewest;  ///< where few panels are asked for; targets.pins has `held`
   FewestEdit fewest_found;              ///< what came of it, its result apart
   Positions edited;                     ///< 3 × n
@@ -83,6 +84,10 @@ struct EditRun {
 /// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
 /// nullopt if none does, or where outcome_sentence() has more to say.
 [[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
+/// Which limits of --bound panels of the base break already, and how many do, where that holds an
+/// edit back that stops short of what was asked for; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> broken_limits_sentence(const EditRun& run);
 
 /// Nor need it be symmetric; nullopt where it was.
 [[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);

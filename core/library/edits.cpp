@@ -40,6 +40,7 @@ std::vector<std::string> edit_messages(const cli::EditRun& run, const cli::Json&
   add(messages, cli::evened_sentence(run));
   add(messages, cli::damage_sentence(report["spoilt_faces"]));
   add(messages, cli::outcome_sentence(run.report));
+  add(messages, cli::broken_limits_sentence(run));
   add(messages, cli::fewest_sentence(run));
   add(messages, cli::shortfall_sentence(run));
   return messages;
@@ -61,6 +62,7 @@ Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const Words& words, const P
   Edit edit{mesh, {}, options};
   edit.run =
       cli::run_edit(arguments, edit.options, {mesh->mesh, mesh->source, {}}, mesh->name, progress);
+  edit.options = edit.run.options;
   return edit;
 }
 
