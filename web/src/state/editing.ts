@@ -20,6 +20,7 @@ import { GIVEN_UP } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
 import type { EditMode, EditSettings, PullLimit, ShapeReport } from "../solver/protocol.ts";
+import { isSeen } from "./camera.ts";
 import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { selectOnly } from "./selection.ts";
@@ -216,7 +217,9 @@ export async function addHandle(page: Page): Outcome {
   const chosen =
     page.selected.value !== null && !taken.includes(page.selected.value)
       ? page.selected.value
-      : sensibleVertex(opened.display, opened.topology.boundary, taken);
+      : sensibleVertex(opened.display, opened.topology.boundary, taken, (vertex) =>
+          isSeen(page, vertex),
+        );
   if (chosen === null) return;
   selectOnly(page, chosen);
   return setTarget(page, chosen, shownPoint(page, chosen));
