@@ -17,6 +17,13 @@ std::pair<std::string_view, std::optional<std::string_view>> split_option(std::s
   return {word.substr(0, equals), word.substr(equals + 1)};
 }
 
+/// A value may begin with a minus, but no value is the name of an option.
+bool is_option(std::string_view word, std::span<const OptionRow> table) {
+  const std::string_view name = split_option(word).first;
+  return std::any_of(table.begin(), table.end(),
+                     [name](const OptionRow& row) { return row.name == name; });
+}
+
 }  // namespace
 
 Arguments::Arguments(std::span<const std::string_view> words, std::span<const OptionRow> table) {
@@ -38,7 +45,7 @@ Arguments::Arguments(std::span<const std::string_view> words, std::span<const Op
     } else if (row->value.front() == '[') {
       const bool number = k + 1 < words.size() && parse_number(words[k + 1]);
       add(name, number ? words[++k] : std::string_view());
-    } else if (k + 1 < words.size()) {
+    } else if (k + 1 < words.size() && !is_option(words[k + 1], table)) {
       add(name, words[++k]);
     } else {
       throw UsageError(std::string(name) + " needs a value: " + std::string(row->value));

@@ -17,6 +17,7 @@ ExitCode run_edit(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
+  print_sentence(broken_limits_sentence(run));
   print_sentence(fewest_sentence(run));
   print_sentence(shortfall_sentence(run));
   save_report(arguments, json);

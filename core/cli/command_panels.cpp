@@ -41,11 +41,16 @@ void set_scope(const std::string& text, CuttingOptions& options) {
 }
 
 /// `panel` or `type`.
-void set_by(const std::string& text, CuttingOptions& options) {
+void set_by(const Arguments& arguments, const std::string& text, CuttingOptions& options) {
   if (text != "panel" && text != "type") {
     throw UsageError("--by: \"" + text + "\" is not panel or type");
   }
   options.by_type = text == "type";
+  if (options.by_type && !arguments.has("--joint") && !arguments.has("--within")) {
+    throw UsageError(
+        "--by type needs --joint MIN:MAX or --within D: by how much joints, or "
+        "panels of a type, may vary");
+  }
 }
 
 /// Types where they are asked for; templates are cut with the joint that they are found for.
@@ -69,7 +74,7 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   arguments.read("--text-height", options.text_height);
   if (const auto text = arguments.value("--sheet")) set_sheet(*text, options);
   if (const auto text = arguments.value("--scope")) set_scope(*text, options);
-  if (const auto text = arguments.value("--by")) set_by(*text, options);
+  if (const auto text = arguments.value("--by")) set_by(arguments, *text, options);
   add_types(arguments, input, options);
   if (const auto problem = find_problem(options, input.mesh, input.base.has_value())) {
     throw UsageError(*problem);
@@ -107,7 +112,7 @@ bool check_flat(const ShopInput& input, const DrawnReport& report) {
   const bool flat = report.excess <= input.tolerance;
   if (!flat) {
     print_message("not flat: a panel is out of its plane by " + three_digits(report.flatness) +
-                  " mm/m; its outline is not exact");
+                  " mm/m; its outline is not exact: use planish project first");
   }
   return flat;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "planish/mesh/mesh_check.hpp"
 #include "planish/mesh/orientation.hpp"
 #include "planish/mesh/point_joining.hpp"
 #include "planish/mesh/triangle_pairs.hpp"
@@ -25,11 +26,10 @@ void join_own_points(const std::string& within, Converted& converted) {
 }
 
 void turn_panels(Converted& converted) {
-  // What was said of panels that do not agree is mended here.
-  std::erase_if(converted.messages, [](const std::string& message) {
-    return message.find("convert --orient") != std::string::npos;
-  });
+  const auto said = orientation_warning(converted.mesh);
   Oriented result = oriented(std::move(converted.mesh));
+  // What was said of panels that do not agree is mended, but where the surface has one side only.
+  if (said && !orientation_warning(result.mesh)) std::erase(converted.messages, *said);
   converted.messages.push_back(std::to_string(result.turned) + (result.turned == 1
                                                                     ? " panel was turned over"
                                                                     : " panels were turned over"));

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "planish/constraints/mesh_limits.hpp"
 #include "planish/design/cut_base.hpp"
+#include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "planish/text/number.hpp"
 #include "report.hpp"
 
@@ -106,6 +109,59 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
 
 namespace {
 
+/// Those about the handles, with their neighbours, and those at a limit, ascending.
+std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
+  const Mesh& mesh = run.base.mesh;
+  std::vector<int> handles;
+  for (const Handle& handle : run.targets.handles) handles.push_back(handle.vertex);
+  std::vector<int> corners;
+  for (const int f : faces_of(adjacency, handles)) {
+    corners.insert(corners.end(), mesh.face(f).begin(), mesh.face(f).end());
+  }
+  std::vector<int> panels = faces_of(adjacency, corners);
+  for (const BoundStanding& bound : run.report.bounds) {
+    if (bound.name != "keep-out") {  // its are points
+      panels.insert(panels.end(), bound.binding.begin(), bound.binding.end());
+    }
+  }
+  std::sort(panels.begin(), panels.end());
+  return panels;
+}
+
+/// As --bound had it.
+std::string limit_words(const EditRun& run, std::string_view name) {
+  std::string words;
+  for (const StatedLimit& limit : run.asked.options.bounds) {
+    if (limit.name != name) continue;
+    words += (words.empty() ? "" : " and ") + ("--bound " + stated_limit_text(limit));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::optional<std::string> broken_limits_sentence(const EditRun& run) {
+  const bool arrived =
+      run.report.status == SolveStatus::kConverged && !shortfall_sentence(run).has_value();
+  if (arrived || run.asked.options.bounds.empty()) return std::nullopt;
+  const Mesh& mesh = run.base.mesh;
+  const Adjacency adjacency = build_adjacency(mesh);
+  const MeshLimits limits({mesh, adjacency, mesh.positions}, run.asked.options.bounds);
+  const std::vector<int> held = held_panels(run, adjacency);
+  for (const LimitExcess& excess : limit_excess(limits, mesh.face_count())) {
+    const bool near = std::any_of(excess.panels.begin(), excess.panels.end(), [&](int f) {
+      return std::binary_search(held.begin(), held.end(), f);
+    });
+    if (!near) continue;
+    return std::to_string(excess.panels.size()) + " of " + std::to_string(mesh.face_count()) +
+           " panels break " + limit_words(run, excess.name) +
+           " before the edit and may not get worse, which holds it back: a wider limit frees them";
+  }
+  return std::nullopt;
+}
+
+namespace {
+
 bool has_images(const EditRun& run) { return run.symmetry && run.symmetry->operations.size() > 1; }
 
 }  // namespace
@@ -144,19 +200,44 @@ void make_cuts(EditRun& run) {
   run.given.positions.leftCols(given.cols()) = given;
 }
 
-/// What is held for the sake of few panels becomes pins.
+/// A point that a trim leaves without panels stays in the mesh, so that numbers do: nothing follows
+/// it.
+void check_handles_left(const EditTargets& targets, const CutMesh& cut) {
+  const std::vector<int>& corners = cut.mesh.face_vertices;
+  for (const Handle& handle : targets.handles) {
+    if (std::find(corners.begin(), corners.end(), handle.vertex) != corners.end()) continue;
+    throw UsageError("--handle: vertex " + std::to_string(handle.vertex) +
+                     " belongs to no panel after --cut: nothing would follow it");
+  }
+}
+
+/// What is held for the sake of few panels becomes pins; panels stay such that they can be built,
+/// where the handles arrive so.
 HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
   if (run.symmetry) throw UsageError("--fewest: it knows no --symmetry");
-  const HandleEditOptions& options = run.asked.options;
   EditTargets targets = targets_with_images(run);
+  HandleEditOptions& options = run.asked.options;
   if (const auto problem = find_problem(*run.asked.fewest, options, targets)) {
     throw UsageError(*problem);
   }
-  HandleEditSolver solver(run.base.mesh, options);
-  run.fewest = find_fewest(run.base.mesh, solver, targets, *run.asked.fewest, progress);
-  const std::vector<int>& held = run.fewest->held;
-  run.targets.pins.insert(run.targets.pins.end(), held.begin(), held.end());
-  return std::move(run.fewest->result);
+  const Mesh& mesh = run.base.mesh;
+  const HandleEditOptions given = options;
+  const auto limits = buildable_limits(mesh, given.bounds);
+  options.bounds.insert(options.bounds.end(), limits.begin(), limits.end());
+  HandleEditSolver solver(mesh, options);
+  FewestEdit found = find_fewest(mesh, solver, targets, *run.asked.fewest, progress);
+  if (!found.reached && !limits.empty()) {
+    HandleEditSolver freer(mesh, given);
+    FewestEdit free = find_fewest(mesh, freer, targets, *run.asked.fewest, progress);
+    if (free.reached) {
+      options = given;
+      found = std::move(free);
+    }
+  }
+  run.targets.pins.insert(run.targets.pins.end(), found.held.begin(), found.held.end());
+  HandleEditResult result = std::move(found.result);
+  run.fewest = std::move(found);
+  return result;
 }
 
 HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
@@ -211,7 +292,10 @@ EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name
   make_cuts(run);
   run.targets = edit_targets(run.asked, run.base.mesh, run.cut ? &*run.cut : nullptr);
   run.supports = run.targets.supports;
-  if (run.cut) run.supports = supports_after_cuts(run.supports, *run.cut);
+  if (run.cut) {
+    check_handles_left(run.targets, *run.cut);
+    run.supports = supports_after_cuts(run.supports, *run.cut);
+  }
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
     throw MeshError(name + ": " + *broken + "; planish project --constraint makes it so");
   }
@@ -220,6 +304,21 @@ EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name
   run.report = result.report;
   return run;
 }
+
+namespace {
+
+/// Panels that --fewest made slivers, ascending.
+std::vector<int> new_slivers(const EditRun& run) {
+  std::vector<int> slivers;
+  for (int f = 0; f < run.base.mesh.face_count(); ++f) {
+    if (became_sliver(run.base.mesh.positions, run.edited, run.base.mesh.face(f))) {
+      slivers.push_back(f);
+    }
+  }
+  return slivers;
+}
+
+}  // namespace
 
 std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!run.fewest) return std::nullopt;
@@ -231,7 +330,12 @@ std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!found.minimal) {
     return "--fewest: stopped after " + std::to_string(found.solves) + " solves; fewer may do";
   }
-  return std::nullopt;
+  const std::size_t slivers = new_slivers(run).size();
+  if (slivers == 0) return std::nullopt;
+  return "--fewest: " + std::to_string(slivers) +
+         (slivers == 1 ? " panel became a sliver" : " panels became slivers") +
+         " with a corner below " + three_digits(kSliverAngle) +
+         " degrees; --bound angle=MIN:MAX and edge=MIN:MAX limit that";
 }
 
 namespace {
@@ -244,6 +348,7 @@ Json fewest_json(const EditRun& run) {
           {"panels_before", found.panels_before},
           {"points", run.report.moved_vertices},
           {"held", found.held.size()},
+          {"slivers", new_slivers(run)},
           {"reached", found.reached},
           {"minimal", found.minimal},
           {"solves", found.solves}};

@@ -41,8 +41,8 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  EditRequest asked;
-  Mesh given;  ///< as in the file; where there are cuts: parted as they part the flat mesh
+  EditRequest asked;  ///< its options with the limits that --fewest adds to those that were given
+  Mesh given;         ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
   FlatBase base;                            ///< after the cuts
   std::optional<CutMesh> cut;               ///< what they made; absent without any
@@ -81,6 +81,10 @@ struct EditRun {
 /// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
 /// nullopt if none does, or where outcome_sentence() has more to say.
 [[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
+/// Which limits of --bound panels of the base break already, and how many do, where that holds an
+/// edit back that stops short of what was asked for; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> broken_limits_sentence(const EditRun& run);
 
 /// Nor need it be symmetric; nullopt where it was.
 [[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);

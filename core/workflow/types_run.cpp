@@ -169,7 +169,7 @@ std::vector<std::string> types_sentences(const CuttingPlan& plan, double toleran
   const PlanaritySummary planarity = planarity_summary(plan.mesh);
   if (planarity.max_excess > tolerance) {
     sentences.push_back("not flat: a panel is out of its plane by " + three_digits(planarity.max) +
-                        " mm/m; its outline is not exact");
+                        " mm/m; its outline is not exact: use planish project first");
   }
   return sentences;
 }

@@ -3,8 +3,8 @@
 // step of the history, before the edit, and goes along in links and saved designs.
 import { expect, it } from "vitest";
 import { flatRoof } from "../browser/support/faults.ts";
-import { idle, movedCount, obj, openFile } from "../browser/support/page.ts";
-import type { Place } from "../browser/support/view.ts";
+import { idle, movedCount, obj, openFile, typeTarget } from "../browser/support/page.ts";
+import { handleRows, type Place } from "../browser/support/view.ts";
 import {
   cutsOf,
   field,
@@ -83,11 +83,36 @@ it("what would be cut is tried out under the pointer, and nothing is made of it"
   await strip(page).getByText("points 8 and 9 are neighbours on the outline of panel 7").waitFor();
   await page.mouse.click(next.x, next.y);
   await idle(page);
-  await page
-    .getByRole("alert")
-    .getByText(/points 8 and 9 are neighbours/)
-    .waitFor();
+  // Where it was said before it was asked for, and where a typed one is: in the tool alone.
+  await strip(page).getByText("points 8 and 9 are neighbours on the outline of panel 7").waitFor();
+  const alert = page.getByRole("alert").getByText(/points 8 and 9 are neighbours/);
+  expect(await alert.count()).toBe(0);
+  await typed(page, "Split", "7:8,9");
+  await strip(page).getByText("points 8 and 9 are neighbours on the outline of panel 7").waitFor();
+  expect(await alert.count()).toBe(0);
   expect(await panels(page)).toBe(36);
+  await page.context().close();
+});
+
+it("a trim that takes a handle's panels takes the handle off, says so, and the legend counts anew", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+30cm");
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("shape");
+  const legend = page.getByRole("group", { name: "Legend" });
+  await legend.getByText(/^\d\d points move/).waitFor();
+  await start(page);
+  await typed(page, "Trim", "0,0,1,1.5");
+  const [words] = await page.getByText(/^Cut: Trim/).allTextContents();
+  expect(words).toMatch(
+    /^Cut: Trim 0,0,1,1.5\. Point \d+ is gone with its panels, and its handle is taken off\.$/,
+  );
+  expect(await handleRows(page)).toEqual([]);
+  expect(await movedCount(page)).toBe(0);
+  await legend.getByText(/^0 points move/).waitFor();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect((await handleRows(page)).length).toBe(1);
+  await legend.getByText(/^\d\d points move/).waitFor();
   await page.context().close();
 });
 

@@ -58,6 +58,22 @@ it("says by how much planarising moved the points, and which panels it spoilt", 
   await page.context().close();
 });
 
+it("the report of a file says of an edit that it spoilt panels, not that making it flat did", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await page.getByText("Advanced", { exact: true }).click();
+  await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();
+  await pickFile(page, "twisted.obj", TWISTED);
+  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
+  await page.getByRole("button", { name: "Planarise" }).first().click();
+  await idle(page);
+  const report = page.getByRole("region", { name: "twisted.obj" });
+  await report.getByText("Made flat, but").waitFor();
+  await typeTarget(page, "+10cm");
+  await report.getByText("After the edit").waitFor();
+  expect(await report.getByText("Made flat, but").count()).toBe(0);
+  await page.context().close();
+});
+
 it("planarises without spoiling a panel, unless that is asked for", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await pickFile(page, "twisted.obj", TWISTED);

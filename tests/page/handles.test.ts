@@ -2,7 +2,7 @@
 // The table of handles: every digit can be read, and many points are one row.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount } from "../browser/support/page.ts";
+import { idle, movedCount, typeTarget } from "../browser/support/page.ts";
 import { handleRows, hintedPoint, type Place, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -69,5 +69,26 @@ it("Add handle takes one of many, a drag of many is one row, and all can be remo
   await page.getByRole("button", { name: "Undo" }).click();
   await idle(page);
   expect(await movedCount(page)).toBeGreaterThan(0);
+  await page.context().close();
+});
+
+it("-= takes away; a minus alone is a place, which is said where it goes beyond 0", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+50cm");
+  const z = table(page).getByRole("spinbutton", { name: "Z" }).first();
+  const up = Number(await z.inputValue());
+  expect(up).toBeGreaterThan(0.5);
+  const type = async (text: string): Promise<void> => {
+    await z.fill(text);
+    await z.press("Enter");
+    await idle(page);
+  };
+  await type("-=30cm");
+  expect(Number(await z.inputValue())).toBeCloseTo(up - 0.3, 3);
+  const words = page.getByText("Z: -0.3 is a place. To move by it, type -=0.3.");
+  expect(await words.count()).toBe(0);
+  await type("-0.3");
+  expect(Number(await z.inputValue())).toBeCloseTo(-0.3, 3);
+  await words.waitFor();
   await page.context().close();
 });

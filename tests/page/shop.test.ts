@@ -79,9 +79,14 @@ it("says what is wrong with a sheet of one length, and saves nothing", async () 
   const dialog = await openDialog(page, "Cutting package…");
   await dialog.getByLabel("Sheet width").fill("6000");
   await dialog.getByRole("button", { name: "Save package" }).click();
-  await expect
-    .poll(() => page.locator("[role=alert]").textContent())
-    .toMatch(/sheet must be two lengths/);
+  await dialog.getByText(/Not like this: sheet must be two lengths/).waitFor();
+  const save = dialog.getByRole("button", { name: "Save package" });
+  await expect.poll(() => save.isDisabled()).toBe(true);
+  // Behind a dialog nobody reads it.
+  expect(await page.getByRole("alert").count()).toBe(0);
+  await dialog.getByLabel("Sheet height").fill("3000");
+  await expect.poll(() => save.isDisabled()).toBe(false);
+  await dialog.getByText(/^\d+ panels drawn/).waitFor();
   await page.context().close();
 });
 

@@ -71,6 +71,8 @@ it("cuts one template a type with the bytes of the command line", async () => {
   await dialog.getByLabel("Joint between panels").fill("20");
   await dialog.getByLabel("Drawn").selectOption("One template a type");
   await dialog.getByText(/Not like this: one drawing a type needs to know/).waitFor();
+  const save = dialog.getByRole("button", { name: "Save package" });
+  expect(await save.isDisabled()).toBe(true);
   await dialog.getByLabel("Joints vary by up to").fill("14");
   await dialog.getByLabel("Panels may be turned over").check();
   await dialog.getByLabel("Sheet width").fill("6000");
@@ -79,7 +81,7 @@ it("cuts one template a type with the bytes of the command line", async () => {
   await dialog.getByText(/panels drawn as \d+ types/).waitFor();
   await dialog.getByText(/^T-0001, as it is drawn/).waitFor();
   const download = page.waitForEvent("download");
-  await dialog.getByRole("button", { name: "Save package" }).click();
+  await save.click();
   const bytes = await downloaded(await download);
   await dialog.getByText(/Saved: \d+ panels drawn as \d+ types/).waitFor();
   const options = "--joint 6:34 --mirrored --by type --sheet 6000x3000 --against Roof.obj";

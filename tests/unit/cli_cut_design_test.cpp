@@ -35,6 +35,15 @@ TEST_F(Cli, EditsWhatTheCutsLeave) {
   EXPECT_EQ(report["mesh"]["faces"], load("b.obj").face_count());
 }
 
+TEST_F(Cli, AHandleWhosePanelsATrimTookIsRefused) {
+  const std::string edit = "edit sample:vault:12 --cut trim=0,0,1,1.5 --softness 4 -o a.obj ";
+  EXPECT_EQ(run(edit + "--handle 78+=0,0,0.3"), 2);
+  EXPECT_EQ(err(),
+            "planish: --handle: vertex 78 belongs to no panel after --cut: nothing would follow "
+            "it\n");
+  EXPECT_EQ(run(edit + "--handle 14+=0,0,0.1"), 0) << err();
+}
+
 TEST_F(Cli, ADesignHoldsItsFileAndItsCuts) {
   ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
   ASSERT_EQ(run("edit v.obj --cut strip=60-61@0.25 --handle 150+=0,0,0.2 --softness 4 "

@@ -343,6 +343,21 @@ TEST_F(Cli, ExploreReportsItsSubspace) {
   EXPECT_EQ(load("b.glb").face_count(), 121);
 }
 
+TEST_F(Cli, ALimitThatTheMeshBreaksAlreadyIsNamed) {
+  const std::string edit =
+      "edit sample:vault:12 --handle 78+=0,0,0.5 --softness 5 --reach 3 --keep-boundary -o a.obj ";
+  for (const char* limit :
+       {"edge=1.5:3", "edge=0.2:0.5", "fold=0.01", "angle=30:60", "area=0.2", "sheet=0.3x0.3"}) {
+    run(edit + "--bound " + limit);
+    EXPECT_NE(err().find("121 of 121 panels break --bound " + std::string(limit) +
+                         " before the edit and may not get worse"),
+              std::string::npos)
+        << err();
+  }
+  run(edit + "--bound edge=0.2:5 --bound angle=30:150 --bound fold=+3");
+  EXPECT_EQ(err().find("before the edit"), std::string::npos) << err();
+}
+
 }  // namespace
 }  // namespace planish
 

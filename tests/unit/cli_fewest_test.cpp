@@ -36,6 +36,29 @@ TEST_F(Cli, FewestReportsWhatItSavedAndTheDesignReplays) {
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
 }
 
+TEST_F(Cli, FewestKeepsPanelsThatCanBeBuilt) {
+  const std::string edit =
+      "edit sample:vault:12 --handle 78+=0,0,0.3 --softness 5 --reach 3 --keep-boundary "
+      "--bound fold=+15 --fewest panels --report a.json --design d.json -o a.obj ";
+  ASSERT_EQ(run(edit), 0) << err();
+  const json bounds = json::parse(contents(directory_ / "d.json"))["options"]["bounds"];
+  ASSERT_EQ(bounds.size(), 3U) << bounds;
+  EXPECT_EQ(bounds[1], "angle=20:170");
+  EXPECT_EQ(bounds[2].get<std::string>().rfind("edge=", 0), 0U) << bounds;
+  const json built = json::parse(contents(directory_ / "a.json"))["fewest"];
+  EXPECT_EQ(built["slivers"], json::array());
+  EXPECT_EQ(built["reached"], true);
+  EXPECT_EQ(err().find("sliver"), std::string::npos) << err();
+  ASSERT_EQ(run("replay d.json -o b.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
+  // What someone states is the limit; slivers are said.
+  ASSERT_EQ(run(edit + "--bound angle=0.1:179.9 --bound edge=0.001:9"), 0) << err();
+  const json free = json::parse(contents(directory_ / "a.json"))["fewest"];
+  EXPECT_EQ(json::parse(contents(directory_ / "d.json"))["options"]["bounds"].size(), 3U);
+  const bool said = err().find("became") != std::string::npos;
+  EXPECT_EQ(said, !free["slivers"].empty()) << err();
+}
+
 TEST_F(Cli, FewestSaysWhereTheHandlesDoNotArriveAnyway) {
   run("edit sample:vault:16 --handle 136+=0,0,9 --reach 2 --fewest panels --report a.json");
   EXPECT_NE(err().find("--fewest: with nothing held a handle stops"), std::string::npos) << err();

@@ -55,6 +55,9 @@ TEST_F(Cli, ConvertJoinsPointsAndTurnsPanels) {
   ASSERT_EQ(run("convert --join-points 0.01 --orient apart.obj -o near.obj"), 0) << err();
   EXPECT_NE(err().find("1 panel was turned over"), std::string::npos) << err();
   EXPECT_EQ(load("near.obj").vertex_count(), 6);
+  EXPECT_EQ(err().find("opposite orientation"), std::string::npos) << err();
+  ASSERT_EQ(run("convert --join-points 0.01 apart.obj -o near.obj"), 0) << err();
+  EXPECT_NE(err().find("opposite orientation"), std::string::npos) << err();
   EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=0.9"), 3);
   EXPECT_NE(err().find("half the shortest side"), std::string::npos) << err();
   EXPECT_EQ(run("convert apart.obj -o no.obj --join-points=x"), 2);
@@ -205,6 +208,16 @@ TEST_F(Cli, WrongUsageIsExitCodeTwoAndOneLine) {
     EXPECT_EQ(message.find('\n'), message.size() - 1) << words << ": " << message;
   }
   EXPECT_EQ(file_count(), 3u);  // a.obj, out, err: nothing half written
+}
+
+TEST_F(Cli, AForgottenValueIsMissedAtItsOption) {
+  const std::string edit = "edit sample:vault:6 --handle 14+=0,0,0.1 ";
+  EXPECT_EQ(run(edit + "--fewest -o x.obj"), 2);
+  EXPECT_EQ(err(), "planish: --fewest needs a value: panels|points\n");
+  EXPECT_EQ(run(edit + "--softness --hard"), 2);
+  EXPECT_EQ(err(), "planish: --softness needs a value: S\n");
+  EXPECT_EQ(run(edit + "--attraction -1"), 2) << "a number may be less than 0, and is refused";
+  EXPECT_EQ(err().find("needs a value"), std::string::npos) << err();
 }
 
 TEST_F(Cli, AnInvalidMeshIsExitCodeThreeAndNamesTheLine) {

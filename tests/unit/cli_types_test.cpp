@@ -117,6 +117,9 @@ TEST_F(Cli, PackagesByTypeHaveOneDrawingAType) {
   EXPECT_LT(report["types"]["types"], 49);
   EXPECT_EQ(zip.find("panels/P-"), std::string::npos);
   EXPECT_EQ(run(of + "--gap 8 -o p.zip"), 2);
+  EXPECT_NE(err().find("gap must be 26, the middle of joint"), std::string::npos) << err();
+  EXPECT_EQ(run("panels sample:vault:8 --by type -o p.zip"), 2);
+  EXPECT_NE(err().find("--by type needs --joint MIN:MAX or --within D"), std::string::npos);
   EXPECT_EQ(run("panels sample:vault:8 --by node -o p.zip"), 2);
   EXPECT_EQ(run("panels sample:vault:8 --by type -o p.ifc"), 2);
 }
@@ -125,6 +128,7 @@ TEST_F(Cli, TypesSayWhereAMeshIsNotFlat) {
   save("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(run("types m.obj -o t.csv"), 4);
   EXPECT_NE(err().find("not flat"), std::string::npos);
+  EXPECT_NE(err().find("use planish project first"), std::string::npos) << err();
   EXPECT_NE(contents(directory_ / "t.csv"), "");
 }
 

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "planish/fabrication/assembly_map.hpp"
+#include "planish/fabrication/type_table.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
@@ -62,6 +64,37 @@ TEST(CuttingPackage, HoldsTablesDrawingsSheetsAndAMap) {
   EXPECT_EQ(header["format"], "planish-cutting-package");
   EXPECT_EQ(header["counts"]["edges"], 17);
   EXPECT_TRUE(header["remake"].is_null());
+}
+
+TEST(CuttingPackage, ByTypeHasQuantitiesOfBarsAndNodesAndAMapOfBoth) {
+  CuttingOptions options;
+  options.types = TypeOptions{};
+  options.types->within = 1.0;
+  options.by_type = true;
+  const CuttingPlan plan = make_cutting_plan(testing::quad_grid(4, 3), nullptr, options);
+  const auto bars = nlohmann::json::parse(bar_type_table(plan).json);
+  const auto nodes = nlohmann::json::parse(node_type_table(plan).json);
+  int bar_count = 0, node_count = 0;
+  double length = 0.0;
+  for (const auto& row : bars) {
+    bar_count += row["bars"].get<int>();
+    length += row["length_of_all"].get<double>();
+    EXPECT_LE(row["length_min"], row["length_max"]);
+  }
+  for (const auto& row : nodes) node_count += row["nodes"].get<int>();
+  EXPECT_EQ(bar_count, 17);
+  EXPECT_EQ(node_count, 12);
+  double all = 0.0;
+  for (const Joint& joint : plan.joints.joints) all += joint.length;
+  EXPECT_NEAR(length, all, 1e-9 * all);
+  EXPECT_EQ(nodes[0]["type"], "NT-0001");
+  const std::string map = write_assembly_map(plan);
+  for (const char* name : {">P-0006<", ">T-0001<", ">N-0001<", ">N-0012<"}) {
+    EXPECT_NE(map.find(name), std::string::npos) << name;
+  }
+  const WholePackage package = whole_package(testing::quad_grid(4, 3), nullptr, options);
+  EXPECT_NE(package.zip.find("bar-types.csv"), std::string::npos);
+  EXPECT_NE(package.zip.find("node-types.csv"), std::string::npos);
 }
 
 TEST(CuttingPackage, IsTheSameBytesAgain) {

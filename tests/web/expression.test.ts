@@ -34,6 +34,15 @@ describe("typed coordinates", () => {
     expect(read("-1", 2)).toBe(-1);
   });
 
+  it("adds and takes away what an equals sign says so of, and a minus alone is a sign", () => {
+    expect(read("+=50mm", 2)).toBeCloseTo(2.05, 12);
+    expect(read("-=50mm", 2)).toBeCloseTo(1.95, 12);
+    expect(read(" -= 2*(1+3)", 2)).toBe(-6);
+    expect(read("-=-1", 2)).toBe(3);
+    expect(read("-50mm", 2)).toBeCloseTo(-0.05, 12);
+    for (const text of ["-=", "+=", "=1", "- =1", "1-=2"]) expect(read(text)).toMatch(/\.$/);
+  });
+
   it.each(["", "  ", "abc", "1 2", "1+", "(1", "1/0", "3 parsec", "--", "1..2", "NaN"])(
     "refuses %j with a sentence",
     (text) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
 import { NO_SHAPE } from "../../web/src/design/design.ts";
-import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
+import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { openFile } from "../../web/src/state/files.ts";
 import { openFirst, openSample, planarise } from "../../web/src/state/opening.ts";
 import {
@@ -46,6 +46,24 @@ it("another mesh is one more step, which undo takes back with its edit", async (
   await undo(page);
   expect(page.history.value?.present).toBe(edited);
   expect(page.mesh.value?.report.faces).toBe(384);
+});
+
+it("a limit on folds that the page found stays with its mesh; one that someone states goes along", async () => {
+  const limits = () => page.settings.value?.limits;
+  const page = await openedPage();
+  const [x, y, z] = shownPoint(page, 220);
+  await setTarget(page, 220, [x, y, z + 1.5]);
+  expect(limits()).toEqual(["fold=+10"]);
+  await openFile(page, bent());
+  expect(limits()).toEqual([]);
+  await undo(page);
+  expect(limits()).toEqual(["fold=+10"]);
+  await commitSettings(page, { limits: ["fold=+10", "angle=30:150"] });
+  await openSample(page, "vault");
+  expect(limits()).toEqual(["angle=30:150"]);
+  await commitSettings(page, { limits: ["fold=+10"] });
+  await openSample(page, "roof");
+  expect(limits()).toEqual(["fold=+10"]);
 });
 
 it("a file that is not flat is not edited until it is, and planarising is one step", async () => {

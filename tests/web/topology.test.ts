@@ -87,6 +87,14 @@ describe("a sensible vertex", () => {
     expect(boundary[second ?? 0]).toBe(0);
   });
 
+  it("is the best one that can be seen; the best one where none can", () => {
+    const twoSkins = [...grid, ...grid.map((x, k) => (k % 3 === 2 ? x + 1 : x))];
+    const sides = Uint8Array.of(...boundary, ...boundary);
+    expect(sensibleVertex(twoSkins, sides, [])).toBe(12);
+    expect(sensibleVertex(twoSkins, sides, [], (vertex) => vertex >= 25)).toBe(37);
+    expect(sensibleVertex(twoSkins, sides, [], () => false)).toBe(12);
+  });
+
   it("is nothing when all are taken", () => {
     expect(sensibleVertex([0, 0, 0], Uint8Array.of(1), [0])).toBeNull();
   });

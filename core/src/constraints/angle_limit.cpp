@@ -64,10 +64,12 @@ void AngleLimit::append_rows(const LimitBase& base, int face, const StatedLimit&
     const double low = std::min(least, angle - kAllowed), high = std::max(most, angle + kAllowed);
     if (low > 0.0) {
       row.scale = LimitScale::at_most(cosine(low), now, width, 0.0);
+      row.scale.exceeded = angle < least;
       out.push_back(row);
     }
     if (high < kPi) {
       row.scale = LimitScale::at_least(cosine(high), now, width, 0.0);
+      row.scale.exceeded = angle > most;
       out.push_back(row);
     }
   }

@@ -170,6 +170,7 @@ void FoldLimit::append_rows(const LimitBase& base, int face, const StatedLimit& 
     if (most >= kPi) continue;
     const double bound = cosine(most);
     row.scale = LimitScale::at_least(bound, value(row, points), 0.5 * (1.0 - bound), 0.0);
+    row.scale.exceeded = !limit.relative && most > limit.most * kPi / 180.0;
     out.push_back(row);
   }
 }

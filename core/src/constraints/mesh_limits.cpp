@@ -45,6 +45,24 @@ MeshLimits::MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& li
   });
 }
 
+std::vector<LimitExcess> limit_excess(const MeshLimits& limits, int face_count) {
+  std::array<LimitExcess, LimitKinds::kCount> kinds;
+  for (int face = 0; face < face_count; ++face) {
+    limits.for_each_row(face, [&](auto tag, const auto& row, int) {
+      using Kind = typename decltype(tag)::type;
+      LimitExcess& kind = kinds[LimitKinds::index_of<Kind>()];
+      kind.name = Kind::kName;
+      const bool listed = !kind.panels.empty() && kind.panels.back() == face;
+      if (row.scale.exceeded && !listed) kind.panels.push_back(face);
+    });
+  }
+  std::vector<LimitExcess> excess;
+  for (LimitExcess& kind : kinds) {
+    if (!kind.panels.empty()) excess.push_back(std::move(kind));
+  }
+  return excess;
+}
+
 std::vector<LimitStanding> limit_standing(const MeshLimits& limits, std::span<const int> faces,
                                           const std::function<Eigen::Vector3d(int)>& point) {
   std::array<LimitStanding, LimitKinds::kCount> kinds;

@@ -2,11 +2,16 @@
 #include "planish/edit/fewest.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "planish/measures/folds.hpp"
+#include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/numeric/index.hpp"
+#include "planish/text/number.hpp"
 
 namespace planish {
 namespace {
@@ -204,6 +209,22 @@ Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit
   if (edit.engine != Engine::kNewton) return "fewest: the engine alm knows none; it needs newton";
   if (targets.handles.empty()) return "fewest needs a handle";
   return std::nullopt;
+}
+
+std::vector<StatedLimit> buildable_limits(const Mesh& mesh,
+                                          const std::vector<StatedLimit>& stated) {
+  const double edge = mean_edge_length(mesh);
+  // With few digits, as designs and reports have the words.
+  const std::array texts = {std::string("angle=20:170"),
+                            "edge=" + three_digits(0.2 * edge) + ":" + three_digits(5.0 * edge)};
+  std::vector<StatedLimit> limits;
+  for (const std::string& text : texts) {
+    const std::optional<StatedLimit> limit = parse_stated_limit(text);
+    const bool own = std::any_of(stated.begin(), stated.end(),
+                                 [&](const StatedLimit& one) { return one.name == limit->name; });
+    if (!own) limits.push_back(*limit);
+  }
+  return limits;
 }
 
 FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,

@@ -77,6 +77,29 @@ double name_height(const Outline& outline, const Eigen::Vector2d& middle, std::s
                    0.7 * room_along(outline, middle, 1)});
 }
 
+/// @param at in pixels of the SVG
+void add_text(std::string& svg, const Eigen::Vector2d& at, double height, std::string_view text) {
+  svg += "<text x=\"";
+  append_decimals(svg, at.x());
+  svg += "\" y=\"";
+  append_decimals(svg, at.y());
+  svg += "\" font-size=\"";
+  append_decimals(svg, height);
+  svg.append("\">").append(text).append("</text>\n");
+}
+
+/// Its name; where templates are cut, above that of its type.
+void add_names(std::string& svg, const CuttingPlan& plan, int face, const Eigen::Vector2d& middle,
+               double height) {
+  if (!plan.options.by_type) {
+    add_text(svg, middle, height, panel_name(face));
+    return;
+  }
+  const Eigen::Vector2d down(0.0, 0.45 * height);
+  add_text(svg, middle - down, 0.7 * height, panel_name(face));
+  add_text(svg, middle + down, 0.7 * height, type_name(plan.types->panels.panels[at(face)].family));
+}
+
 void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel,
                const Eigen::Vector2d& origin, double scale) {
   svg.append("<polygon fill=\"").append(fill_of(plan, panel.face)).append("\" points=\"");
@@ -88,15 +111,30 @@ void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel
   }
   svg.back() = '"';
   const Eigen::Vector2d middle = panel.outline.rowwise().mean();
-  const std::string name = panel_name(panel.face);
-  const double height = scale * name_height(panel.outline, middle, name.size());
-  svg += "/><text x=\"";
-  append_decimals(svg, scale * middle.x() + origin.x());
-  svg += "\" y=\"";
-  append_decimals(svg, origin.y() - scale * middle.y());
-  svg += "\" font-size=\"";
-  append_decimals(svg, height);
-  svg.append("\">").append(name).append("</text>\n");
+  const std::size_t characters = panel_name(panel.face).size();
+  const double height = scale * name_height(panel.outline, middle, characters);
+  svg += "/>";
+  const Eigen::Vector2d at(scale * middle.x() + origin.x(), origin.y() - scale * middle.y());
+  add_names(svg, plan, panel.face, at, height);
+}
+
+/// Where templates are cut, a label says at which node a corner of its panel belongs.
+void add_nodes(std::string& svg, const CuttingPlan& plan, const std::vector<SeenPanel>& panels,
+               const Eigen::Vector2d& origin, double scale) {
+  if (!plan.options.by_type) return;
+  double area = 0.0;
+  for (const SeenPanel& panel : panels) area += std::abs(area_of(panel.outline));
+  const double height = 0.1 * scale * std::sqrt(area / static_cast<double>(panels.size()));
+  std::vector<char> named(at(plan.mesh.vertex_count()), 0);
+  for (const SeenPanel& panel : panels) {
+    const auto corners = plan.mesh.face(panel.face);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (named[at(corners[k])]++ != 0) continue;
+      const Eigen::Vector2d corner = panel.outline.col(static_cast<Eigen::Index>(k));
+      const Eigen::Vector2d place(scale * corner.x() + origin.x(), origin.y() - scale * corner.y());
+      add_text(svg, place, height, node_name(plan.node_of_vertex[at(corners[k])]));
+    }
+  }
 }
 
 }  // namespace
@@ -118,6 +156,7 @@ std::string write_assembly_map(const CuttingPlan& plan) {
     const PlanarBox& box = boxes[side];
     const Eigen::Vector2d origin(right - scale * box.low.x(), kMargin + scale * box.high.y());
     for (const SeenPanel& panel : views[side]) add_panel(panels, plan, panel, origin, scale);
+    add_nodes(panels, plan, views[side], origin, scale);
     right += scale * (box.high.x() - box.low.x()) + kMargin;
     height = std::max(height, scale * (box.high.y() - box.low.y()));
   }
@@ -131,6 +170,7 @@ std::string write_assembly_map(const CuttingPlan& plan) {
       "<text x=\"40\" y=\"20\" font-size=\"14\" style=\"text-anchor:start\">Panels seen from "
       "outside";
   if (!views[1].empty()) svg += "; right: the far side, seen from there";
+  if (plan.options.by_type) svg += "; T: its type, N: nodes";
   if (plan.remake) svg += "; orange: cut again, blue: bevel only, green: new";
   return svg + "</text>\n" + panels + "</svg>\n";
 }

@@ -63,11 +63,14 @@ class PackageWriter {
     json.erase(json.find_last_of('}'));
     json += ",\n\"panels\":" + panels.json + ",\n\"edges\":" + edges.json;
     json += ",\n\"nodes\":" + nodes.json;
-    TableText placements, templates;
+    TableText placements, templates, bar_types, node_types;
     if (plan_.types) {
       placements = type_table(plan_);
       templates = template_table(plan_);
+      bar_types = bar_type_table(plan_);
+      node_types = node_type_table(plan_);
       json += ",\n\"templates\":" + templates.json + ",\n\"placements\":" + placements.json;
+      json += ",\n\"bar_types\":" + bar_types.json + ",\n\"node_types\":" + node_types.json;
     }
     zip_.add("package.json", json + "}\n");
     zip_.add("panels.csv", panels.csv);
@@ -76,6 +79,8 @@ class PackageWriter {
     if (!plan_.types) return;
     zip_.add("types.csv", placements.csv);
     zip_.add("templates.csv", templates.csv);
+    zip_.add("bar-types.csv", bar_types.csv);
+    zip_.add("node-types.csv", node_types.csv);
   }
 
   std::vector<int> drawn_faces() const {

@@ -11,6 +11,7 @@
 #include "fabrication/numbered.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "planish/numeric/index.hpp"
+#include "text/sentence.hpp"
 
 namespace planish {
 namespace {
@@ -24,8 +25,10 @@ bool is_length(double value) { return std::isfinite(value) && value >= 0.0; }
 Refusal find_template_problem(const CuttingOptions& options) {
   if (!options.types) return "one drawing a type needs to know by how much joints may vary";
   const auto& joint = options.types->joint;
-  if (joint && options.gap != 0.5 * (joint->min + joint->max)) {
-    return "gap must be the middle of joint: templates are cut with it";
+  const double middle = joint ? 0.5 * (joint->min + joint->max) : options.gap;
+  if (options.gap != middle) {
+    return "gap must be " + number_text(middle) +
+           ", the middle of joint: templates are cut with it";
   }
   return std::nullopt;
 }

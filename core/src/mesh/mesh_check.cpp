@@ -130,8 +130,7 @@ Refusal refuse_zero_size(const Mesh& mesh, const std::vector<EdgeUse>& uses) {
   return "all edges have length zero";
 }
 
-void warn_orientation(const Mesh& mesh, const std::vector<EdgeUse>& uses,
-                      std::vector<std::string>& warnings) {
+std::optional<std::string> orientation_warning(const Mesh& mesh, const std::vector<EdgeUse>& uses) {
   DisjointSets sides(mesh.face_count());
   std::size_t clashes = 0;
   bool orientable = true;
@@ -146,11 +145,11 @@ void warn_orientation(const Mesh& mesh, const std::vector<EdgeUse>& uses,
       first = "faces " + std::to_string(edge[0].face) + " and " + std::to_string(edge[1].face);
     }
   }
-  if (clashes == 0) return;
-  warnings.push_back(count_text(clashes, "edge lies", "edges lie") +
-                     " between faces of opposite orientation (first: " + first + "); " +
-                     (orientable ? "the faces are kept as they are; convert --orient turns them"
-                                 : "the surface has one side only and is kept as it is"));
+  if (clashes == 0) return std::nullopt;
+  return count_text(clashes, "edge lies", "edges lie") +
+         " between faces of opposite orientation (first: " + first + "); " +
+         (orientable ? "the faces are kept as they are; convert --orient turns them"
+                     : "the surface has one side only and is kept as it is");
 }
 
 /// How the faces hang together at their corners.
@@ -344,13 +343,17 @@ ReadResult check_mesh(Mesh mesh, const SourceLines& lines) {
   if (Refusal refusal = refuse_edges(mesh, uses, lines)) return ReadError{*refusal};
   if (Refusal refusal = refuse_zero_size(mesh, uses)) return ReadError{*refusal};
   std::vector<std::string> warnings;
-  warn_orientation(mesh, uses, warnings);
+  if (auto warning = orientation_warning(mesh, uses)) warnings.push_back(std::move(*warning));
   warn_pinches(mesh, uses, warnings);
   warn_isolated(mesh, warnings);
   warn_flattened(mesh, warnings);
   warn_coincident(mesh, warnings);
   warn_nearly_coincident(mesh, uses, warnings);
   return MeshFile{std::move(mesh), std::move(warnings)};
+}
+
+std::optional<std::string> orientation_warning(const Mesh& mesh) {
+  return orientation_warning(mesh, edge_uses(mesh));
 }
 
 MeshSummary summarize(const Mesh& mesh) {

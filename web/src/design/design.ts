@@ -96,6 +96,7 @@ export const SOFT_LIMITS: Partial<EditSettings> = {
  * show it, so that nothing changes behind the user's back. What has none goes back to its default:
  * a link or a file may have set it, and nobody could see that it is still there. So do keep-outs, which
  * are somewhere: where another mesh is they mean nothing; and so do symmetry and cuts, which are a mesh's own.
+ * A limit on folds that the page itself found goes, too, see freshDesign().
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
   const { sparsity, maxIterations, reachLength, continuation } = DEFAULT_SETTINGS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may be typed into a coordinate field: "1200", "1.2m", "3*400mm", "+50" (relative).
+// What may be typed into a coordinate field: "1200", "1.2m", "3*400mm", "+50" and "-=50" (relative).
 import type { Result } from "../result/result.ts";
 import { convert, isUnit, type Unit } from "./units.ts";
 
@@ -93,18 +93,20 @@ class Reader {
   }
 }
 
-/**
- * The length that `text` means, in `unit`. A leading "+" or "+-" is relative to `current`;
- * a leading "-" is a sign.
- */
+/** Places may be less than 0, so that a minus alone is a sign, and "-=" takes away. */
+const RELATIVE = /^\s*(?:([+-])=|(?=\+))/;
+
+/** The length that `text` means, in `unit`. What begins with "+", "+=" or "-=" is relative to `current`. */
 export function parseLength(text: string, current: number, unit: Unit): Result<number> {
   if (text.trim() === "") return { ok: false, reason: "Type a number." };
-  const tokens = tokenize(text);
+  const relative = RELATIVE.exec(text);
+  const tokens = tokenize(text.slice(relative?.[0].length ?? 0));
   if (typeof tokens === "string") return { ok: false, reason: tokens };
   const reader = new Reader(tokens, unit);
   const value = reader.sum();
   if (!reader.finished || !Number.isFinite(value)) {
     return { ok: false, reason: `"${text.trim()}" is not a number.` };
   }
-  return { ok: true, value: text.trim().startsWith("+") ? current + value : value };
+  if (!relative) return { ok: true, value };
+  return { ok: true, value: relative[1] === "-" ? current - value : current + value };
 }

@@ -154,7 +154,7 @@ export class PointerChoice {
     const from = page.selected.value;
     const next =
       from === null
-        ? sensibleVertex(shell.base, shell.topology.boundary, [])
+        ? sensibleVertex(shell.base, shell.topology.boundary, [], (v) => this.#sight.sees(v))
         : neighbourTowards(shell, from, right, down, this.#sight.view());
     if (next === null) return;
     if (also) selectAlso(page, [next]);

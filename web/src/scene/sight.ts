@@ -10,6 +10,8 @@ import { surfaceHit } from "./surface-hit.ts";
 
 /** Pixels: the pointer still means the same place. */
 const SAME = 1;
+/** Share of the way from the eye: the panels at a point do not hide it. */
+const TOUCHING = 1e-3;
 
 export class Sight {
   readonly page: Page;
@@ -34,6 +36,18 @@ export class Sight {
   rayThrough({ x, y }: Place): Ray {
     const { width, height } = this.view();
     return this.stage.rayThrough((2 * x) / width - 1, 1 - (2 * y) / height);
+  }
+
+  /** Whether a point is in view, with no panel before it. */
+  sees(vertex: number): boolean {
+    const [shell, view] = [this.shell, this.view()];
+    const at = shell && project(shell.current, vertex, view);
+    if (!shell || !at || at.x < 0 || at.y < 0 || at.x > view.width || at.y > view.height)
+      return false;
+    const ray = this.rayThrough(at);
+    const way = new Vector3().fromArray(shell.current, 3 * vertex).distanceTo(ray.origin);
+    const hit = surfaceHit(shell, ray);
+    return !hit || hit.at.distanceTo(ray.origin) > (1 - TOUCHING) * way;
   }
 
   /** Where the point chosen last is; null if it is out of view. */

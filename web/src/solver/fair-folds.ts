@@ -4,6 +4,8 @@ import type { ShapeReport } from "./protocol.ts";
 
 /** Degrees by which folds may sharpen: a limit is tried at each, the first that takes nothing stands. */
 export const FAIR_STEPS: readonly number[] = [10, 20];
+/** The limits that are tried. */
+export const FAIR_LIMITS: readonly string[] = FAIR_STEPS.map((degrees) => `fold=+${degrees}`);
 /** Share of the way to the targets that handles may lose by it. */
 const LOSS = 0.05;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the view looks from, as part of what is shared and kept.
+// Where the view looks from, as part of what is shared and kept; and what can be seen from there.
 
 import type { Camera } from "../design/camera.ts";
 import { kept, type Page } from "./page.ts";
@@ -13,9 +13,10 @@ interface Own {
   port: CameraPort | null;
   /** Placed as soon as there is a view. */
   awaited: Camera | null;
+  sees: ((vertex: number) => boolean) | null;
 }
 
-const own = kept((): Own => ({ port: null, awaited: null }));
+const own = kept((): Own => ({ port: null, awaited: null, sees: null }));
 
 /** The viewport says how to read and place its camera; null when it goes. */
 export function provideCamera(page: Page, given: CameraPort | null): void {
@@ -33,3 +34,11 @@ export function placeCamera(page: Page, camera: Camera | null): void {
   if (view.port) view.port.place(camera);
   else view.awaited = camera;
 }
+
+/** The viewport says which points nothing hides; null when it goes. */
+export function provideSight(page: Page, sees: ((vertex: number) => boolean) | null): void {
+  own(page).sees = sees;
+}
+
+/** Whether a point is in view, with nothing before it; without a view every point is. */
+export const isSeen = (page: Page, vertex: number): boolean => own(page).sees?.(vertex) ?? true;

@@ -15,10 +15,12 @@ import {
 import * as steps from "../design/history.ts";
 import { limitNumbers } from "../design/stated-limit.ts";
 import { withoutImages } from "../design/symmetry.ts";
+import { row } from "../mesh/topology.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
 import type { EditMode, EditSettings, PullLimit, ShapeReport } from "../solver/protocol.ts";
+import { isSeen } from "./camera.ts";
 import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { selectOnly } from "./selection.ts";
@@ -215,7 +217,9 @@ export async function addHandle(page: Page): Outcome {
   const chosen =
     page.selected.value !== null && !taken.includes(page.selected.value)
       ? page.selected.value
-      : sensibleVertex(opened.display, opened.topology.boundary, taken);
+      : sensibleVertex(opened.display, opened.topology.boundary, taken, (vertex) =>
+          isSeen(page, vertex),
+        );
   if (chosen === null) return;
   selectOnly(page, chosen);
   return setTarget(page, chosen, shownPoint(page, chosen));
@@ -267,6 +271,20 @@ const needsFlatterMesh = (page: Page, { handles, settings }: Design): boolean =>
   toTargets(handles).handles.length > 0 &&
   (page.mesh.value?.report.worstExcess ?? 0) > settings.tolerance;
 
+/** Without handles at points that belong to no panel of the mesh that is open: cuts may have taken them. */
+function withHandlesLeft(page: Page, design: Design): Design {
+  const corners = page.mesh.value?.topology.corners;
+  if (!corners) return design;
+  const handles = design.handles.filter(({ vertex }) => row(corners, vertex).length > 0);
+  return handles.length === design.handles.length ? design : { ...design, handles };
+}
+
+/** Of limits that are committed those that someone states; the page itself may have found the others. */
+function noteStated(page: Page, { limits }: EditSettings, next: readonly string[]): void {
+  const stated = page.statedLimits.value;
+  page.statedLimits.value = next.filter((one) => stated.includes(one) || !limits.includes(one));
+}
+
 export function commitSettings(
   page: Page,
   change: Partial<EditSettings>,
@@ -279,11 +297,13 @@ export function commitSettings(
       const design = page.draft.value;
       if (!design) return;
       const next = { ...design, settings: { ...design.settings, ...change } };
+      if (change.limits) noteStated(page, design.settings, change.limits);
       page.refusedTolerance.value = needsFlatterMesh(page, next) ? next.settings.tolerance : null;
       if (page.refusedTolerance.value !== null) return;
       const based = await openBase(page, next);
       if (!based.ok) return takeBack(page, based);
-      return commitEdit(page, based.value, "solve", burst);
+      const left = change.cuts ? withHandlesLeft(page, based.value) : based.value;
+      return commitEdit(page, left, "solve", burst);
     },
     burst,
   );

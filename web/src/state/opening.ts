@@ -13,6 +13,7 @@ import { isKeptBy, type Kind, kindOf, withKind } from "../design/kept-kind.ts";
 import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
 import type { Refusal, Result } from "../result/result.ts";
+import { FAIR_LIMITS } from "../solver/fair-folds.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { openQuestion, run } from "./connection.ts";
 import { commitEdit } from "./editing.ts";
@@ -20,6 +21,13 @@ import type { Page } from "./page.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { takeBack, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
+
+/** A limit on folds that the page found for the edit of one mesh is no choice for another. */
+function limitsFor(page: Page, source: Source, limits: readonly string[]): readonly string[] {
+  if (page.draft.value?.source === source) return limits;
+  const stated = page.statedLimits.value;
+  return limits.filter((limit) => stated.includes(limit) || !FAIR_LIMITS.includes(limit));
+}
 
 /** The unedited mesh as a design. @param cuts what was made of it before it was opened so */
 export function freshDesign(
@@ -40,7 +48,7 @@ export function freshDesign(
     source,
     planarised,
     handles: [],
-    settings: { ...shown, constraints, cuts },
+    settings: { ...shown, constraints, cuts, limits: limitsFor(page, source, shown.limits) },
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,

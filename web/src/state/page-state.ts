@@ -125,6 +125,8 @@ export class PageState {
   readonly ready = signal(false);
   /** True if the solver could not be loaded: the page will not get ready. */
   readonly stranded = signal(false);
+  /** Limits that someone stated here; those of the settings beside them the page has found itself. */
+  readonly statedLimits = signal<readonly string[]>([]);
   /** Whether the design is only looked at: the page around this one says so. */
   readonly readOnly = signal(false);
   readonly displayMesh = signal<DisplayMesh | null>(null);

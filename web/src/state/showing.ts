@@ -2,7 +2,7 @@
 // Puts a known design on the screen and into the solver without solving anything.
 
 import { batch } from "@preact/signals";
-import { type Design, sourceName } from "../design/design.ts";
+import { type Design, NO_SHAPE, sourceName } from "../design/design.ts";
 import type { History } from "../design/history.ts";
 import { sameWay } from "../design/planarising.ts";
 import { sameSymmetry } from "../design/symmetry.ts";
@@ -81,8 +81,8 @@ export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
   });
 }
 
-/** Lets the solver have the mesh of `design`, and the screen too; in the answer are the symmetries that
- * were found, where all were asked for. */
+/** Lets the solver have the mesh of `design`, and the screen too; the answer has no shape where that is
+ * another mesh, and the symmetries that were found, where all were asked for. */
 export async function openBase(page: Page, design: Design): Promise<Result<Design>> {
   const [{ base }, wanted] = [held(page), baseOf(design)];
   if (base && sameBase(base, wanted)) return done(design);
@@ -95,9 +95,14 @@ export async function openBase(page: Page, design: Design): Promise<Result<Desig
   const symmetry = mesh.symmetry?.elements ?? [];
   const found = { ...design, settings: { ...design.settings, symmetry } };
   const { shown } = own(page);
-  if (shown && sameBase(shown, baseOf(found))) announceChanges(page, displayOf(page, found));
-  else takeMesh(page, found, mesh);
-  return done(found);
+  if (shown && sameBase(shown, baseOf(found))) {
+    announceChanges(page, displayOf(page, found));
+    return done(found);
+  }
+  // Its shape is of another mesh, whose points may have had other numbers.
+  const unedited = { ...found, shape: NO_SHAPE };
+  takeMesh(page, unedited, mesh);
+  return done(unedited);
 }
 
 export async function show(page: Page, design: Design): Promise<Result<unknown>> {

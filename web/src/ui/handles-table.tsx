@@ -98,6 +98,7 @@ function Row({ row, step }: { row: HandleRow; step: number }) {
             step={step}
             disabled={row.pinned}
             context={name}
+            place
             onApply={(value, burst) => apply(axis, value, burst)}
           />
           {axis === 0 && short && <Short short={short} />}

@@ -15,9 +15,15 @@ interface NumberFieldProps {
   readonly step: number;
   readonly disabled: boolean;
   readonly context: string;
+  /** Whether it is a place, not an amount: a minus alone goes to the other side of 0. */
+  readonly place?: boolean;
   /** Arrow keys pressed while the field keeps the focus are one burst; what is typed makes none. */
   readonly onApply: Apply;
 }
+
+/** Places beyond 0 are rare where they were not before: it may have been meant as an amount. */
+const meantAsAmount = (typed: string, before: number, after: number): boolean =>
+  /^-[^=]/.test(typed) && before > 0 && after < 0;
 
 /** A coordinate: typed with units and arithmetic, applied by Enter or on leaving. */
 export function NumberField({
@@ -27,6 +33,7 @@ export function NumberField({
   step,
   disabled,
   context,
+  place = false,
   onApply,
 }: NumberFieldProps) {
   const page = usePage();
@@ -36,8 +43,15 @@ export function NumberField({
   const ahead = useAhead(label, applied);
   const { value } = ahead;
 
+  const applyTyped = async (typed: string, wanted: number): Promise<void> => {
+    const doubtful = place && meantAsAmount(typed, value, wanted);
+    await onApply(wanted, null);
+    if (doubtful)
+      page.notice.value ??= `${label}: ${typed} is a place. To move by it, type -=${typed.slice(1)}.`;
+  };
+
   const apply = (): void => {
-    const typed = text.value;
+    const typed = text.value?.trim() ?? null;
     if (typed === null || typed === formatCoordinate(value)) {
       text.value = null;
       return;
@@ -46,7 +60,7 @@ export function NumberField({
     invalid.value = !parsed.ok;
     if (parsed.ok) {
       text.value = null;
-      void onApply(parsed.value, null);
+      void applyTyped(typed, parsed.value);
     } else say(page, `${label}: ${parsed.reason}`);
   };
 
@@ -82,7 +96,7 @@ export function NumberField({
       aria-valuenow={value}
       aria-valuetext={`${formatCoordinate(value)} ${unitWord(unit)}`}
       aria-invalid={invalid.value}
-      title={`${label} = ${value} ${unit}`}
+      title={`${label} = ${value} ${unit}${place ? "; +1 and -=1 move by 1, -1 is a place" : ""}`}
       disabled={disabled}
       value={text.value ?? formatCoordinate(value)}
       onFocus={({ currentTarget }) => currentTarget.select()}

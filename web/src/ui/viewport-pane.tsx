@@ -5,7 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { isFlat } from "../design/flatness.ts";
 import { Viewport, type ViewportParts } from "../scene/viewport.ts";
 import type { MeshReport } from "../solver/protocol.ts";
-import { provideCamera } from "../state/camera.ts";
+import { provideCamera, provideSight } from "../state/camera.ts";
 import type { Page } from "../state/page.ts";
 import { say } from "../state/telling.ts";
 import { titleOf } from "./commands/command.ts";
@@ -125,9 +125,11 @@ export function ViewportPane() {
     const leave = offerView(page, parts.canvas, view);
     page.takePicture.value = () => view.picture();
     provideCamera(page, view.stage);
+    provideSight(page, (vertex) => view.sight.sees(vertex));
     return () => {
       page.takePicture.value = null;
       provideCamera(page, null);
+      provideSight(page, null);
       leave();
       view.dispose();
     };

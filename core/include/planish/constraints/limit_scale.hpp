@@ -14,6 +14,7 @@ namespace planish {
 struct LimitScale {
   double slope = 0.0;
   double offset = 1.0;
+  bool exceeded = false;  ///< by the base
 
   [[nodiscard]] double share(double value) const { return slope * value + offset; }
 
@@ -22,7 +23,7 @@ struct LimitScale {
                                           double allowance) {
     const double bound = std::max(asked, base + allowance);
     const double range = std::min(width, 2.0 * (bound - base));
-    return {-1.0 / range, bound / range};
+    return {-1.0 / range, bound / range, base > asked};
   }
 
   /// g ≥ asked. The same for the other side.
@@ -30,7 +31,7 @@ struct LimitScale {
                                            double allowance) {
     const double bound = std::min(asked, base - allowance);
     const double range = std::min(width, 2.0 * (base - bound));
-    return {1.0 / range, -bound / range};
+    return {1.0 / range, -bound / range, base < asked};
   }
 };
 

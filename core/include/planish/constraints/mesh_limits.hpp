@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "planish/constraints/limit_kinds.hpp"
@@ -65,6 +66,15 @@ class MeshLimits {
   /// Null: there are none. Shared, so that only who makes them needs to know how they end.
   std::shared_ptr<MeshKeepOuts> keep_outs_;
 };
+
+/// Panels that break a limit before anything moves; there it holds what they have.
+struct LimitExcess {
+  std::string_view name;    ///< of the limit
+  std::vector<int> panels;  ///< ascending
+};
+
+/// Of every limit that some panel breaks, in the order of LimitKinds.
+[[nodiscard]] std::vector<LimitExcess> limit_excess(const MeshLimits& limits, int face_count);
 
 /// The share at which a limit counts as holding something back: there the barrier's force is 5 to 1
 /// of what it is at 1/4.

@@ -26,6 +26,12 @@ struct FewestOptions {
 [[nodiscard]] Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit,
                                    const EditTargets& targets);
 
+/// What keeps few panels such that they can be built: corners from 20° to 170°, edges from 0.2 to 5
+/// mean edges, each where `stated` has no limit of its name. Without them a panel that takes up the
+/// whole move becomes a sliver.
+[[nodiscard]] std::vector<StatedLimit> buildable_limits(const Mesh& mesh,
+                                                        const std::vector<StatedLimit>& stated);
+
 struct FewestEdit {
   HandleEditResult result;
   /// Held beside the pins of the targets, ascending: the edit with all of them as pins is `result`,

@@ -14,4 +14,8 @@ namespace planish {
 /// One row a type: its template, and how many panels are cut from it. The same.
 [[nodiscard]] TableText template_table(const CuttingPlan& plan);
 
+/// One row a type of bars, and of nodes: how many there are, and what they measure. The same.
+[[nodiscard]] TableText bar_type_table(const CuttingPlan& plan);
+[[nodiscard]] TableText node_type_table(const CuttingPlan& plan);
+
 }  // namespace planish

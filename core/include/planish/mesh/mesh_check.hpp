@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "planish/mesh/mesh.hpp"
@@ -34,6 +36,10 @@ struct SourceLines {
 /// side (Möbius), vertices that join faces without a common edge, isolated vertices, zero-area
 /// faces, coincident vertices. Vertex and face order never change.
 [[nodiscard]] ReadResult check_mesh(Mesh mesh, const SourceLines& lines = {});
+
+/// The warning of panels whose neighbours face the other way; nullopt where all agree. O(n log n).
+/// @param mesh must have passed check_mesh()
+[[nodiscard]] std::optional<std::string> orientation_warning(const Mesh& mesh);
 
 /// Figures for `planish info` and the import report.
 struct MeshSummary {

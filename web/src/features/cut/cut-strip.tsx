@@ -19,7 +19,7 @@ import {
   cutKind,
   cutNow,
   numbers,
-  trialNow,
+  refusalNow,
   type,
   wantedCut,
 } from "./cutting.ts";
@@ -211,7 +211,7 @@ export function CutStrip() {
     strip.current?.scrollIntoView?.({ block: "nearest" });
     return followCutting(page, viewOf(page));
   }, []);
-  const trial = trialNow(page);
+  const refusal = refusalNow(page);
   const how = begun(page)
     ? "Click the other end on the same panel."
     : WORDS[cutKind(page).value].how;
@@ -227,11 +227,9 @@ export function CutStrip() {
       <Kinds />
       <p class="quiet">{how}</p>
       <Form />
-      {trial?.problem && (
-        <p class="refused" aria-live="polite">
-          {trial.problem}
-        </p>
-      )}
+      <p class="refused" aria-live="polite">
+        {refusal}
+      </p>
       <List />
     </section>
   );

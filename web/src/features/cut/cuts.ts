@@ -19,12 +19,23 @@ export const cuts = kept((page) =>
 
 const SOLVED_AGAIN = "The edit was solved again on the cut mesh.";
 
+/** Which points lost their panels, and what became of their handles; "" where none did. */
+function goneWords(gone: readonly number[]): string {
+  if (gone.length === 0) return "";
+  return gone.length === 1
+    ? ` Point ${gone[0]} is gone with its panels, and its handle is taken off.`
+    : ` ${gone.length} points are gone with their panels, and their handles are taken off.`;
+}
+
 /** The edit, if there is one, is solved again on the mesh that they leave. */
 async function commitCuts(page: Page, to: readonly string[], said: string): Outcome {
   if (!page.baseFlat.value) return inTurn(page, async () => refuse(FLAT_FIRST));
+  const handles = page.handles.value;
   const end = await commitSettings(page, { cuts: to });
   if (!end?.ok) return end;
-  const more = page.handles.value.length > 0 ? ` ${SOLVED_AGAIN}` : "";
+  const left = new Set(page.handles.value.map(({ vertex }) => vertex));
+  const gone = handles.map(({ vertex }) => vertex).filter((vertex) => !left.has(vertex));
+  const more = goneWords(gone) + (left.size > 0 ? ` ${SOLVED_AGAIN}` : "");
   const before = page.notice.value ? `${page.notice.value} ` : "";
   page.notice.value = `${before}${said}${more}`;
   return end;
@@ -32,14 +43,17 @@ async function commitCuts(page: Page, to: readonly string[], said: string): Outc
 
 export type TryCut = Extract<Question, { kind: "tryCut" }>;
 
-/** With its images, where edits have some. @param trial what the solver is asked about it before */
-export async function makeCut(page: Page, text: string, trial: TryCut): Outcome {
-  const tried = await inTurn(page, async () => {
-    const answer = await runUnseen(page, "cutting", trial, "tried");
-    const problem = answer.ok ? answer.value.trial.problem : "";
-    return problem ? refuse(problem) : answer;
-  });
+/** With its images, where edits have some; a sentence where it cannot be made, which the tool says.
+ * @param trial what the solver is asked about it before */
+export async function makeCut(
+  page: Page,
+  text: string,
+  trial: TryCut,
+): Promise<Awaited<Outcome> | string> {
+  const tried = await inTurn(page, () => runUnseen(page, "cutting", trial, "tried"));
   if (!tried?.ok) return tried;
+  const { problem } = tried.value.trial;
+  if (problem) return problem;
   const all = tried.value.trial.cuts.split("\n");
   const images = all.length > 1 ? ` and ${counted(all.length - 1, "image")}` : "";
   return commitCuts(page, [...cuts(page).value, ...all], `Cut: ${cutWords(text)}${images}.`);

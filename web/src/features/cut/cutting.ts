@@ -40,6 +40,8 @@ interface Cutting {
   readonly pointed: ReturnType<typeof signal<Pointed | null>>;
   readonly typed: ReturnType<typeof signal<string | null>>;
   readonly trial: ReturnType<typeof signal<(CutTrial & { readonly cut: string }) | null>>;
+  /** Why the latest cut was not made; "" where it was, or another is wanted. */
+  readonly refused: ReturnType<typeof signal<string>>;
 }
 
 const cutting = kept(
@@ -48,6 +50,7 @@ const cutting = kept(
     pointed: signal<Pointed | null>(null),
     typed: signal<string | null>(null),
     trial: signal<(CutTrial & { readonly cut: string }) | null>(null),
+    refused: signal(""),
   }),
 );
 
@@ -60,10 +63,12 @@ export const pointed = (page: Page): Pointed | null =>
   ofMesh(page, cutting(page).pointed.value ?? null);
 
 export function begin(page: Page, first: Begun | null): void {
+  if (first) cutting(page).refused.value = "";
   cutting(page).begun.value = first;
 }
 
 export function point(page: Page, at: Pointed | null): void {
+  if (at?.cut) cutting(page).refused.value = "";
   cutting(page).pointed.value = at;
 }
 
@@ -72,6 +77,7 @@ export const numbers = (page: Page): string =>
   cutting(page).typed.value ?? fromSelection(page, cutKind(page).value);
 
 export function type(page: Page, text: string | null): void {
+  cutting(page).refused.value = "";
   cutting(page).typed.value = text;
 }
 
@@ -103,6 +109,10 @@ export function trialNow(page: Page): CutTrial | null {
   return trial && trial.cut === wantedCut(page).value ? trial : null;
 }
 
+/** Why the wanted cut cannot be made, or the one that was asked for last was not; "" where nothing is wrong. */
+export const refusalNow = (page: Page): string =>
+  trialNow(page)?.problem || (cutting(page).refused.value ?? "");
+
 /** Asked of the mesh that is open, with its symmetry. */
 function tryQuestion(page: Page, cut: string): TryCut {
   const { symmetry = [], tolerance = 0 } = page.history.value?.present.settings ?? {};
@@ -133,6 +143,7 @@ export async function cutNow(page: Page): Outcome {
   begin(page, null);
   point(page, null);
   const end = await makeCut(page, cut, tryQuestion(page, cut));
-  if (end?.ok) type(page, null);
-  return end;
+  if (typeof end === "string") cutting(page).refused.value = end;
+  else if (end?.ok) type(page, null);
+  return typeof end === "string" ? undefined : end;
 }

@@ -44,7 +44,10 @@ const HINTS: readonly Hint[] = [
     how: "To move a point by keys",
     what: "step to it, press M (X, Y or Z first for another axis), and type by how much",
   },
-  { how: "Coordinates", what: "take units and arithmetic: 1.2m, 3*400mm, +50mm adds" },
+  {
+    how: "Coordinates",
+    what: "take units and arithmetic: 1.2m, 3*400mm; +50mm adds, -=50mm takes away",
+  },
 ];
 
 export function HelpText() {

@@ -42,7 +42,8 @@ function outlineFacts(page: Page): readonly Fact[] {
   const done = damage(page).value;
   const spoilt = done ? damageWords(done, page.panelHealth.value) : "";
   const facts: Fact[] = [["Outlines", `${concave} concave, ${crossing} self-crossing`]];
-  if (spoilt) facts.push(["Made flat, but", spoilt]);
+  const edited = (page.draft.value?.shape.moved.length ?? 0) > 0;
+  if (spoilt) facts.push([edited ? "After the edit" : "Made flat, but", spoilt]);
   return facts;
 }
 

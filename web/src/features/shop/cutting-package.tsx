@@ -3,7 +3,8 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { type Unit, unitWord } from "../../quantity/units.ts";
 import { usePage } from "../../ui/page-context.ts";
-import { CuttingPreview, type Saved } from "./cutting-preview.tsx";
+import { CuttingPreview, type Saved, usePreview } from "./cutting-preview.tsx";
+import { previewPackage } from "./package-preview.ts";
 import { exportPackage, type PackageChoice, type Scope } from "./shop.ts";
 import { ChoiceRow, NumberRow, ScopeRow, ShopForm, SwitchRow, UnitRow } from "./shop-fields.tsx";
 
@@ -13,6 +14,12 @@ const CUTS = [
   { value: "panel", text: "Each panel by itself" },
   { value: "type", text: "One template a type" },
 ] as const;
+
+const NO_TOLERANCE = "one drawing a type needs to know by how much joints may vary";
+
+/** The rule of the core that can be told without it; it has the others, which come with the preview. */
+const missing = ({ byType, jointBy }: PackageChoice): string =>
+  byType && !(jointBy > 0) ? NO_TOLERANCE : "";
 
 /** Asks what the workshop needs, and saves it. */
 export function CuttingPackage() {
@@ -39,13 +46,26 @@ export function CuttingPackage() {
       withLink: withLink.value,
     }),
   );
+  const previewed = usePreview(choice);
+  const refused = useSignal<{ readonly problem: string; readonly of: PackageChoice } | null>(null);
   const save = async (): Promise<void> => {
     const of = choice.value;
+    // Saved sooner than the preview came: what is wrong is said here all the same.
+    const known = previewed.shown?.of === of;
+    const problem = known ? "" : (await previewPackage(page, of, false))?.problem;
+    if (problem) {
+      refused.value = { problem, of };
+      return;
+    }
     const header = await exportPackage(page, of);
     saved.value = header && { header, of };
   };
+  const done = saved.value?.of === choice.value ? saved.value.header : null;
+  const said = refused.value?.of === choice.value ? refused.value.problem : "";
+  const foreseen = said || (previewed.shown?.preview.problem ?? "");
+  const problem = missing(choice.value) || (done ? "" : foreseen);
   return (
-    <ShopForm save="Save package" onSave={save} said={null}>
+    <ShopForm save="Save package" onSave={save} said={null} refused={problem}>
       <UnitRow label="Unit of the drawings" value={packageUnit} />
       <ScopeRow label="Drawings of" value={scope} />
       <NumberRow label="Joint between panels" value={gap} />
@@ -64,7 +84,7 @@ export function CuttingPackage() {
       <p class="quiet">
         {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(page.unit.value)}; panels are seen from outside.`}
       </p>
-      <CuttingPreview choice={choice} saved={saved} />
+      <CuttingPreview previewed={previewed} done={done} problem={problem} />
     </ShopForm>
   );
 }

@@ -42,7 +42,7 @@ interface Shown {
 const PAUSE_MS = 150;
 
 /** Follows the options and the design. */
-function usePreview(choice: ReadonlySignal<PackageChoice>) {
+export function usePreview(choice: ReadonlySignal<PackageChoice>) {
   const page = usePage();
   const shown = useSignal<Shown | null>(null);
   const map = useSignal<{ readonly svg: string; readonly of: Design | null } | null>(null);
@@ -63,15 +63,16 @@ function usePreview(choice: ReadonlySignal<PackageChoice>) {
 }
 
 interface CuttingPreviewProps {
-  readonly choice: ReadonlySignal<PackageChoice>;
-  readonly saved: ReadonlySignal<Saved | null>;
+  readonly previewed: ReturnType<typeof usePreview>;
+  /** What the package held, where one was saved like this. */
+  readonly done: CuttingHeader | null;
+  /** Why there can be none like this; "" where there can. */
+  readonly problem: string;
 }
 
 /** What the package would hold, or held when it was saved like this: figures, the map, one panel. */
-export function CuttingPreview({ choice, saved }: CuttingPreviewProps) {
-  const { shown, map } = usePreview(choice);
-  const done = saved.value?.of === choice.value ? saved.value.header : null;
-  const problem = done ? "" : (shown?.preview.problem ?? "");
+export function CuttingPreview({ previewed, done, problem }: CuttingPreviewProps) {
+  const { shown, map } = previewed;
   const words = done
     ? `Saved: ${summary(done)}`
     : shown && !problem && summary(headerOf(shown.preview, shown.of));
@@ -85,7 +86,7 @@ export function CuttingPreview({ choice, saved }: CuttingPreviewProps) {
           <Picture svg={shown.preview.drawing} about={`${shown.preview.shown}, as it is drawn`} />
         )}
       </div>
-      <p class="cutting-summary" aria-live="polite">
+      <p class={problem ? "cutting-summary refused" : "cutting-summary"} aria-live="polite">
         {problem ? `Not like this: ${problem}.` : words}
       </p>
     </>

@@ -105,24 +105,26 @@ interface FormProps {
   readonly onSave: () => Promise<void>;
   /** What was saved, in words. */
   readonly said: string | null;
+  /** Why it cannot be saved like this, which the rows say. */
+  readonly refused?: string;
   readonly children: ComponentChildren;
 }
 
 /** The rows of a dialog, and the button that saves. */
-export function ShopForm({ save, onSave, said, children }: FormProps) {
+export function ShopForm({ save, onSave, said, refused = "", children }: FormProps) {
   const page = usePage();
   return (
     <form
       class="shop-form"
       onSubmit={(event) => {
         event.preventDefault();
-        void onSave();
+        if (!refused) void onSave();
       }}
     >
       {children}
       <div class="dialog-actions">
         <span aria-live="polite">{said}</span>
-        <button type="submit" class="button" disabled={page.busy.value}>
+        <button type="submit" class="button" disabled={page.busy.value || refused !== ""}>
           {save}
         </button>
       </div>
