@@ -35,6 +35,7 @@ ARROWS = {
     "shapes": FROM_MESH,
     "projection": SOLVED,
     "edit": SOLVED | {"projection"},
+    "splitting": SOLVED | {"cuts", "projection", "edit"},  # panels parted for what a solve asks
     "variations": SOLVED | {"projection", "edit"},
     "families": {"numeric", "text"},  # shapes in a plane, of whatever they are
     "fabrication": FROM_MESH | {"constraints", "measures", "io", "families"},

@@ -8,6 +8,7 @@
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/design/cut_base.hpp"
 #include "planish/edit/design_words.hpp"
+#include "split_run.hpp"
 
 namespace planish::cli {
 namespace {
@@ -142,7 +143,8 @@ std::vector<OptionRow> edit_command_rows() {
                   "none can be held any more; they are pins of the design"});
   rows.push_back({"--within-handle", "P%",
                   "of the longest way of a handle, within which handles have arrived for\n"
-                  "--fewest; default 5%"});
+                  "--fewest and --split-where-needed; default 5%"});
+  rows.push_back(split_option_row());
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"
                   "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
@@ -155,8 +157,8 @@ namespace {
 constexpr Words<FewestOf, 2> kFewestWords = {
     {{"panels", FewestOf::kPanels}, {"points", FewestOf::kPoints}}};
 
-/// ω_h of an edit that makes few panels again, where none is asked for.
-constexpr double kFewestAttraction = 1e5;
+/// ω_h of an edit whose handles are to arrive, where none is asked for.
+constexpr double kArrivingAttraction = 1e5;
 
 constexpr Words<double, 6> kUnits = {
     {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
@@ -260,26 +262,35 @@ void set_keep_outs(const Arguments& arguments, HandleEditOptions& options) {
 
 std::optional<FewestOptions> fewest_options(const Arguments& arguments) {
   const auto of = arguments.value("--fewest");
-  const auto within = arguments.value("--within-handle");
   if (!of) {
-    if (within) throw CommandError(kWrongUsage, "--within-handle is for --fewest: there is none");
+    if (arguments.has("--within-handle") && !arguments.has(kSplitOption)) {
+      throw CommandError(
+          kWrongUsage, "--within-handle is for --fewest or --split-where-needed: there is neither");
+    }
     return std::nullopt;
   }
   FewestOptions options;
   options.of = parse_word(*of, "--fewest", kFewestWords);
-  if (!within) return options;
-  if (!within->ends_with('%')) {
-    throw CommandError(kWrongUsage, "--within-handle: \"" + *within + "\" is not P%");
-  }
-  const std::string_view share = std::string_view(*within).substr(0, within->size() - 1);
-  options.within_handle = 0.01 * parse_finite(share, "--within-handle");
+  set_within_handle(arguments, options.within_handle);
   return options;
+}
+
+void set_within_handle(const Arguments& arguments, double& share) {
+  const auto text = arguments.value("--within-handle");
+  if (!text) return;
+  if (!text->ends_with('%')) {
+    throw CommandError(kWrongUsage, "--within-handle: \"" + *text + "\" is not P%");
+  }
+  share =
+      0.01 * parse_finite(std::string_view(*text).substr(0, text->size() - 1), "--within-handle");
 }
 
 HandleEditOptions edit_options(const Arguments& arguments) {
   HandleEditOptions options;
   // Handles that stop short for the sake of a soft edit would not have arrived.
-  if (arguments.has("--fewest")) options.attraction = kFewestAttraction;
+  if (arguments.has("--fewest") || arguments.has(kSplitOption)) {
+    options.attraction = kArrivingAttraction;
+  }
   set_number(arguments, "--locality", options.locality);
   set_number(arguments, "--smoothness", options.smoothness);
   set_number(arguments, "--attraction", options.attraction);

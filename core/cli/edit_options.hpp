@@ -25,6 +25,9 @@ namespace planish::cli {
 /// What --fewest and --within-handle ask for; nullopt without. Throws CommandError.
 [[nodiscard]] std::optional<FewestOptions> fewest_options(const Arguments& arguments);
 
+/// The share that --within-handle asks for, as it was without. Throws CommandError.
+void set_within_handle(const Arguments& arguments, double& share);
+
 [[nodiscard]] HandleEditOptions edit_options(const Arguments& arguments);
 
 /// Of the coordinates, m unless --model-unit says otherwise. Throws CommandError for another word.

@@ -167,6 +167,21 @@ void make_cuts(EditRun& run, double tolerance) {
   run.given.positions.leftCols(given.cols()) = given;
 }
 
+/// The base and what was given, before any cut.
+struct Uncut {
+  Mesh base, given;
+};
+
+/// Lines that the search found go behind the cuts that were asked for. They add no point, so that
+/// targets and supports stay.
+void add_found_cuts(EditRun& run, const Uncut& uncut, double tolerance) {
+  if (run.splits->cuts.empty()) return;
+  run.base.mesh = uncut.base;
+  run.given = uncut.given;
+  run.cuts.insert(run.cuts.end(), run.splits->cuts.begin(), run.splits->cuts.end());
+  make_cuts(run, tolerance);
+}
+
 void set_targets(EditRun& run, const Arguments& arguments) {
   run.targets = edit_targets(arguments, run.base.mesh, run.cut ? &*run.cut : nullptr);
   run.supports = run.targets.supports;
@@ -195,7 +210,14 @@ HandleEditResult solve_fewest(EditRun& run, const HandleEditOptions& options,
 }
 
 HandleEditResult solve_edit(EditRun& run, const HandleEditOptions& options,
-                            const std::optional<FewestOptions>& fewest, const Progress& progress) {
+                            const Arguments& arguments, const Progress& progress) {
+  const auto fewest = fewest_options(arguments);
+  if (const auto splits = split_options(arguments)) {
+    EditTargets targets = targets_with_images(run);
+    SplitSolve solved = solve_split(run.base.mesh, targets, options, *splits, progress);
+    run.splits = std::move(solved.run);
+    return std::move(solved.result);
+  }
   if (fewest) return solve_fewest(run, options, *fewest, progress);
   HandleEditSolver solver(run.base.mesh, options);
   const EditTargets targets = targets_with_images(run);
@@ -241,13 +263,15 @@ EditRun run_edit(const Arguments& arguments, const HandleEditOptions& options, L
     throw CommandError(kInvalidMesh,
                        name + ": symmetry: the mesh cannot be made flat and symmetric");
   }
+  const Uncut uncut = arguments.has(kSplitOption) ? Uncut{run.base.mesh, run.given} : Uncut{};
   make_cuts(run, options.tolerance);
   set_targets(run, arguments);
   if (const auto broken = find_broken_constraint(run.base.mesh, options)) {
     throw CommandError(kInvalidMesh,
                        name + ": " + *broken + "; planish project --constraint makes it so");
   }
-  const HandleEditResult result = solve_edit(run, options, fewest_options(arguments), watched);
+  const HandleEditResult result = solve_edit(run, options, arguments, watched);
+  if (run.splits) add_found_cuts(run, uncut, options.tolerance);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -309,6 +333,7 @@ Json edit_json(const EditRun& run, const Positions& after, Engine engine) {
   add_supports(json, run.supports, run.base.mesh, after);
   if (run.cut) add_cuts(json, *run.cut);
   if (run.fewest) json["fewest"] = fewest_json(run);
+  if (run.splits) json["splits"] = splits_json(*run.splits);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
     if (run.evened.max_move > 0.0) {

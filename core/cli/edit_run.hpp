@@ -19,6 +19,7 @@
 #include "planish/projection/planarising.hpp"
 #include "planish/projection/projection.hpp"
 #include "report.hpp"
+#include "split_run.hpp"
 
 namespace planish::cli {
 
@@ -50,7 +51,8 @@ struct EditRun {
   SymmetricBase evened;                  ///< how the base became symmetric
   std::optional<FewestOptions> fewest;  ///< where few panels are asked for; targets.pins has `held`
   FewestEdit fewest_found;              ///< what came of it, its result apart
-  Positions edited;                     ///< 3 × n
+  std::optional<SplitRun> splits;  ///< where panels are parted for the handles; `cuts` has them
+  Positions edited;                ///< 3 × n
   SolveReport report;
 };
 

@@ -41,6 +41,7 @@ std::vector<std::string> edit_messages(const cli::EditRun& run, const cli::Json&
   add(messages, cli::damage_sentence(report["spoilt_faces"]));
   add(messages, cli::outcome_sentence(run.report));
   add(messages, cli::fewest_sentence(run));
+  if (run.splits) add(messages, cli::splits_sentence(*run.splits, run.report));
   add(messages, cli::shortfall_sentence(run));
   return messages;
 }

@@ -183,6 +183,16 @@ class SameBits(InFolder):
         self.check_report("f.report", edit.report)
         self.assertTrue(edit.report.fewest["minimal"])
 
+    def test_split_where_needed(self):
+        self.command("edit", "sample:vault:12", "--handle=26+=0,0,0.9", "--softness=3", "--reach=2",
+                     "--keep-boundary", "--bound=fold=+12", "--split-where-needed=1", "-o", "s.obj",
+                     "--report", "s.report")
+        edit = planish.edit(planish.Mesh.read("sample:vault:12"), {26: (0, 0, 0.9)}, softness=3, reach=2,
+                            keep_boundary=True, bounds={"fold": "+12"}, split_where_needed=1)
+        self.check_file("s.obj", edit)
+        self.check_report("s.report", edit.report)
+        self.assertEqual([standing["cuts"] for standing in edit.report.splits["curve"]], [0, 1])
+
     def test_types(self):
         mesh = planish.Mesh.read("sample:vault:12")
         for words, options in (([], {}), (["--joint=4:24"], {"joint": (4, 24)}),
