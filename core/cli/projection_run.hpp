@@ -18,6 +18,10 @@ namespace planish::cli {
 /// Throws CommandError.
 [[nodiscard]] ProjectionOptions projection_options(const Arguments& arguments);
 
+/// Points that must not move. Throws CommandError, also for supports that are none of `mesh`.
+[[nodiscard]] std::vector<int> projection_pins(const Mesh& mesh, const Arguments& arguments,
+                                               const ProjectionOptions& options);
+
 /// @param reference the mesh that --reference names, or null
 /// Throws CommandError where it has other faces than `mesh`.
 [[nodiscard]] ProjectionResult run_projection(const Mesh& mesh, const Arguments& arguments,

@@ -9,6 +9,7 @@
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "files.hpp"
+#include "hybrid_run.hpp"
 #include "offset_run.hpp"
 #include "planish/design/design_text.hpp"
 #include "projection_run.hpp"
@@ -132,14 +133,17 @@ Shape make_projection(const OpenMesh& mesh, const Words& words, const OpenMesh* 
                       const Progress& progress) {
   const cli::Arguments arguments = arguments_of(words, cli::projection_option_rows());
   const ProjectionOptions options = cli::projection_options(arguments);
-  const ProjectionResult result = cli::run_projection(
-      mesh.mesh, arguments, options, reference ? &reference->mesh : nullptr, progress);
-  const cli::Json report = cli::projection_json(
-      mesh.mesh, reference != nullptr ? reference->mesh : mesh.mesh, result, options);
-  Shape shape{mesh.mesh, cli::projected(mesh.mesh, result), report.dump(2), {}};
+  const cli::ProjectedMesh made = cli::make_flat(mesh.mesh, arguments, options,
+                                                 reference ? &reference->mesh : nullptr, progress);
+  const ProjectionResult& result = made.result;
+  cli::Json report = cli::projection_json(
+      made.mesh, reference != nullptr ? reference->mesh : made.mesh, result, options);
+  cli::add_hybrid(report, made);
+  Shape shape{made.mesh, cli::projected(made.mesh, result), report.dump(2), {}};
   add(shape.messages, cli::damage_sentence(report["spoilt_faces"]));
   add(shape.messages, cli::not_flat_sentence(result, options));
-  add(shape.messages, cli::lost_height_sentence(mesh.mesh, result));
+  add(shape.messages, cli::hybrid_sentence(made));
+  add(shape.messages, cli::lost_height_sentence(made.mesh, result));
   add(shape.messages, cli::confined_sentence(result));
   add(shape.messages, cli::outcome_sentence(result.report));
   return shape;

@@ -62,6 +62,7 @@ class SplitSearch {
     beam.push_back(std::move(uncut));
     for (int cuts = 1; cuts <= options_.most_cuts && may_go_on(); ++cuts) {
       beam = with_one_more(beam);
+      add_freed(cuts, beam);
       if (beam.empty()) break;
       if (is_better(beam.front())) keep(beam.front());
       if (cuts == 1) rank_lines(beam);
@@ -176,6 +177,45 @@ class SplitSearch {
     std::stable_sort(found.begin(), found.end(),
                      [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
     return found;
+  }
+
+  /// The set of `cuts` lines that cut off all corners at the handles, if it has so many: they are
+  /// corners of triangles alone then. Each of these lines may be no help without the others.
+  void add_freed(int cuts, std::vector<Tried>& found) {
+    const LineSet freeing = freeing_lines();
+    if (static_cast<int>(freeing.size()) != cuts || cuts < 2 || stopped_) return;
+    Tried tried{{}, {}, mesh_, {}};
+    for (const int line : freeing) {
+      const SplitCut cut = split_along(tried.mesh, lines_[at(line)], mesh_.face_count());
+      if (cut.panel < 0) return;
+      auto made = cut_mesh(tried.mesh, {cut});
+      if (!std::holds_alternative<CutMesh>(made)) return;
+      tried.mesh = std::get<CutMesh>(std::move(made)).mesh;
+      tried.cuts.emplace_back(cut);
+    }
+    tried = solve(freeing, std::move(tried.cuts), std::move(tried.mesh));
+    if (!is_sound(tried.result)) return;
+    const auto place =
+        std::upper_bound(found.begin(), found.end(), tried,
+                         [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
+    found.insert(place, std::move(tried));
+  }
+
+  [[nodiscard]] LineSet freeing_lines() const {
+    LineSet freeing;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const auto corners = mesh_.face(lines_[k].panel);
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        const int before = corners[(c + corners.size() - 1) % corners.size()];
+        const int after = corners[(c + 1) % corners.size()];
+        if (std::binary_search(handles_.begin(), handles_.end(), corners[c]) &&
+            std::minmax(before, after) == std::minmax(lines_[k].from, lines_[k].to)) {
+          freeing.push_back(static_cast<int>(k));
+          break;
+        }
+      }
+    }
+    return freeing;
   }
 
   /// Lines that help most alone are those tried together.
