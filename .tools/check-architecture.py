@@ -20,7 +20,7 @@ FROM_MESH = {"numeric", "text", "mesh"}
 GEOMETRY = FROM_MESH | {"symmetry", "obstacles", "constraints", "supports", "measures"}
 SOLVED = GEOMETRY | {"problem", "engines"}
 CORE = SOLVED | {"cuts", "io", "shapes", "projection", "edit", "variations", "families", "fabrication"}
-CORE |= {"offset", "mobility", "design", "sweep"}
+CORE |= {"splitting", "offset", "mobility", "design", "sweep"}
 ARROWS = {
     "numeric": set(),
     "text": set(),  # numbers as text, sentences, refusals
@@ -37,6 +37,7 @@ ARROWS = {
     "shapes": FROM_MESH,
     "projection": SOLVED,
     "edit": SOLVED | {"projection"},
+    "splitting": SOLVED | {"cuts", "projection", "edit"},  # panels parted for what a solve asks
     "variations": SOLVED | {"projection", "edit"},
     "families": {"numeric", "text"},  # shapes in a plane, of whatever they are
     "fabrication": FROM_MESH | {"constraints", "measures", "io", "families"},

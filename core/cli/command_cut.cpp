@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -8,6 +9,7 @@
 #include "design_input.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "fewer_run.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "shop_input.hpp"
@@ -67,9 +69,24 @@ void check_design(const Arguments& arguments, const CutInput& input) {
   }
 }
 
+/// Where panels are merged or strips go: points move, so that no design has it.
+ExitCode run_fewer_panels(const Arguments& arguments, const std::optional<std::string>& output) {
+  const CutInput input = load_input(arguments);
+  const FewerRun run = run_fewer(arguments, input.mesh, progress_line());
+  clear_progress_line();
+  if (output) save_mesh(*output, run.mesh);
+  print_sentence(loose_points_sentence(input.mesh, run.mesh));
+  save_report(arguments, run.report);
+  return kDone;
+}
+
 ExitCode run_cut(const Arguments& arguments) {
   const auto output = arguments.value("-o");
   if (output) check_output_name(*output);
+  if (asks_for_fewer(arguments)) return run_fewer_panels(arguments, output);
+  if (arguments.has("--reach")) {
+    throw UsageError("--reach is for --merge and --collapse: there is neither");
+  }
   const std::vector<Cut> cuts = asked_cuts(arguments);
   CutInput input = load_input(arguments);
   check_design(arguments, input);
@@ -89,6 +106,8 @@ ExitCode run_cut(const Arguments& arguments) {
 
 Command cut_command() {
   std::vector<OptionRow> rows = cut_option_rows();
+  const std::vector<OptionRow> fewer = fewer_option_rows();
+  rows.insert(rows.end(), fewer.begin(), fewer.end());
   rows.insert(rows.end(),
               {{"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
                kOutputRow,

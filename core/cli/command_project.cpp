@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "hybrid_run.hpp"
 #include "projection_run.hpp"
 #include "terminal.hpp"
 
@@ -15,20 +16,23 @@ ExitCode run_project(const Arguments& arguments) {
   const Mesh mesh = load_mesh(arguments.only_positional("MESH")).mesh;
   std::optional<Mesh> reference;
   if (const auto path = arguments.value("--reference")) reference = load_mesh(*path).mesh;
-  const ProjectionResult result =
-      run_projection(mesh, arguments, options, reference ? &*reference : nullptr, progress_line());
+  const ProjectedMesh made =
+      make_flat(mesh, arguments, options, reference ? &*reference : nullptr, progress_line());
+  const ProjectionResult& result = made.result;
   clear_progress_line();
   if (output) {
-    Mesh flat = mesh;
-    flat.positions = projected(mesh, result);
+    Mesh flat = made.mesh;
+    flat.positions = projected(made.mesh, result);
     GlbContent content;
-    content.base = mesh.positions;
+    content.base = made.mesh.positions;
     save_mesh(*output, flat, content);
   }
-  const Json json = projection_json(mesh, reference ? *reference : mesh, result, options);
+  Json json = projection_json(made.mesh, reference ? *reference : made.mesh, result, options);
+  add_hybrid(json, made);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(not_flat_sentence(result, options));
-  print_sentence(lost_height_sentence(mesh, result));
+  print_sentence(hybrid_sentence(made));
+  print_sentence(lost_height_sentence(made.mesh, result));
   print_sentence(confined_sentence(result));
   print_sentence(outcome_sentence(result.report));
   save_report(arguments, json);

@@ -8,6 +8,7 @@
 #include "conversion_run.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "hybrid_run.hpp"
 #include "mesh_files.hpp"
 #include "offset_run.hpp"
 #include "planish/design/design_text.hpp"
@@ -35,6 +36,7 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
   add(messages, outcome_sentence(run.report));
   add(messages, broken_limits_sentence(run));
   add(messages, fewest_sentence(run));
+  if (run.splits) add(messages, splits_sentence(*run.splits, run.report));
   add(messages, shortfall_sentence(run));
   return messages;
 }
@@ -115,14 +117,17 @@ Shape make_projection(const OpenMesh& mesh, const std::string& asked, const Open
                       const Progress& progress) {
   const Request request(asked, projection_option_rows());
   const ProjectionOptions options = projection_options(request);
-  const ProjectionResult result =
-      run_projection(mesh.mesh, request, options, reference ? &reference->mesh : nullptr, progress);
-  const Json report = projection_json(mesh.mesh, reference != nullptr ? reference->mesh : mesh.mesh,
-                                      result, options);
-  Shape shape{mesh.mesh, projected(mesh.mesh, result), report.dump(2), {}};
+  const ProjectedMesh made =
+      make_flat(mesh.mesh, request, options, reference ? &reference->mesh : nullptr, progress);
+  const ProjectionResult& result = made.result;
+  Json report = projection_json(made.mesh, reference != nullptr ? reference->mesh : made.mesh,
+                                result, options);
+  add_hybrid(report, made);
+  Shape shape{made.mesh, projected(made.mesh, result), report.dump(2), {}};
   add(shape.messages, damage_sentence(report["spoilt_faces"]));
   add(shape.messages, not_flat_sentence(result, options));
-  add(shape.messages, lost_height_sentence(mesh.mesh, result));
+  add(shape.messages, hybrid_sentence(made));
+  add(shape.messages, lost_height_sentence(made.mesh, result));
   add(shape.messages, confined_sentence(result));
   add(shape.messages, outcome_sentence(result.report));
   return shape;

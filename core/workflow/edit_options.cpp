@@ -12,6 +12,7 @@
 #include "planish/design/cut_base.hpp"
 #include "planish/edit/edit_option_table.hpp"
 #include "planish/variations/subspace.hpp"
+#include "split_run.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -143,7 +144,8 @@ std::vector<OptionRow> edit_command_rows() {
                   "none can be held any more; they are pins of the design"});
   rows.push_back({"--within-handle", "P%",
                   "of the longest way of a handle, within which handles have arrived for\n"
-                  "--fewest; default 5%"});
+                  "--fewest and --split-where-needed; default 5%"});
+  rows.push_back(split_option_row());
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"
                   "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"
@@ -156,8 +158,8 @@ namespace {
 constexpr Words<FewestOf, 2> kFewestWords = {
     {{"panels", FewestOf::kPanels}, {"points", FewestOf::kPoints}}};
 
-/// ω_h of an edit that makes few panels again, where none is asked for.
-constexpr double kFewestAttraction = 1e5;
+/// ω_h of an edit whose handles are to arrive, where none is asked for.
+constexpr double kArrivingAttraction = 1e5;
 
 constexpr Words<double, 6> kUnits = {
     {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
@@ -255,17 +257,15 @@ void set_keep_outs(const Request& request, HandleEditOptions& options) {
 /// What --fewest and --within-handle ask for; nullopt without.
 std::optional<FewestOptions> fewest_options(const Request& request) {
   const auto of = request.value("--fewest");
-  const auto within = request.value("--within-handle");
   if (!of) {
-    if (within) throw UsageError("--within-handle is for --fewest: there is none");
+    if (request.has("--within-handle") && !request.has(kSplitOption)) {
+      throw UsageError("--within-handle is for --fewest or --split-where-needed: there is neither");
+    }
     return std::nullopt;
   }
   FewestOptions options;
   options.of = parse_word(*of, "--fewest", kFewestWords);
-  if (!within) return options;
-  if (!within->ends_with('%')) throw UsageError("--within-handle: \"" + *within + "\" is not P%");
-  const std::string_view share = std::string_view(*within).substr(0, within->size() - 1);
-  options.within_handle = 0.01 * parse_finite(share, "--within-handle");
+  set_within_handle(request, options.within_handle);
   return options;
 }
 
@@ -287,10 +287,20 @@ void read_table(const Request& request, HandleEditOptions& options) {
 
 }  // namespace
 
+void set_within_handle(const Request& request, double& share) {
+  const auto text = request.value("--within-handle");
+  if (!text) return;
+  if (!text->ends_with('%')) throw UsageError("--within-handle: \"" + *text + "\" is not P%");
+  share =
+      0.01 * parse_finite(std::string_view(*text).substr(0, text->size() - 1), "--within-handle");
+}
+
 HandleEditOptions edit_options(const Request& request) {
   HandleEditOptions options;
   // Handles that stop short for the sake of a soft edit would not have arrived.
-  if (request.has("--fewest")) options.attraction = kFewestAttraction;
+  if (request.has("--fewest") || request.has(kSplitOption)) {
+    options.attraction = kArrivingAttraction;
+  }
   read_table(request, options);
   Bounds bounds = parse_bounds(request);
   if (bounds.flat) {
@@ -386,6 +396,7 @@ EditRequest edit_request(const Request& request) {
   asked.cuts = cuts_before_edit(request);
   asked.symmetry = stated_symmetry(request);
   asked.fewest = fewest_options(request);
+  asked.splits = split_options(request);
   if (asked.symmetry && asked.options.engine != Engine::kNewton) {
     throw UsageError("symmetry: the engine alm knows none; it needs newton");
   }

@@ -13,6 +13,7 @@
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/splitting/split_where_needed.hpp"
 #include "planish/symmetry/symmetry.hpp"
 #include "request.hpp"
 
@@ -31,12 +32,16 @@ struct EditRequest {
   std::vector<Cut> cuts;  ///< before the edit, in this order
   std::optional<StatedSymmetry> symmetry;
   std::optional<FewestOptions> fewest;
+  std::optional<SplitOptions> splits;
   EditTargets targets = {};
   std::vector<bool> relative = {};  ///< of each handle: its target is a way from the base
 };
 
 /// Throws UsageError; RequestError where a file that is named cannot be used.
 [[nodiscard]] EditRequest edit_request(const Request& request);
+
+/// The share that --within-handle asks for, as it was without. Throws UsageError.
+void set_within_handle(const Request& request, double& share);
 
 [[nodiscard]] HandleEditOptions edit_options(const Request& request);
 

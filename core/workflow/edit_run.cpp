@@ -200,6 +200,22 @@ void make_cuts(EditRun& run) {
   run.given.positions.leftCols(given.cols()) = given;
 }
 
+/// The base and what was given, before any cut.
+struct Uncut {
+  Mesh base, given;
+};
+
+/// Lines that the search found go behind the cuts that were asked for. They add no point, so that
+/// targets and supports stay.
+void add_found_cuts(EditRun& run, const Uncut& uncut) {
+  if (run.splits->cuts.empty()) return;
+  run.base.mesh = uncut.base;
+  run.given = uncut.given;
+  std::vector<Cut>& cuts = run.asked.cuts;
+  cuts.insert(cuts.end(), run.splits->cuts.begin(), run.splits->cuts.end());
+  make_cuts(run);
+}
+
 /// A point that a trim leaves without panels stays in the mesh, so that numbers do: nothing follows
 /// it.
 void check_handles_left(const EditTargets& targets, const CutMesh& cut) {
@@ -241,8 +257,15 @@ HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
 }
 
 HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
+  const HandleEditOptions& options = run.asked.options;
+  if (run.asked.splits) {
+    const EditTargets targets = targets_with_images(run);
+    SplitSolve solved = solve_split(run.base.mesh, targets, options, *run.asked.splits, progress);
+    run.splits = std::move(solved.run);
+    return std::move(solved.result);
+  }
   if (run.asked.fewest) return solve_fewest(run, progress);
-  HandleEditSolver solver(run.base.mesh, run.asked.options);
+  HandleEditSolver solver(run.base.mesh, options);
   const EditTargets targets = targets_with_images(run);
   if (has_images(run)) return solver.solve_symmetric(targets, *run.symmetry, progress);
   return solver.solve(targets, progress);
@@ -289,6 +312,7 @@ EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name
   if (!run.evened.symmetric) {
     throw MeshError(name + ": symmetry: the mesh cannot be made flat and symmetric");
   }
+  const Uncut uncut = run.asked.splits ? Uncut{run.base.mesh, run.given} : Uncut{};
   make_cuts(run);
   run.targets = edit_targets(run.asked, run.base.mesh, run.cut ? &*run.cut : nullptr);
   run.supports = run.targets.supports;
@@ -300,6 +324,7 @@ EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name
     throw MeshError(name + ": " + *broken + "; planish project --constraint makes it so");
   }
   const HandleEditResult result = solve_edit(run, watched);
+  if (run.splits) add_found_cuts(run, uncut);
   run.edited = apply(run.base.mesh, result);
   run.report = result.report;
   return run;
@@ -372,6 +397,7 @@ Json edit_json(const EditRun& run, const Positions& after) {
   add_supports(json, run.supports, run.base.mesh, after);
   if (run.cut) add_cuts(json, *run.cut);
   if (run.fewest) json["fewest"] = fewest_json(run);
+  if (run.splits) json["splits"] = splits_json(*run.splits);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
     if (run.evened.max_move > 0.0) {

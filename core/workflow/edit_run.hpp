@@ -20,6 +20,7 @@
 #include "planish/projection/projection.hpp"
 #include "report.hpp"
 #include "request.hpp"
+#include "split_run.hpp"
 
 namespace planish::workflow {
 
@@ -41,8 +42,10 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  EditRequest asked;  ///< its options with the limits that --fewest adds to those that were given
-  Mesh given;         ///< as in the file; where there are cuts: parted as they part the flat mesh
+  /// Its options with the limits that --fewest adds to those that were given, its cuts with those
+  /// that --split-where-needed adds.
+  EditRequest asked;
+  Mesh given;  ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
   FlatBase base;                            ///< after the cuts
   std::optional<CutMesh> cut;               ///< what they made; absent without any
@@ -52,7 +55,8 @@ struct EditRun {
   std::optional<MeshSymmetry> symmetry;  ///< set where --symmetry asks for one; auto may find none
   SymmetricBase evened;                  ///< how the base became symmetric
   std::optional<FewestEdit> fewest;      ///< its result apart; targets.pins has what it holds
-  Positions edited;                      ///< 3 × n
+  std::optional<SplitRun> splits;  ///< where panels are parted for the handles; asked.cuts has them
+  Positions edited;                ///< 3 × n
   SolveReport report;
 };
 

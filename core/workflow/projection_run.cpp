@@ -6,6 +6,7 @@
 #include <string>
 
 #include "edit_options.hpp"
+#include "hybrid_run.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/text/number.hpp"
@@ -29,6 +30,7 @@ std::vector<OptionRow> projection_option_rows() {
           {"--fairness", "KIND", "laplacian, second or third; default second"},
           kConstraintRow,
           support_row(),
+          hybrid_option_row(),
           {"--solver", "NAME", "newton or alm; default newton"},
           {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
 }
@@ -74,19 +76,23 @@ void check_supports(const ProjectionOptions& options, const Mesh& base) {
 
 }  // namespace
 
-ProjectionResult run_projection(const Mesh& mesh, const Request& request,
-                                const ProjectionOptions& options, const Mesh* reference,
-                                const Progress& progress) {
+std::vector<int> projection_pins(const Mesh& mesh, const Request& request,
+                                 const ProjectionOptions& options) {
   std::vector<int> pins = parse_vertices(request, "--pin");
   check_vertices(pins, "--pin", mesh);
   if (request.has("--keep-boundary")) {
     const std::vector<int> boundary = boundary_vertices(mesh);
     pins.insert(pins.end(), boundary.begin(), boundary.end());
   }
-  if (!reference) {
-    check_supports(options, mesh);
-    return project_to_planar(mesh, options, pins, progress);
-  }
+  if (!request.has("--reference")) check_supports(options, mesh);
+  return pins;
+}
+
+ProjectionResult run_projection(const Mesh& mesh, const Request& request,
+                                const ProjectionOptions& options, const Mesh* reference,
+                                const Progress& progress) {
+  const std::vector<int> pins = projection_pins(mesh, request, options);
+  if (!reference) return project_to_planar(mesh, options, pins, progress);
   if (reference->vertex_count() != mesh.vertex_count() ||
       reference->face_offsets != mesh.face_offsets ||
       reference->face_vertices != mesh.face_vertices) {

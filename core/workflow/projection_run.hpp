@@ -18,6 +18,10 @@ namespace planish::workflow {
 /// Throws RequestError.
 [[nodiscard]] ProjectionOptions projection_options(const Request& request);
 
+/// Points that must not move. Throws UsageError, also for supports that are none of `mesh`.
+[[nodiscard]] std::vector<int> projection_pins(const Mesh& mesh, const Request& request,
+                                               const ProjectionOptions& options);
+
 /// @param reference the mesh that --reference names, or null
 /// Throws RequestError where it has other faces than `mesh`.
 [[nodiscard]] ProjectionResult run_projection(const Mesh& mesh, const Request& request,

@@ -66,6 +66,7 @@ def edit(
     relative: bool = True,
     cuts: Iterable[str] | None = None,
     fewest: str | None = None,
+    split_where_needed: int | None = None,
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
     continuation: int | None = None,
@@ -101,6 +102,7 @@ def edit(
             name the points that they add.
         pins: vertices that stay.
         fewest: "panels" or "points": few to make again, as long as the handles arrive.
+        split_where_needed: at most so many panels are parted where the handles stop short.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
         symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
@@ -123,6 +125,7 @@ def edit(
         "handles": [{"vertex": vertex, way: point} for vertex, point in handles.items()],
         "cuts": cuts,
         "fewest": fewest,
+        "split_where_needed": split_where_needed,
         "pins": pins,
         "supports": supports,
         "continuation": continuation,

@@ -31,6 +31,7 @@ def project(
     keep_boundary: bool | None = None,
     bounds: Mapping[str, bool | float] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    split: int | str | None = None,
     fairness: str | None = None,
     solver: str | None = None,
     tolerance: float | None = None,
@@ -42,6 +43,7 @@ def project(
     Args:
         within: model units, > 0; no vertex moves farther, and the result is as flat as that allows.
         bounds: shape, a bool; flat, mm/m > 0: as far as panels may stay out of flat.
+        split: at most so many panels, or "10%" of them, are split: the fewest that make it flat.
     """
     options = {
         "reference": None if reference is None else "reference",
@@ -51,6 +53,7 @@ def project(
         "keep_boundary": keep_boundary,
         "bounds": bounds,
         "constraints": constraints,
+        "split": split,
         "fairness": fairness,
         "solver": solver,
         "tolerance": tolerance,

@@ -174,6 +174,15 @@ class SameBits(InFolder):
             self.check_file("o.obj", offset)
             self.check_report("o.report", offset.report)
 
+    def test_hybrid_projections(self):
+        Path("bent.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0.4\nv 0 1 0\nf 1 2 3 4\n")
+        self.command("project", "bent.obj", "--pin=0,1,2,3", "--split=1", "-o", "h.obj", "--report",
+                     "h.report")
+        flat = planish.project(planish.Mesh.read("bent.obj"), pins=[0, 1, 2, 3], split=1)
+        self.check_file("h.obj", flat)
+        self.check_report("h.report", flat.report)
+        self.assertEqual(flat.report.split["panels"], 1)
+
     def test_few_to_make_again(self):
         self.command("edit", "sample:vault:16", "--handle=136+=0,0,0.3", "--softness=5", "--reach=4",
                      "--bound=fold=+15", "--fewest=panels", "-o", "f.obj", "--report", "f.report")
@@ -182,6 +191,16 @@ class SameBits(InFolder):
         self.check_file("f.obj", edit)
         self.check_report("f.report", edit.report)
         self.assertTrue(edit.report.fewest["minimal"])
+
+    def test_split_where_needed(self):
+        self.command("edit", "sample:vault:12", "--handle=26+=0,0,0.9", "--softness=3", "--reach=2",
+                     "--keep-boundary", "--bound=fold=+12", "--split-where-needed=1", "-o", "s.obj",
+                     "--report", "s.report")
+        edit = planish.edit(planish.Mesh.read("sample:vault:12"), {26: (0, 0, 0.9)}, softness=3, reach=2,
+                            keep_boundary=True, bounds={"fold": "+12"}, split_where_needed=1)
+        self.check_file("s.obj", edit)
+        self.check_report("s.report", edit.report)
+        self.assertEqual([standing["cuts"] for standing in edit.report.splits["curve"]], [0, 1])
 
     def test_types(self):
         mesh = planish.Mesh.read("sample:vault:12")

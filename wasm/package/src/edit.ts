@@ -16,7 +16,9 @@ export interface EditOptions {
   readonly cuts?: readonly string[];
   /** Few to make again: points are held as long as the handles arrive; they are pins of the design. */
   readonly fewest?: "panels" | "points";
-  /** Of the longest way of a handle, within which handles have arrived for `fewest`: "5%". */
+  /** Where handles stop short at most so many panels are parted, as few as let them arrive; `cuts` of the design. */
+  readonly splitWhereNeeded?: number;
+  /** Of the longest way of a handle, within which handles have arrived for these two: "5%". */
   readonly withinHandle?: string;
   /** Points that stay. */
   readonly pins?: readonly number[];

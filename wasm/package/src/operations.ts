@@ -18,6 +18,8 @@ export interface ProjectOptions {
   /** Panels keep their shape; they may stay `flat` mm per m out of flat. */
   readonly bounds?: { readonly shape?: boolean; readonly flat?: number } | readonly string[];
   readonly constraints?: Constraints;
+  /** At most so many panels, or "10%" of them, are split: the fewest that make the mesh flat. */
+  readonly split?: number | string;
   readonly fairness?: "laplacian" | "second" | "third";
   readonly solver?: "newton" | "alm";
   /** mm per m */

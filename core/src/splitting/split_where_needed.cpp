@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "planish/splitting/split_where_needed.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "planish/cuts/cut_mesh.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/index.hpp"
+#include "splitting/split_lines.hpp"
+
+namespace planish {
+namespace {
+
+/// So many sets of cuts of one size are gone on from.
+constexpr std::size_t kBeam = 3;
+/// So many lines, the best of them alone, are tried beside others.
+constexpr std::size_t kMostLines = 16;
+/// So many panels at most are asked for that are near no handle, and that a limit holds.
+constexpr std::size_t kMostHeld = 6;
+
+/// Lines by their numbers, ascending.
+using LineSet = std::vector<int>;
+
+/// What a set of lines gives.
+struct Tried {
+  LineSet lines;
+  std::vector<Cut> cuts;
+  Mesh mesh;
+  HandleEditResult result;
+
+  [[nodiscard]] double error() const { return result.report.handle_error; }
+};
+
+class SplitSearch {
+ public:
+  SplitSearch(const Mesh& mesh, const EditTargets& targets, const HandleEditOptions& edit,
+              const SplitOptions& options, const Progress& progress)
+      : mesh_(mesh), targets_(targets), edit_(edit), options_(options), progress_(progress) {
+    double longest = 0.0;
+    for (const Handle& handle : targets.handles) {
+      longest = std::max(longest, (handle.target - mesh.positions.col(handle.vertex)).norm());
+      handles_.push_back(handle.vertex);
+    }
+    std::sort(handles_.begin(), handles_.end());
+    near_ = options.within_handle * longest;
+  }
+
+  SplitEdit run() {
+    Tried uncut = solve({}, {}, mesh_);
+    keep(uncut);
+    lines_ = lines_for(uncut.result.report);
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      ranked_.push_back(static_cast<int>(line));
+    }
+    std::vector<Tried> beam;
+    beam.push_back(std::move(uncut));
+    for (int cuts = 1; cuts <= options_.most_cuts && may_go_on(); ++cuts) {
+      beam = with_one_more(beam);
+      add_freed(cuts, beam);
+      if (beam.empty()) break;
+      if (is_better(beam.front())) keep(beam.front());
+      if (cuts == 1) rank_lines(beam);
+      if (beam.size() > kBeam) beam.erase(at_beam(beam, kBeam), beam.end());
+    }
+    best_.reached = arrives(best_.result);
+    return std::move(best_);
+  }
+
+ private:
+  using Place = std::vector<Tried>::iterator;
+  static Place at_beam(std::vector<Tried>& beam, std::size_t k) {
+    return std::next(beam.begin(), static_cast<std::ptrdiff_t>(k));
+  }
+
+  Tried solve(LineSet lines, std::vector<Cut> cuts, Mesh mesh) {
+    ++best_.solves;
+    HandleEditSolver solver(mesh, edit_);
+    HandleEditResult result = solver.solve(targets_, progress_);
+    stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
+    return {std::move(lines), std::move(cuts), std::move(mesh), std::move(result)};
+  }
+
+  [[nodiscard]] static bool is_sound(const HandleEditResult& result) {
+    return result.report.usable() && result.report.status != SolveStatus::kCancelled;
+  }
+
+  [[nodiscard]] bool arrives(const HandleEditResult& result) const {
+    return is_sound(result) && result.report.handle_error <= near_;
+  }
+
+  [[nodiscard]] bool may_go_on() const {
+    return !stopped_ && best_.solves < options_.most_solves && !arrives(best_.result);
+  }
+
+  [[nodiscard]] bool is_better(const Tried& tried) const {
+    return tried.error() < best_.curve.back().handle_error;
+  }
+
+  /// Of two that arrive the one that the edit itself prefers, else the one that comes nearer.
+  [[nodiscard]] bool comes_before(const Tried& a, const Tried& b) const {
+    const bool arrives_a = arrives(a.result), arrives_b = arrives(b.result);
+    if (arrives_a != arrives_b) return arrives_a;
+    if (!arrives_a) return a.error() < b.error();
+    return a.result.report.objective.total() < b.result.report.objective.total();
+  }
+
+  void keep(const Tried& tried) {
+    best_.cuts = tried.cuts;
+    best_.mesh = tried.mesh;
+    best_.result = tried.result;
+    best_.curve.push_back(standing_of(tried));
+  }
+
+  [[nodiscard]] SplitStanding standing_of(const Tried& tried) const {
+    const Mesh& mesh = tried.mesh;
+    const Adjacency adjacency = build_adjacency(mesh);
+    std::vector<int> remade = faces_of(adjacency, tried.result.moved);
+    const double fold = sharpest_fold(mesh, adjacency, apply(mesh, tried.result), remade).degrees;
+    for (const int line : tried.lines) remade.push_back(lines_[at(line)].panel);
+    for (int f = mesh_.face_count(); f < mesh.face_count(); ++f) remade.push_back(f);
+    std::sort(remade.begin(), remade.end());
+    remade.erase(std::unique(remade.begin(), remade.end()), remade.end());
+    return {static_cast<int>(tried.cuts.size()), tried.error(), tried.result.report.moved_vertices,
+            static_cast<int>(remade.size()), fold};
+  }
+
+  /// Of the panels at a handle, beside them, and of some that a limit holds.
+  [[nodiscard]] std::vector<SplitLine> lines_for(const SolveReport& report) const {
+    const Adjacency adjacency = build_adjacency(mesh_);
+    std::vector<int> corners;
+    for (const int f : faces_of(adjacency, handles_)) {
+      corners.insert(corners.end(), mesh_.face(f).begin(), mesh_.face(f).end());
+    }
+    std::vector<int> panels = faces_of(adjacency, corners);
+    const std::size_t near = panels.size();
+    for (const BoundStanding& bound : report.bounds) {
+      if (bound.name == "keep-out") continue;  // which tells points
+      for (const int f : bound.binding) {
+        if (panels.size() < near + kMostHeld &&
+            std::find(panels.begin(), panels.end(), f) == panels.end()) {
+          panels.push_back(f);
+        }
+      }
+    }
+    return split_lines(mesh_, panels, handles_);
+  }
+
+  /// Each of `beam` with each line that it has not, the best first.
+  std::vector<Tried> with_one_more(const std::vector<Tried>& beam) {
+    std::vector<Tried> found;
+    std::set<LineSet> seen;
+    for (const Tried& parent : beam) {
+      for (const int line : ranked_) {
+        if (stopped_ || best_.solves >= options_.most_solves) break;
+        LineSet lines = parent.lines;
+        const auto place = std::lower_bound(lines.begin(), lines.end(), line);
+        if (place != lines.end() && *place == line) continue;
+        lines.insert(place, line);
+        if (!seen.insert(lines).second) continue;
+        const SplitCut cut = split_along(parent.mesh, lines_[at(line)], mesh_.face_count());
+        if (cut.panel < 0) continue;
+        auto made = cut_mesh(parent.mesh, {cut});
+        if (!std::holds_alternative<CutMesh>(made)) continue;
+        std::vector<Cut> cuts = parent.cuts;
+        cuts.emplace_back(cut);
+        Tried tried =
+            solve(std::move(lines), std::move(cuts), std::get<CutMesh>(std::move(made)).mesh);
+        if (is_sound(tried.result)) found.push_back(std::move(tried));
+      }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
+    return found;
+  }
+
+  /// The set of `cuts` lines that cut off all corners at the handles, if it has so many: they are
+  /// corners of triangles alone then. Each of these lines may be no help without the others.
+  void add_freed(int cuts, std::vector<Tried>& found) {
+    const LineSet freeing = freeing_lines();
+    if (static_cast<int>(freeing.size()) != cuts || cuts < 2 || stopped_) return;
+    Tried tried{{}, {}, mesh_, {}};
+    for (const int line : freeing) {
+      const SplitCut cut = split_along(tried.mesh, lines_[at(line)], mesh_.face_count());
+      if (cut.panel < 0) return;
+      auto made = cut_mesh(tried.mesh, {cut});
+      if (!std::holds_alternative<CutMesh>(made)) return;
+      tried.mesh = std::get<CutMesh>(std::move(made)).mesh;
+      tried.cuts.emplace_back(cut);
+    }
+    tried = solve(freeing, std::move(tried.cuts), std::move(tried.mesh));
+    if (!is_sound(tried.result)) return;
+    const auto place =
+        std::upper_bound(found.begin(), found.end(), tried,
+                         [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
+    found.insert(place, std::move(tried));
+  }
+
+  [[nodiscard]] LineSet freeing_lines() const {
+    LineSet freeing;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const auto corners = mesh_.face(lines_[k].panel);
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        const int before = corners[(c + corners.size() - 1) % corners.size()];
+        const int after = corners[(c + 1) % corners.size()];
+        if (std::binary_search(handles_.begin(), handles_.end(), corners[c]) &&
+            std::minmax(before, after) == std::minmax(lines_[k].from, lines_[k].to)) {
+          freeing.push_back(static_cast<int>(k));
+          break;
+        }
+      }
+    }
+    return freeing;
+  }
+
+  /// Lines that help most alone are those tried together.
+  void rank_lines(const std::vector<Tried>& alone) {
+    ranked_.clear();
+    for (const Tried& tried : alone) {
+      if (ranked_.size() < kMostLines) ranked_.push_back(tried.lines.front());
+    }
+  }
+
+  const Mesh& mesh_;
+  const EditTargets& targets_;
+  const HandleEditOptions& edit_;
+  const SplitOptions& options_;
+  const Progress& progress_;
+  std::vector<int> handles_;
+  double near_ = 0.0;  ///< within which handles arrive
+  std::vector<SplitLine> lines_;
+  LineSet ranked_;  ///< the lines that are tried, in this order
+  SplitEdit best_;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Refusal find_problem(const SplitOptions& options, const HandleEditOptions& edit,
+                     const EditTargets& targets) {
+  if (options.most_cuts < 1) return "most_cuts must be at least 1";
+  if (!(options.within_handle > 0.0 && options.within_handle < 1.0)) {
+    return "within_handle must be more than 0 and less than 1: then handles move";
+  }
+  if (options.most_solves < 1) return "most_solves must be at least 1";
+  if (edit.engine != Engine::kNewton) return "splits: the engine alm knows none; it needs newton";
+  if (targets.handles.empty()) return "splits need a handle";
+  return std::nullopt;
+}
+
+SplitEdit split_where_needed(const Mesh& mesh, const EditTargets& targets,
+                             const HandleEditOptions& edit, const SplitOptions& options,
+                             const Progress& progress) {
+  return SplitSearch(mesh, targets, edit, options, progress).run();
+}
+
+}  // namespace planish

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "hybrid_run.hpp"
+
+#include <utility>
+
+#include "cut_run.hpp"
+#include "projection_run.hpp"
+
+namespace planish::workflow {
+namespace {
+
+constexpr std::string_view kSplit = "--split";
+
+/// "40", or "10%" of all panels.
+HybridOptions parse_hybrid(const std::string& text, const Mesh& mesh) {
+  HybridOptions options;
+  if (text.ends_with('%')) {
+    const double share =
+        0.01 * parse_finite(std::string_view(text).substr(0, text.size() - 1), kSplit);
+    if (!(share > 0.0 && share <= 1.0)) {
+      throw UsageError("--split: \"" + text + "\" is not more than 0% to 100%");
+    }
+    options.most_panels = static_cast<int>(share * mesh.face_count());
+  } else {
+    options.most_panels = parse_whole(text, kSplit);
+  }
+  if (options.most_panels < 1) {
+    throw UsageError("--split: \"" + text + "\" is less than one panel");
+  }
+  return options;
+}
+
+}  // namespace
+
+OptionRow hybrid_option_row() {
+  return {"--split", "N|P%",
+          "where no flat mesh is near: at most so many panels are split along\n"
+          "lines between corners, the fewest that make it flat and sound"};
+}
+
+ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const ProjectionOptions& options,
+                        const Mesh* reference, const Progress& progress) {
+  const auto split = request.value(kSplit);
+  if (!split) {
+    return {mesh, run_projection(mesh, request, options, reference, progress), std::nullopt};
+  }
+  if (reference != nullptr) throw UsageError("--split: it knows no --reference");
+  if (options.engine != Engine::kNewton) {
+    throw UsageError("--split: the solver alm knows none; it needs newton");
+  }
+  const HybridOptions hybrid = parse_hybrid(*split, mesh);
+  const std::vector<int> pins = projection_pins(mesh, request, options);
+  HybridMesh found = split_until_flat(mesh, options, pins, hybrid, progress);
+  ProjectedMesh projected{found.cut.mesh, std::move(found.result), std::nullopt};
+  found.result = {};
+  projected.hybrid = std::move(found);
+  return projected;
+}
+
+void add_hybrid(Json& json, const ProjectedMesh& projected) {
+  if (!projected.hybrid) return;
+  Json curve = Json::array();
+  for (const HybridStanding& standing : projected.hybrid->curve) {
+    curve.push_back({{"panels", standing.panels},
+                     {"failing_faces", standing.failing_faces},
+                     {"rms_move", standing.rms_move},
+                     {"max_move", standing.max_move}});
+  }
+  json["split"] = {{"panels", projected.hybrid->panels},
+                   {"reached", projected.hybrid->reached},
+                   {"tried", projected.hybrid->curve.size()},
+                   {"curve", std::move(curve)}};
+  add_cuts(json, projected.hybrid->cut);
+}
+
+std::optional<std::string> hybrid_sentence(const ProjectedMesh& projected) {
+  if (!projected.hybrid || projected.hybrid->panels == 0) return std::nullopt;
+  const int count = projected.hybrid->panels;
+  return "--split: " + std::to_string(count) + (count == 1 ? " panel is" : " panels are") +
+         " split, and the mesh is " + (projected.hybrid->reached ? "flat" : "not flat with that");
+}
+
+}  // namespace planish::workflow

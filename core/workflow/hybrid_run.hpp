@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// What `--split` of a projection takes, does and tells.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "planish/projection/projection.hpp"
+#include "planish/splitting/split_until_flat.hpp"
+#include "report.hpp"
+#include "request.hpp"
+
+namespace planish::workflow {
+
+[[nodiscard]] OptionRow hybrid_option_row();
+
+/// A projection, perhaps of the mesh with panels parted.
+struct ProjectedMesh {
+  Mesh mesh;  ///< as given, parted where that was asked for
+  ProjectionResult result;
+  std::optional<HybridMesh> hybrid;  ///< with --split, its result apart
+};
+
+/// run_projection(), or, with --split, split_until_flat(). Throws RequestError.
+[[nodiscard]] ProjectedMesh make_flat(const Mesh& mesh, const Request& request,
+                                      const ProjectionOptions& options, const Mesh* reference,
+                                      const Progress& progress);
+
+/// Nothing without --split.
+void add_hybrid(Json& json, const ProjectedMesh& projected);
+
+/// How many panels are split, and whether the mesh is flat so; nullopt where none need be.
+[[nodiscard]] std::optional<std::string> hybrid_sentence(const ProjectedMesh& projected);
+
+}  // namespace planish::workflow
