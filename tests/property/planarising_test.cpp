@@ -14,6 +14,7 @@
 #include "planish/io/obj.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/area_vector.hpp"
 #include "planish/problem/problem.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/mesh_builders.hpp"
