@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "planish/constraints/inequality_rows.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "support/mesh_builders.hpp"
@@ -66,7 +67,7 @@ TEST(LimitKinds, HaveTheDerivativesOfTheirValues) {
     const MeshLimits limits({mesh, adjacency, mesh.positions, 1.0}, {limit_of(Kind::kName)});
     int rows = 0;
     for (int f = 0; f < mesh.face_count(); ++f) {
-      limits.for_each_row(f, [&](auto, const auto& row, int) {
+      limits.for_each_row(f, [&](auto, const auto& row, int, int) {
         const Positions shaken =
             mesh.positions + 0.1 * testing::random_points(7u + static_cast<unsigned>(f),
                                                           static_cast<int>(mesh.vertex_count()));
@@ -90,8 +91,8 @@ TEST(LimitKinds, NeverBlockTheirBase) {
     const MeshLimits limits({mesh, adjacency, mesh.positions, 1.0}, {*limit});
     int rows = 0;
     for (int f = 0; f < mesh.face_count(); ++f) {
-      limits.for_each_row(f, [&](auto, const auto& row, int) {
-        EXPECT_GE(row.scale.share(value(row, points_of(row, mesh.positions))), 0.5 - 1e-12);
+      limits.for_each_row(f, [&](auto, const auto& row, int, int) {
+        EXPECT_GE(row.scale.share(value(row, points_of(row, mesh.positions))), 100 * kLimitMargin);
         EXPECT_TRUE(std::isfinite(row.scale.slope));
         ++rows;
       });
@@ -113,10 +114,10 @@ TEST(LimitKinds, MeanTheSameInAnyUnit) {
     const MeshLimits in_solver({mesh, adjacency, metres, 1000.0}, asked);
     std::vector<double> model, solver;
     for (int f = 0; f < mesh.face_count(); ++f) {
-      in_model.for_each_row(f, [&](auto, const auto& row, int) {
+      in_model.for_each_row(f, [&](auto, const auto& row, int, int) {
         model.push_back(row.scale.share(value(row, points_of(row, mesh.positions))));
       });
-      in_solver.for_each_row(f, [&](auto, const auto& row, int) {
+      in_solver.for_each_row(f, [&](auto, const auto& row, int, int) {
         solver.push_back(row.scale.share(value(row, points_of(row, metres))));
       });
     }

@@ -15,6 +15,7 @@ using testing::ProblemOnMesh;
 
 constexpr double kSmoothing = 0.1;
 constexpr double kPenalty = 100.0;
+constexpr double kLimitPenalty = 7e2;
 constexpr double kShift = 5.0;  ///< enough to make a random state positive definite
 
 /// A patch with a halo that has moved, a handle, and random primal and dual variables.
@@ -45,7 +46,11 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
   [[nodiscard]] double lagrangian(const Eigen::Matrix3Xd& d) const {
     Eigen::VectorXd c;
     system.lagrangian().residuals(d, c);
-    return system.lagrangian().energy(d, kSmoothing) + state.multipliers.dot(c);
+    double sum = system.lagrangian().energy(d, kSmoothing) + state.multipliers.dot(c);
+    if (state.limit_multipliers.size() == 0) return sum;
+    Eigen::VectorXd shares;
+    system.lagrangian().shares(d, shares);
+    return sum - state.limit_multipliers.dot(shares);
   }
 
   [[nodiscard]] Eigen::VectorXd gradient_at(const Eigen::Matrix3Xd& d) const {
@@ -79,8 +84,10 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
   }
 
   /// [WSN-2]: [H + νI, Jᵀ; J, −I/μ] (δ, Δλ) = −(∇F + Jᵀλ, c), solved densely with H from finite
-  /// differences of the gradient.
-  void expect_step_solves_the_kkt_system() {
+  /// differences of the gradient. Inequalities that are active are rows like the equations, with
+  /// no residual of their own here.
+  /// @param limits the gradients of their shares, one a row
+  void expect_step_solves_the_kkt_system(const Eigen::MatrixXd& limits = {}) {
     // A polygon's equations leave out curvature that is a multiple of c or ∇c: compare without λ
     // there.
     if (patch.equations.of<PlanarPolygon>().front().least_area > 0.0) state.multipliers.setZero();
@@ -94,21 +101,27 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
         differences([&](const Eigen::Matrix3Xd& d) { return gradient_at(d); });
     const Eigen::MatrixXd jacobian =
         differences([&](const Eigen::Matrix3Xd& d) { return residuals_of(d); });
-    const Eigen::Index n = hessian.rows(), m = jacobian.rows();
+    const Eigen::Index n = hessian.rows(), m = jacobian.rows(), k = limits.rows();
     EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-6 * hessian.norm());
-    Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
+    Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m + k, n + m + k);
     kkt.topLeftCorner(n, n) = hessian + kShift * Eigen::MatrixXd::Identity(n, n);
-    kkt.topRightCorner(n, m) = jacobian.transpose();
-    kkt.bottomLeftCorner(m, n) = jacobian;
-    kkt.bottomRightCorner(m, m) = -Eigen::MatrixXd::Identity(m, m) / kPenalty;
-    Eigen::VectorXd right(n + m);
-    right << -g, -c;
+    kkt.block(0, n, n, m) = jacobian.transpose();
+    kkt.block(n, 0, m, n) = jacobian;
+    kkt.block(n, n, m, m) = -Eigen::MatrixXd::Identity(m, m) / kPenalty;
+    if (k > 0) {
+      kkt.topRightCorner(n, k) = limits.transpose();
+      kkt.bottomLeftCorner(k, n) = limits;
+      kkt.bottomRightCorner(k, k) = -Eigen::MatrixXd::Identity(k, k) / kLimitPenalty;
+    }
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m + k);
+    right.head(n + m) << -g, -c;
     const Eigen::VectorXd expected = kkt.fullPivLu().solve(right);
     const Eigen::Map<const Eigen::VectorXd> flat(delta.data(), n);
     EXPECT_LT((flat - expected.head(n)).norm(), 1e-6 * expected.head(n).norm());
     Eigen::VectorXd image;
     system.apply_jacobian(delta, image);
-    EXPECT_LT((kPenalty * (c + image) - expected.tail(m)).norm(), 1e-5 * expected.tail(m).norm());
+    EXPECT_LT((kPenalty * (c + image) - expected.segment(n, m)).norm(),
+              1e-5 * expected.segment(n, m).norm());
   }
 
   ProblemOnMesh on_mesh;
@@ -148,7 +161,7 @@ TEST_P(SystemOn, StepSolvesTheKktSystem) { expect_step_solves_the_kkt_system(); 
 /// [KEE-1] [KEE-2]: rows that a barrier acts on, that none does, and of a point that rests.
 TEST_P(SystemOn, KnowsKeepOuts) {
   const double bare = lagrangian(state.displacement);
-  patch.limit_weight = 0.7;
+  patch.keep_out_weight = 0.7;
   for (int v = 0; v < std::min(4, patch.free_count); ++v) {
     const Eigen::Vector3d place = patch.points.col(v) + state.displacement.col(v);
     KeepOutRow row;
@@ -167,6 +180,48 @@ TEST_P(SystemOn, KnowsKeepOuts) {
   const Eigen::VectorXd actual = gradient_at(state.displacement);
   EXPECT_LT((actual - expected).lpNorm<Eigen::Infinity>(), 1e-6 * actual.norm());
   expect_step_solves_the_kkt_system();
+}
+
+/// [LIM-2]: an inequality that presses, one that is active and does not press yet, one that is
+/// neither.
+TEST_P(SystemOn, KnowsLimits) {
+  const double bare = lagrangian(state.displacement);
+  const std::vector<int> panel(patch.faces[0].begin(), patch.faces[0].end());
+  ASSERT_GE(panel.size(), 4u);
+  std::vector<EdgeRow>& edges = patch.inequalities.of<EdgeLimit>();
+  for (std::size_t k = 0; k < 3; ++k) {
+    EdgeRow row;
+    row.vertices = {panel[k], panel[k + 1]};
+    const double share = k == 2 ? 0.9 : -0.2;
+    row.scale = {0.7, 0.0};
+    row.scale.offset =
+        share - row.scale.share(value(row, corners_at(patch, state.displacement, row)));
+    edges.push_back(row);
+  }
+  system.attach(patch);
+  EXPECT_TRUE(system.has_limits());
+  const auto first = static_cast<Eigen::Index>(patch.inequalities.of<ShapeBound>().size() +
+                                               patch.inequalities.of<FoldLimit>().size() +
+                                               patch.inequalities.of<AngleLimit>().size());
+  const auto rows = static_cast<Eigen::Index>(patch.inequalities.size());
+  state.limit_multipliers.setZero(rows);
+  state.limit_multipliers[first] = 0.7;
+  std::vector<char> active(static_cast<std::size_t>(rows), 0);
+  active[static_cast<std::size_t>(first)] = active[static_cast<std::size_t>(first + 1)] = 1;
+  system.evaluate_limits(state.displacement);
+  system.activate(active, kLimitPenalty);
+  EXPECT_GT(lagrangian(state.displacement), bare);
+  const Eigen::VectorXd expected = differences([&](const Eigen::Matrix3Xd& d) {
+                                     return Eigen::VectorXd::Constant(1, lagrangian(d));
+                                   }).row(0);
+  const Eigen::VectorXd actual = gradient_at(state.displacement);
+  EXPECT_LT((actual - expected).lpNorm<Eigen::Infinity>(), 1e-6 * actual.norm());
+  const Eigen::MatrixXd shares = differences([&](const Eigen::Matrix3Xd& d) {
+    Eigen::VectorXd out;
+    system.lagrangian().shares(d, out);
+    return out;
+  });
+  expect_step_solves_the_kkt_system(shares.middleRows(first, 2));
 }
 
 /// [SUP-2]: the same system in coordinates along what every vertex may do.

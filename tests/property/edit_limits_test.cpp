@@ -216,6 +216,50 @@ TEST_P(EditLimits, HoldInEveryFrameOfADrag) {
   }
 }
 
+/// Bit for bit: an inactive row exerts exactly nothing. (Other limits' rows join points that no row
+/// joined, so that the elimination takes another order.)
+TEST_P(EditLimits, ThatNothingMeetsChangeNoBit) {
+  for (const HandleEditOptions& options : ways()) {
+    HandleEditOptions limited = options;
+    limited.bounds = {*parse_stated_limit("edge=0:100000")};
+    for (const double lift : lifts()) {
+      const HandleEditResult with = solve_handle_edit(mesh, targets(lift), limited);
+      const HandleEditResult without = solve_handle_edit(mesh, targets(lift), options);
+      ASSERT_EQ(without.report.status, SolveStatus::kConverged);
+      EXPECT_EQ(apply(mesh, with), apply(mesh, without)) << "lift " << lift;
+      ASSERT_EQ(with.report.bounds.size(), 1u);
+      EXPECT_TRUE(with.report.bounds[0].binding.empty());
+    }
+  }
+}
+
+/// Nothing is given away: where a certified edit would go beyond a limit, it ends at it.
+TEST_P(EditLimits, EndAtTheirBoundWhereTheyHold) {
+  constexpr double kGivenAway = 1e-4;  // degrees
+  int held = 0;
+  for (HandleEditOptions options : ways()) {
+    const Figures before = folds(mesh, mesh.positions);
+    const auto most_growth = [&](const HandleEditResult& result) {
+      const Figures after = folds(mesh, apply(mesh, result));
+      double most = 0.0;
+      for (std::size_t k = 0; k < after.size(); ++k) most = std::max(most, after[k] - before[k]);
+      return most;
+    };
+    for (const double lift : lifts()) {
+      const double free = most_growth(solve_handle_edit(mesh, targets(lift), options));
+      options.bounds = {*parse_stated_limit("fold=+5")};
+      const HandleEditResult result = solve_handle_edit(mesh, targets(lift), options);
+      options.bounds.clear();
+      if (result.report.status != SolveStatus::kConverged || free <= 5.0) continue;
+      ++held;
+      EXPECT_GE(most_growth(result), 5.0 - kGivenAway);
+      EXPECT_LE(most_growth(result), 5.0 + 1e-6);
+      EXPECT_FALSE(result.report.bounds[0].binding.empty());
+    }
+  }
+  EXPECT_GT(held, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, EditLimits,
                          ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex"),
                          [](const auto& each) { return std::string(each.param); });

@@ -13,6 +13,11 @@ constexpr double kWidth = 0.5;  ///< sides of a panel from the plane to where s 
 /// Sides: by which a point that rests may be deeper; what solving and rounding leave.
 constexpr double kSlack = 1e-10;
 
+/// At least 1/2 at the base, where the barrier begins [SHP-3]: a point at rest feels no force.
+LimitScale barrier_scale(double bound, double range) {
+  return {.slope = 1.0 / range, .offset = -bound / range};
+}
+
 }  // namespace
 
 double mean_side(const Positions& points, std::span<const int> panel) {
@@ -71,7 +76,7 @@ KeepOutRow base_row(const LimitBase& base, int vertex, double side, const Eigen:
     const double size = base.mesh.positions.col(vertex).cwiseAbs().maxCoeff();
     row.scale = {1.0 / side, kSlack + kUlps * size / (base.unit * side) - now / side};
   } else {
-    row.scale = LimitScale::at_least(now - room, now, kWidth * side, 0.0);
+    row.scale = barrier_scale(now - room, std::min(kWidth * side, 2.0 * room));
   }
   return row;
 }
@@ -83,9 +88,8 @@ KeepOutRow plane_row(int vertex, const Eigen::Vector3d& place, double side,
   row.normal = normal;
   const double room = normal.dot(place) - bound;
   // One that a panel turned to may leave little room at rest: there it acts.
-  const double range =
-      room > kRestsWithin * side ? std::min(kWidth * side, 2.0 * room) : kWidth * side;
-  row.scale = {1.0 / range, -bound / range};
+  row.scale = barrier_scale(
+      bound, room > kRestsWithin * side ? std::min(kWidth * side, 2.0 * room) : kWidth * side);
   return row;
 }
 

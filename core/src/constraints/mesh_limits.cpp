@@ -48,7 +48,7 @@ MeshLimits::MeshLimits(const LimitBase& base, const std::vector<StatedLimit>& li
 std::vector<LimitExcess> limit_excess(const MeshLimits& limits, int face_count) {
   std::array<LimitExcess, LimitKinds::kCount> kinds;
   for (int face = 0; face < face_count; ++face) {
-    limits.for_each_row(face, [&](auto tag, const auto& row, int) {
+    limits.for_each_row(face, [&](auto tag, const auto& row, int, int) {
       using Kind = typename decltype(tag)::type;
       LimitExcess& kind = kinds[LimitKinds::index_of<Kind>()];
       kind.name = Kind::kName;
@@ -67,7 +67,7 @@ std::vector<LimitStanding> limit_standing(const MeshLimits& limits, std::span<co
                                           const std::function<Eigen::Vector3d(int)>& point) {
   std::array<LimitStanding, LimitKinds::kCount> kinds;
   for (const int face : faces) {
-    limits.for_each_row(face, [&](auto tag, const auto& row, int) {
+    limits.for_each_row(face, [&](auto tag, const auto& row, int, int) {
       using Kind = typename decltype(tag)::type;
       RowPoints<Kind::Row::kArity> points(3, static_cast<Eigen::Index>(row.vertices.size()));
       for (std::size_t k = 0; k < row.vertices.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The paths of a search: along the targets, from soft to hard, and down to the limits.
+/// The paths of a search: along the targets, from soft to hard, and down to keep-outs.
 #include <algorithm>
 #include <utility>
 
@@ -9,8 +9,8 @@ namespace planish {
 namespace {
 
 constexpr double kCoarse = 0.0045;  ///< smoothing that a search within a reach ends at, share
-/// Between two weights of the limits' barrier. [LIM-2]
-constexpr double kLimitWeightShrink = 0.1;
+/// Between two weights of the keep-outs' barrier. [KEE-1]
+constexpr double kKeepOutWeightShrink = 0.1;
 
 /// `next`, and what it took to get to where it began.
 void go_on(EngineOutcome next, EngineOutcome& total) {
@@ -112,12 +112,12 @@ void EditSearch::update_active_set(const NewtonOptions& options, const Progress&
   });
 }
 
-/// From where the search kept clear of limits and keep-outs to where they are, along the path of
-/// minima as the barrier on them fades, and one settling at its end. nullopt where that is not
-/// certified, with the search's state back. [LIM-2]
-std::optional<ExactDesign> EditSearch::settle_at_limits(const NewtonOptions& options,
-                                                        const Progress& progress,
-                                                        SolveReport& report) {
+/// From where the search kept clear of keep-outs to where they are, along the path of minima as the
+/// barrier on them fades, and one settling at its end. nullopt where that is not certified, with
+/// the search's state back. [KEE-1]
+std::optional<ExactDesign> EditSearch::settle_at_keep_outs(const NewtonOptions& options,
+                                                           const Progress& progress,
+                                                           SolveReport& report) {
   if (report.status == SolveStatus::kCancelled) return std::nullopt;
   const Place found = place();
   EditProblem& problem = model_.problem();
@@ -125,14 +125,14 @@ std::optional<ExactDesign> EditSearch::settle_at_limits(const NewtonOptions& opt
   if (follows_softness()) step.last_smoothing = kCoarse;
   step.first_smoothing = step.last_smoothing;
   SolveReport near = report;
-  while (problem.limit_weight > kLastLimitWeight && near.status != SolveStatus::kCancelled) {
-    problem.limit_weight *= kLimitWeightShrink;
+  while (problem.keep_out_weight > kLastKeepOutWeight && near.status != SolveStatus::kCancelled) {
+    problem.keep_out_weight *= kKeepOutWeightShrink;
     const EngineOutcome way = newton_.run_warm(problem, step, field_, progress);
     near.cost += way.cost;
     near.status = way.status;
   }
   ExactDesign design = settle(options, progress, near);
-  problem.limit_weight = kFirstLimitWeight;
+  problem.keep_out_weight = kFirstKeepOutWeight;
   report.cost = near.cost;
   if (near.status == SolveStatus::kConverged || near.status == SolveStatus::kCancelled) {
     report = std::move(near);

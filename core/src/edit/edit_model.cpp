@@ -152,9 +152,9 @@ void EditModel::pose(const EditTargets& targets, const HandleEditOptions& option
   terms_->assign(targets, options, problem_);
 }
 
-bool EditModel::is_limited() const {
+bool EditModel::is_beside_keep_outs() const {
   const MeshKeepOuts* const keep_outs = limits_ ? limits_->keep_outs() : nullptr;
-  return !options_.bounds.empty() || (keep_outs != nullptr && keep_outs->has_rows());
+  return keep_outs != nullptr && keep_outs->has_rows();
 }
 
 bool EditModel::nothing_to_do() const {

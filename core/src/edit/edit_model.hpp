@@ -54,8 +54,8 @@ class EditModel {
   [[nodiscard]] bool has_limits() const { return limits_ != nullptr; }
   /// Whether a jump to the targets may end beyond a barrier, where a path does not.
   [[nodiscard]] bool is_bounded() const { return options_.keep_shape || has_limits(); }
-  /// Whether the barrier of stated limits or keep-outs acts.
-  [[nodiscard]] bool is_limited() const;
+  /// Whether the barrier of keep-outs acts.
+  [[nodiscard]] bool is_beside_keep_outs() const;
   /// Whether every handle is where it should be.
   [[nodiscard]] bool nothing_to_do() const;
 

@@ -67,7 +67,7 @@ ExactDesign EditSearch::run_engine(const Progress& progress, SolveReport& report
                                                     : solve_augmented_lagrangian(progress, report);
 }
 
-/// Search, then down to where the limits are, then the certificate.
+/// Search, then down to where keep-outs are, then the certificate.
 ExactDesign EditSearch::solve_newton(const Progress& progress, SolveReport& report) {
   const NewtonOptions options = engine_options();
   EngineOutcome outcome = model_.targets().continuation > 0 ? continue_from_base(options, progress)
@@ -78,8 +78,8 @@ ExactDesign EditSearch::solve_newton(const Progress& progress, SolveReport& repo
   report.cost += outcome.cost;
   report.records = std::move(outcome.records);
   update_active_set(options, progress, report);
-  if (model_.is_limited()) {
-    if (auto design = settle_at_limits(options, progress, report)) return std::move(*design);
+  if (model_.is_beside_keep_outs()) {
+    if (auto design = settle_at_keep_outs(options, progress, report)) return std::move(*design);
   }
   return settle(options, progress, report);
 }

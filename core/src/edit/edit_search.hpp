@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// From the base to a certified design: a continuation to the targets and the limits, one settling
+/// From the base to a certified design: a continuation to the targets and keep-outs, one settling
 /// at its end, and the way in parts for what a jump does not reach. Its functions stand in three
 /// files: edit_search.cpp, edit_continuation.cpp and edit_parts.cpp.
 #pragma once
@@ -69,8 +69,8 @@ class EditSearch {
   EngineOutcome soften(const NewtonOptions& options, const Progress& progress);
   void update_active_set(const NewtonOptions& options, const Progress& progress,
                          SolveReport& report);
-  std::optional<ExactDesign> settle_at_limits(const NewtonOptions& options,
-                                              const Progress& progress, SolveReport& report);
+  std::optional<ExactDesign> settle_at_keep_outs(const NewtonOptions& options,
+                                                 const Progress& progress, SolveReport& report);
 
   // The way in parts.
   [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;

@@ -21,19 +21,22 @@ void DisplacementField::touch_vertex(int vertex) {
 }
 
 void DisplacementField::touch_equation(int equation) {
-  if (equation >= multipliers_.size()) make_room();
+  if (equation >= multipliers_.size()) make_room(equation);
   if (equation_touched_[at(equation)]) return;
   equation_touched_[at(equation)] = 1;
   equations_.push_back(equation);
 }
 
-/// For the multipliers of surface rows: few problems have any.
-void DisplacementField::make_room() {
-  const auto vertices = static_cast<Eigen::Index>(vertex_touched_.size());
+/// For the multipliers of surface rows and of limits: few problems have any.
+void DisplacementField::make_room(int equation) {
   const Eigen::Index before = multipliers_.size();
-  multipliers_.conservativeResize(before + kMostSurfaceRows * vertices);
+  multipliers_.conservativeResize(std::max<Eigen::Index>(equation + 1, 2 * before));
   multipliers_.tail(multipliers_.size() - before).setZero();
   equation_touched_.resize(static_cast<std::size_t>(multipliers_.size()), 0);
+}
+
+double DisplacementField::multiplier(int equation) const {
+  return equation < multipliers_.size() ? multipliers_[equation] : 0.0;
 }
 
 void DisplacementField::clear() {
@@ -60,8 +63,12 @@ void DisplacementField::load(const Patch& patch, PatchState& state) const {
   put_on_tracks(patch, state.displacement);  // they may be new
   for (std::size_t e = 0; e < patch.equation_ids.size(); ++e) {
     const int id = patch.equation_ids[e];
-    state.multipliers[static_cast<Eigen::Index>(e)] =
-        id < multipliers_.size() ? multipliers_[id] : 0.0;
+    state.multipliers[static_cast<Eigen::Index>(e)] = multiplier(id);
+  }
+  state.limit_multipliers.resize(static_cast<Eigen::Index>(patch.inequality_ids.size()));
+  for (std::size_t e = 0; e < patch.inequality_ids.size(); ++e) {
+    const int id = patch.inequality_ids[e];
+    state.limit_multipliers[static_cast<Eigen::Index>(e)] = id < 0 ? 0.0 : multiplier(id);
   }
 }
 
@@ -75,6 +82,13 @@ void DisplacementField::store(const Patch& patch, const PatchState& state) {
   for (std::size_t e = 0; e < patch.equation_ids.size(); ++e) {
     touch_equation(patch.equation_ids[e]);
     multipliers_[patch.equation_ids[e]] = state.multipliers[static_cast<Eigen::Index>(e)];
+  }
+  for (std::size_t e = 0; e < patch.inequality_ids.size(); ++e) {
+    const int id = patch.inequality_ids[e];
+    const double pressure = state.limit_multipliers[static_cast<Eigen::Index>(e)];
+    if (id < 0 || (pressure == 0.0 && multiplier(id) == 0.0)) continue;
+    touch_equation(id);
+    multipliers_[id] = pressure;
   }
 }
 

@@ -13,13 +13,12 @@ namespace planish {
 /// What a warm start needs. Untouched vertices and equations read as zero.
 class DisplacementField {
  public:
-  /// @param equation_count of the model; surface rows, whose numbers come after these, get room
-  /// once
-  ///                       one of them is stored
+  /// @param equation_count of the model; surface rows and limits, whose numbers come after these,
+  ///                       get room once one of them is stored
   DisplacementField(int vertex_count, int equation_count);
 
   void clear();
-  /// Values of the patch's free vertices and equations.
+  /// Values of the patch's free vertices, equations and inequalities.
   void load(const Patch& patch, PatchState& state) const;
   void store(const Patch& patch, const PatchState& state);
   /// d and w of one vertex become zero: it has left the working set.
@@ -44,7 +43,8 @@ class DisplacementField {
  private:
   void touch_vertex(int vertex);
   void touch_equation(int equation);
-  void make_room();
+  void make_room(int equation);
+  [[nodiscard]] double multiplier(int equation) const;
 
   Eigen::Matrix3Xd displacement_, norm_dual_;  ///< 3 × n
   Eigen::VectorXd multipliers_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engines/constraint_correction.hpp"
+#include "engines/limit_correction.hpp"
 #include "planish/constraints/elements.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/index.hpp"
@@ -71,6 +72,12 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
   put_on_tracks(patch_, displacement);
   ExactDesign design;
   (void)correct_constraints(patch_, kMostPasses, displacement, design.cost.factorizations);
+  if (problem.limits != nullptr && breaks_limits(patch_, displacement)) {
+    // A handle that stays where a step led it may be what is beyond a limit.
+    if (hold_handles) return attempt(problem, support, field, false);
+    correct_limits(patch_, displacement, design.cost.factorizations);
+    (void)correct_constraints(patch_, kMostPasses, displacement, design.cost.factorizations);
+  }
   std::vector<std::pair<int, Eigen::Vector3d>> moved;
   for (int k = 0; k < patch_.free_count; ++k) {
     if (!displacement.col(k).isZero(0.0))

@@ -28,7 +28,7 @@ void PatchLagrangian::gradient_at(const PatchState& state, double smoothing,
                                   Eigen::Matrix3Xd& out) const {
   out.setZero(3, patch_->free_count);
   fairness_gradient(state.displacement, out);
-  inequality_gradient(state.displacement, out);
+  inequality_gradient(state, out);
   for (int v = 0; v < patch_->free_count; ++v) {
     const VertexTerm& term = patch_->terms[at(v)];
     const Eigen::Vector3d d = state.displacement.col(v);
@@ -48,16 +48,20 @@ void PatchLagrangian::gradient_at(const PatchState& state, double smoothing,
   slide(out);
 }
 
-void PatchLagrangian::inequality_gradient(const Eigen::Matrix3Xd& displacement,
-                                          Eigen::Matrix3Xd& out) const {
-  patch_->inequalities.for_each([&](int, const auto& row) {
-    const auto points = corners_at(*patch_, displacement, row);
-    const Barrier barrier = weighted_barrier(*patch_, row, value(row, points));
-    if (barrier.slope == 0.0) return;
+void PatchLagrangian::inequality_gradient(const PatchState& state, Eigen::Matrix3Xd& out) const {
+  const bool presses = state.limit_multipliers.size() > 0;
+  patch_->inequalities.for_each([&](int number, const auto& row) {
+    const double pressure = presses ? state.limit_multipliers[number] : 0.0;
+    if (has_multiplier(row) && pressure == 0.0) return;
+    const auto points = corners_at(*patch_, state.displacement, row);
+    const double slope = has_multiplier(row)
+                             ? -pressure * row.scale.slope
+                             : weighted_barrier(*patch_, row, value(row, points)).slope;
+    if (slope == 0.0) return;
     const auto g = gradient(row, points);
     for (std::size_t k = 0; k < row.vertices.size(); ++k) {
       const int v = row.vertices[k];
-      if (v < patch_->free_count) out.col(v) += barrier.slope * g.col(static_cast<Eigen::Index>(k));
+      if (v < patch_->free_count) out.col(v) += slope * g.col(static_cast<Eigen::Index>(k));
     }
   });
 }
@@ -84,10 +88,20 @@ double PatchLagrangian::energy(const Eigen::Matrix3Xd& displacement, double smoo
     sum += 0.5 * patch_->fairness_weight * total.squaredNorm();
   });
   patch_->inequalities.for_each([&](int, const auto& row) {
+    if (has_multiplier(row)) return;
     const double g = value(row, corners_at(*patch_, displacement, row));
     sum += weighted_barrier(*patch_, row, g).value;
   });
   return sum;
+}
+
+void PatchLagrangian::shares(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {
+  out.setOnes(static_cast<Eigen::Index>(patch_->inequalities.size()));
+  patch_->inequalities.for_each([&](int number, const auto& row) {
+    if (!has_multiplier(row)) return;
+    const double g = value(row, corners_at(*patch_, displacement, row));
+    out[number] = row.scale.share(g) - kLimitMargin;
+  });
 }
 
 void PatchLagrangian::residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const {

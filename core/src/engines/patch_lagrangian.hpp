@@ -15,6 +15,8 @@ struct PatchState {
   Eigen::Matrix3Xd displacement;  ///< 3 × free
   Eigen::Matrix3Xd norm_dual;     ///< 3 × free, w_i of Chan–Golub–Mulet, ‖w_i‖ ≤ 1
   Eigen::VectorXd multipliers;    ///< one per equation
+  /// One per inequality, ≥ 0; 0 of those without. Empty: all are 0.
+  Eigen::VectorXd limit_multipliers = {};
 };
 
 class PatchLagrangian {
@@ -31,11 +33,14 @@ class PatchLagrangian {
   /// F_ε(d), weights included; ε = 0 gives the objective itself. Infinite beyond the bound.
   [[nodiscard]] double energy(const Eigen::Matrix3Xd& displacement, double smoothing) const;
 
-  /// ∇F_ε + Jᵀ λ at `state`, 3 × free; ε = ∞ leaves the norms out.
+  /// ∇F_ε + Jᵀλ − Gᵀz at `state`, 3 × free, with G of the shares; ε = ∞ leaves the norms out.
   void gradient_at(const PatchState& state, double smoothing, Eigen::Matrix3Xd& out) const;
 
   /// c(points + d).
   void residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
+
+  /// By how much each inequality with a multiplier is kept, kLimitMargin aside; 1 of the others.
+  void shares(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
 
   /// Where the row is evaluated: at the state, or on the undisplaced patch for its linearisation.
   template <ConstraintRow Row>
@@ -52,7 +57,7 @@ class PatchLagrangian {
 
  private:
   void fairness_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
-  void inequality_gradient(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;
+  void inequality_gradient(const PatchState& state, Eigen::Matrix3Xd& out) const;
   [[nodiscard]] Eigen::Vector3d displaced(const Eigen::Matrix3Xd& displacement, int v) const;
 
   const Patch* patch_ = nullptr;

@@ -81,6 +81,8 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   place_rows(patch_->inequalities, inequality_places_);
   fill_constant_part();
   jacobian_.attach(patch);
+  limit_jacobian_.attach(patch, patch.inequalities);
+  active_.clear();
 }
 
 void PatchSystem::build_graph() {
@@ -196,7 +198,22 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
   jacobian_.slide();
 }
 
-/// t (B'' ∇g ∇gᵀ + B' ∇²g) of the inequalities that act.
+bool PatchSystem::has_limits() const {
+  bool any = false;
+  patch_->inequalities.for_each([&](int, const auto& row) { any = any || has_multiplier(row); });
+  return any;
+}
+
+void PatchSystem::evaluate_limits(const Eigen::Matrix3Xd& displacement) {
+  patch_->inequalities.for_each([&](int number, const auto& row) {
+    if (!has_multiplier(row)) return;
+    const auto g = gradient(row, corners_at(*patch_, displacement, row));
+    limit_jacobian_.set(number, row.scale.slope * g);
+  });
+  limit_jacobian_.slide();
+}
+
+/// t (B'' ∇g ∇gᵀ + B' ∇²g) of the barriers that act, μ ∇s ∇sᵀ − z ∇²s of the rows that are active.
 void PatchSystem::add_inequalities(const PatchState& state) {
   std::vector<double>& values = cholesky_.values();
   const int* order = inequality_places_.order.data();
@@ -204,7 +221,14 @@ void PatchSystem::add_inequalities(const PatchState& state) {
   patch_->inequalities.for_each([&](int number, const auto& row) {
     const int free = inequality_places_.free[at(number)];
     const auto points = corners_at(*patch_, state.displacement, row);
-    const Barrier barrier = weighted_barrier(*patch_, row, value(row, points));
+    Barrier barrier;
+    if (!has_multiplier(row)) {
+      barrier = weighted_barrier(*patch_, row, value(row, points));
+    } else if (!active_.empty() && active_[at(number)] != 0) {
+      const double by_value = row.scale.slope;
+      barrier = {0.0, -state.limit_multipliers[number] * by_value,
+                 limit_penalty_ * by_value * by_value};
+    }
     if (barrier.curvature == 0.0) {
       slot += free * (free + 1) / 2;
     } else {

@@ -5,6 +5,8 @@
 ///
 /// which is the KKT system [H + νI, Jᵀ; J, −I/μ] with its second row eliminated: positive definite
 /// exactly when the KKT matrix has the inertia of a minimum, so a failed factorization is the test.
+/// Inequalities with multipliers that are active are rows like the equations, with a penalty of
+/// their own.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,6 +35,18 @@ class PatchSystem {
   /// @returns false when not positive definite
   [[nodiscard]] bool factorize(const PatchState& state, double smoothing, double penalty,
                                double shift);
+
+  /// Which inequalities are rows of the next factorizations, and their penalty > 0. Expects
+  /// evaluate_limits() at the state of these. [LIM-2]
+  void activate(const std::vector<char>& active, double penalty) {
+    active_ = active;
+    limit_penalty_ = penalty;
+  }
+  /// Whether there are inequalities with multipliers.
+  [[nodiscard]] bool has_limits() const;
+  /// The gradients of their shares.
+  void evaluate_limits(const Eigen::Matrix3Xd& displacement);
+  [[nodiscard]] const RowJacobian& limit_jacobian() const { return limit_jacobian_; }
 
   /// Without the factor.
   [[nodiscard]] const PatchLagrangian& lagrangian() const { return lagrangian_; }
@@ -84,6 +98,9 @@ class PatchSystem {
   RowPlaces inequality_places_;
   std::vector<double> constant_;  ///< panel values of ω_f EᵀE + q I
   RowJacobian jacobian_;          ///< of the last factorization
+  RowJacobian limit_jacobian_;    ///< of the shares, at the last evaluate_limits()
+  std::vector<char> active_;      ///< by inequality; empty: none
+  double limit_penalty_ = 0.0;
   double penalty_ = 0.0;
   int factorizations_ = 0;
 };

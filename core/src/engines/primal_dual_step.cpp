@@ -23,7 +23,8 @@ double longest_column(const Eigen::Matrix3Xd& columns) {
 
 void PrimalDualStep::attach(PatchSystem& system, int free_count) {
   system_ = &system;
-  zero_.setZero(3, free_count);
+  pulls_.setZero(3, free_count);
+  limits_.attach(system);
   fresh_ = true;
 }
 
@@ -35,7 +36,7 @@ double PrimalDualStep::merit(const Point& point) const {
   const auto& c = point.residuals;
   return system_->lagrangian().energy(point.displacement, smoothing_) + estimate_.dot(c) +
          0.5 * mu * c.squaredNorm() +
-         0.5 / mu * (estimate_ + mu * c - point.multipliers).squaredNorm();
+         0.5 / mu * (estimate_ + mu * c - point.multipliers).squaredNorm() + point.limits;
 }
 
 /// λₑ follows λ only where |c| or |∇L| fell to half of its record, so the function stays the same
@@ -43,7 +44,8 @@ double PrimalDualStep::merit(const Point& point) const {
 void PrimalDualStep::hold_estimate(const PatchState& state) {
   constexpr double kOther = 1e-5;  // share of the other measure in each
   constexpr double kFall = 0.5;
-  const double off = largest_entry(residuals_), slope = longest_column(gradient_);
+  const double off = std::max(largest_entry(residuals_), limits_.violation(state));
+  const double slope = longest_column(gradient_);
   const double feasible = off + kOther * slope, optimal = kOther * off + slope;
   has_new_estimate_ = fresh_;
   if (fresh_) {
@@ -65,6 +67,7 @@ void PrimalDualStep::hold_estimate(const PatchState& state) {
     estimate_.setZero(residuals_.size());
   } else if (has_new_estimate_) {
     estimate_ = state.multipliers.cwiseMax(-kMostMultiplier).cwiseMin(kMostMultiplier);
+    limits_.hold_estimate(state);
   }
 }
 
@@ -76,28 +79,59 @@ bool PrimalDualStep::factorize(const PatchState& state) {
   return true;
 }
 
-/// δ and λ⁺ by the factor. @returns −∇M·(δ, λ⁺ − λ), positive wherever there is a factor
-double PrimalDualStep::find_direction(const PatchState& state) {
+/// δ, λ⁺ and z⁺ by the factor. The merit falls along them wherever there is a factor, and the rows
+/// that are active at the state are those of the factor.
+void PrimalDualStep::find_direction(const PatchState& state) {
   const double mu = options_.penalty;
   remainder_ = estimate_ - state.multipliers;
-  system_->add_pulls(remainder_, gradient_);  // now ∇F + Jᵀλₑ
-  system_->step(gradient_, residuals_, delta_);
+  pulls_ = gradient_;
+  system_->add_pulls(remainder_, pulls_);
+  limits_.add_without_pressure(state, pulls_);  // now ∇F + Jᵀλₑ
+  const auto with_limits = [&]() -> const Eigen::Matrix3Xd& {
+    if (limits_.empty()) return pulls_;
+    trial_ = pulls_;
+    limits_.add_pulls(trial_);
+    return trial_;
+  };
+  system_->step(with_limits(), residuals_, delta_);
   system_->apply_jacobian(delta_, linear_);
+  limits_.take_direction(delta_);
   new_multipliers_ = estimate_ + mu * (residuals_ + linear_);
-  return -(gradient_.cwiseProduct(delta_).sum() + mu * residuals_.dot(linear_)) +
-         (estimate_ + mu * residuals_ - state.multipliers).squaredNorm() / mu;
+  decrease_ = -(pulls_.cwiseProduct(delta_).sum() + mu * residuals_.dot(linear_)) +
+              (estimate_ + mu * residuals_ - state.multipliers).squaredNorm() / mu +
+              limits_.decrease(state);
+}
+
+/// The direction that keeps the limits it leads to, linearised: by a second factorization, with
+/// those that the first one would break. One that presses no more leaves with its multiplier: left
+/// out at once, it came back and went with every other step. [LIM-2]
+bool PrimalDualStep::find_step(const PatchState& state) {
+  limits_.activate();
+  if (!factorize(state)) return false;
+  find_direction(state);
+  const double reach = longest_column(delta_);
+  if (!limits_.activate_along(std::min(1.0, options_.trust / std::max(reach, 1e-300)))) return true;
+  if (!factorize(state)) return false;
+  find_direction(state);
+  if (decrease_ > 0.0) return true;
+  limits_.activate();
+  if (!factorize(state)) return false;
+  find_direction(state);
+  return true;
 }
 
 /// To second order along the rows, with the same factor: `correction_` from `trial_`.
 void PrimalDualStep::correct(double share) {
   remainder_ = trial_residuals_ - (1.0 - share) * residuals_;
-  system_->step(zero_, remainder_, correction_);
+  pulls_.setZero();
+  limits_.add_correction(share, pulls_);
+  system_->step(pulls_, remainder_, correction_);
   correction_ += trial_;
   system_->lagrangian().residuals(correction_, linear_);
 }
 
 /// Backtracks on the merit; a trial that fails, or leaves the rows, is corrected.
-bool PrimalDualStep::search_line(const PatchState& state, double decrease) {
+bool PrimalDualStep::search_line(const PatchState& state) {
   constexpr int kMostHalvings = 12;
   constexpr double kArmijo = 1e-4;
   constexpr double kRounding = 1e-11;
@@ -111,12 +145,14 @@ bool PrimalDualStep::search_line(const PatchState& state, double decrease) {
     trial_ = state.displacement + length_ * delta_;
     trial_multipliers_ = state.multipliers + length_ * (new_multipliers_ - state.multipliers);
     system_->lagrangian().residuals(trial_, trial_residuals_);
-    merit_after_ = merit({trial_, trial_residuals_, trial_multipliers_});
-    const double wanted = start - kArmijo * length_ * decrease + kRounding * std::abs(start);
+    merit_after_ = merit(
+        {trial_, trial_residuals_, trial_multipliers_, limits_.try_at(trial_, state, length_)});
+    const double wanted = start - kArmijo * length_ * decrease_ + kRounding * std::abs(start);
     if (!(merit_after_ <= wanted) ||
         trial_residuals_.squaredNorm() > kLeaves * residuals_.squaredNorm()) {
       correct(length_);
-      const double corrected = merit({correction_, linear_, trial_multipliers_});
+      const double corrected = merit(
+          {correction_, linear_, trial_multipliers_, limits_.try_at(correction_, state, length_)});
       if (corrected < merit_after_) {
         merit_after_ = corrected;
         trial_.swap(correction_);
@@ -148,22 +184,24 @@ PrimalDualStep::Result PrimalDualStep::take(const StepOptions& options, double s
   smoothing_ = smoothing;
   system_->lagrangian().residuals(state.displacement, residuals_);
   system_->lagrangian().gradient_at(state, smoothing, gradient_);
+  limits_.begin(state, options.limit_penalty);
   hold_estimate(state);
-  if (!factorize(state)) return Result::kBroken;
-  const double decrease = find_direction(state);
-  if (!has_new_estimate_ && decrease <= kNearMinimum * merit_tolerance_) {
+  if (!find_step(state)) return Result::kBroken;
+  if (!has_new_estimate_ && decrease_ <= kNearMinimum * merit_tolerance_) {
     merit_tolerance_ *= 0.5;
     wants_estimate_ = true;
   }
-  merit_before_ = merit({state.displacement, residuals_, state.multipliers});
+  merit_before_ =
+      merit({state.displacement, residuals_, state.multipliers, limits_.merit_at(state)});
   if (!std::isfinite(merit_before_)) return Result::kBroken;
-  if (!search_line(state, decrease)) {
+  if (!search_line(state)) {
     shift_ = std::max(10.0 * shift_, kFirstShift);
     return shift_ < kLargestShift ? Result::kRejected : Result::kBroken;
   }
   largest_move_ = longest_column(trial_ - state.displacement);
   state.displacement.swap(trial_);  // trial_ is the state before the step from here on
   state.multipliers.swap(trial_multipliers_);
+  limits_.accept(state);
   update_norm_duals(trial_, smoothing, state);
   adapt_shift();
   return Result::kAccepted;

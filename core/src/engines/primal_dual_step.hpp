@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "engines/limit_active_set.hpp"
 #include "engines/patch_system.hpp"
 
 namespace planish {
@@ -18,6 +19,9 @@ struct StepOptions {
   /// μ > 0 of [WSN-2]; 1/μ regularises nearly dependent constraints. Small: cuts corners through
   /// states that are not flat, and may not return; large: short steps along curved constraints.
   double penalty = 1e6;
+  /// μ > 0 of the inequalities, whose shares are no lengths. Small: their multipliers come slowly;
+  /// large: a step that meets many new ones is cut short.
+  double limit_penalty = 10.0;
   /// Largest movement of a vertex in one step, > 0. Large: leaps to other minima.
   double trust = 0.5;
   /// A step that the merit cuts to less than this share raises the shift, as Levenberg and
@@ -59,17 +63,19 @@ class PrimalDualStep {
   [[nodiscard]] bool has_new_estimate() const { return has_new_estimate_; }
 
  private:
-  /// A displacement, its rows and its multipliers.
+  /// A displacement, its rows, its multipliers and what its limits add to its merit.
   struct Point {
     const Eigen::Matrix3Xd& displacement;
     const Eigen::VectorXd& residuals;
     const Eigen::VectorXd& multipliers;
+    double limits = 0.0;
   };
   [[nodiscard]] double merit(const Point& point) const;
   void hold_estimate(const PatchState& state);
   [[nodiscard]] bool factorize(const PatchState& state);
-  [[nodiscard]] double find_direction(const PatchState& state);
-  [[nodiscard]] bool search_line(const PatchState& state, double decrease);
+  [[nodiscard]] bool find_step(const PatchState& state);
+  void find_direction(const PatchState& state);
+  [[nodiscard]] bool search_line(const PatchState& state);
   void correct(double share);
   void adapt_shift();
 
@@ -81,18 +87,20 @@ class PrimalDualStep {
   double feasible_record_ = 0.0;  ///< of |c|, by which a new estimate is earned
   double optimal_record_ = 0.0;   ///< of |∇L|
   double merit_tolerance_ = 0.0;  ///< of the merit's decrease: below it a minimum of it is near
+  LimitActiveSet limits_;
   bool fresh_ = true;
   bool wants_estimate_ = false;  ///< the next step does
 
   double shift_ = 0.0;  ///< ν
   double length_ = 1.0;
-  double cut_ = 1.0;  ///< what the merit left of the length
+  double cut_ = 1.0;       ///< what the merit left of the length
+  double decrease_ = 0.0;  ///< −∇M·(δ, λ⁺ − λ, z⁺ − z)
   double largest_move_ = 0.0;
   double merit_before_ = 0.0, merit_after_ = 0.0;
   bool has_new_estimate_ = false;
 
   // Work space, kept so that a step does not allocate.
-  Eigen::Matrix3Xd gradient_, delta_, trial_, correction_, zero_;
+  Eigen::Matrix3Xd gradient_, pulls_, delta_, trial_, correction_;
   Eigen::VectorXd residuals_, trial_residuals_, linear_, remainder_, new_multipliers_,
       trial_multipliers_;
 };

@@ -4,15 +4,10 @@
 #include <algorithm>
 
 namespace planish {
-void RowJacobian::attach(const Patch& patch) {
+
+void RowJacobian::find_slides(const Patch& patch) {
   free_count_ = patch.free_count;
-  vertices_.offsets.assign(1, 0);
-  vertices_.values.clear();
-  patch.equations.for_each([&](int, const auto& row) {
-    vertices_.values.insert(vertices_.values.end(), row.vertices.begin(), row.vertices.end());
-    vertices_.offsets.push_back(static_cast<int>(vertices_.values.size()));
-  });
-  gradients_.resize(3, static_cast<Eigen::Index>(vertices_.values.size()));
+  gradients_.setZero(3, static_cast<Eigen::Index>(vertices_.values.size()));
   slide_entries_.clear();
   if (patch.slides.empty()) return;
   for (std::size_t k = 0; k < vertices_.values.size(); ++k) {

@@ -14,16 +14,27 @@ namespace planish {
 
 class RowJacobian {
  public:
-  /// Takes the rows' vertices; gradients are unset until evaluate() or set().
-  void attach(const Patch& patch);
+  /// Takes the equations' vertices; gradients are unset until evaluate() or set().
+  void attach(const Patch& patch) { attach(patch, patch.equations); }
+  /// The same of another batch of the patch; gradients are zero until set().
+  template <class Batches>
+  void attach(const Patch& patch, const Batches& rows) {
+    vertices_.offsets.assign(1, 0);
+    vertices_.values.clear();
+    rows.for_each([&](int, const auto& row) {
+      vertices_.values.insert(vertices_.values.end(), row.vertices.begin(), row.vertices.end());
+      vertices_.offsets.push_back(static_cast<int>(vertices_.values.size()));
+    });
+    find_slides(patch);
+  }
 
   /// ∇c of every row at points + displacement. @param displacement 3 × free
   void evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacement);
 
   /// ∇c of one row, 3 × its vertices. After the last one: slide().
-  template <int Arity>
-  void set(int row, const RowPoints<Arity>& gradient) {
-    gradients_.middleCols<Arity>(vertices_.offsets[at(row)]) = gradient;
+  template <class Gradient>
+  void set(int row, const Gradient& gradient) {
+    gradients_.middleCols(vertices_.offsets[at(row)], gradient.cols()) = gradient;
   }
 
   /// What set() brought, only along what vertices with supports may do: J P. [SUP-2]
@@ -42,6 +53,8 @@ class RowJacobian {
   [[nodiscard]] double product(int row, int other, double start = 0.0) const;
 
  private:
+  void find_slides(const Patch& patch);
+
   RaggedRows vertices_;
   Eigen::Matrix3Xd gradients_;  ///< 3 × |vertices_.values|
   /// Where the gradients of a vertex with supports stand.

@@ -117,6 +117,7 @@ class WorkingSetNewton {
   void lay_open(const EditProblem& problem, DisplacementField& field);
   [[nodiscard]] std::vector<int> movers_at_rim(double rest) const;
   [[nodiscard]] double rounding() const;
+  [[nodiscard]] double limit_violation();
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
                                EngineOutcome& outcome);
   void shrink_what_rests(double smoothing, double shrink);
@@ -138,7 +139,7 @@ class WorkingSetNewton {
 
   PrimalDualStep step_;
   Eigen::Matrix3Xd gradient_, before_;
-  Eigen::VectorXd residuals_;
+  Eigen::VectorXd residuals_, shares_;
 };
 
 }  // namespace planish

@@ -28,6 +28,8 @@ constexpr double kStationary = 5e-7;     ///< the same for the last stage
 constexpr double kHeld = 10.0;           ///< |c| / ε at which a stage ends
 constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts as at rest
 constexpr double kStalled = 1e-8;        ///< |c| that need not fall where no step changes it
+constexpr double kLimitsHeld = 1e-7;     ///< share by which a limit that presses may be off
+constexpr double kLimitPenalty = 1e3;    ///< μ of the limits: their multipliers are known by then
 constexpr int kStepsPerRun = 2;          ///< on one of them
 constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 
@@ -68,6 +70,13 @@ double WorkingSetNewton::rounding() const {
   return kUlps * patch_.points.cwiseAbs().maxCoeff();
 }
 
+/// By how much the limits are broken, or kept where they press: complementarity.
+double WorkingSetNewton::limit_violation() {
+  if (!system_.has_limits()) return 0.0;
+  system_.lagrangian().shares(state_.displacement, shares_);
+  return complementarity(shares_, state_.limit_multipliers);
+}
+
 /// Newton's steps at one ε on one working set. True once the gradient is zero and the rows hold.
 bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
                                  EngineOutcome& outcome) {
@@ -79,7 +88,8 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
     const bool stalled = off <= kStalled && std::abs(off - last_off_) <= 1e-3 * off;
     last_off_ = off;
     if (gradient_.colwise().norm().maxCoeff() <= options.stationary &&
-        (off <= std::max(kHeld * smoothing, rounding()) || stalled)) {
+        (off <= std::max(kHeld * smoothing, rounding()) || stalled) &&
+        limit_violation() <= std::max(kLimitsHeld, smoothing)) {
       return true;
     }
     PrimalDualStep::Result result = PrimalDualStep::Result::kRejected;
@@ -115,6 +125,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   const double scale = handle_scale(problem);
   seeks_support_ = problem.seeks_support;
   NewtonOptions exact = options;
+  exact.step.limit_penalty = kLimitPenalty;
   set_out(problem);
   if (!seeks_support_) {
     working_.resize(at(model_.vertex_count()));

@@ -98,7 +98,9 @@ void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, P
   patch.inequalities.clear();
   patch.fairness_weight = problem.fairness_weight;
   patch.shape_weight = problem.shape_weight;
-  patch.limit_weight = problem.limit_weight;
+  patch.keep_out_weight = problem.keep_out_weight;
+  patch.inequality_ids.clear();
+  for (std::vector<int>& numbers : limit_numbers_) numbers.clear();
   ++stamp_;
   for (const int v : free) {
     if (!problem.terms[at(v)].fixed) (void)local(v, patch);
@@ -144,11 +146,13 @@ bool PatchCutter::enter(std::span<int> vertices, Patch& patch) {
 /// The rows of one face's stated limits and keep-outs. Those of two panels come with the first of
 /// the two.
 void PatchCutter::add_limits(const MeshLimits& limits, int f, Patch& patch) {
-  limits.for_each_row(f, [&](auto tag, const auto& row, int other) {
+  limits.for_each_row(f, [&](auto tag, const auto& row, int other, int number) {
     using Kind = typename decltype(tag)::type;
     if (other >= 0 && face_mark_[at(other)] == stamp_) return;
     typename Kind::Row here = row;
-    if (enter(here.vertices, patch)) patch.inequalities.of<Kind>().push_back(std::move(here));
+    if (!enter(here.vertices, patch)) return;
+    patch.inequalities.of<Kind>().push_back(std::move(here));
+    limit_numbers_[LimitKinds::index_of<Kind>()].push_back(number);
   });
   if (limits.keep_outs() == nullptr) return;
   for (KeepOutRow row : limits.keep_outs()->of(f)) {
@@ -235,6 +239,18 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
     local_of_[at(v)] = -1;
   }
   if (problem.slides != nullptr && problem.slides->has_feet()) add_surface_rows(problem, patch);
+  number_inequalities(*problem.model, patch);
+}
+
+/// Their multipliers come after those of all equations and surface rows.
+void PatchCutter::number_inequalities(const MeshModel& model, Patch& patch) const {
+  const int first = static_cast<int>(model.equations.size()) +
+                    kMostSurfaceRows * static_cast<int>(local_of_.size());
+  patch.inequality_ids.assign(patch.inequalities.of<ShapeBound>().size(), -1);
+  for (const std::vector<int>& numbers : limit_numbers_) {
+    for (const int number : numbers) patch.inequality_ids.push_back(first + number);
+  }
+  patch.inequality_ids.resize(patch.inequalities.size(), -1);
 }
 
 /// Of the free vertices that stand on a surface. Their multipliers have the numbers after all

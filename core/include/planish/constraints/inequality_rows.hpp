@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// All that a patch keeps from one side: panels' shapes, stated limits and keep-outs, as one batch.
-/// Every row has g, a smooth function of a few vertices, and a scale that makes it a share: 1/2 or
-/// more where no force acts, 0 at the bound. [LIM-2]
+/// Every row has g, a smooth function of a few vertices, and a scale that makes it a share, which
+/// is 0 at the bound. [LIM-2]
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "planish/constraints/corner_shape.hpp"
 #include "planish/constraints/keep_out_row.hpp"
@@ -25,9 +26,23 @@ struct KeepOutPlane {
 using InequalityKinds = LimitKinds::With<KeepOutPlane>::After<ShapeBound>;
 using InequalityRows = RowBatches<InequalityKinds>;
 
-/// How hard a row is kept, as a function of its share.
+/// Whether a row is a constraint with a multiplier of its own. The others are part of the
+/// objective: a panel without its shape is degenerate, so a barrier keeps clear of it [SHP-3], and
+/// planes of keep-outs turn and let go, so what presses on one says little about the next [KEE-1].
 template <class Row>
-[[nodiscard]] Barrier cost_at(const Row& /*row*/, double share) {
+inline constexpr bool kHasMultiplier =
+    !std::is_same_v<Row, CornerShape> && !std::is_same_v<Row, KeepOutRow>;
+template <class Row>
+[[nodiscard]] constexpr bool has_multiplier(const Row& /*row*/) {
+  return kHasMultiplier<Row>;
+}
+
+/// Share by which solvers stay within the bound of a row with a multiplier: more than what they
+/// leave of it, and far less than what anybody builds to.
+inline constexpr double kLimitMargin = 1e-6;
+
+/// What a row without a multiplier costs, by its share.
+[[nodiscard]] inline Barrier cost_at(const CornerShape& /*corner*/, double share) {
   return clamped_barrier(share);
 }
 

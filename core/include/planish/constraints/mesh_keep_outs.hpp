@@ -48,10 +48,6 @@ class MeshKeepOuts {
   /// Without the planes that part_panels() made.
   void forget_parted();
 
-  /// Whether the barrier acts on a point of `faces`, so that an edit is elsewhere without it.
-  [[nodiscard]] bool acts(std::span<const int> faces,
-                          const std::function<Eigen::Vector3d(int)>& point) const;
-
   /// Of `faces`; what it holds back are points. @see limit_standing()
   [[nodiscard]] LimitStanding standing(std::span<const int> faces,
                                        const std::function<Eigen::Vector3d(int)>& point) const;

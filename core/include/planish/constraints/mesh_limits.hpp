@@ -36,18 +36,23 @@ class MeshLimits {
   /// Whether a limit of the kind at `index` of LimitKinds holds something back.
   [[nodiscard]] bool has(std::size_t index) const { return rows_of_[index].size() > 0; }
 
-  /// Calls visit(std::type_identity<Kind>(), row, other) for every row that hangs on `face`;
-  /// `other` is the second panel of a row that has two, −1 else.
+  /// Calls visit(std::type_identity<Kind>(), row, other, number) for every row that hangs on
+  /// `face`; `other` is the second panel of a row that has two, −1 else, and `number` is the row's
+  /// among all, kind after kind.
   template <class Visit>
   void for_each_row(int face, const Visit& visit) const {
+    int first = 0;
     LimitKinds::for_each([&](auto tag) {
       using Kind = typename decltype(tag)::type;
+      const std::vector<typename Kind::Row>& rows = rows_.of<Kind>();
       const RaggedRows& places = rows_of_[LimitKinds::index_of<Kind>()];
-      if (places.size() == 0) return;
-      for (const int place : places[face]) {
-        const typename Kind::Row& row = rows_.of<Kind>()[static_cast<std::size_t>(place)];
-        visit(tag, row, other_panel(row, face));
+      if (places.size() > 0) {
+        for (const int place : places[face]) {
+          const typename Kind::Row& row = rows[static_cast<std::size_t>(place)];
+          visit(tag, row, other_panel(row, face), first + place);
+        }
       }
+      first += static_cast<int>(rows.size());
     });
   }
 
@@ -76,9 +81,9 @@ struct LimitExcess {
 /// Of every limit that some panel breaks, in the order of LimitKinds.
 [[nodiscard]] std::vector<LimitExcess> limit_excess(const MeshLimits& limits, int face_count);
 
-/// The share at which a limit counts as holding something back: there the barrier's force is 5 to 1
-/// of what it is at 1/4.
-inline constexpr double kBindingShare = 0.1;
+/// The share below which a limit counts as holding something back: what presses ends a millionth
+/// from its bound, see kLimitMargin.
+inline constexpr double kBindingShare = 1e-4;
 
 /// Of every limit that rows hang on, in the order of LimitKinds, keep-outs last; of `faces`
 /// (ascending). @param point a vertex's place, in the unit that the limits were made in

@@ -65,9 +65,9 @@ struct VertexTerm {
 /// then far below the price of a moved vertex.
 inline constexpr double kShapeWeight = 1e-2;
 
-/// t of the stated limits [LIM-2]. A search keeps clear of them by the first, so that its steps are
-/// long; a finished edit comes as close as the last lets it.
-inline constexpr double kFirstLimitWeight = 1e-1, kLastLimitWeight = 1e-3;
+/// t of the keep-outs' barrier [KEE-1]. A search keeps clear of them by the first, so that its
+/// steps are long; a finished edit comes as close as the last lets it.
+inline constexpr double kFirstKeepOutWeight = 1e-1, kLastKeepOutWeight = 1e-3;
 
 /// (3) or (8) on a mesh.
 struct EditProblem {
@@ -78,9 +78,9 @@ struct EditProblem {
   std::vector<int> region;        ///< ascending: where vertices may move; empty: anywhere
   bool seeks_support = true;      ///< few vertices move, and the solve finds which; else all may
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
-  const MeshLimits* limits = nullptr;       ///< of `model`, in solver units; null: none are stated
-  double limit_weight = kFirstLimitWeight;  ///< t > 0 of the barrier on their rows
-  const VertexSlides* slides = nullptr;     ///< null: every vertex may move anywhere
+  const MeshLimits* limits = nullptr;  ///< of `model`, in solver units; null: none are stated
+  double keep_out_weight = kFirstKeepOutWeight;  ///< t > 0 of the barrier on keep-outs' rows
+  const VertexSlides* slides = nullptr;          ///< null: every vertex may move anywhere
   /// 3 × n, solver units: how far the model's points are from the mesh that `slides` are about;
   /// null: they are that mesh's.
   const Eigen::Matrix3Xd* slides_from = nullptr;
@@ -123,8 +123,9 @@ struct Patch {
   RaggedRows fairness_vertices;         ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
   InequalityRows inequalities;          ///< local vertices; each touches a free one
+  std::vector<int> inequality_ids;  ///< of their multipliers in a field; −1: none is kept there
   double shape_weight = 0.0;
-  double limit_weight = 0.0;
+  double keep_out_weight = 0.0;
   double fairness_weight = 0.0;
 
   [[nodiscard]] int local_count() const { return static_cast<int>(vertices.size()); }
@@ -171,11 +172,14 @@ class PatchCutter {
   void add_stars(const MeshModel& model, int vertex, Patch& patch);
   void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
   void place(const EditProblem& problem, Patch& patch);
+  void number_inequalities(const MeshModel& model, Patch& patch) const;
   void add_surface_rows(const EditProblem& problem, Patch& patch);
   void cut_equations(const MeshModel& model, Patch& patch);
 
   std::vector<int> local_of_;  ///< −1 outside the patch being cut
   std::vector<int> face_mark_, row_mark_, star_mark_;
+  /// Of the limits' rows of the patch being cut, kind by kind: their numbers in MeshLimits.
+  std::array<std::vector<int>, LimitKinds::kCount> limit_numbers_;
   int stamp_ = 0;
 };
 
