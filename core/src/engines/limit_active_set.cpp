@@ -9,7 +9,7 @@
 namespace planish {
 namespace {
 
-constexpr double kMostMultiplier = 1e6;
+constexpr double kMostPressure = 1e6;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void LimitActiveSet::begin(PatchState& state, double penalty) {
 }
 
 void LimitActiveSet::hold_estimate(const PatchState& state) {
-  if (!empty_) estimate_ = state.limit_multipliers.cwiseMin(kMostMultiplier);
+  if (!empty_) estimate_ = state.limit_multipliers.cwiseMin(kMostPressure);
 }
 
 double LimitActiveSet::violation(const PatchState& state) const {
