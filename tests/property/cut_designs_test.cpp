@@ -82,7 +82,7 @@ void expect_edit_of_cut_mesh(const Design& design, const Replay& replayed) {
   plain.cuts.clear();
   plain.planarised.reset();
   plain.targets.supports = replayed.supports;
-  const auto edited = replay_on(replayed.base, plain);
+  const auto edited = replay_on(replayed.base, nullptr, plain);
   ASSERT_TRUE(std::holds_alternative<Replay>(edited)) << std::get<std::string>(edited);
   EXPECT_TRUE(testing::same_bits(std::get<Replay>(edited).shape, replayed.shape));
 }

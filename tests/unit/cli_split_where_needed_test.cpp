@@ -17,13 +17,13 @@ using nlohmann::json;
 using testing::Cli;
 using testing::contents;
 
-const std::string kEdit =
+const std::string kPulledFar =
     "edit sample:vault:12 --handle 26+=0,0,0.9 --softness 3 --reach 2 --keep-boundary "
     "--bound fold=+12 ";
 
 TEST_F(Cli, SplitWhereNeededReportsItsCurveAndTheDesignReplays) {
-  ASSERT_EQ(run(kEdit + "--cut strip=100-101 --split-where-needed 1 -o a.obj --report a.json "
-                        "--design d.json"),
+  ASSERT_EQ(run(kPulledFar + "--cut strip=100-101 --split-where-needed 1 -o a.obj --report a.json "
+                             "--design d.json"),
             0)
       << err();
   EXPECT_NE(err().find("--split-where-needed: 1 line parts a panel"), std::string::npos) << err();
@@ -61,7 +61,7 @@ TEST_F(Cli, SplitWhereNeededRefusesInOneSentence) {
         "--split-where-needed 2 --within-handle 5", "--split-where-needed 2 --within-handle 100%",
         "--split-where-needed 2 --symmetry x", "--split-where-needed 2 --solver alm",
         "--split-where-needed 2 --fewest panels"}) {
-    EXPECT_EQ(run(kEdit + words), 2) << words;
+    EXPECT_EQ(run(kPulledFar + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;
   }
