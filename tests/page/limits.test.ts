@@ -83,12 +83,15 @@ it("where a limit stops a handle, how far it got is said before that the limit h
   await page.context().close();
 });
 
-it("where no way within the limits was found, it is not said that none holds the edit back", async () => {
+it("far beyond what a limit allows, the edit ends at it, and it is what is named", async () => {
   const page = await site.open();
   await openVault(page);
   await type(page, "Folds up to", "12");
   await typeTarget(page, "+9m");
-  await page.getByText(/^\d+ of 9000 mm reached: within the limits no flat panels/).waitFor();
+  const standing = page.getByText(
+    /^\d+ of 9000 mm reached: the limit on folds holds \d+ panels back/,
+  );
+  expect(await standing.textContent()).toContain("(asked 12°, is 12.00°)");
   expect(await page.getByText("No limit holds this edit back.").count()).toBe(0);
   await page.context().close();
 });
