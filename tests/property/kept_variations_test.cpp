@@ -135,9 +135,11 @@ class LimitedVariations : public ::testing::TestWithParam<const char*> {
 
   LimitedVariations() : base(testing::sample(GetParam(), 10)) {
     const int handle = testing::middle_vertex(base);
-    options.bounds = {{.name = "fold", .least = 0.0, .most = kGrowth, .relative = true}};
+    // An edit that is at its limit all around leaves its variations no room.
+    options.bounds = {{.name = "fold", .least = 0.0, .most = 0.8 * kGrowth, .relative = true}};
     edited =
         apply(base, solve_handle_edit(base, testing::pull(base, handle, {0.0, 0.0, 0.3}), options));
+    options.bounds[0].most = kGrowth;
     subspace = compute_subspace(base, edited, {handle}, {.dimension = 4});
   }
 
