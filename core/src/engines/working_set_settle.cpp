@@ -36,12 +36,15 @@ constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 }  // namespace
 
 /// The first working set: the support, and the neighbours of handles that are fixed, whose rows
-/// belong to no free vertex of the support.
+/// belong to no free vertex of the support; everything where no support is sought.
 void WorkingSetNewton::set_out(const EditProblem& problem) {
   std::vector<int> fixed;
   std::copy_if(problem.handles.begin(), problem.handles.end(), std::back_inserter(fixed),
                [&](int v) { return problem.terms[at(v)].fixed; });
   working_ = set_union(support_, grower_.grow(fixed, 1));
+  if (seeks_support_) return;
+  working_.resize(at(model_.vertex_count()));
+  std::iota(working_.begin(), working_.end(), 0);
 }
 
 /// The working set and everything that shares a row with it; the state comes from `field`.
@@ -127,10 +130,6 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   NewtonOptions exact = options;
   exact.step.limit_penalty = kLimitPenalty;
   set_out(problem);
-  if (!seeks_support_) {
-    working_.resize(at(model_.vertex_count()));
-    std::iota(working_.begin(), working_.end(), 0);
-  }
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
   step_.forget_shift();

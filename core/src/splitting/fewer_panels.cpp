@@ -265,6 +265,7 @@ std::variant<FewerPanels, std::string> collapse_strip(const Mesh& mesh, int from
   }
   if (const Refusal why = join_sides(adjacency, sides, panels)) return *why;
   std::vector<int> about;
+  about.reserve(sides.size());
   for (const Crossed& side : sides) about.push_back(side[0]);
   return solved(panels, about, options, progress);
 }
