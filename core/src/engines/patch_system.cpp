@@ -81,7 +81,10 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   place_rows(patch_->inequalities, inequality_places_);
   fill_constant_part();
   jacobian_.attach(patch);
-  limit_jacobian_.attach(patch, patch.inequalities);
+  has_limits_ = false;
+  patch.inequalities.for_each(
+      [&](int, const auto& row) { has_limits_ = has_limits_ || has_multiplier(row); });
+  if (has_limits_) limit_jacobian_.attach(patch, patch.inequalities);
   active_.clear();
 }
 
@@ -196,12 +199,6 @@ void PatchSystem::add_equations(const PatchState& state, double penalty) {
     order += free;
   });
   jacobian_.slide();
-}
-
-bool PatchSystem::has_limits() const {
-  bool any = false;
-  patch_->inequalities.for_each([&](int, const auto& row) { any = any || has_multiplier(row); });
-  return any;
 }
 
 void PatchSystem::evaluate_limits(const Eigen::Matrix3Xd& displacement) {

@@ -43,7 +43,7 @@ class PatchSystem {
     limit_penalty_ = penalty;
   }
   /// Whether there are inequalities with multipliers.
-  [[nodiscard]] bool has_limits() const;
+  [[nodiscard]] bool has_limits() const { return has_limits_; }
   /// The gradients of their shares.
   void evaluate_limits(const Eigen::Matrix3Xd& displacement);
   [[nodiscard]] const RowJacobian& limit_jacobian() const { return limit_jacobian_; }
@@ -98,8 +98,9 @@ class PatchSystem {
   RowPlaces inequality_places_;
   std::vector<double> constant_;  ///< panel values of ω_f EᵀE + q I
   RowJacobian jacobian_;          ///< of the last factorization
-  RowJacobian limit_jacobian_;    ///< of the shares, at the last evaluate_limits()
-  std::vector<char> active_;      ///< by inequality; empty: none
+  RowJacobian limit_jacobian_;    ///< of the shares, at the last evaluate_limits(), if has_limits_
+  bool has_limits_ = false;
+  std::vector<char> active_;  ///< by inequality; empty: none
   double limit_penalty_ = 0.0;
   double penalty_ = 0.0;
   int factorizations_ = 0;

@@ -242,8 +242,13 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
   number_inequalities(*problem.model, patch);
 }
 
-/// Their multipliers come after those of all equations and surface rows.
+/// Their multipliers come after those of all equations and surface rows. Without stated limits
+/// there are none, and nothing to number.
 void PatchCutter::number_inequalities(const MeshModel& model, Patch& patch) const {
+  if (std::all_of(limit_numbers_.begin(), limit_numbers_.end(),
+                  [](const std::vector<int>& numbers) { return numbers.empty(); })) {
+    return;
+  }
   const int first = static_cast<int>(model.equations.size()) +
                     kMostSurfaceRows * static_cast<int>(local_of_.size());
   patch.inequality_ids.assign(patch.inequalities.of<ShapeBound>().size(), -1);

@@ -123,7 +123,8 @@ struct Patch {
   RaggedRows fairness_vertices;         ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
   InequalityRows inequalities;          ///< local vertices; each touches a free one
-  std::vector<int> inequality_ids;  ///< of their multipliers in a field; −1: none is kept there
+  /// Of their multipliers in a field, −1: it has none; empty: none of them has.
+  std::vector<int> inequality_ids;
   double shape_weight = 0.0;
   double keep_out_weight = 0.0;
   double fairness_weight = 0.0;
