@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "edit_options.hpp"
+#include "edit_sentences.hpp"
 #include "terminal.hpp"
 
 namespace planish::cli {

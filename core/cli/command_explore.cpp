@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "edit_options.hpp"
+#include "edit_sentences.hpp"
 #include "exploration.hpp"
 #include "projection_run.hpp"
 #include "terminal.hpp"

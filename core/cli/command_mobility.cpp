@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "edit_sentences.hpp"
 #include "mobility_run.hpp"
 #include "planish/mobility/best_places.hpp"
 #include "planish/numeric/stopwatch.hpp"

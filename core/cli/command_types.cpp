@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "shop_input.hpp"
 #include "terminal.hpp"
 #include "types_run.hpp"
 

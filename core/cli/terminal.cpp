@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "edit_sentences.hpp"
 #include "planish/design/design_text.hpp"
 
 namespace planish::cli {

@@ -8,6 +8,7 @@
 #include "conversion_run.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "edit_sentences.hpp"
 #include "hybrid_run.hpp"
 #include "mesh_files.hpp"
 #include "offset_run.hpp"

@@ -56,40 +56,6 @@ Bounds parse_bounds(const Request& request) {
   return bounds;
 }
 
-namespace {
-
-/// "V=x,y,z" or "V+=dx,dy,dz" as {"vertex": V, "to" or "by": "x,y,z"}.
-Json parts_of_handle(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw UsageError("--handle: \"" + text + "\" is not V=x,y,z or V+=dx,dy,dz");
-  }
-  const bool relative = text[equals - 1] == '+';
-  return {{"vertex", text.substr(0, equals - (relative ? 1 : 0))},
-          {relative ? "by" : "to", text.substr(equals + 1)}};
-}
-
-/// With whether its target is a way from the base.
-std::pair<Handle, bool> parse_handle(const Json& stated) {
-  const Json parts = stated.is_object() ? stated : parts_of_handle(text_of(stated));
-  const bool relative = parts.contains("by");
-  const Json vertex = parts.value("vertex", Json());
-  const Json point = parts.value(relative ? "by" : "to", Json());
-  Handle handle;
-  handle.vertex = parse_whole(vertex, "--handle");
-  const std::vector<Json> numbers = entries_of(point);
-  if (numbers.size() != 3) {
-    throw UsageError("--handle: \"" + text_of(vertex) + (relative ? "+=" : "=") + text_of(point) +
-                     "\" needs 3 coordinates");
-  }
-  for (int c = 0; c < 3; ++c) {
-    handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
-  }
-  return {handle, relative};
-}
-
-}  // namespace
-
 OptionRow support_row() {
   return {"--support", "KIND:POINTS",
           "points that slide on what they are on: level (keeps z), level=x|y|z,\n"
@@ -154,9 +120,6 @@ std::vector<OptionRow> edit_command_rows() {
 }
 
 namespace {
-
-constexpr Words<FewestOf, 2> kFewestWords = {
-    {{"panels", FewestOf::kPanels}, {"points", FewestOf::kPoints}}};
 
 /// ω_h of an edit whose handles are to arrive, where none is asked for.
 constexpr double kArrivingAttraction = 1e5;
@@ -252,21 +215,6 @@ void set_keep_outs(const Request& request, HandleEditOptions& options) {
   if (request.has("--clearance") && options.keep_outs.empty()) {
     throw UsageError("--clearance is from a --keep-out: there is none");
   }
-}
-
-/// What --fewest and --within-handle ask for; nullopt without.
-std::optional<FewestOptions> fewest_options(const Request& request) {
-  const auto of = request.value("--fewest");
-  if (!of) {
-    if (request.has("--within-handle") && !request.has(kSplitOption)) {
-      throw UsageError("--within-handle is for --fewest or --split-where-needed: there is neither");
-    }
-    return std::nullopt;
-  }
-  FewestOptions options;
-  options.of = parse_word(*of, "--fewest", kFewestWords);
-  set_within_handle(request, options.within_handle);
-  return options;
 }
 
 /// What is one number, word or switch has the name that it has in designs; the rest says more.
@@ -372,58 +320,6 @@ std::vector<PointSupport> parse_supports(const Request& request) {
     supports.push_back(std::move(*support));
   }
   return supports;
-}
-
-namespace {
-
-std::optional<StatedSymmetry> stated_symmetry(const Request& request) {
-  const auto text = request.value("--symmetry");
-  if (!text) return std::nullopt;
-  auto stated = parse_symmetry(*text);
-  if (!stated) {
-    throw UsageError("--symmetry: \"" + *text + "\" is none of " + std::string(known_symmetries()));
-  }
-  return stated->is_off() ? std::nullopt : stated;
-}
-
-}  // namespace
-
-EditRequest edit_request(const Request& request) {
-  // Not in its braces: g++ 12 destroys members twice where an initializer throws.
-  EditRequest asked;
-  asked.options = edit_options(request);
-  asked.unit = model_unit(request);
-  asked.cuts = cuts_before_edit(request);
-  asked.symmetry = stated_symmetry(request);
-  asked.fewest = fewest_options(request);
-  asked.splits = split_options(request);
-  if (asked.symmetry && asked.options.engine != Engine::kNewton) {
-    throw UsageError("symmetry: the engine alm knows none; it needs newton");
-  }
-  for (const Json& stated : request.values("--handle")) {
-    const auto [handle, relative] = parse_handle(stated);
-    asked.targets.handles.push_back(handle);
-    asked.relative.push_back(relative);
-  }
-  asked.targets.pins = parse_vertices(request, "--pin");
-  asked.targets.supports = parse_supports(request);
-  request.read("--continuation", asked.targets.continuation);
-  return asked;
-}
-
-EditTargets edit_targets(const EditRequest& asked, const Mesh& base, const CutMesh* cut) {
-  EditTargets targets = asked.targets;
-  check_vertices(handle_vertices(targets), "--handle", base);
-  for (std::size_t k = 0; k < targets.handles.size(); ++k) {
-    auto& [vertex, target] = targets.handles[k];
-    if (asked.relative[k]) target += base.positions.col(vertex);
-  }
-  check_vertices(targets.pins, "--pin", base);
-  if (targets.handles.empty()) throw UsageError("--handle is missing");
-  EditTargets carried = targets;
-  if (cut != nullptr) carried.supports = supports_after_cuts(targets.supports, *cut);
-  if (const auto problem = find_problem(carried, base)) throw UsageError(*problem);
-  return targets;
 }
 
 }  // namespace planish::workflow

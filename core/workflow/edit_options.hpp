@@ -7,14 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
 #include "planish/edit/design_words.hpp"
-#include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
-#include "planish/splitting/split_where_needed.hpp"
-#include "planish/symmetry/symmetry.hpp"
 #include "request.hpp"
 
 namespace planish::workflow {
@@ -25,21 +21,6 @@ namespace planish::workflow {
 /// The same and what `edit` and `explore` know: --cut and --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
-/// What an edit is asked for; whether its mesh has the vertices is seen when that is there.
-struct EditRequest {
-  HandleEditOptions options;
-  std::string unit;       ///< of the model
-  std::vector<Cut> cuts;  ///< before the edit, in this order
-  std::optional<StatedSymmetry> symmetry;
-  std::optional<FewestOptions> fewest;
-  std::optional<SplitOptions> splits;
-  EditTargets targets = {};
-  std::vector<bool> relative = {};  ///< of each handle: its target is a way from the base
-};
-
-/// Throws UsageError; RequestError where a file that is named cannot be used.
-[[nodiscard]] EditRequest edit_request(const Request& request);
-
 /// The share that --within-handle asks for, as it was without. Throws UsageError.
 void set_within_handle(const Request& request, double& share);
 
@@ -47,11 +28,6 @@ void set_within_handle(const Request& request, double& share);
 
 /// Of the coordinates, m unless --model-unit says otherwise. Throws RequestError for another word.
 [[nodiscard]] std::string model_unit(const Request& request);
-
-/// Handles, pins and supports of `asked` on `base`. Throws UsageError.
-/// @param cut what made `base`: its added points go with the supports that are checked; or null
-[[nodiscard]] EditTargets edit_targets(const EditRequest& asked, const Mesh& base,
-                                       const CutMesh* cut = nullptr);
 
 /// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
 /// @param planar mm/m; set by "planar:TOL"

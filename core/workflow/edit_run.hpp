@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "edit_options.hpp"
+#include "edit_request.hpp"
 #include "mesh_files.hpp"
 #include "planish/design/design.hpp"
 #include "planish/edit/fewest.hpp"
@@ -71,27 +71,6 @@ struct EditRun {
 /// @param name of the mesh, for messages
 [[nodiscard]] EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name,
                                const Progress& progress);
-
-/// That --fewest held nothing, or not all that could be held; nullopt otherwise.
-[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run);
-
-/// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
-/// the mesh was flat.
-[[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
-
-/// Nor that what points stand on went along; nullopt if it did not.
-[[nodiscard]] std::optional<std::string> moved_support_sentence(const EditRun& run);
-
-/// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
-/// nullopt if none does, or where outcome_sentence() has more to say.
-[[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
-
-/// Which limits of --bound panels of the base break already, and how many do, where that holds an
-/// edit back that stops short of what was asked for; nullopt otherwise.
-[[nodiscard]] std::optional<std::string> broken_limits_sentence(const EditRun& run);
-
-/// Nor need it be symmetric; nullopt where it was.
-[[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
 
 /// Everything of the report that does not depend on the command.
 [[nodiscard]] Json edit_json(const EditRun& run, const Positions& after);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "edit_sentences.hpp"
+
+#include <algorithm>
+
+#include "planish/constraints/mesh_limits.hpp"
+#include "planish/measures/folds.hpp"
+#include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
+#include "planish/mesh/adjacency.hpp"
+#include "planish/text/number.hpp"
+
+namespace planish::workflow {
+
+std::optional<std::string> planarised_sentence(const FlatBase& base) {
+  if (!base.planarised) return std::nullopt;
+  return "not flat; planarised first, which moved " +
+         std::to_string(base.planarised->moved.size()) + " vertices by up to " +
+         three_digits(base.planarised->max_move) + " (units of the mesh)" +
+         (base.planarised->report.status == SolveStatus::kIterationLimit
+              ? ", not certified to be the best flat mesh near"
+              : "");
+}
+
+std::optional<std::string> evened_sentence(const EditRun& run) {
+  if (run.evened.max_move == 0.0) return std::nullopt;
+  return "not exactly symmetric; made so first, which moved " + std::to_string(run.evened.moved) +
+         " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
+}
+
+std::optional<std::string> moved_support_sentence(const EditRun& run) {
+  if (!run.base.planarised) return std::nullopt;
+  double most = 0.0;
+  std::string name;
+  for (const PointSupport& support : run.supports) {
+    if (is_spring(support)) continue;
+    for (const int v : points_of(support, run.given)) {
+      const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
+      if (move <= most) continue;
+      most = move;
+      name = support_name(support);
+    }
+  }
+  if (most <= kSupportReach * mean_edge_length(run.given)) return std::nullopt;  // rounding
+  return "that moved points of " + name + " by up to " + three_digits(most) +
+         ", and the edit has them where they are since: planish project --support " + name +
+         " makes the file flat with them where they stand";
+}
+
+namespace {
+
+/// What keeps a handle from its target, as far as it is known.
+std::string held_by(const EditRun& run, int vertex) {
+  for (const PointSupport& support : run.supports) {
+    const std::vector<int> points = points_of(support, run.given);
+    if (!is_spring(support) && std::binary_search(points.begin(), points.end(), vertex)) {
+      return "it stands on " + support_name(support);
+    }
+  }
+  std::string bounds;
+  for (const BoundStanding& bound : run.report.bounds) {
+    if (!bound.binding.empty()) bounds += (bounds.empty() ? "" : ", ") + std::string(bound.name);
+  }
+  return bounds.empty() ? "--attraction pulls harder, --hard holds it there" : "held by " + bounds;
+}
+
+}  // namespace
+
+std::optional<std::string> shortfall_sentence(const EditRun& run) {
+  constexpr double kNoticeable = 0.15;  // of the pull, as the page has it
+  if (run.report.status != SolveStatus::kConverged) return std::nullopt;
+  const Handle* worst = nullptr;
+  double most = 0.0;
+  for (const Handle& handle : run.targets.handles) {
+    const double pull = (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
+    const double left = (handle.target - run.edited.col(handle.vertex)).norm();
+    if (left <= kNoticeable * pull || left <= most) continue;
+    most = left;
+    worst = &handle;
+  }
+  if (worst == nullptr) return std::nullopt;
+  return "handle " + std::to_string(worst->vertex) + " stops " + three_digits(most) +
+         " short of its target (units of the mesh): " + held_by(run, worst->vertex);
+}
+
+namespace {
+
+/// Those about the handles, with their neighbours, and those at a limit, ascending.
+std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
+  const Mesh& mesh = run.base.mesh;
+  std::vector<int> handles;
+  for (const Handle& handle : run.targets.handles) handles.push_back(handle.vertex);
+  std::vector<int> corners;
+  for (const int f : faces_of(adjacency, handles)) {
+    corners.insert(corners.end(), mesh.face(f).begin(), mesh.face(f).end());
+  }
+  std::vector<int> panels = faces_of(adjacency, corners);
+  for (const BoundStanding& bound : run.report.bounds) {
+    if (bound.name != "keep-out") {  // its are points
+      panels.insert(panels.end(), bound.binding.begin(), bound.binding.end());
+    }
+  }
+  std::sort(panels.begin(), panels.end());
+  return panels;
+}
+
+/// As --bound had it.
+std::string limit_words(const EditRun& run, std::string_view name) {
+  std::string words;
+  for (const StatedLimit& limit : run.asked.options.bounds) {
+    if (limit.name != name) continue;
+    words += (words.empty() ? "" : " and ") + ("--bound " + stated_limit_text(limit));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::optional<std::string> broken_limits_sentence(const EditRun& run) {
+  const bool arrived =
+      run.report.status == SolveStatus::kConverged && !shortfall_sentence(run).has_value();
+  if (arrived || run.asked.options.bounds.empty()) return std::nullopt;
+  const Mesh& mesh = run.base.mesh;
+  const Adjacency adjacency = build_adjacency(mesh);
+  const MeshLimits limits({mesh, adjacency, mesh.positions}, run.asked.options.bounds);
+  const std::vector<int> held = held_panels(run, adjacency);
+  for (const LimitExcess& excess : limit_excess(limits, mesh.face_count())) {
+    const bool near = std::any_of(excess.panels.begin(), excess.panels.end(), [&](int f) {
+      return std::binary_search(held.begin(), held.end(), f);
+    });
+    if (!near) continue;
+    return std::to_string(excess.panels.size()) + " of " + std::to_string(mesh.face_count()) +
+           " panels break " + limit_words(run, excess.name) +
+           " before the edit and may not get worse, which holds it back: a wider limit frees them";
+  }
+  return std::nullopt;
+}
+
+std::vector<int> new_slivers(const EditRun& run) {
+  std::vector<int> slivers;
+  for (int f = 0; f < run.base.mesh.face_count(); ++f) {
+    if (became_sliver(run.base.mesh.positions, run.edited, run.base.mesh.face(f))) {
+      slivers.push_back(f);
+    }
+  }
+  return slivers;
+}
+
+std::optional<std::string> fewest_sentence(const EditRun& run) {
+  if (!run.fewest) return std::nullopt;
+  const FewestEdit& found = *run.fewest;
+  if (!found.reached) {
+    return "--fewest: with nothing held a handle stops " + three_digits(run.report.handle_error) +
+           " short of its target (units of the mesh), more than --within-handle; nothing was held";
+  }
+  if (!found.minimal) {
+    return "--fewest: stopped after " + std::to_string(found.solves) + " solves; fewer may do";
+  }
+  const std::size_t slivers = new_slivers(run).size();
+  if (slivers == 0) return std::nullopt;
+  return "--fewest: " + std::to_string(slivers) +
+         (slivers == 1 ? " panel became a sliver" : " panels became slivers") +
+         " with a corner below " + three_digits(kSliverAngle) +
+         " degrees; --bound angle=MIN:MAX and edge=MIN:MAX limit that";
+}
+
+}  // namespace planish::workflow

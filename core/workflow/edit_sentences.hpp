@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+/// What is said of an edit that ran, a sentence each; nullopt where there is nothing to say.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit_run.hpp"
+
+namespace planish::workflow {
+
+/// Panels that --fewest made slivers, ascending.
+[[nodiscard]] std::vector<int> new_slivers(const EditRun& run);
+
+/// That --fewest held nothing, or not all that could be held; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run);
+
+/// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
+/// the mesh was flat.
+[[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
+
+/// That making the base flat moved what points stand on, and what keeps it where it is; nullopt if
+/// it did not.
+[[nodiscard]] std::optional<std::string> moved_support_sentence(const EditRun& run);
+
+/// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
+/// nullopt if none does, or where outcome_sentence() has more to say.
+[[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
+/// Which limits of --bound panels of the base break already, and how many do, where that holds an
+/// edit back that stops short of what was asked for; nullopt otherwise.
+[[nodiscard]] std::optional<std::string> broken_limits_sentence(const EditRun& run);
+
+/// That the base was made symmetric first, and by how much; nullopt where it was.
+[[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
+
+}  // namespace planish::workflow
