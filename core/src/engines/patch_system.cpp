@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "engines/coupling_graph.hpp"
 #include "engines/weighted_barrier.hpp"
@@ -72,11 +73,7 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   patch_ = &patch;
   constraints_ = constraints;
   lagrangian_.attach(patch, constraints);
-  build_graph();
-  cholesky_.analyze(graph_, 3);
-  diagonal_.resize(at(patch.free_count));
-  for (int v = 0; v < patch.free_count; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
-  place_edges();
+  analyze(graph_of(patch));
   place_rows(patch_->equations, equation_places_);
   place_rows(patch_->inequalities, inequality_places_);
   fill_constant_part();
@@ -88,20 +85,32 @@ void PatchSystem::attach(const Patch& patch, Constraints constraints) {
   active_.clear();
 }
 
-void PatchSystem::build_graph() {
+RaggedRows PatchSystem::graph_of(const Patch& patch) {
   Cliques cliques;
-  patch_->equations.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
-  patch_->inequalities.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
-  for (int r = 0; r < patch_->fairness_vertices.size(); ++r) {
-    cliques.add(patch_->fairness_vertices[r]);
+  patch.equations.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
+  patch.inequalities.for_each([&](int, const auto& row) { cliques.add(row.vertices); });
+  for (int r = 0; r < patch.fairness_vertices.size(); ++r) {
+    cliques.add(patch.fairness_vertices[r]);
   }
-  graph_ = cliques.graph(patch_->free_count);
+  return cliques.graph(patch.free_count);
+}
+
+/// Frames of a drag and runs within a reach cut the same patch again and again: its analysis
+/// stands for as long as the graph is the same.
+void PatchSystem::analyze(RaggedRows graph) {
+  if (graph == graph_) return;
+  graph_ = std::move(graph);
+  cholesky_.analyze(graph_, 3);
+  const int nodes = graph_.size();
+  diagonal_.resize(at(nodes));
+  for (int v = 0; v < nodes; ++v) diagonal_[at(v)] = cholesky_.slot(v, v);
+  place_edges();
 }
 
 /// One slot per edge of the graph: equations and fairness rows then look edges up by row.
 void PatchSystem::place_edges() {
   edge_slots_.assign(graph_.values.size(), {});
-  for (int v = 0; v < patch_->free_count; ++v) {
+  for (int v = 0; v < graph_.size(); ++v) {
     const auto row = graph_[v];
     for (std::size_t k = 0; k < row.size(); ++k) {
       if (cholesky_.position(v) < cholesky_.position(row[k])) continue;

@@ -74,7 +74,8 @@ class PatchSystem {
     std::vector<BlockSlot> slots;  ///< row by row, in that order: (0,0) (0,1) (1,1) (0,2) …
   };
 
-  void build_graph();
+  [[nodiscard]] static RaggedRows graph_of(const Patch& patch);
+  void analyze(RaggedRows graph);
   void place_edges();
   [[nodiscard]] std::size_t edge(int row, int column) const;
   template <class Batches>

@@ -19,6 +19,7 @@ struct RaggedRows {
     const auto end = static_cast<std::size_t>(offsets[static_cast<std::size_t>(row) + 1]);
     return std::span<const int>(values).subspan(begin, end - begin);
   }
+  friend bool operator==(const RaggedRows&, const RaggedRows&) = default;
 };
 
 /// Vertex neighbourhoods. `neighbours[v]` goes around v in order, crossing one face a step; a
