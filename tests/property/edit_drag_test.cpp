@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
@@ -43,6 +44,22 @@ TEST_P(DragOn, EveryFrameIsExactAndFollowsTheHandle) {
     expect_exact(result);
     EXPECT_LT(result.report.handle_error, 0.1);
   }
+}
+
+/// Two steps and two of the finish, where the way is smooth: no machine changes that.
+TEST_P(DragOn, AFrameWithinAReachTakesFewFactorizations) {
+  HandleEditOptions options;
+  options.keep_boundary = true;
+  options.reach = 6;
+  options.softness = 3.0;
+  HandleEditSolver solver(mesh, options);
+  std::vector<int> counts;
+  for (int frame = 1; frame <= 60; ++frame) {
+    const HandleEditResult result = solver.drag(at(frame / 60.0), kAmpleSeconds);
+    if (frame > 1) counts.push_back(result.report.cost.factorizations);
+  }
+  std::sort(counts.begin(), counts.end());
+  EXPECT_LE(counts[counts.size() / 2], 5);
 }
 
 TEST_P(DragOn, ADragEndsNearTheColdResult) {

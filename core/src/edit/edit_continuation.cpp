@@ -4,13 +4,24 @@
 #include <utility>
 
 #include "edit/edit_search.hpp"
+#include "planish/numeric/index.hpp"
 
 namespace planish {
 namespace {
 
-constexpr double kCoarse = 0.0045;  ///< smoothing that a search within a reach ends at, share
+constexpr double kFarSmoothing = 1e-3;  ///< that a frame which goes far comes down from, share
+constexpr double kCoarse = 0.0045;      ///< smoothing that a search within a reach ends at, share
 /// Between two weights of the keep-outs' barrier. [KEE-1]
 constexpr double kKeepOutWeightShrink = 0.1;
+
+/// Whether the handles of a frame are ahead of the last one by a little of what they have moved.
+bool is_near(const EditProblem& problem, const DisplacementField& field) {
+  constexpr double kNear = 0.3;
+  const double near = kNear * handle_scale(problem);
+  return std::all_of(problem.handles.begin(), problem.handles.end(), [&](int v) {
+    return (problem.terms[at(v)].target - field.displacement(v)).norm() <= near;
+  });
+}
 
 /// `next`, and what it took to get to where it began.
 void go_on(EngineOutcome next, EngineOutcome& total) {
@@ -23,14 +34,16 @@ void go_on(EngineOutcome next, EngineOutcome& total) {
 EngineOutcome EditSearch::follow(bool fresh, DisplacementField& field, const Progress& progress) {
   NewtonOptions options;
   options.stop = 3e-5;
-  // A frame that changes to another minimum may take dozens of steps; the next frames go on with
-  // it.
-  options.max_steps = 7;
   if (fresh) {
+    options.max_steps = 7;
     field.clear();
     return newton_.run_cold(model_.problem(), {3, 16, 0.05}, options, field, progress);
   }
-  options.first_smoothing = 1e-3;
+  // What is near is followed at the last ε: from a larger one each frame would come down anew. A
+  // frame that changes to another minimum may take dozens of steps; the next ones go on with it.
+  options.first_smoothing =
+      is_near(model_.problem(), field) ? options.last_smoothing : kFarSmoothing;
+  options.max_steps = 6;
   return newton_.run_warm(model_.problem(), options, field, progress);
 }
 
