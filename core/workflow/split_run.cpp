@@ -40,7 +40,7 @@ SplitSolve solve_split(const Mesh& base, const EditTargets& targets, const Handl
 Json splits_json(const SplitRun& run) {
   Json curve = Json::array();
   for (const SplitStanding& standing : run.curve) {
-    curve.push_back({{"cuts", standing.cuts},
+    curve.push_back({{"cuts", standing.cuts.size()},
                      {"handle_error", standing.handle_error},
                      {"moved_vertices", standing.moved_vertices},
                      {"remade_panels", standing.remade_panels},

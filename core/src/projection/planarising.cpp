@@ -5,7 +5,7 @@
 
 namespace planish {
 
-ProjectionResult planarise(const Mesh& mesh, const Planarising& how, const Progress& progress) {
+ProjectionOptions projection_options(const Planarising& how) {
   ProjectionOptions options;
   options.fairness_weight = how.fairness_weight;
   options.keep_shape = how.keep_shape;
@@ -15,9 +15,15 @@ ProjectionResult planarise(const Mesh& mesh, const Planarising& how, const Progr
     options.tolerance = how.flat_within;
     options.no_flatter = true;
   }
-  std::vector<int> pins;
-  if (how.keep_boundary) pins = boundary_vertices(mesh);
-  return project_to_planar(mesh, options, pins, progress);
+  return options;
+}
+
+std::vector<int> projection_pins(const Mesh& mesh, const Planarising& how) {
+  return how.keep_boundary ? boundary_vertices(mesh) : std::vector<int>();
+}
+
+ProjectionResult planarise(const Mesh& mesh, const Planarising& how, const Progress& progress) {
+  return project_to_planar(mesh, projection_options(how), projection_pins(mesh, how), progress);
 }
 
 bool is_flattened(const ProjectionResult& result, const Planarising& how) {

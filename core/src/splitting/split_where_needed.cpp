@@ -126,7 +126,7 @@ class SplitSearch {
     for (int f = mesh_.face_count(); f < mesh.face_count(); ++f) remade.push_back(f);
     std::sort(remade.begin(), remade.end());
     remade.erase(std::unique(remade.begin(), remade.end()), remade.end());
-    return {static_cast<int>(tried.cuts.size()), tried.error(), tried.result.report.moved_vertices,
+    return {tried.cuts, tried.error(), tried.result.report.moved_vertices,
             static_cast<int>(remade.size()), fold};
   }
 

@@ -35,6 +35,10 @@ inline const Planarising kNearestFlat{0.0, false, false, {}, 0.0, 0.0};
 
 [[nodiscard]] Refusal find_problem(const Planarising& how);
 
+// `how` as project_to_planar() takes it.
+[[nodiscard]] ProjectionOptions projection_options(const Planarising& how);
+[[nodiscard]] std::vector<int> projection_pins(const Mesh& mesh, const Planarising& how);
+
 /// kToleranceNotMet with keep_shape: the panels' shape does not allow more; the positions are sound
 /// and as flat as was found.
 [[nodiscard]] ProjectionResult planarise(const Mesh& mesh, const Planarising& how,

@@ -23,9 +23,9 @@ struct SplitOptions {
 [[nodiscard]] Refusal find_problem(const SplitOptions& options, const HandleEditOptions& edit,
                                    const EditTargets& targets);
 
-/// What so many cuts give, and what they cost.
+/// What these cuts give, and what they cost.
 struct SplitStanding {
-  int cuts = 0;
+  std::vector<Cut> cuts;      ///< lines between corners, in order; no point is added
   double handle_error = 0.0;  ///< model units
   int moved_vertices = 0;
   int remade_panels = 0;       ///< with a moved corner, or parts of a panel that was cut
@@ -33,7 +33,7 @@ struct SplitStanding {
 };
 
 struct SplitEdit {
-  std::vector<Cut> cuts;    ///< lines between corners, in order; no point is added
+  std::vector<Cut> cuts;    ///< of the last of the curve
   Mesh mesh;                ///< after them
   HandleEditResult result;  ///< of the edit of that mesh, bit for bit
   /// The best with so many cuts, from none on; only what comes nearer than fewer cuts do.
