@@ -3,7 +3,7 @@
 // return "" when done, otherwise one sentence that says why nothing changed.
 
 import type { AnalysisModule } from "./planish_analysis.d.ts";
-import type { CutTrial } from "./planish_cuts.d.ts";
+import type { CutTrial, SplitModule } from "./planish_cuts.d.ts";
 import type {
   DesignValue,
   EditOptions,
@@ -99,7 +99,7 @@ export interface Session {
   delete(): void;
 }
 
-export interface PlanishModule extends SymmetryModule, AnalysisModule, MobilityModule {
+export interface PlanishModule extends SymmetryModule, SplitModule, AnalysisModule, MobilityModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
   /** Of a shape, as designs record it. */

@@ -20,6 +20,8 @@
 #include "planish/mesh/adjacency.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/projection/projection.hpp"
+#include "planish/splitting/split_until_flat.hpp"
+#include "planish/splitting/split_where_needed.hpp"
 #include "planish/symmetry/symmetry.hpp"
 #include "planish/text/refusal.hpp"
 #include "planish/variations/subspace.hpp"
@@ -93,6 +95,15 @@ class Session {
   [[nodiscard]] Refusal set_cuts(const std::string& lines, double tolerance);
   /// One more of them, which is not made; a new side may be listed once for each of its panels.
   [[nodiscard]] CutTrial try_cut(const std::string& text, double tolerance) const;
+  /// What lines through panels more let the handles of an edit do; the design stays as it is. A
+  /// sentence where that cannot be looked for. `targets` as those of edit().
+  [[nodiscard]] std::variant<SplitEdit, std::string> split_where_needed(
+      EditTargets targets, const SplitOptions& options);
+  /// As planarise(), with so many panels parted at most, and as few as let all become flat: the
+  /// base, which must have no cuts, becomes the parted mesh. All numbers but of parted panels stay.
+  [[nodiscard]] Refusal split_until_flat(const Planarising& how, int most_panels);
+  /// Of the last split_until_flat(): how many panels it parted, and what that left bent.
+  [[nodiscard]] const HybridStanding& hybrid() const { return hybrid_; }
   /// Null without one.
   [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
   /// For all edits from here on, each as --support says it.
@@ -248,6 +259,7 @@ class Session {
   ShapeReport shape_report_;
   VariationsReport variations_report_;
   Replayed replayed_;
+  HybridStanding hybrid_;
   Progress progress_;
 };
 

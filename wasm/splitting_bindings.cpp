@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+/// Panels parted for what a solve asks, as JavaScript sees it: a list.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <exception>
+#include <string>
+#include <variant>
+
+#include "arrays.hpp"
+#include "design_values.hpp"
+#include "session.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::Session;
+
+val to_value(const planish::SplitStanding& standing) {
+  val cuts = val::array();
+  for (const planish::Cut& cut : standing.cuts) cuts.call<void>("push", planish::cut_text(cut));
+  val value = val::object();
+  value.set("cuts", cuts);
+  value.set("handleError", standing.handle_error);
+  value.set("movedVertices", standing.moved_vertices);
+  value.set("remadePanels", standing.remade_panels);
+  value.set("sharpestFold", standing.sharpest_fold);
+  return value;
+}
+
+val to_value(const planish::SplitEdit& found) {
+  val curve = val::array();
+  for (const planish::SplitStanding& standing : found.curve) {
+    curve.call<void>("push", to_value(standing));
+  }
+  val value = val::object();
+  value.set("problem", std::string());
+  value.set("curve", curve);
+  value.set("tried", found.solves);
+  value.set("reached", found.reached);
+  return value;
+}
+
+val refused(const std::string& problem) {
+  val value = val::object();
+  value.set("problem", problem);
+  return value;
+}
+
+val split_where_needed(Session& s, const val& handles, const val& pins, int most) {
+  try {
+    planish::SplitOptions options;
+    options.most_cuts = most;
+    auto found = s.split_where_needed({.handles = planish::to_handles(handles),
+                                       .pins = planish::to_indices(pins),
+                                       .supports = {},
+                                       .continuation = 0},
+                                      options);
+    const auto* problem = std::get_if<std::string>(&found);
+    return problem != nullptr ? refused(*problem) : to_value(std::get<planish::SplitEdit>(found));
+  } catch (const std::exception& error) {
+    return refused(std::string("Internal error: ") + error.what());
+  }
+}
+
+std::string split_until_flat(Session& s, const val& how, int most) {
+  try {
+    return s.split_until_flat(planish::to_planarising(how), most).value_or("");
+  } catch (const std::exception& error) {
+    return std::string("Internal error: ") + error.what();
+  }
+}
+
+int split_panels(const Session& s) { return s.hybrid().panels; }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_splitting) {
+  emscripten::function("splitWhereNeeded", &split_where_needed);
+  emscripten::function("splitUntilFlat", &split_until_flat);
+  emscripten::function("splitPanels", &split_panels);
+}
