@@ -21,7 +21,7 @@ it("a preview is called one: what it shows is not the design", async () => {
   if (!opened) throw new Error("no mesh");
   page.mesh.value = asFlatAs(opened, 10);
   expect(words(page)).toBe("");
-  const trial = { how: FAIR_FLAT, mesh: asFlatAs(opened, 0), measures: null };
+  const trial = { how: FAIR_FLAT, mesh: asFlatAs(opened, 0), measures: null, split: null };
   page.planariseTrial.value = { kind: "shown", trial };
   expect(words(page)).toMatch(/^A preview of planarising: 400 panels would all be flat, with 0 /);
   expect(words(page)).toContain("The file, which the tables are of, is not flat.");

@@ -16,6 +16,8 @@ export interface Trial {
   readonly mesh: OpenedMesh;
   /** null where it cannot be measured. */
   readonly measures: PanelMeasures | null;
+  /** How many panels are split for it, and its mesh as a file; null where none may be. */
+  readonly split: { readonly panels: number; readonly file: Uint8Array } | null;
 }
 
 export type Preview =

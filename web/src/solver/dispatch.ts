@@ -251,14 +251,11 @@ export class Dispatcher {
         this.#postOpened(job, null, null);
         return;
       case "cut":
-        insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
-        this.#postOpened(job, null, null);
+      case "tryCut":
+      case "splitEdit":
+      case "splitMesh":
+        this.#cut(request);
         return;
-      case "tryCut": {
-        const trial = session.tryCut(request.cut, request.tolerance);
-        this.#post({ kind: "tried", job, trial }, [trial.lines.buffer]);
-        return;
-      }
       case "edit":
         this.#postShown(job, request.mode !== "drag", this.#edits.edit(request));
         return;
@@ -302,6 +299,37 @@ export class Dispatcher {
         this.#post({ kind: "freedom", job, freedom: this.#analysis.freedom(request.targets) }, []);
         return;
     }
+  }
+
+  #cut(request: Extract<Job, { kind: "cut" | "tryCut" | "splitEdit" | "splitMesh" }>): void {
+    const session = this.#session;
+    const { job } = request;
+    switch (request.kind) {
+      case "cut":
+        insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
+        this.#postOpened(job, null, null);
+        return;
+      case "tryCut": {
+        const trial = session.tryCut(request.cut, request.tolerance);
+        this.#post({ kind: "tried", job, trial }, [trial.lines.buffer]);
+        return;
+      }
+      case "splitEdit":
+        this.#post({ kind: "split", job, finding: this.#edits.split(request) }, []);
+        return;
+      case "splitMesh":
+        this.#splitMesh(request);
+    }
+  }
+
+  #splitMesh({ job, how, most }: Extract<Request, { kind: "splitMesh" }>): void {
+    const [module, session] = [this.#module, this.#session];
+    insist(module.splitUntilFlat(session, how, most));
+    this.#analysis.forget();
+    const mesh = readMesh(module, session, []);
+    const [panels, file] = [module.splitPanels(session), session.write("obj")];
+    const buffers = [mesh.positions.buffer, mesh.parents.buffer, file.buffer, ...buffersOf(mesh)];
+    this.#post({ kind: "hybrid", job, mesh, panels, file }, buffers as Transferable[]);
   }
 
   #postMeasures(job: number, also: AlsoMeasured): void {

@@ -2,9 +2,16 @@
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { fairLimit } from "./fair-folds.ts";
-import type { EditMode, EditSettings, HandleList, PullLimit, Request } from "./protocol.ts";
+import type {
+  EditMode,
+  EditSettings,
+  HandleList,
+  PullLimit,
+  Request,
+  SplitFinding,
+} from "./protocol.ts";
 import { isWithin, PullHold } from "./pull-limit.ts";
-import { insist } from "./refused.ts";
+import { insist, Refused } from "./refused.ts";
 
 type EditRequest = Extract<Request, { kind: "edit" }>;
 
@@ -67,6 +74,17 @@ export class Edits {
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
     insist(this.#session.restore(handles, pins, shape.moved, shape.positions, keep));
+  }
+
+  split({ targets, settings, most }: Extract<Request, { kind: "splitEdit" }>): SplitFinding {
+    this.#hold = new PullHold();
+    this.#setOptions(settings);
+    const handles = Float64Array.from(targets.handles);
+    const pins = Int32Array.from(targets.pins);
+    const found = this.#module.splitWhereNeeded(this.#session, handles, pins, most);
+    if (!("curve" in found)) throw new Refused(found.problem);
+    const { curve, tried, reached } = found;
+    return { curve, tried, reached };
   }
 
   #attempt({ mode, targets, settings, budget }: EditRequest, to: HandleList, how: EditMode): void {

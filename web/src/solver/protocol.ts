@@ -33,6 +33,8 @@ export type {
   Optimality,
   Planarising,
   ResultMark,
+  SplitFinding,
+  SplitStanding,
   VariationFamily,
   VariationsReport,
   VariationWeights,
@@ -116,6 +118,10 @@ export type Request =
   | { kind: "cut"; job: number; cuts: readonly string[]; tolerance: number } // → opened
   /** One cut more of the mesh that is open, which is not made. */
   | { kind: "tryCut"; job: number; cut: string; tolerance: number } // → tried
+  /** What splitting `most` panels at most lets the handles do; the design shown stays. */
+  | { kind: "splitEdit"; job: number; targets: Targets; settings: EditSettings; most: number } // → split
+  /** Makes the mesh that is open flat, with `most` panels split at most. */
+  | { kind: "splitMesh"; job: number; how: Reports.Planarising; most: number } // → hybrid
   /** A file of the user's, read for the first time. */
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** The mesh shown, mended in one of these ways, as a file of this name. */
@@ -328,6 +334,9 @@ export type Reply =
       deviation: number;
     }
   | { kind: "tried"; job: number; trial: Reports.CutTrial }
+  | { kind: "split"; job: number; finding: Reports.SplitFinding }
+  /** `panels`: how many are split; `file`: the mesh as OBJ, every bit of it. */
+  | { kind: "hybrid"; job: number; mesh: OpenedMesh; panels: number; file: Uint8Array }
   | { kind: "marked"; job: number; mark: Reports.ResultMark }
   | { kind: "design"; job: number; reading: Reports.DesignReading }
   | {

@@ -7,12 +7,14 @@ import {
   NO_REPORT,
   NO_SHAPE,
   settingsForNew,
+  sourceName,
 } from "../design/design.ts";
 import * as steps from "../design/history.ts";
 import { isKeptBy, type Kind, kindOf, withKind } from "../design/kept-kind.ts";
 import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
-import type { Refusal, Result } from "../result/result.ts";
+import { counted } from "../quantity/counted.ts";
+import { done, GIVEN_UP, type Refusal, type Result } from "../result/result.ts";
 import { FAIR_LIMITS } from "../solver/fair-folds.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { openQuestion, run } from "./connection.ts";
@@ -98,6 +100,42 @@ function missed(page: Page, asked: readonly string[], report: MeshReport): strin
     : "";
 }
 
+/** What was made of the mesh that is open, read as a file of its own. */
+export async function readMade(
+  page: Page,
+  label: string,
+  name: string,
+  bytes: Uint8Array,
+): Promise<Result<{ readonly source: Source; readonly mesh: OpenedMesh }>> {
+  const file = new Blob([bytes as BlobPart]);
+  const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
+  if (!read.ok) return takeBack(page, read);
+  const { source, mesh } = read.value;
+  return source ? done({ source, mesh }) : takeBack(page, GIVEN_UP);
+}
+
+/** "roof.obj", "roof, split.obj" */
+const splitName = (name: string): string => `${name.replace(/\.[a-z]{3}$/i, "")}, split.obj`;
+
+/** Panels are split before the mesh is made flat, where a recipe has no cuts: the mesh becomes a file of
+ * its own, one step of the history. */
+async function takeSplit(page: Page, { how, split }: Trial): Outcome {
+  const design = page.draft.value;
+  if (!design || !split) return;
+  const name = splitName(sourceName(design.source));
+  const read = await readMade(page, "splitting panels", name, split.file);
+  if (!read.ok) return read;
+  const { settings } = design;
+  const tolerance = Math.max(settings.tolerance, how.flat);
+  page.draft.value = { ...design, settings: { ...settings, tolerance } };
+  adopt(page, read.value.source, null, read.value.mesh);
+  const panels = counted(split.panels, "panel");
+  page.notice.value = page.baseFlat.value
+    ? `${panels} split, and every panel is flat. Edits start from this mesh; Undo brings the file back.`
+    : NOT_FLAT;
+  return read;
+}
+
 interface Planarised {
   readonly how: Planarising;
   readonly answer: Result<{ readonly mesh: OpenedMesh }>;
@@ -160,10 +198,10 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
 export function planarise(page: Page): Outcome {
   const tried = page.planariseTrial.peek();
   return inTurn(page, async () => {
-    if (tried.kind === "shown") return planariseNow(page, undefined, tried.trial);
-    if (tried.kind !== "running") return planariseNow(page);
-    const trial = await tried.done;
-    return trial ? planariseNow(page, undefined, trial) : undefined;
+    if (tried.kind !== "shown" && tried.kind !== "running") return planariseNow(page);
+    const trial = tried.kind === "shown" ? tried.trial : await tried.done;
+    if (!trial) return;
+    return trial.split ? takeSplit(page, trial) : planariseNow(page, undefined, trial);
   });
 }
 

@@ -2,12 +2,10 @@
 // The design as it stands becomes a mesh of its own, from which the next edits start.
 
 import { sourceName } from "../../design/design.ts";
-import { GIVEN_UP } from "../../result/result.ts";
 import { run } from "../../state/connection.ts";
 import { holdAlsoFor } from "../../state/kept-groups.ts";
-import { adopt } from "../../state/opening.ts";
+import { adopt, readMade } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
-import { takeBack } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 
 const CONTINUED = /, continued(?: (\d+))?$/;
@@ -36,13 +34,12 @@ export const continueFromShape = (page: Page): Outcome =>
       "exported",
     );
     if (!written.ok) return written;
-    const file = new Blob([written.value.bytes as BlobPart]);
     const name = continuedName(sourceName(design.source));
-    const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
-    const source = read.ok ? read.value.source : null;
-    if (!read.ok || !source) return takeBack(page, read.ok ? GIVEN_UP : read);
+    const read = await readMade(page, label, name, written.value.bytes);
+    if (!read.ok) return read;
+    const { source, mesh } = read.value;
     holdAlsoFor(page, source);
-    adopt(page, source, null, read.value.mesh);
+    adopt(page, source, null, mesh);
     page.notice.value = SAID;
     return read;
   });

@@ -5,10 +5,11 @@ import { batch } from "@preact/signals";
 import { type Design, NO_REPORT } from "../../design/design.ts";
 import type { Trial } from "../../design/planarising.ts";
 import type { OpenedMesh, Planarising, Shape } from "../../solver/protocol.ts";
+import { GivenUp } from "../../solver/second-solver.ts";
 import { damageWords } from "../../state/damage.ts";
 import type { Page } from "../../state/page.ts";
 import { showOnly } from "../../state/showing.ts";
-import { GivenUp, PlanariseTrials } from "./planarise-trial.ts";
+import { PlanariseTrials } from "./planarise-trial.ts";
 
 /** Where two meshes of one topology differ. */
 export function shapeOf(now: Float64Array, base: Float64Array): Shape {
@@ -51,16 +52,16 @@ export class PlanarisePreview {
   }
 
   /** The first of the ways that makes every panel flat, or else the last; null where it is refused,
-   * given up, or something newer is tried. */
-  show(...ways: readonly Planarising[]): Promise<Trial | null> {
-    const done = this.#find(ways);
+   * given up, or something newer is tried. @param split so many panels may be split for it */
+  show(split: number, ...ways: readonly Planarising[]): Promise<Trial | null> {
+    const done = this.#find(split, ways);
     this.#page.planariseTrial.value = { kind: "running", done, giveUp: () => this.end() };
     return done;
   }
 
-  async #find(ways: readonly Planarising[]): Promise<Trial | null> {
+  async #find(split: number, ways: readonly Planarising[]): Promise<Trial | null> {
     try {
-      const trial = await this.#try(ways);
+      const trial = await this.#try(split, ways);
       if (!trial) return null;
       this.#draw(trial.mesh);
       this.#page.planariseTrial.value = { kind: "shown", trial };
@@ -74,16 +75,17 @@ export class PlanarisePreview {
     }
   }
 
-  async #try([how, ...others]: readonly Planarising[]): Promise<Trial | null> {
+  async #try(split: number, [how, ...others]: readonly Planarising[]): Promise<Trial | null> {
     if (!how) return null;
     const last = others.length === 0;
     const { source, settings } = this.#design;
-    const trial = await this.#trials.run(source, settings.cuts, how).catch((error) => {
+    const { cuts } = settings;
+    const trial = await this.#trials.run({ source, cuts, how, split }).catch((error) => {
       if (last || error instanceof GivenUp) throw error;
       return null;
     });
     const flat = trial && isMet(trial, this.#design);
-    return flat || last ? trial : this.#try(others);
+    return flat || last ? trial : this.#try(split, others);
   }
 
   /** The file is shown again. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How an opened mesh becomes flat, shown on the model before it is done: close to what was opened, or
 // fair.
-import type { Page } from "../../state/page.ts";
+import { signal } from "@preact/signals";
+import { kept, type Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./planarising.css";
 import { useEffect, useMemo } from "preact/hooks";
@@ -31,6 +32,15 @@ const FLATNESSES = [0, 1, 5, 20] as const;
 
 const MOST_BENT = 20;
 
+/** Of all panels, that may be split where no flat mesh is near; percent. */
+const SPLITS = [0, 5, 10, 25, 50] as const;
+
+const SPLIT_CHOICES = SPLITS.map(
+  (share) => [String(share), share > 0 ? `at most ${share} %` : "none"] as const,
+);
+
+const splitShare = kept(() => signal(0));
+
 const FLATNESS_CHOICES = FLATNESSES.map(
   (flat) => [String(flat), flat > 0 ? `to within ${flat} mm/m` : "exactly"] as const,
 );
@@ -52,6 +62,9 @@ function canKeepBoundary({ offsets, vertices, topology }: OpenedMesh): boolean {
 
 const degrees = (fold: number | null): string => (fold === null ? "" : formatDegrees(fold));
 
+const splitRow = ({ split }: Trial, { report }: OpenedMesh) =>
+  split ? ([["Panels split", "", `${split.panels} of ${report.faces}`]] as const) : [];
+
 function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
   const page = usePage();
   const worst = ({ report }: OpenedMesh): string => {
@@ -69,6 +82,7 @@ function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
     ["Newly spoilt", "", spoiltWords(trial)],
     ["Largest move", "", formatLength(largest, page.unit.value)],
     ["Points that move", "", `${moved} of ${opened.report.vertices}`],
+    ...splitRow(trial, opened),
   ];
   return (
     <table class="planarise-figures">
@@ -120,6 +134,32 @@ function Short({ trial: { how, mesh }, onTry }: { trial: Trial; onTry: (flat: nu
         </button>
       )}
     </div>
+  );
+}
+
+/** Where panels stay bent, or some are split already: not beside cuts, which are of a flat mesh. */
+function SplitPanels({ onChoose }: { onChoose: () => void }) {
+  const page = usePage();
+  const [preview, design] = [page.planariseTrial.value, page.draft.value];
+  const share = splitShare(page);
+  if (!design || design.settings.cuts.length > 0) return null;
+  const bent = preview.kind === "shown" && !isMet(preview.trial, design);
+  if (share.value === 0 && !bent && preview.kind !== "refused") return null;
+  return (
+    <>
+      <Choice
+        label="Split panels"
+        value={String(share.value)}
+        words={SPLIT_CHOICES}
+        onChoose={(chosen) => {
+          share.value = Number(chosen);
+          onChoose();
+        }}
+      />
+      <p class="quiet small">
+        By lines between corners, as few as are found; points move less where more may be split.
+      </p>
+    </>
   );
 }
 
@@ -187,7 +227,12 @@ export function PlanariseStep({ live }: { live: boolean }) {
     const { keepShape = true, constraints = [] } = page.settings.peek() ?? {};
     return { ...page.planarising.peek(), keepShape, constraints };
   };
-  const show = (): void => void preview?.show(wanted());
+  const share = splitShare(page);
+  const most = (): number =>
+    share.peek() > 0
+      ? Math.max(1, Math.floor((share.peek() / 100) * (opened?.report.faces ?? 0)))
+      : 0;
+  const show = (): void => void preview?.show(most(), wanted());
   const keep = (keepBoundary: boolean): void => {
     page.planarising.value = { ...page.planarising.peek(), keepBoundary };
   };
@@ -199,11 +244,12 @@ export function PlanariseStep({ live }: { live: boolean }) {
   const begin = async (): Promise<void> => {
     const first = wanted();
     const ways = first.keepBoundary ? [first, { ...first, keepBoundary: false }] : [first];
-    const trial = await preview?.show(...ways);
+    const trial = await preview?.show(most(), ...ways);
     if (trial) keep(trial.how.keepBoundary);
   };
   useEffect(() => {
     if (!opened || !preview) return;
+    share.value = 0;
     if (live) {
       const keepBoundary = canKeepBoundary(opened);
       page.planarising.value = { ...page.planarising.peek(), keepBoundary, within: 0, flat: 0 };
@@ -269,6 +315,7 @@ export function PlanariseStep({ live }: { live: boolean }) {
         opened={opened}
         onTry={(most) => change({ flat: most })}
       />
+      <SplitPanels onChoose={show} />
       {page.planariseTrial.value.kind === "shown" && <HoldFile />}
     </>
   );
