@@ -5,6 +5,7 @@ import { commitSettings } from "../../state/editing.ts";
 import { settled, shortfalls, varied } from "../../state/shortfall.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { goOn, stopped } from "./going-on.ts";
+import { SplitWay } from "./split-way.tsx";
 import { gotWords, reasonWords, waysOn } from "./way-on.ts";
 
 /** More would not help to decide what to change. */
@@ -73,6 +74,7 @@ export function StoppedNote() {
           </button>
         ))}
       </fieldset>
+      {reason !== "keep-outs" && <SplitWay design={design} />}
     </section>
   );
 }

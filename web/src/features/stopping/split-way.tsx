@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// One more way on: a few panels are split. What each further line through a panel gives is shown with its
+// price before one of them is taken.
+
+import { useEffect } from "preact/hooks";
+import type { Design } from "../../design/design.ts";
+import { counted } from "../../quantity/counted.ts";
+import { formatLength } from "../../quantity/units.ts";
+import type { SplitFinding, SplitStanding } from "../../solver/protocol.ts";
+import { formatDegrees } from "../../state/fold.ts";
+import { settled } from "../../state/shortfall.ts";
+import { usePage } from "../../ui/page-context.ts";
+import "./split-way.css";
+import { canSplit, endSearch, search, searchNow, takeSplits } from "./split-search.ts";
+
+const COLUMNS = ["Lines", "Short by", "Made again", "Sharpest fold"] as const;
+
+function Row({ by, asked }: { by: SplitStanding; asked: Design }) {
+  const page = usePage();
+  const lines = by.cuts.length;
+  return (
+    <tr>
+      <th scope="row">{lines}</th>
+      <td>{formatLength(by.handleError, page.unit.value)}</td>
+      <td>{counted(by.remadePanels, "panel")}</td>
+      <td>{formatDegrees(by.sharpestFold)}</td>
+      <td>
+        {lines > 0 && (
+          <button
+            type="button"
+            class="button small"
+            aria-label={`Split by ${counted(lines, "line")}`}
+            title={by.cuts.join(", ")}
+            disabled={!page.ready.value || !settled(page).value}
+            onClick={() => void takeSplits(page, { asked }, by)}
+          >
+            Split
+          </button>
+        )}
+      </td>
+    </tr>
+  );
+}
+
+function Curve({ finding, asked }: { finding: SplitFinding; asked: Design }) {
+  const { curve, tried, reached } = finding;
+  if (curve.length < 2) {
+    const words = reached ? "It arrives without." : "None that was tried lets it come nearer.";
+    return <p class="quiet small">{`${counted(tried, "edit")} with panels split: ${words}`}</p>;
+  }
+  return (
+    <table class="split-curve">
+      <caption>
+        {`Panels split by lines between corners, ${tried} edits tried${reached ? "" : "; more lines bring it no nearer"}`}
+      </caption>
+      <thead>
+        <tr>
+          {COLUMNS.map((name) => (
+            <th key={name} scope="col">
+              {name}
+            </th>
+          ))}
+          <td />
+        </tr>
+      </thead>
+      <tbody>
+        {curve.map((by) => (
+          <Row key={by.cuts.length} by={by} asked={asked} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** Below the other ways on. */
+export function SplitWay({ design }: { design: Design }) {
+  const page = usePage();
+  useEffect(() => () => endSearch(page), [page, design]);
+  const found = searchNow(page);
+  if (!canSplit(design)) return null;
+  if (found?.kind === "running") {
+    return (
+      <p class="split-search">
+        <span role="status">Trying lines through panels…</span>
+        {found.steps > 0 && <span aria-hidden="true">{`step ${found.steps}`}</span>}
+        <button type="button" class="button small" onClick={() => endSearch(page)}>
+          Stop trying
+        </button>
+      </p>
+    );
+  }
+  if (found?.kind === "found") return <Curve finding={found.finding} asked={found.asked} />;
+  return (
+    <>
+      {found && <p class="quiet small">{found.sentence}</p>}
+      <button
+        type="button"
+        class="button small"
+        title="Looks for the few panels that let it go further once they are split in two; nothing changes yet"
+        disabled={!page.ready.value || !settled(page).value}
+        onClick={() => void search(page)}
+      >
+        Split where needed
+      </button>
+    </>
+  );
+}
