@@ -53,6 +53,8 @@ export interface ShopDesign {
   readonly vertices: Int32Array;
   readonly moved: Int32Array;
   readonly movedPositions: Float64Array;
+  /** See Session.panelParents. */
+  readonly parents: Int32Array;
 }
 
 export type ShopOrder =

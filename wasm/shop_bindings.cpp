@@ -63,7 +63,7 @@ val written(const std::string& header) {
 }
 
 val write_package(const ShopDesign& design, const val& order, const ByteSink& sink) {
-  const CuttingOptions options = to_cutting_options(order["options"]);
+  const CuttingOptions options = to_cutting_options(order["options"], design);
   if (design.mesh.face_count() > planish::kMostPackagePanels) {
     return refused("A cutting package holds at most 60,000 panels.");
   }
@@ -76,7 +76,7 @@ val write_package(const ShopDesign& design, const val& order, const ByteSink& si
 }
 
 val write_model(const ShopDesign& design, const val& order, const ByteSink& sink) {
-  const CuttingOptions options = to_cutting_options(order["options"]);
+  const CuttingOptions options = to_cutting_options(order["options"], design);
   if (const Refusal problem = find_problem(options, design.mesh, true)) {
     return refused("The model was refused: " + *problem + ".");
   }
@@ -87,7 +87,8 @@ val write_model(const ShopDesign& design, const val& order, const ByteSink& sink
 }
 
 val write_views(const ShopDesign& design, const val& order, const ByteSink& sink) {
-  const DrawingOptions options = to_drawing_options(order["options"]);
+  DrawingOptions options = to_drawing_options(order["options"]);
+  options.names = design.names;
   if (const Refusal problem = find_problem(options)) {
     return refused("The drawings were refused: " + *problem + ".");
   }

@@ -27,13 +27,13 @@ using planish::shop::ShopDesign;
 using planish::shop::to_cutting_options;
 using planish::shop::to_design;
 
-val panel_names(const std::vector<int>& faces) {
-  val names = val::array();
-  for (const int face : faces) names.call<void>("push", planish::panel_name(face));
-  return names;
+val to_value(const std::vector<std::string>& texts) {
+  val value = val::array();
+  for (const std::string& text : texts) value.call<void>("push", text);
+  return value;
 }
 
-val to_value(const CuttingPreview& preview) {
+val to_value(const CuttingPreview& preview, const planish::PanelNames& names) {
   val result = refused("");
   result.set("panels", preview.panels);
   result.set("drawn", preview.drawn);
@@ -43,17 +43,17 @@ val to_value(const CuttingPreview& preview) {
   result.set("nodesArms", preview.nodes_arms);
   result.set("flatness", preview.flatness);
   result.set("excess", preview.excess);
-  result.set("vanished", panel_names(preview.vanished));
+  result.set("vanished", to_value(names.of(preview.vanished)));
   val apart = val::array();
   for (const planish::PanelApart& panel : preview.apart) {
     val entry = val::object();
-    entry.set("panel", planish::panel_name(panel.face));
+    entry.set("panel", names.of(panel.face));
     entry.set("pieces", panel.pieces);
     apart.call<void>("push", entry);
   }
   result.set("apart", apart);
-  result.set("lostSides", panel_names(preview.lost_sides));
-  result.set("oversize", panel_names(preview.oversize));
+  result.set("lostSides", to_value(names.of(preview.lost_sides)));
+  result.set("oversize", to_value(names.of(preview.oversize)));
   result.set("sheets", preview.sheets);
   result.set("usedFraction", preview.used_fraction);
   result.set("types", preview.types);
@@ -68,7 +68,7 @@ template <class Make>
 val with_plan(const val& design, const val& given, const Make& make) {
   try {
     const ShopDesign shown = to_design(design);
-    const CuttingOptions options = to_cutting_options(given);
+    const CuttingOptions options = to_cutting_options(given, shown);
     if (const auto problem = find_problem(options, shown.mesh, true)) return refused(*problem);
     return make(make_cutting_plan(shown.mesh, &shown.base, options));
   } catch (const std::exception&) {
@@ -79,7 +79,7 @@ val with_plan(const val& design, const val& given, const Make& make) {
 /// `face`: the panel to draw if it is in the scope; `map`: whether the map is wanted.
 val cutting_preview(const val& design, const val& options, int face, bool map) {
   return with_plan(design, options, [&](const CuttingPlan& plan) {
-    return to_value(planish::preview_cutting(plan, face, map));
+    return to_value(planish::preview_cutting(plan, face, map), plan.options.names);
   });
 }
 

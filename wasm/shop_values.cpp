@@ -15,11 +15,13 @@ ShopDesign to_design(const val& design) {
   result.mesh = result.base;
   const auto moved = to_indices(design["moved"]);
   result.mesh.positions(Eigen::all, moved) = to_positions(design["movedPositions"]);
+  result.names = PanelNames(to_indices(design["parents"]));
   return result;
 }
 
-CuttingOptions to_cutting_options(const val& options) {
+CuttingOptions to_cutting_options(const val& options, const ShopDesign& design) {
   CuttingOptions result;
+  result.names = design.names;
   result.name = options["name"].as<std::string>();
   result.model_unit = options["modelUnit"].as<std::string>();
   result.unit = options["unit"].as<std::string>();

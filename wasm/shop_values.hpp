@@ -13,10 +13,13 @@ namespace planish::shop {
 /// A design against its base.
 struct ShopDesign {
   Mesh base, mesh;
+  PanelNames names;
 };
 
 [[nodiscard]] ShopDesign to_design(const emscripten::val& design);
-[[nodiscard]] CuttingOptions to_cutting_options(const emscripten::val& options);
+/// Of `design`.
+[[nodiscard]] CuttingOptions to_cutting_options(const emscripten::val& options,
+                                                const ShopDesign& design);
 
 /// An answer with its `problem`; "" for none.
 [[nodiscard]] emscripten::val refused(const std::string& sentence);

@@ -41,6 +41,7 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
   DrawingOptions options;
   options.name = input.name;
   options.model_unit = input.model_unit;
+  options.names = input.names;
   if (const auto text = arguments.value("--unit")) options.unit = *text;
   if (const auto text = arguments.value("--scale")) {
     options.scale = parse_finite(*text, "--scale");

@@ -68,6 +68,7 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   CuttingOptions options;
   options.name = input.name;
   options.model_unit = input.model_unit;
+  options.names = input.names;
   if (const auto text = arguments.value("--unit")) options.unit = *text;
   arguments.read("--gap", options.gap);
   arguments.read("--thickness", options.thickness);
@@ -83,17 +84,19 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
 }
 
 /// `one` of the only panel, or `more` of all of them and which is the first.
-void print_panels(const std::vector<int>& faces, const std::string& one, const std::string& more) {
+void print_panels(const PanelNames& names, const std::vector<int>& faces, const std::string& one,
+                  const std::string& more) {
   if (faces.empty()) return;
-  const std::string first = panel_name(faces[0]);
+  const std::string first = names.of(faces[0]);
   print_message(faces.size() == 1
                     ? first + " " + one
                     : std::to_string(faces.size()) + " panels " + more + "; the first is " + first);
 }
 
 /// Whether all of every panel is there but its joints; says so if not.
-bool check_whole(const DrawnReport& report) {
-  print_panels(report.vanished, "is not drawn: the gap leaves nothing of it, or it crosses itself",
+bool check_whole(const PanelNames& names, const DrawnReport& report) {
+  print_panels(names, report.vanished,
+               "is not drawn: the gap leaves nothing of it, or it crosses itself",
                "are not drawn: the gap leaves nothing of them, or they cross themselves");
   std::vector<int> apart;
   std::string pieces;
@@ -101,9 +104,10 @@ bool check_whole(const DrawnReport& report) {
     if (apart.empty()) pieces = " into " + std::to_string(panel.pieces) + " pieces";
     apart.push_back(panel.face);
   }
-  print_panels(apart, "is cut" + pieces + " by the gap",
+  print_panels(names, apart, "is cut" + pieces + " by the gap",
                "are cut into pieces by the gap, the first" + pieces);
-  print_panels(report.lost_sides, "loses whole sides to the gap", "lose whole sides to the gap");
+  print_panels(names, report.lost_sides, "loses whole sides to the gap",
+               "lose whole sides to the gap");
   return report.vanished.empty() && apart.empty();
 }
 
@@ -133,8 +137,8 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
   save_bytes(output, zip);
   const CuttingReport& report = package.report;
   const bool flat = check_flat(input, report);
-  const bool whole = check_whole(report);
-  print_panels(report.oversize, "is larger than a sheet", "are larger than a sheet");
+  const bool whole = check_whole(input.names, report);
+  print_panels(input.names, report.oversize, "is larger than a sheet", "are larger than a sheet");
   if (!has_link) print_message("the link is too long for a QR code: the labels carry none");
   save_report(arguments, package.header);
   const bool complete = flat && whole && has_link && report.oversize.empty();
@@ -152,7 +156,7 @@ ExitCode write_model(const Arguments& arguments, const ShopInput& input,
   save_bytes(output, model.text);
   save_report(arguments, model.header);
   const bool flat = check_flat(input, model.report);
-  const bool whole = check_whole(model.report);
+  const bool whole = check_whole(input.names, model.report);
   return flat && whole ? kDone : kToleranceNotMet;
 }
 

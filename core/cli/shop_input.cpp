@@ -24,8 +24,21 @@ ShopInput replay_input(const std::string& path) {
   if (auto* sentence = std::get_if<std::string>(&result)) refuse_file(path, *sentence);
   auto& replayed = std::get<Replay>(result);
   Mesh mesh = with_positions(replayed.base, replayed.shape);
-  return {std::move(mesh), std::move(replayed.base), opened.design.unit,
-          opened.design.options.tolerance};
+  ShopInput input{std::move(mesh), std::move(replayed.base), opened.design.unit,
+                  opened.design.options.tolerance};
+  if (replayed.cut) input.names = PanelNames(replayed.cut->parents);
+  return input;
+}
+
+/// Of the base of a design: its edit is not done.
+PanelNames names_after_cuts(const std::string& path, const OpenedDesign& opened) {
+  if (opened.design.cuts.empty()) return {};
+  Design bare = opened.design;
+  bare.targets = {};
+  bare.variations.clear();
+  auto result = replay(bare, opened.base ? &*opened.base : nullptr);
+  if (auto* sentence = std::get_if<std::string>(&result)) refuse_file(path, *sentence);
+  return PanelNames(std::get<Replay>(result).cut->parents);
 }
 
 /// A GLB with a base holds the finished design: nothing is solved.
@@ -39,6 +52,7 @@ ShopInput read_glb_input(const std::string& path, const std::string& unit) {
   const OpenedDesign opened = open_design(path);
   input.model_unit = opened.design.unit;
   input.tolerance = opened.design.options.tolerance;
+  input.names = names_after_cuts(path, opened);
   return input;
 }
 

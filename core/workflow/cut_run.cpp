@@ -76,13 +76,12 @@ void add_cuts(Json& json, const CutMesh& result) {
                             {"points", record.points},
                             {"straight_corners", record.straight}});
   }
-  const std::vector<std::string> letters = part_letters(result.parents);
+  const PanelNames names(result.parents);
   json["panel_parents"] = Json::array();
-  for (std::size_t f = 0; f < letters.size(); ++f) {
-    if (letters[f].empty() && result.parents[f] == static_cast<int>(f)) continue;
-    json["panel_parents"].push_back({{"panel", f},
-                                     {"parent", result.parents[f]},
-                                     {"name", panel_name(result.parents[f]) + letters[f]}});
+  for (int f = 0; f < result.mesh.face_count(); ++f) {
+    if (names.is_own_parent(f)) continue;
+    json["panel_parents"].push_back(
+        {{"panel", f}, {"parent", result.parents[at(f)]}, {"name", names.of(f)}});
   }
   json["added_points"] = Json::array();
   for (const AddedPoint& point : result.added) json["added_points"].push_back(place_json(point));

@@ -69,7 +69,7 @@ Json template_json(const PanelType& type, int number) {
 Json seam_json(const CuttingPlan& plan, const SeamWidth& seam) {
   const Joint& joint = plan.joints.joints[at(seam.joint)];
   return {{"edge", edge_name(seam.joint)},
-          {"panels", {panel_name(joint.first.panel), panel_name(joint.second.panel)}},
+          {"panels", plan.options.names.of(std::vector{joint.first.panel, joint.second.panel})},
           {"joint_min", seam.min},
           {"joint_max", seam.max}};
 }
@@ -125,6 +125,7 @@ CuttingPlan plan_types(const Request& request, const ShopInput& input) {
   CuttingOptions cutting;
   cutting.name = input.name;
   cutting.model_unit = input.model_unit;
+  cutting.names = input.names;
   if (const auto unit = request.value("--unit")) cutting.unit = *unit;
   if (const auto problem = find_problem(cutting, input.mesh, false)) throw UsageError(*problem);
   cutting.types = type_options(request, input.mesh, cutting.model_unit, cutting.unit);

@@ -22,6 +22,7 @@ struct ShopInput {
   double tolerance = PlanarPolygon::kTolerance;  ///< mm/m, up to which a panel is flat
   /// Of its file, without folder and extension. Given a value since gcc asks for one in aggregates.
   std::string name = "";  // NOLINT(readability-redundant-string-init)
+  PanelNames names = PanelNames();
 
   [[nodiscard]] const Mesh* base_or_null() const { return base ? &*base : nullptr; }
 };

@@ -33,7 +33,8 @@ async function edited(sample: string, size: number, raise: number): Promise<Mode
   expect(session.edit(planish.EditMode.solve, handle, new Int32Array(), 0, 1)).toBe("");
   const [moved, to] = [session.moved(), session.movedPositions()];
   const [offsets, vertices] = [session.faceOffsets(), session.faceVertices()];
-  const design = { base: positions, offsets, vertices, moved, movedPositions: to };
+  const parents = new Int32Array();
+  const design = { base: positions, offsets, vertices, moved, movedPositions: to, parents };
   const { problem, csv } = shop.panelRows(design, SHOP);
   expect(problem).toBe("");
   moved.forEach((v, k) => {

@@ -33,6 +33,7 @@ const designOf = (session: Session): ShopDesign => ({
   vertices: session.faceVertices(),
   moved: session.moved(),
   movedPositions: session.movedPositions(),
+  parents: session.panelParents(),
 });
 
 const OPTIONS = { ...plainOptions("m", "mm"), name: "design" };
@@ -111,7 +112,8 @@ it.each(["hex", "trihex"])("of a %s whose panels are not quite flat", async (sam
   }
   writeFileSync(join(folder, "rough.obj"), `${lines.join("\n")}\n`);
   const [moved, movedPositions] = [new Int32Array(), new Float64Array()];
-  const design = { base: rough, offsets, vertices, moved, movedPositions };
+  const parents = new Int32Array();
+  const design = { base: rough, offsets, vertices, moved, movedPositions, parents };
   const options = { ...OPTIONS, name: "rough" };
   const written = await made(design, { what: "package", options, code: linkCode("") });
   const words = ["panels", "rough.obj", "-o", "p.zip", "--against", "rough.obj"];

@@ -212,12 +212,6 @@ TEST(CutMesh, KeepsGroups) {
                        {"glass", 1}, {"solid", 2}, {"glass", 3}, {"", 4}, {"solid", 5}}));
 }
 
-TEST(CutMesh, NamesPartsByLetters) {
-  EXPECT_EQ(part_letters({0, 1, 2, 1, 1}), (std::vector<std::string>{"", "a", "", "b", "c"}));
-  EXPECT_EQ(part_letters(CornerList(28, 0)).back(), "ab");
-  EXPECT_TRUE(part_letters({}).empty());
-}
-
 TEST(CutMesh, RefusesWhatIsNotThere) {
   const Mesh mesh = quad_grid(3, 2);
   EXPECT_EQ(why_not(mesh, {"split=2:0,4"}), "split=2:0,4: there is no panel 2: panels are 0 to 1");

@@ -92,11 +92,11 @@ void add_text(std::string& svg, const Eigen::Vector2d& at, double height, std::s
 void add_names(std::string& svg, const CuttingPlan& plan, int face, const Eigen::Vector2d& middle,
                double height) {
   if (!plan.options.by_type) {
-    add_text(svg, middle, height, panel_name(face));
+    add_text(svg, middle, height, plan.options.names.of(face));
     return;
   }
   const Eigen::Vector2d down(0.0, 0.45 * height);
-  add_text(svg, middle - down, 0.7 * height, panel_name(face));
+  add_text(svg, middle - down, 0.7 * height, plan.options.names.of(face));
   add_text(svg, middle + down, 0.7 * height, type_name(plan.types->panels.panels[at(face)].family));
 }
 
@@ -111,7 +111,7 @@ void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel
   }
   svg.back() = '"';
   const Eigen::Vector2d middle = panel.outline.rowwise().mean();
-  const std::size_t characters = panel_name(panel.face).size();
+  const std::size_t characters = plan.options.names.of(panel.face).size();
   const double height = scale * name_height(panel.outline, middle, characters);
   svg += "/>";
   const Eigen::Vector2d at(scale * middle.x() + origin.x(), origin.y() - scale * middle.y());

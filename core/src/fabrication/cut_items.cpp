@@ -43,8 +43,8 @@ std::vector<CutItem> cut_items(const CuttingPlan& plan, CuttingReport& report) {
     report.drawn += static_cast<int>(faces[k].size());
     const BoundingRectangle rectangle = bounding_rectangle(corners_of(panel->pieces));
     const BoundingRectangle room = room_on_sheet(*panel, sheet_spacing(plan.options));
-    items.push_back({by_type ? type_name(type) : panel_name(face), faces[k], *std::move(panel),
-                     rectangle, room});
+    items.push_back({by_type ? type_name(type) : plan.options.names.of(face), faces[k],
+                     *std::move(panel), rectangle, room});
   }
   return items;
 }

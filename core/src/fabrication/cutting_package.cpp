@@ -151,16 +151,17 @@ class PackageWriter {
 
 std::string PackageWriter::header(bool has_sheets) const {
   const CuttingOptions& options = plan_.options;
-  const std::string sheets = has_sheets ? JsonObject()
-                                              .add("width", options.sheet_width)
-                                              .add("height", options.sheet_height)
-                                              .add("spacing", sheet_spacing(options))
-                                              .add("count", report_.sheets)
-                                              .add("used_fraction", report_.used_fraction)
-                                              .add("method", "rectangles arranged, not nested")
-                                              .add("oversize", panel_names(report_.oversize))
-                                              .text()
-                                        : "null";
+  const std::string sheets = has_sheets
+                                 ? JsonObject()
+                                       .add("width", options.sheet_width)
+                                       .add("height", options.sheet_height)
+                                       .add("spacing", sheet_spacing(options))
+                                       .add("count", report_.sheets)
+                                       .add("used_fraction", report_.used_fraction)
+                                       .add("method", "rectangles arranged, not nested")
+                                       .add("oversize", plan_.options.names.of(report_.oversize))
+                                       .text()
+                                 : "null";
   const std::string labels = JsonObject()
                                  .add("count", report_.drawn)
                                  .raw("link", code_.link.empty() ? "null" : json_quoted(code_.link))

@@ -130,7 +130,6 @@ void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>&
   }
 }
 
-std::string panel_name(int face) { return numbered("P", face); }
 std::string edge_name(int joint) { return numbered("E", joint); }
 std::string node_name(int node) { return numbered("N", node); }
 

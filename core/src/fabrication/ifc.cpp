@@ -248,7 +248,7 @@ class IfcWriter {
                   step_string(is_solid ? "SweptSolid" : "Tessellation"), step_list(shapes));
     const int definition = file_.add("IFCPRODUCTDEFINITIONSHAPE", nothing(), nothing(),
                                      step_list(std::array{step_reference(representation)}));
-    const StepValue name = step_string(panel_name(face));
+    const StepValue name = step_string(plan_.options.names.of(face));
     const int plate = file_.add("IFCPLATE", id(Identified::kPlate, face), nothing(), name,
                                 nothing(), nothing(), step_reference(placement_),
                                 step_reference(definition), name, step_word(".CURTAIN_PANEL."));
@@ -267,7 +267,7 @@ class IfcWriter {
     const double area = area_of(plan_.panels[at(face)].outline) * metres * metres;
     const double flatness = face_planarity(plan_.mesh.positions, plan_.mesh.face(face)).mm_per_m;
     std::vector<StepValue> properties = {
-        property("Panel", words("IFCIDENTIFIER", step_string(panel_name(face)))),
+        property("Panel", words("IFCIDENTIFIER", step_string(plan_.options.names.of(face)))),
         property("Face", words("IFCINTEGER", {std::to_string(face)})),
         property("Area", words("IFCAREAMEASURE", step_real(area))),
         property("FlatnessMmPerM", words("IFCREAL", step_real(flatness))),

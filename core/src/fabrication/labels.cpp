@@ -105,7 +105,7 @@ void append_rounded(std::string& html, double length) {
 
 void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_code) {
   const BoundingRectangle rectangle = bounding_rectangle(plan.panels[at(face)].outline);
-  html += "<div class=\"label\"><b>" + panel_name(face) + "</b>";
+  html += "<div class=\"label\"><b>" + plan.options.names.of(face) + "</b>";
   html += "<p class=\"name\">" + hash_text(plan.hash) + " " + html_quoted(plan.options.name);
   html += "</p><p>";
   append_rounded(html, rectangle.width);

@@ -16,13 +16,16 @@ int panel_beyond(const CuttingPlan& plan, int face, int side) {
   return is_first ? joint.second.panel : joint.first.panel;
 }
 
-std::string panel_or_nobody(int panel) { return panel < 0 ? "-" : panel_name(panel); }
+std::string panel_or_nobody(const CuttingPlan& plan, int panel) {
+  return panel < 0 ? "-" : plan.options.names.of(panel);
+}
 
 std::vector<std::string> neighbour_names(const CuttingPlan& plan, int face) {
   std::vector<std::string> names;
   const int sides = static_cast<int>(plan.mesh.face(face).size());
   names.reserve(at(sides));
-  for (int k = 0; k < sides; ++k) names.push_back(panel_or_nobody(panel_beyond(plan, face, k)));
+  for (int k = 0; k < sides; ++k)
+    names.push_back(panel_or_nobody(plan, panel_beyond(plan, face, k)));
   return names;
 }
 

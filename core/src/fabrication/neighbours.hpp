@@ -19,6 +19,6 @@ namespace planish {
 [[nodiscard]] std::vector<std::string> neighbour_names(const CuttingPlan& plan, int face);
 
 /// The panel of that number; "-" below 0.
-[[nodiscard]] std::string panel_or_nobody(int panel);
+[[nodiscard]] std::string panel_or_nobody(const CuttingPlan& plan, int panel);
 
 }  // namespace planish

@@ -163,8 +163,8 @@ std::vector<int> neighbours_along(const CuttingPlan& plan, int face, const CutPi
 }
 
 /// Inside each side, read from the inside; smaller where there is no room, as in acute corners.
-void add_neighbours(Drawing& drawing, const std::vector<int>& neighbours, double largest,
-                    TakenRoom& room_left) {
+void add_neighbours(Drawing& drawing, const PanelNames& names, const std::vector<int>& neighbours,
+                    double largest, TakenRoom& room_left) {
   const Outline& cut = room_left.cut;
   for (Eigen::Index k = 0; k < cut.cols(); ++k) {
     const int neighbour = neighbours[at(k)];
@@ -173,7 +173,7 @@ void add_neighbours(Drawing& drawing, const std::vector<int>& neighbours, double
     const Eigen::Vector2d middle = cut.col(k) + 0.5 * side, along = side / side.norm();
     const Eigen::Vector2d inwards(-along.y(), along.x());
     DrawnText text;
-    text.text = panel_name(neighbour);
+    text.text = names.of(neighbour);
     text.degrees = arctangent(side.y(), side.x()) * 180.0 / kPi;
     text.height = fitting_height(text.text, 0.6 * side.norm(), largest);
     text.position = middle + 1.1 * text.height * inwards;
@@ -247,10 +247,10 @@ std::optional<PanelDrawing> draw_outline(const CuttingPlan& plan, const Outline&
 
 std::optional<PanelDrawing> draw_panel(const CuttingPlan& plan, int face) {
   const auto add_more = [&](Drawing& drawing, const CutPiece& piece, TakenRoom& room_left) {
-    add_neighbours(drawing, neighbours_along(plan, face, piece), neighbour_height(plan, piece),
-                   room_left);
+    add_neighbours(drawing, plan.options.names, neighbours_along(plan, face, piece),
+                   neighbour_height(plan, piece), room_left);
   };
-  return draw_outline(plan, plan.panels[at(face)].outline, panel_name(face),
+  return draw_outline(plan, plan.panels[at(face)].outline, plan.options.names.of(face),
                       "OUTSIDE UP " + plan.options.unit, add_more);
 }
 

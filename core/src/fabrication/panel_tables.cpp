@@ -119,9 +119,12 @@ void add_arms(TableWriter& table, const CuttingPlan& plan, int vertex, const Eig
 }  // namespace
 
 TableText panel_table(const CuttingPlan& plan) {
+  const PanelNames& names = plan.options.names;
   TableWriter table;
   for (int f = 0; f < plan.mesh.face_count(); ++f) {
-    table.row().add("panel", panel_name(f)).add("face", f).add("change", change_of_panel(plan, f));
+    table.row().add("panel", names.of(f));
+    if (names.have_parents()) table.add("parent", names.parent_of(f));
+    table.add("face", f).add("change", change_of_panel(plan, f));
     table.add("drawn", plan.drawn[at(f)] != 0 ? "yes" : "no");
     table.add("corners", static_cast<int>(plan.mesh.face(f).size()));
     add_surroundings(table, plan, f);
@@ -140,9 +143,9 @@ TableText edge_table(const CuttingPlan& plan) {
         .add("edge", name_of(plan, joint))
         .add("from", node_name(plan.node_of_vertex[at(joint.from)]))
         .add("to", node_name(plan.node_of_vertex[at(joint.to)]))
-        .add("panel", panel_name(joint.first.panel))
+        .add("panel", plan.options.names.of(joint.first.panel))
         .add("side", joint.first.side)
-        .add("neighbour", panel_or_nobody(joint.second.panel))
+        .add("neighbour", panel_or_nobody(plan, joint.second.panel))
         .add("neighbour_side", joint.second.side)
         .add("length", joint.length)
         .add("dihedral", joint.dihedral * kDegrees)

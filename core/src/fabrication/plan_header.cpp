@@ -30,11 +30,11 @@ std::string types_text(const PanelTypes& types) {
   return text.text();
 }
 
-std::string apart_text(const DrawnReport& report) {
+std::string apart_text(const PanelNames& names, const DrawnReport& report) {
   std::string text;
   for (const PanelApart& panel : report.apart) {
     text += text.empty() ? "[" : ",";
-    text += JsonObject().add("panel", panel_name(panel.face)).add("pieces", panel.pieces).text();
+    text += JsonObject().add("panel", names.of(panel.face)).add("pieces", panel.pieces).text();
   }
   return text + "]";
 }
@@ -47,13 +47,6 @@ void measure_flatness(const CuttingPlan& plan, DrawnReport& report) {
     report.flatness = std::max(report.flatness, face.mm_per_m);
     report.excess = std::max(report.excess, face.excess);
   }
-}
-
-std::vector<std::string> panel_names(const std::vector<int>& faces) {
-  std::vector<std::string> names;
-  names.reserve(faces.size());
-  for (const int face : faces) names.push_back(panel_name(face));
-  return names;
 }
 
 JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
@@ -79,10 +72,11 @@ JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
       .raw("remake", remake_text(plan))
       .add("flatness_mm_per_m", report.flatness)
       .add("excess_mm_per_m", report.excess)
-      .add("vanished", panel_names(report.vanished));
+      .add("vanished", plan.options.names.of(report.vanished));
   if (plan.types) header.raw("types", types_text(plan.types->panels));
-  if (!report.apart.empty()) header.raw("apart", apart_text(report));
-  if (!report.lost_sides.empty()) header.add("lost_sides", panel_names(report.lost_sides));
+  if (!report.apart.empty()) header.raw("apart", apart_text(plan.options.names, report));
+  if (!report.lost_sides.empty())
+    header.add("lost_sides", plan.options.names.of(report.lost_sides));
   return header;
 }
 

@@ -13,8 +13,6 @@ namespace planish {
 /// Sets `flatness` and `excess` of the worst panel.
 void measure_flatness(const CuttingPlan& plan, DrawnReport& report);
 
-[[nodiscard]] std::vector<std::string> panel_names(const std::vector<int>& faces);
-
 /// The fields that both have, see docs/fabrication.md.
 [[nodiscard]] JsonObject plan_header(std::string_view format, const CuttingPlan& plan,
                                      const DrawnReport& report);

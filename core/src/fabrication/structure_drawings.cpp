@@ -89,7 +89,7 @@ NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPl
 }
 
 /// The points of a section in the model's axes, with every digit.
-std::string section_table(const std::vector<SectionLine>& lines) {
+std::string section_table(const PanelNames& names, const std::vector<SectionLine>& lines) {
   std::string csv = "line,closed,x,y,z,panel\r\n";
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const SectionLine& line = lines[k];
@@ -100,7 +100,7 @@ std::string section_table(const std::vector<SectionLine>& lines) {
         append_exact(csv, x);
       }
       const auto stretch = static_cast<std::size_t>(p);
-      csv += ',' + (stretch < line.panels.size() ? panel_name(line.panels[stretch]) : "-") + "\r\n";
+      csv += ',' + (stretch < line.panels.size() ? names.of(line.panels[stretch]) : "-") + "\r\n";
     }
   }
   return csv;
@@ -172,7 +172,7 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
     const std::vector<SectionLine> lines = cut_by(mesh, joints, plane);
     if (lines.empty()) result.missed.push_back(static_cast<int>(k));
     const std::string name = "section-" + std::to_string(k + 1);
-    zip.add(name + "-" + options.unit + ".csv", section_table(lines));
+    zip.add(name + "-" + options.unit + ".csv", section_table(options.names, lines));
     drawings.push_back(draw_section(lines, plane, name));
   }
   const double millimetres = 1000.0 * metres;

@@ -22,7 +22,7 @@ TableText type_table(const CuttingPlan& plan) {
     const std::array<double, 6> placement = {turn(0, 0), turn(1, 0),       turn(0, 1),
                                              turn(1, 1), member.shift.x(), member.shift.y()};
     table.row()
-        .add("panel", panel_name(f))
+        .add("panel", plan.options.names.of(f))
         .add("face", f)
         .add("type", type_name(member.family))
         .add("corner", member.first)

@@ -30,6 +30,7 @@ const designOf = (session: Session): ShopDesign => ({
   vertices: session.faceVertices(),
   moved: session.moved(),
   movedPositions: session.movedPositions(),
+  parents: session.panelParents(),
 });
 
 export interface ShopFile {

@@ -45,8 +45,4 @@ struct CutMesh {
 [[nodiscard]] std::variant<CutMesh, std::string> cut_mesh(const Mesh& mesh,
                                                           const std::vector<Cut>& cuts);
 
-/// What tells the parts of one panel apart, one a panel of the cut mesh: "" where it is the only
-/// one, else "a", "b" … "z", "aa" … in the order of their numbers.
-[[nodiscard]] std::vector<std::string> part_letters(const std::vector<int>& parents);
-
 }  // namespace planish

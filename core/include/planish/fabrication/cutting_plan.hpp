@@ -10,6 +10,7 @@
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/fabrication/inset.hpp"
 #include "planish/fabrication/joints.hpp"
+#include "planish/fabrication/panel_names.hpp"
 #include "planish/fabrication/remake.hpp"
 #include "planish/fabrication/structure_types.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -33,6 +34,7 @@ struct CuttingOptions {
                          ///< types->joint where that is given
   bool remake_only = false;  ///< draws what must be made again against a base
   std::vector<int> panels;   ///< draws these faces only; empty: no such limit
+  PanelNames names;          ///< of the mesh that is cut
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
@@ -81,8 +83,7 @@ struct DrawnReport {
 void note_pieces(const CuttingPlan& plan, int face, const std::vector<CutPiece>& pieces,
                  DrawnReport& report);
 
-/// "P-0001" for face 0; "E-0001" for joint 0; "N-0001" for node 0.
-[[nodiscard]] std::string panel_name(int face);
+/// "E-0001" for joint 0; "N-0001" for node 0.
 [[nodiscard]] std::string edge_name(int joint);
 [[nodiscard]] std::string node_name(int node);
 

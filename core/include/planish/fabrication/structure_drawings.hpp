@@ -17,6 +17,7 @@ struct DrawingOptions {
   std::string unit = "mm";         ///< of DXF and of the section's points: the same words
   double scale = 0.0;  ///< of the SVG, 1 : scale; 0: the first usual one that fits A3, 420 × 297 mm
   std::vector<SectionPlane> sections;  ///< offsets in model units
+  PanelNames names;                    ///< of the mesh that is drawn
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.
