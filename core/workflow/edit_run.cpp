@@ -7,6 +7,7 @@
 #include "cut_run.hpp"
 #include "edit_sentences.hpp"
 #include "planish/design/cut_base.hpp"
+#include "planish/design/cut_images.hpp"
 #include "planish/measures/metrics.hpp"
 #include "report.hpp"
 
@@ -64,6 +65,10 @@ void check_targets(const EditRun& run) {
 void make_cuts(EditRun& run) {
   if (run.asked.cuts.empty()) return;
   run.uncut_hash = mesh_hash(run.base.mesh);
+  if (run.symmetry) {
+    run.asked.cuts =
+        cuts_with_images(run.base.mesh, run.asked.cuts, *run.symmetry, run.asked.options.tolerance);
+  }
   auto made = cut_base(run.base.mesh, run.asked.cuts, run.symmetry, run.asked.options.tolerance);
   if (const auto* why = std::get_if<std::string>(&made)) throw UsageError(*why);
   run.cut = std::get<CutMesh>(std::move(made));

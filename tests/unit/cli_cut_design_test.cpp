@@ -105,14 +105,14 @@ TEST_F(Cli, CutsAreOfTheFlatMesh) {
 TEST_F(Cli, CutsUnderASymmetryHaveIt) {
   ASSERT_EQ(run("sample vault --size 13 -o v.obj"), 0);
   const std::string edit = "edit v.obj --symmetry x --handle 69+=0,0,0.2 --softness 4 ";
-  EXPECT_EQ(run(edit + "--cut corner=3:3"), 2);
-  EXPECT_EQ(err(),
-            "planish: symmetry: the cuts are not symmetric; their images must be cut, too\n");
-  ASSERT_EQ(
-      run(edit + "--cut corner=3:3 --cut corner=8:9 -o a.obj --design d.json --report r.json"), 0)
-      << err();
+  ASSERT_EQ(run(edit + "--cut corner=3:3 --cut corner=8:9 -o both.obj"), 0) << err();
+  ASSERT_EQ(run(edit + "--cut corner=3:3 -o a.obj --design d.json --report r.json"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "both.obj"));
   const auto report = json::parse(contents(directory_ / "r.json"));
   EXPECT_LE(report["symmetry"]["asymmetry_mean_edges"].get<double>(), 1e-9);
+  EXPECT_EQ(report["cuts"].size(), 2U);
+  const auto design = json::parse(contents(directory_ / "d.json"));
+  EXPECT_EQ(design["cuts"], json::parse(R"(["corner=3:3", "corner=8:9"])"));
   EXPECT_EQ(run("replay d.json -o b.obj"), 0) << err();
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
 }

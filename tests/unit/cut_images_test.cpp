@@ -97,5 +97,34 @@ TEST(CutImages, WhatCannotBeMadeIsLeftAsItIs) {
   EXPECT_EQ(cut_with_images(mesh, cut, testing::symmetry_of(mesh, "x")), std::vector<Cut>{cut});
 }
 
+std::vector<std::string> listed_with_images(const Mesh& mesh,
+                                            const std::vector<const char*>& texts) {
+  std::vector<Cut> cuts;
+  for (const char* text : texts) cuts.push_back(std::get<Cut>(parse_cut(text)));
+  const MeshSymmetry symmetry = testing::symmetry_of(mesh, "x");
+  const auto all = cuts_with_images(mesh, cuts, symmetry, kImageTolerance);
+  std::vector<std::string> found;
+  for (const Cut& one : all) found.push_back(cut_text(one));
+  return found;
+}
+
+TEST(CutImages, OfAListFollowEachCut) {
+  const Mesh mesh = flat_squares(4);
+  EXPECT_EQ(listed_with_images(mesh, {"split=0:0,6", "corner=1:1"}),
+            (CutTexts{"split=0:0,6", "split=3:4,8", "corner=1:1", "corner=2:3"}));
+}
+
+TEST(CutImages, OfAListThatHasTheSymmetryAreNotAdded) {
+  const Mesh mesh = flat_squares(4);
+  const CutTexts listed = listed_with_images(mesh, {"split=3:4,8", "split=0:0,6"});
+  EXPECT_EQ(listed, (CutTexts{"split=3:4,8", "split=0:0,6"}));
+}
+
+TEST(CutImages, OfAListThatCannotBeMadeEndWithTheCutThatCannot) {
+  const Mesh mesh = flat_squares(4);
+  EXPECT_EQ(listed_with_images(mesh, {"split=0:0,6", "split=0:0,1"}),
+            (CutTexts{"split=0:0,6", "split=3:4,8", "split=0:0,1"}));
+}
+
 }  // namespace
 }  // namespace planish

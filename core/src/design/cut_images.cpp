@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "planish/cuts/cut_mesh.hpp"
+#include "planish/design/cut_base.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
@@ -190,6 +191,22 @@ std::vector<Cut> cut_with_images(const Mesh& mesh, const Cut& cut, const MeshSym
   // What it names is there only if it can be made.
   if (!std::holds_alternative<CutMesh>(cut_mesh(mesh, {cut}))) return {cut};
   return std::visit([&](const auto& one) { return each_image(one, mesh, symmetry); }, cut);
+}
+
+std::vector<Cut> cuts_with_images(const Mesh& mesh, const std::vector<Cut>& cuts,
+                                  const MeshSymmetry& symmetry, double tolerance) {
+  std::optional<MeshSymmetry> whole = symmetry, now = symmetry;
+  if (std::holds_alternative<CutMesh>(cut_base(mesh, cuts, whole, tolerance))) return cuts;
+  std::vector<Cut> all;
+  Mesh left = mesh;
+  for (const Cut& cut : cuts) {
+    const std::vector<Cut> images = cut_with_images(left, cut, *now);
+    all.insert(all.end(), images.begin(), images.end());
+    auto made = cut_base(left, images, now, tolerance);
+    if (std::holds_alternative<std::string>(made)) return all;
+    left = std::get<CutMesh>(std::move(made)).mesh;
+  }
+  return all;
 }
 
 }  // namespace planish

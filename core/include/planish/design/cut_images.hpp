@@ -16,4 +16,11 @@ namespace planish {
 [[nodiscard]] std::vector<Cut> cut_with_images(const Mesh& mesh, const Cut& cut,
                                                const MeshSymmetry& symmetry);
 
+/// `cuts` as they are where what they leave has the symmetry; else each with its images, about the
+/// mesh that those before it and their images left. Whether all of them can be made cut_base()
+/// says.
+/// @param symmetry of `mesh`; @param tolerance mm/m
+[[nodiscard]] std::vector<Cut> cuts_with_images(const Mesh& mesh, const std::vector<Cut>& cuts,
+                                                const MeshSymmetry& symmetry, double tolerance);
+
 }  // namespace planish
