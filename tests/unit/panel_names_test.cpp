@@ -15,29 +15,30 @@
 namespace planish {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
-Names all_of(const PanelNames& names, int count) {
+NameList names_of_all(const PanelNames& names, int count) {
   std::vector<int> panels;
   for (int f = 0; f < count; ++f) panels.push_back(f);
   return names.of(panels);
 }
 
-CutMesh after_cuts(const Mesh& mesh, const std::vector<const char*>& texts) {
+CutMesh grid_after(const Mesh& mesh, const std::vector<const char*>& texts) {
   std::vector<Cut> cuts;
   for (const char* text : texts) cuts.push_back(std::get<Cut>(parse_cut(text)));
   return std::get<CutMesh>(cut_mesh(mesh, cuts));
 }
 
 TEST(PanelNames, AreNumbersFromOne) {
-  EXPECT_EQ(all_of({}, 2), (Names{"P-0001", "P-0002"}));
+  EXPECT_EQ(names_of_all({}, 2), (NameList{"P-0001", "P-0002"}));
   EXPECT_EQ(PanelNames().of(9999), "P-10000");
   EXPECT_TRUE(PanelNames().is_own_parent(3));
 }
 
 TEST(PanelNames, TellPartsByLetters) {
   const PanelNames names(std::vector<int>{0, 1, 2, 1, 1});
-  EXPECT_EQ(all_of(names, 5), (Names{"P-0001", "P-0002a", "P-0003", "P-0002b", "P-0002c"}));
+  EXPECT_EQ(names_of_all(names, 5),
+            (NameList{"P-0001", "P-0002a", "P-0003", "P-0002b", "P-0002c"}));
   EXPECT_EQ(names.parent_of(4), "P-0002");
   EXPECT_TRUE(names.is_own_parent(2));
   EXPECT_FALSE(names.is_own_parent(1));
@@ -48,15 +49,15 @@ TEST(PanelNames, TellPartsByLetters) {
 
 TEST(PanelNames, OfPartsStayWhereOneIsPartedAgain) {
   const Mesh mesh = testing::quad_grid(4, 3);
-  const auto once = after_cuts(mesh, {"split=1:1,6"});
-  const auto twice = after_cuts(mesh, {"split=1:1,6", "corner=1:1@0.5"});
+  const auto once = grid_after(mesh, {"split=1:1,6"});
+  const auto twice = grid_after(mesh, {"split=1:1,6", "corner=1:1@0.5"});
   const PanelNames before(once.parents), after(twice.parents);
   for (int f = 0; f < once.mesh.face_count(); ++f) EXPECT_EQ(after.of(f), before.of(f));
   EXPECT_EQ(after.of(once.mesh.face_count()), "P-0002c");
 }
 
 TEST(PanelNames, StayWhereATrimClosesUpTheNumbers) {
-  const auto cut = after_cuts(testing::quad_grid(4, 3), {"trim=-1,0,0,-1"});
+  const auto cut = grid_after(testing::quad_grid(4, 3), {"trim=-1,0,0,-1"});
   const PanelNames names(cut.parents);
   ASSERT_LT(cut.mesh.face_count(), 6);
   for (int f = 0; f < cut.mesh.face_count(); ++f) {
@@ -65,7 +66,7 @@ TEST(PanelNames, StayWhereATrimClosesUpTheNumbers) {
 }
 
 TEST(PanelNames, AreInTablesAndModelsOfACutMesh) {
-  const auto cut = after_cuts(testing::quad_grid(4, 3), {"split=1:1,6"});
+  const auto cut = grid_after(testing::quad_grid(4, 3), {"split=1:1,6"});
   CuttingOptions options;
   options.names = PanelNames(cut.parents);
   const CuttingPlan plan = make_cutting_plan(cut.mesh, nullptr, options);
