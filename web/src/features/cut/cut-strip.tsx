@@ -61,6 +61,14 @@ const WORDS: Readonly<Record<CutKind, Words>> = {
   },
 };
 
+const PICTURE_OF = {
+  split: "cut",
+  strip: "cutStrip",
+  corner: "cutCorner",
+  refine: "cut",
+  trim: "cut",
+} as const satisfies Readonly<Record<CutKind, string>>;
+
 function Kinds() {
   const page = usePage();
   const chosen = cutKind(page).value;
@@ -77,7 +85,7 @@ function Kinds() {
           {kindWord(kind)}
         </button>
       ))}
-      <Ask about="cut" />
+      <Ask about={PICTURE_OF[chosen]} />
       <button
         type="button"
         class="icon-button"

@@ -19,10 +19,13 @@ import {
   pointAt,
   raised,
   risen,
+  STRIP_HIGH,
+  STRIP_LOW,
   seenFrom,
   sharp,
   slid,
   strip,
+  stripLine,
   upright,
   wall,
   wide,
@@ -272,6 +275,45 @@ export const HOW_PICTURES = {
       wall(PANEL),
       wall(...[0, 1, 1].map((share): Moment => [PANEL[0], along(PANEL[0], PANEL[2], share)])),
       { look: "point", moments: [0, 1, 1].map((share) => [along(PANEL[0], PANEL[2], share)]) },
+    ],
+  },
+  cutStrip: {
+    name: "cutting a strip",
+    words:
+      "A line of points goes through all quads of a strip, until the boundary or a panel that is no quad. No point moves.",
+    lines: [
+      wall([...STRIP_LOW, ...[...STRIP_HIGH].reverse(), STRIP_LOW[0]]),
+      ...[1, 2].map((k) => wall([STRIP_LOW[k] ?? [0, 0], STRIP_HIGH[k] ?? [0, 0]])),
+      wall(...[0, 1, 2, 3, 3].map(stripLine)),
+      { look: "point", moments: [0, 1, 2, 3, 3].map((k) => stripLine(k).slice(-1)) },
+    ],
+  },
+  cutCorner: {
+    name: "cutting a corner off",
+    words:
+      "A triangle goes off a panel at one corner, as far along both sides as is chosen. Where all panels at a point lose theirs, it can go anywhere.",
+    lines: [
+      wall(PANEL),
+      wall(
+        ...[0, 0.5, 1, 1].map(
+          (share): Moment => [along(PANEL[2], PANEL[3], share), along(PANEL[2], PANEL[1], share)],
+        ),
+      ),
+      { look: "point", moments: [[PANEL[2]], [PANEL[2]], [PANEL[2]], [PANEL[2]]] },
+    ],
+  },
+  splitWhereNeeded: {
+    name: "splitting where needed",
+    words:
+      "Flat panels hold a point. One more line through a panel beside it lets it go further: for each number of lines you see how far, and what is made again.",
+    lines: [
+      before,
+      wall([
+        [columnX(MIDDLE) - 9, arch(MIDDLE) - 30],
+        [columnX(MIDDLE) + 9, arch(MIDDLE) - 30],
+      ]),
+      strip(FLAT, bump(14, 3), bump(14, 3), sharp),
+      pointAt(MIDDLE, FLAT, bump(14, 3), bump(14, 3), sharp),
     ],
   },
   numbers: {

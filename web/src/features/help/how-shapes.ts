@@ -105,3 +105,24 @@ export const along = (a: Point, b: Point, share: number): Point => [
   a[0] + share * (b[0] - a[0]),
   a[1] + share * (b[1] - a[1]),
 ];
+
+/** The two long sides of a strip of three quads, a place a side across. */
+export const STRIP_LOW: readonly [Point, Point, Point, Point] = [
+  [30, 80],
+  [92, 86],
+  [152, 84],
+  [212, 76],
+];
+export const STRIP_HIGH: readonly [Point, Point, Point, Point] = [
+  [36, 20],
+  [94, 14],
+  [150, 16],
+  [206, 24],
+];
+
+/** A line along the middle of that strip that has come through `quads` of it. */
+export const stripLine = (quads: number): Moment =>
+  STRIP_LOW.map((_, k) => {
+    const reached = Math.min(k, quads);
+    return along(STRIP_LOW[reached] ?? STRIP_LOW[3], STRIP_HIGH[reached] ?? STRIP_HIGH[3], 0.5);
+  });

@@ -9,6 +9,7 @@ import { formatLength } from "../../quantity/units.ts";
 import type { SplitFinding, SplitStanding } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import { settled } from "../../state/shortfall.ts";
+import { Ask } from "../../ui/ask.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "./split-way.css";
 import { canSplit, endSearch, search, searchNow, takeSplits } from "./split-search.ts";
@@ -91,7 +92,7 @@ export function SplitWay({ design }: { design: Design }) {
   }
   if (found?.kind === "found") return <Curve finding={found.finding} asked={found.asked} />;
   return (
-    <>
+    <div class="split-search">
       {found && <p class="quiet small">{found.sentence}</p>}
       <button
         type="button"
@@ -102,6 +103,7 @@ export function SplitWay({ design }: { design: Design }) {
       >
         Split where needed
       </button>
-    </>
+      <Ask about="splitWhereNeeded" />
+    </div>
   );
 }
