@@ -72,6 +72,19 @@ TEST_F(Cli, AGlbWithCutsHoldsTheFileThatWasCut) {
   EXPECT_TRUE(testing::same_bits(load("a.glb"), load("b.obj")));
 }
 
+TEST_F(Cli, PartsAreNamedAfterTheirPanelWhereverADesignIs) {
+  ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
+  ASSERT_EQ(run("edit v.obj --cut corner=70:76 --handle 90+=0,0,0.3 -o a.glb --design d.json"), 0)
+      << err();
+  for (const std::string from : {"d.json", "a.glb"}) {
+    ASSERT_EQ(run("panels " + from + " -o m.ifc"), 0) << err();
+    const std::string model = contents(directory_ / "m.ifc");
+    EXPECT_NE(model.find("'P-0071a'"), std::string::npos) << from;
+    EXPECT_NE(model.find("'P-0071b'"), std::string::npos) << from;
+    EXPECT_EQ(model.find("'P-0071'"), std::string::npos) << from;
+  }
+}
+
 TEST_F(Cli, ACutsDesignGoesOnFromTheFile) {
   ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
   ASSERT_EQ(run("cut v.obj --strip 60-61 --model-unit mm -o once.obj --design once.json"), 0);
