@@ -14,7 +14,7 @@ import { usePage } from "../../ui/page-context.ts";
 import "./split-way.css";
 import { canSplit, endSearch, search, searchNow, takeSplits } from "./split-search.ts";
 
-const COLUMNS = ["Lines", "Short by", "Made again", "Sharpest fold"] as const;
+const COLUMNS = ["Lines", "Short by", "Panels changed", "Sharpest fold"] as const;
 
 function Row({ by, asked }: { by: SplitStanding; asked: Design }) {
   const page = usePage();
@@ -23,7 +23,7 @@ function Row({ by, asked }: { by: SplitStanding; asked: Design }) {
     <tr>
       <th scope="row">{lines}</th>
       <td>{formatLength(by.handleError, page.unit.value)}</td>
-      <td>{counted(by.remadePanels, "panel")}</td>
+      <td>{by.remadePanels}</td>
       <td>{formatDegrees(by.sharpestFold)}</td>
       <td>
         {lines > 0 && (
