@@ -83,6 +83,7 @@ export interface ShapeReport {
 export interface Optimality {
   readonly stationarity: number | null;
   readonly outside: number | null;
+  readonly complementarity: number;
   readonly certifiedVertices: number;
 }
 

@@ -65,6 +65,7 @@ val optimality_value(const SolveReport& solve) {
   if (solve.optimality) {
     object.add("stationarity", solve.optimality->stationarity)
         .add("outside", solve.optimality->outside)
+        .add("complementarity", solve.optimality->complementarity)
         .add("certifiedVertices", solve.optimality->certified_vertices);
   }
   return object.value();

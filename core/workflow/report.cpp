@@ -172,6 +172,7 @@ Json violations_json(const std::vector<KindViolation>& violations) {
 Json optimality_json(const Optimality& optimality) {
   return {{"stationarity", optimality.stationarity},
           {"outside", optimality.outside},
+          {"complementarity", optimality.complementarity},
           {"certified_vertices", optimality.certified_vertices}};
 }
 

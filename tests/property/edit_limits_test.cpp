@@ -254,6 +254,8 @@ TEST_P(EditLimits, EndAtTheirBoundWhereTheyHold) {
       ++held;
       EXPECT_GE(most_growth(result), 5.0 - kGivenAway);
       EXPECT_LE(most_growth(result), 5.0 + 1e-6);
+      EXPECT_GT(result.report.optimality->complementarity, 0.0) << "a margin of a millionth";
+      EXPECT_LE(result.report.optimality->complementarity, 1e-5);
       EXPECT_FALSE(result.report.bounds[0].binding.empty());
     }
   }

@@ -236,6 +236,11 @@ Optimality WorkingSetNewton::optimality(const EditProblem& problem, std::span<co
   if (problem.slides != nullptr && problem.slides->has_rests()) {
     judge_rests(problem, kCounted * handle_scale(problem), result);
   }
+  if (system_.has_limits()) {
+    system_.lagrangian().shares(state_.displacement, shares_);
+    shares_.array() += kLimitMargin;  // of the bound as it is stated
+    result.complementarity = complementarity(shares_, state_.limit_multipliers);
+  }
   // The finish moved what the multipliers know nothing of, or a bound is broken.
   const bool within = std::isfinite(system_.lagrangian().energy(state_.displacement, 0.0));
   if (missing > 0 || !within) result.stationarity = std::numeric_limits<double>::infinity();

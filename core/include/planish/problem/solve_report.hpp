@@ -56,10 +56,15 @@ struct ObjectiveTerms {
 struct Optimality {
   double stationarity = 0.0;  ///< largest ‖∇F + Jᵀλ‖ of a moved vertex, in units of ω_s/2
   double outside = 0.0;  ///< largest ‖∇F + Jᵀλ‖ of a vertex at rest over ω_s/2, less 1; ≥ 0
+  /// Largest share of its range by which a stated limit or a keep-out that presses is off its
+  /// bound, or another is beyond it. [LIM-2]
+  double complementarity = 0.0;
   int certified_vertices = 0;  ///< whose conditions were evaluated; no row reaches the others
 
   /// What "converged" means.
-  [[nodiscard]] bool met() const { return stationarity <= 1e-4 && outside <= 1e-4; }
+  [[nodiscard]] bool met() const {
+    return stationarity <= 1e-4 && outside <= 1e-4 && complementarity <= 1e-4;
+  }
 };
 
 /// How far a mesh is from one kind of constraint that was kept, before and after.

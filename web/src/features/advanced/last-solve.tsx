@@ -73,8 +73,8 @@ function certificateFact(page: Page): readonly (readonly [string, string])[] {
     ];
   }
   if (!("certifiedVertices" in optimality)) return [];
-  const { stationarity, outside } = optimality;
-  const far = Math.max(stationarity ?? Number.POSITIVE_INFINITY, outside ?? 0);
+  const { stationarity, outside, complementarity } = optimality;
+  const far = Math.max(stationarity ?? Number.POSITIVE_INFINITY, outside ?? 0, complementarity);
   const words = Number.isFinite(far) ? `to ${far.toPrecision(1)}` : "not known";
   return [["Lowest nearby", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
 }
