@@ -108,29 +108,19 @@ void check_handles_left(const EditTargets& targets, const CutMesh& cut) {
 /// What is held for the sake of few panels becomes pins; panels stay such that they can be built,
 /// where the handles arrive so.
 HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
-  if (run.symmetry) throw UsageError("--fewest: it knows no --symmetry");
-  EditTargets targets = targets_with_images(run);
+  const EditTargets targets = targets_with_images(run);
   HandleEditOptions& options = run.asked.options;
   if (const auto problem = find_problem(*run.asked.fewest, options, targets)) {
     throw UsageError(*problem);
   }
-  const Mesh& mesh = run.base.mesh;
-  const HandleEditOptions given = options;
-  const auto limits = buildable_limits(mesh, given.bounds);
-  options.bounds.insert(options.bounds.end(), limits.begin(), limits.end());
-  HandleEditSolver solver(mesh, options);
-  FewestEdit found = find_fewest(mesh, solver, targets, *run.asked.fewest, progress);
-  if (!found.reached && !limits.empty()) {
-    HandleEditSolver freer(mesh, given);
-    FewestEdit free = find_fewest(mesh, freer, targets, *run.asked.fewest, progress);
-    if (free.reached) {
-      options = given;
-      found = std::move(free);
-    }
-  }
-  run.targets.pins.insert(run.targets.pins.end(), found.held.begin(), found.held.end());
-  HandleEditResult result = std::move(found.result);
-  run.fewest = std::move(found);
+  const MeshSymmetry* symmetry = has_images(run) ? &*run.symmetry : nullptr;
+  BuildableFewest found =
+      find_buildable_fewest(run.base.mesh, options, targets, *run.asked.fewest, symmetry, progress);
+  options = std::move(found.options);
+  std::vector<int>& pins = run.targets.pins;
+  pins.insert(pins.end(), found.edit.held.begin(), found.edit.held.end());
+  HandleEditResult result = std::move(found.edit.result);
+  run.fewest = std::move(found.edit);
   return result;
 }
 

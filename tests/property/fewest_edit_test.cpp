@@ -147,7 +147,7 @@ TEST(FewestEdit, StopsAfterAsManySolvesAsItMayOrWhereItIsAskedTo) {
   const auto stop = [&](const IterationRecord&) {
     return ++steps < 60 ? Flow::kContinue : Flow::kStop;
   };
-  const FewestEdit stopped = find_fewest(mesh, solver, targets, {}, stop);
+  const FewestEdit stopped = find_fewest(mesh, solver, targets, {}, nullptr, stop);
   EXPECT_FALSE(stopped.minimal);
   EXPECT_TRUE(stopped.result.report.usable());
   Mesh after = mesh;

@@ -59,6 +59,21 @@ TEST_F(Cli, FewestKeepsPanelsThatCanBeBuilt) {
   EXPECT_EQ(said, !free["slivers"].empty()) << err();
 }
 
+TEST_F(Cli, FewestHoldsPointsWithTheirImagesUnderASymmetry) {
+  ASSERT_EQ(run(kEdit + "--fewest panels --symmetry x -o a.obj --report a.json --design d.json"), 0)
+      << err();
+  const json report = json::parse(contents(directory_ / "a.json"));
+  const json& fewest = report["fewest"];
+  EXPECT_EQ(report["symmetry"]["images"], 2);
+  EXPECT_LT(report["symmetry"]["asymmetry_mean_edges"], 1e-10);
+  EXPECT_EQ(fewest["panels"], report["remake"]["outline"]);
+  EXPECT_LT(fewest["panels"], 0.5 * fewest["panels_before"].get<int>());
+  EXPECT_EQ(fewest["reached"], true);
+  EXPECT_EQ(fewest["minimal"], true);
+  ASSERT_EQ(run("replay d.json -o b.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
+}
+
 TEST_F(Cli, FewestSaysWhereTheHandlesDoNotArriveAnyway) {
   run("edit sample:vault:16 --handle 136+=0,0,9 --reach 2 --fewest panels --report a.json");
   EXPECT_NE(err().find("--fewest: with nothing held a handle stops"), std::string::npos) << err();
@@ -71,7 +86,7 @@ TEST_F(Cli, FewestRefusesInOneSentence) {
   for (const char* words :
        {"--fewest stones", "--within-handle 5%", "--fewest panels --within-handle 5",
         "--fewest panels --within-handle 0%", "--fewest panels --within-handle 150%",
-        "--fewest panels --symmetry x", "--fewest panels --solver alm"}) {
+        "--fewest panels --solver alm"}) {
     EXPECT_EQ(run(kEdit + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;

@@ -25,12 +25,13 @@ struct Mover {
 class FewestSearch {
  public:
   FewestSearch(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,
-               const FewestOptions& options, const Progress& progress)
+               const FewestOptions& options, const MeshSymmetry* symmetry, const Progress& progress)
       : mesh_(mesh),
         adjacency_(build_adjacency(mesh)),
         solver_(solver),
         targets_(targets),
         options_(options),
+        symmetry_(symmetry),
         progress_(progress),
         is_handle_(at(mesh.vertex_count()), 0),
         way_(at(mesh.vertex_count()), 0.0) {
@@ -61,7 +62,9 @@ class FewestSearch {
     EditTargets targets = targets_;
     targets.pins.insert(targets.pins.end(), best_.held.begin(), best_.held.end());
     targets.pins.insert(targets.pins.end(), points.begin(), points.end());
-    HandleEditResult result = solver_.solve(targets, progress_);
+    HandleEditResult result = symmetry_ != nullptr
+                                  ? solver_.solve_symmetric(targets, *symmetry_, progress_)
+                                  : solver_.solve(targets, progress_);
     stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
     return result;
   }
@@ -73,8 +76,18 @@ class FewestSearch {
 
   [[nodiscard]] bool may_go_on() const { return !stopped_ && best_.solves < options_.most_solves; }
 
-  /// Whether the handles arrive with these held, too; then they are.
-  bool hold(std::vector<int> points) {
+  [[nodiscard]] std::vector<int> with_their_images(const std::vector<int>& points) const {
+    if (symmetry_ == nullptr) return points;
+    std::vector<int> all;
+    for (const SymmetryOperation& operation : symmetry_->operations) {
+      for (const int v : points) all.push_back(operation.image[at(v)]);
+    }
+    return all;
+  }
+
+  /// Whether the handles arrive with these and their images held, too; then they are.
+  bool hold(const std::vector<int>& asked) {
+    const std::vector<int> points = with_their_images(asked);
     HandleEditResult result = solve(points);
     if (!arrives(result)) return false;
     best_.held.insert(best_.held.end(), points.begin(), points.end());
@@ -169,7 +182,7 @@ class FewestSearch {
       for (const int v : movers[k].points) {
         if (way_[at(v)] > 0.0) points.push_back(v);
       }
-      if (!points.empty()) hold(std::move(points));
+      if (!points.empty()) hold(points);
     }
   }
 
@@ -190,6 +203,7 @@ class FewestSearch {
   HandleEditSolver& solver_;
   const EditTargets& targets_;
   const FewestOptions& options_;
+  const MeshSymmetry* symmetry_;  ///< or null
   const Progress& progress_;
   std::vector<char> is_handle_;
   std::vector<double> way_;  ///< of each point in the best edit so far
@@ -228,8 +242,29 @@ std::vector<StatedLimit> buildable_limits(const Mesh& mesh,
 }
 
 FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,
-                       const FewestOptions& options, const Progress& progress) {
-  return FewestSearch(mesh, solver, targets, options, progress).run();
+                       const FewestOptions& options, const MeshSymmetry* symmetry,
+                       const Progress& progress) {
+  return FewestSearch(mesh, solver, targets, options, symmetry, progress).run();
+}
+
+BuildableFewest find_buildable_fewest(const Mesh& mesh, const HandleEditOptions& options,
+                                      const EditTargets& targets, const FewestOptions& fewest,
+                                      const MeshSymmetry* symmetry, const Progress& progress) {
+  const auto find = [&](HandleEditOptions within) {
+    HandleEditSolver solver(mesh, within);
+    FewestEdit edit = find_fewest(mesh, solver, targets, fewest, symmetry, progress);
+    return BuildableFewest{std::move(edit), std::move(within)};
+  };
+  HandleEditOptions buildable = options;
+  const auto limits = buildable_limits(mesh, options.bounds);
+  buildable.bounds.insert(buildable.bounds.end(), limits.begin(), limits.end());
+  BuildableFewest found = find(std::move(buildable));
+  if (found.edit.reached || limits.empty() ||
+      found.edit.result.report.status == SolveStatus::kCancelled) {
+    return found;
+  }
+  BuildableFewest freer = find(options);
+  return freer.edit.reached ? std::move(freer) : std::move(found);
 }
 
 }  // namespace planish

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planish/edit/handle_edit.hpp"
+#include "planish/symmetry/symmetry.hpp"
 
 namespace planish {
 
@@ -42,8 +43,8 @@ struct FewestEdit {
   /// Whether the handles come within reach of their targets where nothing is held. If not, nothing
   /// is held.
   bool reached = false;
-  /// For each point that moves, handles excepted: the edit with that point held, too, was solved,
-  /// and the handles did not arrive. [FEW-1]
+  /// For each point that moves, handles excepted: the edit with that point held, too, under a
+  /// symmetry with its images, was solved, and the handles did not arrive. [FEW-1]
   bool minimal = false;
   int solves = 0;
 };
@@ -51,9 +52,27 @@ struct FewestEdit {
 /// Solves the edit, then again and again with more points held: those of the panels that move
 /// least, as many at once as can be, at last each point by itself. Limits and shapes hold as in any
 /// edit. O(moved points) solves on ever smaller patches.
+/// @param targets under a symmetry with all images, see with_images()
+/// @param symmetry of the edit: points are held with their images; or null
 /// @param progress of every solve; kStop ends with the best so far
 [[nodiscard]] FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver,
                                      const EditTargets& targets, const FewestOptions& options,
+                                     const MeshSymmetry* symmetry = nullptr,
                                      const Progress& progress = {});
+
+/// A fewest edit, and the options that its result is the edit of.
+struct BuildableFewest {
+  FewestEdit edit;
+  HandleEditOptions options;
+};
+
+/// find_fewest() within buildable_limits() beside those of `options`; without them where the
+/// handles arrive only so.
+[[nodiscard]] BuildableFewest find_buildable_fewest(const Mesh& mesh,
+                                                    const HandleEditOptions& options,
+                                                    const EditTargets& targets,
+                                                    const FewestOptions& fewest,
+                                                    const MeshSymmetry* symmetry = nullptr,
+                                                    const Progress& progress = {});
 
 }  // namespace planish
