@@ -7,10 +7,12 @@ import type { CutTrial, SplitModule } from "./planish_cuts.d.ts";
 import type {
   DesignValue,
   EditOptions,
+  EnumValue,
   Planarising,
   ResultMark,
   VariationFamily,
 } from "./planish_designs.d.ts";
+import type { FewestEdits } from "./planish_fewest.d.ts";
 import type { MobilityModule } from "./planish_mobility.d.ts";
 import type { MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 import type { SymmetryModule } from "./planish_symmetry.d.ts";
@@ -18,14 +20,10 @@ import type { SymmetryModule } from "./planish_symmetry.d.ts";
 export type * from "./planish_analysis.d.ts";
 export type * from "./planish_cuts.d.ts";
 export type * from "./planish_designs.d.ts";
+export type * from "./planish_fewest.d.ts";
 export type * from "./planish_mobility.d.ts";
 export type * from "./planish_reports.d.ts";
 export type * from "./planish_symmetry.d.ts";
-
-/** Opaque enumerator. */
-export interface EnumValue {
-  readonly value: number;
-}
 
 export interface Session {
   openSample(name: string, size: number): string;
@@ -99,7 +97,12 @@ export interface Session {
   delete(): void;
 }
 
-export interface PlanishModule extends SymmetryModule, SplitModule, AnalysisModule, MobilityModule {
+export interface PlanishModule
+  extends SymmetryModule,
+    SplitModule,
+    FewestEdits,
+    AnalysisModule,
+    MobilityModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
   /** Of a shape, as designs record it. */

@@ -27,6 +27,11 @@ export interface Defaults {
   readonly newSliver: number;
 }
 
+/** Opaque enumerator: how an edit is computed. */
+export interface EnumValue {
+  readonly value: number;
+}
+
 /** The core's HandleEditOptions. */
 export interface EditOptions {
   readonly attraction: number;

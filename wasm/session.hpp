@@ -15,6 +15,7 @@
 
 #include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
+#include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
@@ -56,6 +57,17 @@ struct Replayed {
   std::vector<int> directions;  ///< of each variation
   Shape centre;                 ///< what the last one was found around; empty without any
   double deviation = 0.0;       ///< from the recorded result, see deviation()
+};
+
+/// What fewest() found beside the shape that is shown.
+struct FewestFound {
+  int panels_before = 0;  ///< to be made again where nothing is held
+  int panels = 0;
+  std::vector<int> held;  ///< beside the pins that were asked for, ascending
+  bool reached = false;   ///< the handles arrive; if not, nothing is held
+  bool minimal = false;   ///< see FewestEdit
+  int solves = 0;
+  std::vector<StatedLimit> limits;  ///< those of the edit, with those found needed
 };
 
 // As --constraint, --bound and --keep-out say it. What cannot be read breaks a rule of
@@ -111,6 +123,11 @@ class Session {
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
   /// report says it, and whether a solve at once ends lower.
   [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);
+  /// The edit that makes few panels again, see find_buildable_fewest(). From here on what it holds
+  /// are pins of the targets, its limits those of all edits.
+  [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
+  /// Of the last fewest().
+  [[nodiscard]] const FewestFound& fewest_found() const { return fewest_found_; }
   /// Marks where a drag stands; go_back() makes its next frame follow that one again. What is shown
   /// stays.
   void keep_frame();
@@ -199,6 +216,8 @@ class Session {
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
   [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
+  /// Nothing without a symmetry.
+  [[nodiscard]] Refusal add_images(EditTargets& targets) const;
   [[nodiscard]] Refusal solve_symmetric(EditMode mode, const EditTargets& targets,
                                         double budget_seconds, HandleEditResult& result);
   [[nodiscard]] KeptByVariations kept() const;
@@ -260,6 +279,7 @@ class Session {
   VariationsReport variations_report_;
   Replayed replayed_;
   HybridStanding hybrid_;
+  FewestFound fewest_found_;
   Progress progress_;
 };
 

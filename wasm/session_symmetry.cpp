@@ -43,15 +43,22 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
   return std::nullopt;
 }
 
-/// A release is what the targets alone give: of a path that a drag took there are no images.
-Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, double budget_seconds,
-                                 HandleEditResult& result) {
+Refusal Session::add_images(EditTargets& targets) const {
+  if (!symmetry_) return std::nullopt;
   if (options_.engine != Engine::kNewton) {
     return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
   }
   auto all = with_images(targets, base_, *symmetry_);
   if (auto* problem = std::get_if<std::string>(&all)) return sentence_about(std::move(*problem));
-  const EditTargets& images = std::get<EditTargets>(all);
+  targets = std::get<EditTargets>(std::move(all));
+  return std::nullopt;
+}
+
+/// A release is what the targets alone give: of a path that a drag took there are no images.
+Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, double budget_seconds,
+                                 HandleEditResult& result) {
+  EditTargets images = targets;
+  if (const Refusal refusal = add_images(images)) return refusal;
   result = mode == EditMode::kDrag ? solver_->drag(images, budget_seconds)
                                    : solver_->solve_symmetric(images, *symmetry_, progress_);
   return std::nullopt;

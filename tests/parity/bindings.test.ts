@@ -58,6 +58,8 @@ it("declares every field of every report", async () => {
   expect(fields(shape)).toEqual(declared("ShapeReport", reports));
   expect(fields(shape.sharpestFold)).toEqual(declared("SharpestFold", reports));
   expect(fields(shape.motion)).toEqual(declared("MotionRange", reports));
+  const few = declared("FewestFound", read("planish_fewest"));
+  expect(fields(module.fewestFound(session))).toEqual(few);
   expect(fields(shape.optimality)).toEqual(declared("Optimality", reports));
   expect(fields(shape.bounds)).toEqual(["fold"]);
   expect(shape.movedVertices).toBe(session.moved().length);

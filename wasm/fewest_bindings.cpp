@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// The edit of a session's mesh that makes few panels again, as JavaScript sees it: a list.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <exception>
+#include <string>
+
+#include "arrays.hpp"
+#include "session.hpp"
+
+namespace {
+
+using emscripten::val;
+using planish::copy;
+using planish::Session;
+
+std::string fewest(Session& s, const val& handles, const val& pins, double within_handle) {
+  try {
+    planish::FewestOptions asked;
+    asked.within_handle = within_handle;
+    const planish::EditTargets targets{.handles = planish::to_handles(handles),
+                                       .pins = planish::to_indices(pins),
+                                       .supports = {},
+                                       .continuation = 0};
+    return s.fewest(targets, asked).value_or("");
+  } catch (const std::exception& error) {
+    return std::string("Internal error: ") + error.what();
+  }
+}
+
+val fewest_found(const Session& s) {
+  const planish::FewestFound& found = s.fewest_found();
+  val limits = val::array();
+  for (const planish::StatedLimit& limit : found.limits) {
+    limits.call<void>("push", planish::stated_limit_text(limit));
+  }
+  val value = val::object();
+  value.set("panelsBefore", found.panels_before);
+  value.set("panels", found.panels);
+  value.set("held", copy(found.held));
+  value.set("reached", found.reached);
+  value.set("minimal", found.minimal);
+  value.set("solves", found.solves);
+  value.set("limits", limits);
+  return value;
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(planish_fewest) {
+  emscripten::function("fewest", &fewest);
+  emscripten::function("fewestFound", &fewest_found);
+}

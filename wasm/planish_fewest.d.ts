@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What fewest_bindings.cpp lists, by hand.
+
+import type { Session } from "./planish.d.ts";
+
+/** The edit that makes few panels again, beside its shape. */
+export interface FewestFound {
+  /** To be made again where nothing is held. */
+  readonly panelsBefore: number;
+  readonly panels: number;
+  /** Points held beside the pins that were asked for, ascending. */
+  readonly held: Int32Array;
+  /** The handles arrive; if not, nothing is held. */
+  readonly reached: boolean;
+  /** With any one more held, they do not. */
+  readonly minimal: boolean;
+  readonly solves: number;
+  /** Of the edit: those of its options, and those that keep panels such that they can be built. */
+  readonly limits: readonly string[];
+}
+
+export interface FewestEdits {
+  /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
+   * to their targets handles have arrived. What it holds are pins from here on, its limits options. */
+  fewest(session: Session, handles: Float64Array, pins: Int32Array, withinHandle: number): string;
+  /** Of the last one. */
+  fewestFound(session: Session): FewestFound;
+}

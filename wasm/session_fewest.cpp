@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// The edit of a session's base that makes few panels again.
+#include <utility>
+
+#include "planish/numeric/stopwatch.hpp"
+#include "refused_outcome.hpp"
+#include "session.hpp"
+
+namespace planish {
+
+Refusal Session::fewest(EditTargets targets, const FewestOptions& asked) {
+  if (const Refusal refusal = require_flat_base()) return refusal;
+  if (const Refusal refusal = take_targets(targets)) return refusal;
+  if (const Refusal refusal = require_kept_constraints()) return refusal;
+  if (const auto problem = find_problem(asked, options_, targets)) {
+    return "Few panels: " + *problem + ".";
+  }
+  EditTargets all = targets;
+  if (const Refusal refusal = add_images(all)) return refusal;
+  const Stopwatch watch;
+  BuildableFewest found =
+      find_buildable_fewest(base_, options_, all, asked, symmetry_.get(), progress_);
+  const HandleEditResult& result = found.edit.result;
+  if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
+  subspace_.reset();
+  lower_at_once_ = false;
+  options_ = std::move(found.options);
+  renew_solver();
+  targets_ = std::move(targets);
+  targets_.pins.insert(targets_.pins.end(), found.edit.held.begin(), found.edit.held.end());
+  show(result.moved, result.moved_positions);
+  renew_report(result.report, watch.seconds());
+  fewest_found_ = {.panels_before = found.edit.panels_before,
+                   .panels = found.edit.panels,
+                   .held = std::move(found.edit.held),
+                   .reached = found.edit.reached,
+                   .minimal = found.edit.minimal,
+                   .solves = found.edit.solves,
+                   .limits = options_.bounds};
+  return std::nullopt;
+}
+
+}  // namespace planish
