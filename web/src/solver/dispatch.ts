@@ -73,6 +73,9 @@ const rhinoPart = () =>
     throw new Refused("The part for Rhino could not be loaded. Try again online.");
   });
 
+/** Between two steps that are told: many solves in a row take thousands. */
+const SAYING_MS = 25;
+
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
 export class Dispatcher {
   readonly #module: PlanishModule;
@@ -85,6 +88,8 @@ export class Dispatcher {
   #family: ShapeFamily | null = null;
   #job = 0;
   #step = 0;
+  /** When a step was told last. */
+  #saidAt = 0;
 
   constructor(module: PlanishModule, post: Post) {
     this.#module = module;
@@ -93,7 +98,11 @@ export class Dispatcher {
     this.#analysis = new DesignAnalysis(module, this.#session);
     this.#post = post;
     this.#session.onProgress((residual) => {
-      this.#post({ kind: "progress", job: this.#job, step: ++this.#step, residual }, []);
+      this.#step += 1;
+      const now = performance.now();
+      if (this.#step > 1 && now < this.#saidAt + SAYING_MS) return true;
+      this.#saidAt = now;
+      this.#post({ kind: "progress", job: this.#job, step: this.#step, residual }, []);
       return true;
     });
   }
@@ -259,6 +268,9 @@ export class Dispatcher {
       case "edit":
         this.#postShown(job, request.mode !== "drag", this.#edits.edit(request));
         return;
+      case "fewest":
+        this.#fewest(request);
+        return;
       case "restore":
         this.#edits.restore(request);
         this.#postShown(job, true);
@@ -359,6 +371,16 @@ export class Dispatcher {
       deviation,
     };
     this.#post(reply, [changes.buffer]);
+  }
+
+  #fewest(request: Extract<Request, { kind: "fewest" }>): void {
+    const session = this.#session;
+    const { job } = request;
+    this.#edits.fewest(request);
+    const shape = { moved: session.moved(), positions: session.movedPositions() };
+    const [report, found] = [session.shapeReport(), this.#module.fewestFound(session)];
+    const buffers = [shape.moved.buffer, shape.positions.buffer];
+    this.#post({ kind: "fewest", job, shape, report, found }, buffers);
   }
 
   #postProjected(job: number): void {

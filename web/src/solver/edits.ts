@@ -87,6 +87,15 @@ export class Edits {
     return { curve, tried, reached };
   }
 
+  /** Few panels to make again: from here on the session has what that holds, and its limits. */
+  fewest({ targets, settings, withinHandle }: Extract<Request, { kind: "fewest" }>): void {
+    this.#hold = new PullHold();
+    this.#setOptions(settings);
+    const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
+    insist(this.#module.fewest(this.#session, handles, pins, withinHandle));
+    this.#settings = null;
+  }
+
   #attempt({ mode, targets, settings, budget }: EditRequest, to: HandleList, how: EditMode): void {
     const steps = mode === "solve" ? settings.continuation : 0;
     const [handles, pins] = [Float64Array.from(to), Int32Array.from(targets.pins)];

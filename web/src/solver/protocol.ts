@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page and the solver worker say to each other. Every request carries a job number;
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
-// Progress messages (`progress` in solver steps, `reading` in bytes) may come before the reply.
+// Progress messages (`progress` in solver steps, of many a few; `reading` in bytes) may come before the reply.
 
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport, NodeCounts } from "@wasm/planish.mjs";
@@ -26,6 +26,7 @@ export type {
   DesignReading,
   DesignValue,
   DesignVariation,
+  FewestFound,
   FreedomReport,
   KindDefects,
   MeshReport,
@@ -147,6 +148,15 @@ export type Request =
       /** Looks for a limit on folds, see fairLimit(), to which this is the way; null: for none. */
       fairWay: number | null;
     } // → shown
+  /** The edit that makes few panels again, at once. `withinHandle`: of the longest way of a handle, so
+   * near to their targets handles have arrived. */
+  | {
+      kind: "fewest";
+      job: number;
+      targets: Targets;
+      settings: EditSettings;
+      withinHandle: number;
+    } // → fewest
   /** `keep`: the design is one of the family that was found last, or its centre. */
   | {
       kind: "restore";
@@ -333,6 +343,7 @@ export type Reply =
       leads: readonly SliderLead[];
       deviation: number;
     }
+  | { kind: "fewest"; job: number; shape: Shape; report: ShapeReport; found: Reports.FewestFound }
   | { kind: "tried"; job: number; trial: Reports.CutTrial }
   | { kind: "split"; job: number; finding: Reports.SplitFinding }
   /** `panels`: how many are split; `file`: the mesh as OBJ, every bit of it. */

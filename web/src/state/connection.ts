@@ -140,6 +140,7 @@ function account(page: Page, question: Question, answer: Answer | null): void {
       if (done && !question.keep) solver.centre = null;
       return;
     case "edit":
+    case "fewest":
     case "replay":
     case "read":
     case "join":

@@ -108,6 +108,10 @@ function KeepBoundary() {
   );
 }
 
+const FewPanels = later(() =>
+  import("../features/few-panels/few-panels.tsx").then((part) => part.FewPanels),
+);
+
 const PointSupports = later(() =>
   import("../features/supports/point-supports.tsx").then((part) => part.PointSupports),
 );
@@ -149,6 +153,7 @@ export function ReachAndSoftness() {
       <Effect words={movedWords(page.figures.value.movedVertices)} />
       <Softness />
       <Effect words={foldWords(page.figures.value)} />
+      <FewPanels />
       <KeepBoundary />
       <BoundarySlides />
       <PointSupports />
