@@ -22,6 +22,7 @@ ExitCode run_edit(const Arguments& arguments) {
   print_sentence(fewest_sentence(run));
   if (run.splits) print_sentence(splits_sentence(*run.splits, run.report));
   print_sentence(shortfall_sentence(run));
+  if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));
   save_report(arguments, json);
   return exit_code(run.report);
 }

@@ -41,6 +41,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(not_exact_sentence(run, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   print_sentence(exact_outcome_sentence(variation));
+  if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));
   save_report(arguments, json);
   return code;
 }

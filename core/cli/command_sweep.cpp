@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "sweep_run.hpp"
@@ -28,10 +30,11 @@ PartRange find_job(const SweepPlan& plan, const std::string& id) {
   throw UsageError("--job: there is no job \"" + id + "\" in the plan");
 }
 
-void run_jobs(const SweepPlan& plan, const PartRange& range, const std::string& folder) {
+void run_jobs(const SweepPlan& plan, const PartRange& range, const std::string& folder,
+              const std::optional<TypeCounting>& types) {
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const std::string id = plan.job_id(k);
-    if (!is_done(folder, id)) save_result(folder, id, run_job(plan.job(k)));
+    if (!is_done(folder, id)) save_result(folder, id, run_job(plan.job(k), types));
   }
 }
 
@@ -43,13 +46,15 @@ ExitCode run_sweep(const Arguments& arguments) {
   }
   const auto folder = arguments.value("-o");
   if (!folder && !arguments.has("--list")) throw UsageError("-o DIR is missing");
+  const std::optional<TypeCounting> types = type_counting(arguments);
   const SweepPlan plan = read_plan(load_bytes(arguments.only_positional("PLAN.json")));
   if (arguments.has("--list")) {
     print_jobs(plan);
   } else if (job && is_done(*folder, *job)) {
     return kDone;
   } else {
-    run_jobs(plan, job ? find_job(plan, *job) : parse_part(*part, plan.job_count()), *folder);
+    run_jobs(plan, job ? find_job(plan, *job) : parse_part(*part, plan.job_count()), *folder,
+             types);
   }
   return kDone;
 }
@@ -64,13 +69,13 @@ ExitCode run_gather(const Arguments& arguments) {
 }  // namespace
 
 Command sweep_command() {
-  return {"sweep",
-          "PLAN.json --list | --job ID -o DIR | --part K/N -o DIR",
-          "many designs from one: what there is to do, or one of it, or one of N parts",
-          {{"--list", "", "one line a job: its id and its values"},
-           {"--job", "ID", "do this one; nothing where DIR has it already"},
-           {"--part", "K/N", "do the K-th of N parts of the plan, K from 1"},
-           {"-o", "DIR", "where <id>.json and <id>.design.json go"}},
+  std::vector<OptionRow> rows = {{"--list", "", "one line a job: its id and its values"},
+                                 {"--job", "ID", "do this one; nothing where DIR has it already"},
+                                 {"--part", "K/N", "do the K-th of N parts of the plan, K from 1"},
+                                 {"-o", "DIR", "where <id>.json and <id>.design.json go"}};
+  for (OptionRow& row : type_counting_rows()) rows.push_back(std::move(row));
+  return {"sweep", "PLAN.json --list | --job ID -o DIR | --part K/N -o DIR",
+          "many designs from one: what there is to do, or one of it, or one of N parts", rows,
           run_sweep};
 }
 

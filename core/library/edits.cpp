@@ -39,6 +39,7 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
   add(messages, fewest_sentence(run));
   if (run.splits) add(messages, splits_sentence(*run.splits, run.report));
   add(messages, shortfall_sentence(run));
+  if (report.contains("types")) messages.push_back(type_change_sentence(report["types"]));
   return messages;
 }
 

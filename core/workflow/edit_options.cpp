@@ -13,6 +13,7 @@
 #include "planish/edit/edit_option_table.hpp"
 #include "planish/variations/subspace.hpp"
 #include "split_run.hpp"
+#include "type_change.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -112,6 +113,7 @@ std::vector<OptionRow> edit_command_rows() {
                   "of the longest way of a handle, within which handles have arrived for\n"
                   "--fewest and --split-where-needed; default 5%"});
   rows.push_back(split_option_row());
+  for (OptionRow& row : type_counting_rows()) rows.push_back(std::move(row));
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"
                   "plane at right angles to it through the middle; axis:N, axis:x:N: N-fold\n"

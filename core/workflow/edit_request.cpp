@@ -80,6 +80,7 @@ EditRequest edit_request(const Request& request) {
   asked.symmetry = stated_symmetry(request);
   asked.fewest = fewest_options(request);
   asked.splits = split_options(request);
+  asked.types = type_counting(request);
   if (asked.symmetry && asked.options.engine != Engine::kNewton) {
     throw UsageError("symmetry: the engine alm knows none; it needs newton");
   }

@@ -13,6 +13,7 @@
 #include "planish/splitting/split_where_needed.hpp"
 #include "planish/symmetry/symmetry.hpp"
 #include "request.hpp"
+#include "type_change.hpp"
 
 namespace planish::workflow {
 
@@ -24,6 +25,7 @@ struct EditRequest {
   std::optional<StatedSymmetry> symmetry;
   std::optional<FewestOptions> fewest;
   std::optional<SplitOptions> splits;
+  std::optional<TypeCounting> types;
   EditTargets targets = {};
   std::vector<bool> relative = {};  ///< of each handle: its target is a way from the base
 };

@@ -233,6 +233,7 @@ Json edit_json(const EditRun& run, const Positions& after) {
   if (run.cut) add_cuts(json, *run.cut);
   if (run.fewest) json["fewest"] = fewest_json(run);
   if (run.splits) json["splits"] = splits_json(*run.splits);
+  if (run.asked.types) json["types"] = type_change_json(*run.asked.types, run.base.mesh, after);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);
     if (run.evened.max_move > 0.0) {

@@ -42,6 +42,19 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kColumns = {
      {"iterations", "/iterations"},
      {"design", "/design"}}};
 
+/// The same where types of panels were counted, behind them.
+constexpr std::array<std::pair<const char*, const char*>, 2> kTypeColumns = {
+    {{"types_before", "/types/before"}, {"types_after", "/types/after"}}};
+
+/// Those of the table of `results`.
+std::vector<std::pair<const char*, const char*>> columns_of(const std::vector<Json>& results) {
+  std::vector<std::pair<const char*, const char*>> columns(kColumns.begin(), kColumns.end());
+  const bool counted = std::any_of(results.begin(), results.end(),
+                                   [](const Json& one) { return one.contains("types"); });
+  if (counted) columns.insert(columns.end(), kTypeColumns.begin(), kTypeColumns.end());
+  return columns;
+}
+
 std::string path_of(const std::string& folder, const std::string& id, const char* ending) {
   return (fs::path(folder) / (id + ending)).string();
 }
@@ -95,7 +108,7 @@ std::string values_text(const SweepJob& job) {
   return json.dump();
 }
 
-SweepResult run_job(const SweepJob& job) {
+SweepResult run_job(const SweepJob& job, const std::optional<TypeCounting>& types) {
   Json json = {{"id", job.id}, {"values", Json::parse(values_text(job))}};
   const auto refused = [&](const std::string& sentence) {
     json["status"] = "refused";
@@ -112,6 +125,7 @@ SweepResult run_job(const SweepJob& job) {
   Json seconds = report["seconds"];
   for (const char* key : {"seconds", "verified", "deviation"}) report.erase(key);
   json.update(report);
+  if (types) json["types"] = type_change_json(*types, done.base, done.shape);
   json["design"] = job.id + ".design.json";
   design.result = done.mark;
   return {json.dump(2) + "\n", write_design(design) + "\n", seconds.dump() + "\n"};
@@ -139,12 +153,13 @@ std::string gather(const std::string& folder) {
   std::string table = "id";
   const auto add = [&](const std::string& text) { (table += ',') += text; };
   for (const std::string& field : fields) add(cell(field));
-  for (const auto& [name, where] : kColumns) add(name);
+  const auto columns = columns_of(results);
+  for (const auto& [name, where] : columns) add(name);
   table += '\n';
   for (const Json& result : results) {
     table += cell(result.value("id", Json()));
     for (const std::string& field : fields) add(cell(result["values"].value(field, Json())));
-    for (const auto& [name, where] : kColumns) {
+    for (const auto& [name, where] : columns) {
       add(cell(result.value(Json::json_pointer(where), Json())));
     }
     table += '\n';

@@ -2,12 +2,14 @@
 /// What one job of a sweep leaves behind, and the table of all of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "planish/sweep/sweep_plan.hpp"
 #include "request.hpp"
+#include "type_change.hpp"
 
 namespace planish::workflow {
 
@@ -17,7 +19,7 @@ namespace planish::workflow {
 /// The values of a job as a JSON object.
 [[nodiscard]] std::string values_text(const SweepJob& job);
 
-/// One job done. Both texts depend on the job alone: no times, no places.
+/// One job done. Both texts depend on the job and on what is counted alone: no times, no places.
 struct SweepResult {
   std::string figures;  ///< JSON: id, values, report, or the sentence why there is no design
   std::string design;   ///< JSON with the mark of the result; "" if there is none
@@ -25,7 +27,8 @@ struct SweepResult {
 };
 
 /// Never throws for what is wrong with one design only: that is a result, too.
-[[nodiscard]] SweepResult run_job(const SweepJob& job);
+[[nodiscard]] SweepResult run_job(const SweepJob& job,
+                                  const std::optional<TypeCounting>& types = std::nullopt);
 
 /// Writes the result to `folder`, <id>.json last: where that is present, the job is done.
 void save_result(const std::string& folder, const std::string& id, const SweepResult& result);

@@ -67,6 +67,8 @@ def edit(
     cuts: Iterable[str] | None = None,
     fewest: str | None = None,
     split_where_needed: int | None = None,
+    count_types: float | str | None = None,
+    mirrored: bool | None = None,
     pins: Iterable[int] | None = None,
     supports: Iterable[str] | None = None,
     continuation: int | None = None,
@@ -103,6 +105,9 @@ def edit(
         pins: vertices that stay.
         fewest: "panels" or "points": few to make again, as long as the handles arrive.
         split_where_needed: at most so many panels are parted where the handles stop short.
+        count_types: how many types of panels there are before and after, in the report: alike within a
+            length in units of the mesh or a share of the mean edge, "0.5%".
+        mirrored: for count_types: a panel may be its template turned over.
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
         symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
@@ -126,6 +131,8 @@ def edit(
         "cuts": cuts,
         "fewest": fewest,
         "split_where_needed": split_where_needed,
+        "count_types": count_types,
+        "mirrored": mirrored,
         "pins": pins,
         "supports": supports,
         "continuation": continuation,

@@ -20,6 +20,11 @@ export interface EditOptions {
   readonly splitWhereNeeded?: number;
   /** Of the longest way of a handle, within which handles have arrived for these two: "5%". */
   readonly withinHandle?: string;
+  /** Counts types of panels before and after, for the report: alike within a length in units of the mesh,
+   * or a share of the mean edge, "0.5%". */
+  readonly countTypes?: number | string;
+  /** For `countTypes`: a panel may be its template turned over. */
+  readonly mirrored?: boolean;
   /** Points that stay. */
   readonly pins?: readonly number[];
   /** What points slide on: "level=z:boundary", "outline:boundary", ... */
