@@ -62,6 +62,26 @@ it("colours the largest types, as many as the command line finds, before and aft
   await page.context().close();
 });
 
+it("says how an edit and its variations change the number of types, once they were asked for", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+40cm");
+  const note = page.getByText(/^\d+ types \(\d+ before\)$/);
+  expect(await note.count()).toBe(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
+  const before = await byCommand(page, "--within 0.5%");
+  await expect.poll(() => count(page)).toBe(before.types);
+  await page.getByRole("button", { name: "Redo" }).click();
+  const after = await byCommand(page, "--within 0.5%");
+  await page.getByText(`${after.types} types (${before.types} before)`, { exact: true }).waitFor();
+  await page.getByRole("button", { name: "Find variations" }).click();
+  const tiles = page.getByRole("list", { name: "Gallery of variations" }).getByRole("button");
+  await expect
+    .poll(async () => (await tiles.first().textContent()) ?? "", { timeout: 20_000 })
+    .toMatch(new RegExp(`\\d+ again ?\\d+ types? \\(${before.types} before\\)`));
+  await page.context().close();
+});
+
 it("cuts one template a type with the bytes of the command line", async () => {
   const page = await site.open();
   writeFileSync(join(folder, "Roof.obj"), await obj(page));

@@ -207,8 +207,9 @@ export class Dispatcher {
     this.#post({ kind: "previewed", job, preview }, []);
   }
 
-  async #types({ job, share, mirrored }: Extract<Request, { kind: "types" }>): Promise<void> {
-    const types = await panelTypes(this.#session, share, mirrored);
+  async #types(request: Extract<Request, { kind: "types" }>): Promise<void> {
+    const { job, share, mirrored, shape } = request;
+    const types = await panelTypes(this.#session, shape, share, mirrored);
     this.#post({ kind: "types", job, types }, []);
   }
 

@@ -203,8 +203,9 @@ export type Request =
   | { kind: "shop"; job: number; order: ShopOrder } // → made
   /** What a package would hold. `face`: the panel to draw; `map`: whether the map is wanted. */
   | { kind: "preview"; job: number; options: CuttingOptions; face: number; map: boolean } // → previewed
-  /** Which panels of the design shown are alike, see PanelTypes. */
-  | { kind: "types"; job: number; share: number; mirrored: boolean } // → types
+  /** Which panels are alike, see PanelTypes, of a shape of the mesh that is open; null: of the design
+   * shown. */
+  | { kind: "types"; job: number; share: number; mirrored: boolean; shape: Shape | null } // → types
   /** A mesh beside the one that is open, which stays. */
   | { kind: "readModel"; job: number; file: Blob; name: string; format: FileFormat } // → readModel
   /** What a .3dm holds; the mesh that is open stays. */

@@ -14,6 +14,7 @@ import type {
 } from "@wasm/planish_documents.mjs";
 import { plainOptions } from "./cutting-options.ts";
 import { loadDocuments } from "./documents.ts";
+import type { Shape } from "./protocol.ts";
 
 /** A new instance for each order: its memory, which only grows, goes when the order is done. */
 async function loadPart(): Promise<ShopModule> {
@@ -24,12 +25,13 @@ async function loadPart(): Promise<ShopModule> {
   }
 }
 
-const designOf = (session: Session): ShopDesign => ({
+/** `shape`: null for the one shown. */
+const designOf = (session: Session, shape: Shape | null = null): ShopDesign => ({
   base: session.basePositions(),
   offsets: session.faceOffsets(),
   vertices: session.faceVertices(),
-  moved: session.moved(),
-  movedPositions: session.movedPositions(),
+  moved: shape ? shape.moved : session.moved(),
+  movedPositions: shape ? shape.positions : session.movedPositions(),
   parents: session.panelParents(),
 });
 
@@ -61,14 +63,15 @@ export async function previewPackage(
   return shop.cuttingPreview(designOf(session), options, face, map);
 }
 
-/** Which panels of the design shown are alike, within a share of the mean edge. */
+/** Which panels are alike, within a share of the mean edge. `shape`: null for the design shown. */
 export async function panelTypes(
   session: Session,
+  shape: Shape | null,
   share: number,
   mirrored: boolean,
 ): Promise<PanelTypes> {
   const shop = await loadPart();
-  return shop.panelTypes(designOf(session), share, mirrored);
+  return shop.panelTypes(designOf(session, shape), share, mirrored);
 }
 
 /** The design shown at a distance, model units. `kind`: "" for the first that it has. */

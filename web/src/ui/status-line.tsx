@@ -23,6 +23,10 @@ const RemakeNote = later(() =>
   import("../features/analysis/panel-notes.tsx").then((part) => part.RemakeNote),
 );
 
+const TypesNote = later(() =>
+  import("../features/types/types-note.tsx").then((part) => part.TypesNote),
+);
+
 function numbers(page: Page): readonly string[] {
   if (!page.ready.value) return [page.stranded.value ? "not ready" : "loading the solver…"];
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess, seconds, status } =
@@ -105,6 +109,7 @@ export function StatusLine() {
         <Numbers /> <DamageNote />
       </div>
       <RemakeNote />
+      <TypesNote />
       <MotionNote />
       {page.context.value && <ContextNote />}
       {page.problem.value && (

@@ -9,6 +9,8 @@ import { DARK, LIGHT } from "../../scene/palette.ts";
 import { cssGradient } from "../../scene/ramp.ts";
 import { readCamera } from "../../state/camera.ts";
 import { formatDegrees } from "../../state/fold.ts";
+import type { Page } from "../../state/page.ts";
+import { typeWords } from "../../state/type-counts.ts";
 import { CompareView, linkViews } from "./compare-view.ts";
 import {
   type Candidate,
@@ -84,14 +86,21 @@ const COLUMNS: readonly (readonly [string, (figures: Figures) => string])[] = [
   ["Largest panel", ({ area }) => `${area.toPrecision(3)} m²`],
 ];
 
+/** Types, too, where they were asked for. */
+function columnsOf(page: Page): typeof COLUMNS {
+  if (page.shownTypes.value === null) return COLUMNS;
+  return [...COLUMNS, ["Types", ({ types }) => (types ? typeWords(types) : "–")]];
+}
+
 function Table({ shown }: { shown: readonly Candidate[] }) {
   const page = usePage();
+  const columns = columnsOf(page);
   return (
     <table class="compare-table" aria-label="Comparison">
       <thead>
         <tr>
           <th scope="col">Design</th>
-          {COLUMNS.map(([title]) => (
+          {columns.map(([title]) => (
             <th key={title} scope="col">
               {title}
             </th>
@@ -104,7 +113,7 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
           return (
             <tr key={id}>
               <th scope="row">{name}</th>
-              {COLUMNS.map(([title, words]) => (
+              {columns.map(([title, words]) => (
                 <td key={title}>{figures ? words(figures) : "…"}</td>
               ))}
             </tr>

@@ -10,6 +10,7 @@ import { client } from "../../state/connection.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { sameMesh } from "../../state/showing.ts";
+import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 
 export const MOST_COMPARED = 4;
 
@@ -30,6 +31,8 @@ export interface Figures {
   readonly angle: number;
   /** Square metres. */
   readonly area: number;
+  /** null where nobody asked for types. */
+  readonly types: TypeCount | null;
 }
 
 /** The design shown and the snapshots of its mesh. */
@@ -98,7 +101,14 @@ export function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit):
 
 const HEALTH = { angle: 2, stride: 4 } as const;
 
-function figuresOf(page: Page, shape: Shape, measures: PanelMeasures, opened: OpenedMesh): Figures {
+type Measured = Omit<Figures, "types">;
+
+function figuresOf(
+  page: Page,
+  shape: Shape,
+  measures: PanelMeasures,
+  opened: OpenedMesh,
+): Measured {
   const { health, damage, folds } = measures;
   let angle = 180;
   for (let k = HEALTH.angle; k < health.length; k += HEALTH.stride)
@@ -122,7 +132,9 @@ export async function measureCompared(page: Page): Promise<void> {
       .ask({ kind: "measure", shape: design.shape })
       .catch(() => null);
     if (answer?.kind !== "panels" || !answer.measures || opened !== page.mesh.value) return;
-    const figures = figuresOf(page, design.shape, answer.measures, opened);
+    const measured = figuresOf(page, design.shape, answer.measures, opened);
+    const figures = { ...measured, types: await countTypes(page, design.shape) };
+    if (opened !== page.mesh.value) return;
     comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
   }
 }

@@ -12,6 +12,7 @@ import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
+import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 import { ensureDirections, explore } from "./exploring.ts";
 import { isInside, within } from "./slider-range.ts";
 import { stopsAt } from "./slider-stops.ts";
@@ -29,6 +30,8 @@ export interface GalleryPanels {
   readonly changed: number;
   /** "1 panel became concave"; "" where none is spoilt. */
   readonly damage: string;
+  /** null where nobody asked for types. */
+  readonly types: TypeCount | null;
 }
 
 export interface Gallery {
@@ -140,7 +143,8 @@ async function panelsOf(page: Page, shape: Shape): Promise<GalleryPanels | null>
     const answer = await client(page).ask({ kind: "measure", shape });
     if (answer.kind !== "panels" || !answer.measures) return null;
     const { health, damage } = answer.measures;
-    return { changed: countHealth(health).changed, damage: damageWords(damage, health) };
+    const types = await countTypes(page, shape);
+    return { changed: countHealth(health).changed, damage: damageWords(damage, health), types };
   } catch {
     return null;
   }

@@ -10,6 +10,7 @@ import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
 import { shownPoint } from "../../state/editing.ts";
 import { foldWords, formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
+import { typeWords } from "../../state/type-counts.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { furthestBetween, signOf } from "./furthest.ts";
 import { adopt, fillGallery, type Gallery, type GalleryItem, gallery, preview } from "./gallery.ts";
@@ -67,13 +68,19 @@ interface TileProps {
   readonly centre: Shape;
 }
 
-/** "14 again"; what is spoilt is said, too. */
+/** "14 again"; types, where they were asked for, and what is spoilt are said, too. */
 function Again({ panels }: Pick<GalleryItem, "panels">) {
   if (!panels) return null;
   return (
     <>
       <br />
       {`${panels.changed} again`}
+      {panels.types && (
+        <>
+          <br />
+          {typeWords(panels.types)}
+        </>
+      )}
       {panels.damage && <strong class="tile-damage">{panels.damage}</strong>}
     </>
   );

@@ -17,7 +17,7 @@ async function findTypes(page: Page): Promise<void> {
   if (!of) return;
   const { share, mirrored } = page.typesChoice.peek();
   try {
-    const answer = await client(page).stream({ kind: "types", share, mirrored });
+    const answer = await client(page).stream({ kind: "types", share, mirrored, shape: null });
     if (answer.kind !== "types" || page.history.peek()?.present !== of) return;
     page.shownTypes.value = { of, share, mirrored, types: answer.types };
   } catch (error) {
