@@ -147,8 +147,7 @@ ExitCode write_package(const Arguments& arguments, const ShopInput& input,
 
 ExitCode write_model(const Arguments& arguments, const ShopInput& input,
                      const CuttingOptions& options, const std::string& output) {
-  for (const char* name :
-       {"--sheet", "--text-height", "--link", "--joint", "--within", "--mirrored", "--by"}) {
+  for (const char* name : {"--sheet", "--text-height", "--link", "--by"}) {
     if (arguments.has(name)) throw UsageError(std::string(name) + " is for packages, not for IFC");
   }
   const CuttingPlan plan = make_cutting_plan(input.mesh, input.base_or_null(), options);

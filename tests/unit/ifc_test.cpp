@@ -52,6 +52,31 @@ TEST(Ifc, HasAPlateForEachPanelOverSharedPoints) {
   }
 }
 
+TEST(Ifc, HasATypeForPlatesThatAreAlike) {
+  const Mesh mesh = testing::sample("vault", 8);
+  CuttingOptions options;
+  options.types.emplace();
+  options.types->within = 1.0;  // mm
+  const CuttingPlan plan = make_cutting_plan(mesh, nullptr, options);
+  const IfcModel model = write_ifc(plan);
+  const std::vector<PanelType>& types = plan.types->panels.types;
+  ASSERT_LT(types.size(), static_cast<std::size_t>(mesh.face_count()));
+  const auto names = all_of(model.text, R"(=IFCPLATETYPE\('[^']+',\$,'(T-\d+)',)");
+  ASSERT_EQ(names.size(), types.size());
+  const auto lists = all_of(model.text, R"(=IFCRELDEFINESBYTYPE\('[^']+',\$,\$,\$,\(([#0-9,]+)\))");
+  ASSERT_EQ(lists.size(), types.size());
+  std::set<std::string> plates;
+  for (std::size_t k = 0; k < types.size(); ++k) {
+    EXPECT_EQ(names[k], type_name(static_cast<int>(k)));
+    const auto listed = all_of(lists[k], "(#[0-9]+)");
+    EXPECT_EQ(listed.size(), types[k].panels.size());
+    plates.insert(listed.begin(), listed.end());
+  }
+  const auto all = all_of(model.text, "(#[0-9]+)=IFCPLATE\\(");
+  EXPECT_EQ(plates, std::set<std::string>(all.begin(), all.end()));
+  EXPECT_EQ(all_of(model_of(mesh).text, "(=IFCPLATETYPE)").size(), 0U);
+}
+
 TEST(Ifc, IdentifiersAreOfTheStandardDifferFromEachOtherAndStayInAnEdit) {
   const Mesh base = testing::sample("vault", 8);
   Mesh mesh = base;

@@ -32,6 +32,8 @@ enum class Identified : std::uint32_t {
   kPlate = 9,
   kPlateProperties = 10,
   kPlateHasProperties = 11,
+  kPlateType = 12,
+  kPlatesOfType = 13,
 };
 
 /// A permutation of the 64-bit numbers (splitmix64's finaliser).
@@ -77,6 +79,7 @@ class IfcWriter {
   IfcModel write() {
     add_setting();
     std::vector<StepValue> plates;
+    std::vector<std::vector<StepValue>> of_type(plan_.types ? plan_.types->panels.types.size() : 0);
     const bool is_surface = plan_.options.gap == 0.0 && plan_.options.thickness == 0.0;
     if (is_surface) points_ = add_points();
     for (int f = 0; f < plan_.mesh.face_count(); ++f) {
@@ -86,8 +89,11 @@ class IfcWriter {
         model_.report.vanished.push_back(f);
       } else {
         plates.push_back(step_reference(add_plate(f, shapes, is_surface)));
+        if (plan_.types)
+          of_type[at(plan_.types->panels.panels[at(f)].family)].push_back(plates.back());
       }
     }
+    add_types(of_type);
     if (!plates.empty()) {
       file_.add("IFCRELAGGREGATES", id(Identified::kPlatesInWall), nothing(), nothing(), nothing(),
                 step_reference(wall_), step_list(plates));
@@ -254,6 +260,21 @@ class IfcWriter {
                                 step_reference(definition), name, step_word(".CURTAIN_PANEL."));
     add_properties(face, plate);
     return plate;
+  }
+
+  /// Those that have a plate; a plate keeps its own shape, which is within the tolerance of its
+  /// type's.
+  void add_types(const std::vector<std::vector<StepValue>>& of_type) {
+    for (std::size_t k = 0; k < of_type.size(); ++k) {
+      if (of_type[k].empty()) continue;
+      const int number = static_cast<int>(k);
+      const StepValue name = step_string(type_name(number));
+      const int type =
+          file_.add("IFCPLATETYPE", id(Identified::kPlateType, number), nothing(), name, nothing(),
+                    nothing(), nothing(), nothing(), name, nothing(), step_word(".CURTAIN_PANEL."));
+      file_.add("IFCRELDEFINESBYTYPE", id(Identified::kPlatesOfType, number), nothing(), nothing(),
+                nothing(), step_list(of_type[k]), step_reference(type));
+    }
   }
 
   StepValue property(std::string_view name, const StepValue& value) {

@@ -19,8 +19,9 @@ struct IfcModel {
 /// one IfcPolygonalFaceSet with as many corners as the panel has, all over one list of points:
 /// panels share them. With a gap the plate's outline is the one that is cut; with a thickness it is
 /// extruded inwards, its outside face being the panel. A panel that the gap leaves nothing of is
-/// left out; its number stays. Identifiers follow from the hash of the base and the panel's number
-/// alone: an edit of the same base, exported again, has the same ones.
+/// left out; its number stays. Where `plan` has types, each is an IfcPlateType of that name, to
+/// which its plates belong. Identifiers follow from the hash of the base and the panel's, or the
+/// type's, number alone: an edit of the same base, exported again, has the same ones.
 [[nodiscard]] IfcModel write_ifc(const CuttingPlan& plan);
 
 }  // namespace planish
