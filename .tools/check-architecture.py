@@ -20,7 +20,7 @@ FROM_MESH = {"numeric", "text", "mesh"}
 GEOMETRY = FROM_MESH | {"symmetry", "obstacles", "constraints", "supports", "measures"}
 SOLVED = GEOMETRY | {"problem", "engines"}
 CORE = SOLVED | {"cuts", "io", "shapes", "projection", "edit", "variations", "families", "fabrication"}
-CORE |= {"splitting", "offset", "mobility", "design", "sweep"}
+CORE |= {"splitting", "repetition", "offset", "mobility", "design", "sweep"}
 ARROWS = {
     "numeric": set(),
     "text": set(),  # numbers as text, sentences, refusals
@@ -41,6 +41,7 @@ ARROWS = {
     "variations": SOLVED | {"projection", "edit"},
     "families": {"numeric", "text"},  # shapes in a plane, of whatever they are
     "fabrication": FROM_MESH | {"constraints", "measures", "io", "families"},
+    "repetition": SOLVED | {"projection", "families", "fabrication"},  # more panels alike
     "offset": SOLVED,
     "mobility": GEOMETRY | {"edit", "fabrication"},
     "design": SOLVED | {"cuts", "projection", "edit", "variations", "shapes", "io"},
