@@ -5,6 +5,7 @@
 
 #include "cut_run.hpp"
 #include "projection_run.hpp"
+#include "repetition_run.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -40,9 +41,16 @@ OptionRow hybrid_option_row() {
 
 ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const ProjectionOptions& options,
                         const Mesh* reference, const Progress& progress) {
+  if (asks_for_fewer_types(request)) {
+    FewerTypes fewer =
+        run_fewer_types(mesh, request, options, projection_pins(mesh, request, options), progress);
+    ProjectionResult result = projection_of(mesh, fewer);
+    return {mesh, std::move(result), std::nullopt, std::move(fewer)};
+  }
   const auto split = request.value(kSplit);
   if (!split) {
-    return {mesh, run_projection(mesh, request, options, reference, progress), std::nullopt};
+    return {mesh, run_projection(mesh, request, options, reference, progress), std::nullopt,
+            std::nullopt};
   }
   if (reference != nullptr) throw UsageError("--split: it knows no --reference");
   if (options.engine != Engine::kNewton) {
@@ -51,13 +59,14 @@ ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const Projecti
   const HybridOptions hybrid = parse_hybrid(*split, mesh);
   const std::vector<int> pins = projection_pins(mesh, request, options);
   HybridMesh found = split_until_flat(mesh, options, pins, hybrid, progress);
-  ProjectedMesh projected{found.cut.mesh, std::move(found.result), std::nullopt};
+  ProjectedMesh projected{found.cut.mesh, std::move(found.result), std::nullopt, std::nullopt};
   found.result = {};
   projected.hybrid = std::move(found);
   return projected;
 }
 
 void add_hybrid(Json& json, const ProjectedMesh& projected) {
+  if (projected.fewer) json["types"] = fewer_types_json(projected.mesh, *projected.fewer);
   if (!projected.hybrid) return;
   Json curve = Json::array();
   for (const HybridStanding& standing : projected.hybrid->curve) {
@@ -74,6 +83,7 @@ void add_hybrid(Json& json, const ProjectedMesh& projected) {
 }
 
 std::optional<std::string> hybrid_sentence(const ProjectedMesh& projected) {
+  if (projected.fewer) return fewer_types_sentence(projected.mesh, *projected.fewer);
   if (!projected.hybrid || projected.hybrid->panels == 0) return std::nullopt;
   const int count = projected.hybrid->panels;
   return "--split: " + std::to_string(count) + (count == 1 ? " panel is" : " panels are") +

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "planish/projection/projection.hpp"
+#include "planish/repetition/fewer_types.hpp"
 #include "planish/splitting/split_until_flat.hpp"
 #include "report.hpp"
 #include "request.hpp"
@@ -14,14 +15,16 @@ namespace planish::workflow {
 
 [[nodiscard]] OptionRow hybrid_option_row();
 
-/// A projection, perhaps of the mesh with panels parted.
+/// A projection, perhaps of the mesh with panels parted, or with fewer types.
 struct ProjectedMesh {
   Mesh mesh;  ///< as given, parted where that was asked for
   ProjectionResult result;
   std::optional<HybridMesh> hybrid;  ///< with --split, its result apart
+  std::optional<FewerTypes> fewer;   ///< with --move
 };
 
-/// run_projection(), or, with --split, split_until_flat(). Throws RequestError.
+/// run_projection(), or, with --split, split_until_flat(), or, with --move, find_fewer_types().
+/// Throws RequestError.
 [[nodiscard]] ProjectedMesh make_flat(const Mesh& mesh, const Request& request,
                                       const ProjectionOptions& options, const Mesh* reference,
                                       const Progress& progress);

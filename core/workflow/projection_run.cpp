@@ -10,29 +10,34 @@
 #include "planish/measures/metrics.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/text/number.hpp"
+#include "repetition_run.hpp"
 
 namespace planish::workflow {
 
 std::vector<OptionRow> projection_option_rows() {
-  return {{"--smooth", "A",
-           "weight α_f, 0 … 10000, default 10, with --reference 0: higher is\n"
-           "fairer and farther away, 0 the nearest flat mesh"},
-          {"--bound", "NAME=VALUE",
-           "shape=on|off, default on: no panel becomes concave, crossing,\n"
-           "turned over or collapsed that was not; flat=MM_PER_M: panels may\n"
-           "stay that far out of flat, and change as little as that needs"},
-          {"--within", "D",
-           "no vertex moves farther (units of the mesh); where the flat mesh\n"
-           "does, the result is as flat as that allows"},
-          {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
-          {"--pin", "V,V,...", "vertices that stay where they are"},
-          {"--keep-boundary", "", "boundary points stay"},
-          {"--fairness", "KIND", "laplacian, second or third; default second"},
-          kConstraintRow,
-          support_row(),
-          hybrid_option_row(),
-          {"--solver", "NAME", "newton or alm; default newton"},
-          {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+  std::vector<OptionRow> rows = {
+      {"--smooth", "A",
+       "weight α_f, 0 … 10000, default 10, with --reference 0: higher is\n"
+       "fairer and farther away, 0 the nearest flat mesh"},
+      {"--bound", "NAME=VALUE",
+       "shape=on|off, default on: no panel becomes concave, crossing,\n"
+       "turned over or collapsed that was not; flat=MM_PER_M: panels may\n"
+       "stay that far out of flat, and change as little as that needs"},
+      {"--within", "D",
+       "no vertex moves farther (units of the mesh); where the flat mesh\n"
+       "does, the result is as flat as that allows; with --move see there"},
+      {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
+      {"--pin", "V,V,...", "vertices that stay where they are"},
+      {"--keep-boundary", "", "boundary points stay"},
+      {"--fairness", "KIND", "laplacian, second or third; default second"},
+      kConstraintRow,
+      support_row(),
+      hybrid_option_row(),
+      {"--solver", "NAME", "newton or alm; default newton"},
+      {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
+  const std::vector<OptionRow> repetition = repetition_option_rows();
+  rows.insert(rows.end(), repetition.begin(), repetition.end());
+  return rows;
 }
 
 ProjectionOptions projection_options(const Request& request) {
@@ -42,7 +47,7 @@ ProjectionOptions projection_options(const Request& request) {
   request.read("--tolerance", options.tolerance);
   if (!request.has("--reference")) options.fairness_weight = Planarising{}.fairness_weight;
   request.read("--smooth", options.fairness_weight);
-  if (request.has("--within")) {
+  if (request.has("--within") && !asks_for_fewer_types(request)) {
     request.read("--within", options.within);
     if (options.within <= 0.0) throw UsageError("--within must be greater than 0");
   }

@@ -30,13 +30,6 @@ JointRange parsed_joint(const Json& stated) {
           parse_finite(text.substr(colon + 1), "--joint")};
 }
 
-/// A length, or a share of the mean edge with % behind it.
-double parsed_within(const Json& stated, double mean_edge) {
-  const std::string text = text_of(stated);
-  if (!text.ends_with('%')) return parse_finite(stated, "--within");
-  return 0.01 * parse_finite(text.substr(0, text.size() - 1), "--within") * mean_edge;
-}
-
 Json sizes_json(const std::vector<PanelType>& types) {
   Json sizes = Json::array();
   for (const PanelType& type : types) sizes.push_back(type.panels.size());
@@ -109,7 +102,7 @@ TypeOptions type_options(const Request& request, const Mesh& mesh, const std::st
     throw UsageError("--joint and --within: give one, either says the other");
   }
   if (joint != nullptr) options.joint = parsed_joint(*joint);
-  if (within != nullptr) options.within = parsed_within(*within, mean_edge);
+  if (within != nullptr) options.within = parse_length(*within, "--within", mean_edge);
   request.read("--angle", options.degrees);
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
   return options;

@@ -26,12 +26,15 @@ def project(
     *,
     reference: Mesh | None = None,
     smooth: float | None = None,
-    within: float | None = None,
+    within: float | str | None = None,
     pins: Iterable[int] | None = None,
     keep_boundary: bool | None = None,
     bounds: Mapping[str, bool | float] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
     split: int | str | None = None,
+    move: float | str | None = None,
+    types: int | None = None,
+    mirrored: bool | None = None,
     fairness: str | None = None,
     solver: str | None = None,
     tolerance: float | None = None,
@@ -42,8 +45,13 @@ def project(
 
     Args:
         within: model units, > 0; no vertex moves farther, and the result is as flat as that allows.
+            With move how far a corner may be from its template's, also "0.5%" of the mean edge.
         bounds: shape, a bool; flat, mm/m > 0: as far as panels may stay out of flat.
         split: at most so many panels, or "10%" of them, are split: the fewest that make it flat.
+        move: of a flat mesh, more panels become alike, and no point moves farther; model units, or
+            "20%" of the mean edge.
+        types: with move, the closest fit found with so many types.
+        mirrored: with move, a panel may be its template turned over.
     """
     options = {
         "reference": None if reference is None else "reference",
@@ -54,6 +62,9 @@ def project(
         "bounds": bounds,
         "constraints": constraints,
         "split": split,
+        "move": move,
+        "types": types,
+        "mirrored": mirrored,
         "fairness": fairness,
         "solver": solver,
         "tolerance": tolerance,

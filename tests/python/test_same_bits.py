@@ -183,6 +183,14 @@ class SameBits(InFolder):
         self.check_report("h.report", flat.report)
         self.assertEqual(flat.report.split["panels"], 1)
 
+    def test_fewer_types(self):
+        self.command("project", "sample:freeform:8", "--within=1%", "--move=20%", "-o", "t.obj", "--report",
+                     "t.report")
+        fewer = planish.project(planish.Mesh.read("sample:freeform:8"), within="1%", move="20%")
+        self.check_file("t.obj", fewer)
+        self.check_report("t.report", fewer.report)
+        self.assertLess(fewer.report.types["after"], fewer.report.types["before"])
+
     def test_few_to_make_again(self):
         self.command("edit", "sample:vault:16", "--handle=136+=0,0,0.3", "--softness=5", "--reach=4",
                      "--bound=fold=+15", "--fewest=panels", "-o", "f.obj", "--report", "f.report")

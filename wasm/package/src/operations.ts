@@ -11,8 +11,9 @@ export interface ProjectOptions {
   readonly reference?: Mesh;
   /** 0 stays as close as possible; higher is fairer and farther away. */
   readonly smooth?: number;
-  /** Model units, > 0: no vertex moves farther, and the result is as flat as that allows. */
-  readonly within?: number;
+  /** Model units, > 0: no vertex moves farther, and the result is as flat as that allows.
+   * With `move` how far a corner may be from its template's, also "0.5%" of the mean edge. */
+  readonly within?: number | string;
   readonly pins?: readonly number[];
   readonly keepBoundary?: boolean;
   /** Panels keep their shape; they may stay `flat` mm per m out of flat. */
@@ -20,6 +21,13 @@ export interface ProjectOptions {
   readonly constraints?: Constraints;
   /** At most so many panels, or "10%" of them, are split: the fewest that make the mesh flat. */
   readonly split?: number | string;
+  /** Of a flat mesh, more panels become alike, and no point moves farther: model units, or "20%" of the
+   * mean edge. */
+  readonly move?: number | string;
+  /** With `move`: the closest fit found with so many types. */
+  readonly types?: number;
+  /** With `move`: a panel may be its template turned over. */
+  readonly mirrored?: boolean;
   readonly fairness?: "laplacian" | "second" | "third";
   readonly solver?: "newton" | "alm";
   /** mm per m */
