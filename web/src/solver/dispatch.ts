@@ -2,15 +2,14 @@
 // What the worker does with each request; testable without a worker.
 
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
-import { buffersOf, prepareDisplay } from "../mesh/display-mesh.ts";
 import { turnedObj } from "../mesh/up-axis.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { DesignFiles } from "./design-files.ts";
 import { type Edited, Edits } from "./edits.ts";
+import { openedBuffers, readMesh } from "./opened-mesh.ts";
 import type {
   AlsoMeasured,
   FileFormat,
-  OpenedMesh,
   Reply,
   Request,
   Shape,
@@ -21,6 +20,7 @@ import type {
 } from "./protocol.ts";
 import { keepCopy, readFile, readGiven, readKept } from "./reading.ts";
 import { insist, insistReadable, isFatal, Refused, sentence } from "./refused.ts";
+import { rhinoPart } from "./rhino-part.ts";
 import { offsetOf, panelTypes, previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
 
@@ -44,34 +44,9 @@ type Waited =
   | "model"
   | "offset";
 
-function readMesh(
-  module: PlanishModule,
-  session: Session,
-  warnings: readonly string[],
-): OpenedMesh {
-  const report = session.meshReport();
-  return {
-    report: { ...report, warnings: [...warnings, ...report.warnings] },
-    positions: session.basePositions(),
-    groups: session.groups(),
-    parents: session.panelParents(),
-    symmetry: module.symmetryOf(session),
-    ...prepareDisplay({
-      display: session.displayBase(),
-      offsets: session.faceOffsets(),
-      vertices: session.faceVertices(),
-    }),
-  };
-}
-
 const AS_ASKED: Edited = { taken: null, stated: null, placed: null };
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
-
-const rhinoPart = () =>
-  import("./rhino.ts").catch(() => {
-    throw new Refused("The part for Rhino could not be loaded. Try again online.");
-  });
 
 /** Between two steps that are told: many solves in a row take thousands. */
 const SAYING_MS = 25;
@@ -315,8 +290,7 @@ export class Dispatcher {
   }
 
   #cut(request: Extract<Job, { kind: "cut" | "tryCut" | "splitEdit" | "splitMesh" }>): void {
-    const session = this.#session;
-    const { job } = request;
+    const [session, { job }] = [this.#session, request];
     switch (request.kind) {
       case "cut":
         insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
@@ -330,19 +304,15 @@ export class Dispatcher {
       case "splitEdit":
         this.#post({ kind: "split", job, finding: this.#edits.split(request) }, []);
         return;
-      case "splitMesh":
-        this.#splitMesh(request);
+      case "splitMesh": {
+        insist(this.#module.splitUntilFlat(session, request.how, request.most));
+        this.#analysis.forget();
+        const mesh = readMesh(this.#module, session, []);
+        const [panels, file] = [this.#module.splitPanels(session), session.write("obj")];
+        const buffers = [file.buffer as Transferable, ...openedBuffers(mesh)];
+        this.#post({ kind: "hybrid", job, mesh, panels, file }, buffers);
+      }
     }
-  }
-
-  #splitMesh({ job, how, most }: Extract<Request, { kind: "splitMesh" }>): void {
-    const [module, session] = [this.#module, this.#session];
-    insist(module.splitUntilFlat(session, how, most));
-    this.#analysis.forget();
-    const mesh = readMesh(module, session, []);
-    const [panels, file] = [module.splitPanels(session), session.write("obj")];
-    const buffers = [mesh.positions.buffer, mesh.parents.buffer, file.buffer, ...buffersOf(mesh)];
-    this.#post({ kind: "hybrid", job, mesh, panels, file }, buffers as Transferable[]);
   }
 
   #postMeasures(job: number, also: AlsoMeasured): void {
@@ -375,13 +345,10 @@ export class Dispatcher {
   }
 
   #fewest(request: Extract<Request, { kind: "fewest" }>): void {
-    const session = this.#session;
-    const { job } = request;
-    this.#edits.fewest(request);
-    const shape = { moved: session.moved(), positions: session.movedPositions() };
-    const [report, found] = [session.shapeReport(), this.#module.fewestFound(session)];
-    const buffers = [shape.moved.buffer, shape.positions.buffer];
-    this.#post({ kind: "fewest", job, shape, report, found }, buffers);
+    const answer = this.#edits.fewest(request);
+    const { moved, positions } = answer.shape;
+    const buffers = [moved.buffer, positions.buffer];
+    this.#post({ kind: "fewest", job: request.job, ...answer }, buffers);
   }
 
   #postProjected(job: number): void {
@@ -416,8 +383,7 @@ export class Dispatcher {
   #postOpened(job: number, source: Source | null, stored: StoredDesign | null): void {
     this.#analysis.forget();
     const mesh = readMesh(this.#module, this.#session, stored?.warnings ?? []);
-    const buffers = [mesh.positions.buffer, mesh.parents.buffer, ...buffersOf(mesh)];
-    this.#post({ kind: "opened", job, source, mesh, stored }, buffers as Transferable[]);
+    this.#post({ kind: "opened", job, source, mesh, stored }, openedBuffers(mesh));
   }
 
   #postShown(job: number, withShape: boolean, edited = AS_ASKED): void {

@@ -7,6 +7,7 @@ import type {
   EditSettings,
   HandleList,
   PullLimit,
+  Reply,
   Request,
   SplitFinding,
 } from "./protocol.ts";
@@ -14,6 +15,8 @@ import { isWithin, PullHold } from "./pull-limit.ts";
 import { insist, Refused } from "./refused.ts";
 
 type EditRequest = Extract<Request, { kind: "edit" }>;
+
+type FewestAnswer = Omit<Extract<Reply, { kind: "fewest" }>, "kind" | "job">;
 
 /** That a drag may wait for its limit. */
 const SEARCH_MS = 2000;
@@ -88,12 +91,15 @@ export class Edits {
   }
 
   /** Few panels to make again: from here on the session has what that holds, and its limits. */
-  fewest({ targets, settings, withinHandle }: Extract<Request, { kind: "fewest" }>): void {
+  fewest({ targets, settings, withinHandle }: Extract<Request, { kind: "fewest" }>): FewestAnswer {
     this.#hold = new PullHold();
     this.#setOptions(settings);
     const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
-    insist(this.#module.fewest(this.#session, handles, pins, withinHandle));
+    const session = this.#session;
+    insist(this.#module.fewest(session, handles, pins, withinHandle));
     this.#settings = null;
+    const shape = { moved: session.moved(), positions: session.movedPositions() };
+    return { shape, report: session.shapeReport(), found: this.#module.fewestFound(session) };
   }
 
   #attempt({ mode, targets, settings, budget }: EditRequest, to: HandleList, how: EditMode): void {
