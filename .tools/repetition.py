@@ -3,8 +3,8 @@
 """Fewer types on the shared meshes, checked from the files alone: each is made flat, then
 `project --within 0.5% --move 20%` makes more of its panels alike. With numpy and nothing of the product:
 every panel is laid on the template that the report gives it (every first corner, singular values), every
-panel is flat in the file, no point is farther than asked, no panel turned over or newly concave, the
-types told before are no more than a greedy cover of the panels by panels finds, and a second run writes
+panel is flat in the file, no point is farther than asked, no panel turned over or newly concave, no fold
+more than five degrees sharper, the types told before are no more than a greedy cover of the panels by panels finds, and a second run writes
 the same bytes. One line a mesh, then how many have half as many types.
 
 Usage: /usr/bin/python3 .tools/repetition.py [WITHIN% [MOVE% [NAME...]]]"""
@@ -22,6 +22,7 @@ TREE = pathlib.Path(__file__).resolve().parent.parent
 PLANISH = TREE / "build/native/planish"
 MESHES = TREE.parent / "shared/meshes"
 FLAT = 1e-6
+SHARPER = 5.1  # degrees: the limit where none is stated, and a tenth for what is beyond it already
 ROUNDING = 1e-9
 
 
@@ -94,6 +95,19 @@ def concave(panel):
     return bool((np.cross(np.roll(side, 1, axis=0), side) < 0).any())
 
 
+def folds(points, faces):
+    """Degrees between the normals of each two panels that share a side."""
+    normals = [area_vector(points[face]) for face in faces]
+    normals = [normal / np.linalg.norm(normal) for normal in normals]
+    beside = {}
+    for k, face in enumerate(faces):
+        for side in zip(face, face[1:] + face[:1], strict=True):
+            beside.setdefault(tuple(sorted(side)), []).append(k)
+    pairs = [pair for pair in beside.values() if len(pair) == 2]
+    return np.degrees([np.arctan2(np.linalg.norm(np.cross(normals[a], normals[b])), normals[a] @ normals[b])
+                       for a, b in pairs])
+
+
 def problems(before, after, faces, types, edge, within, move):
     """What the files do not keep of what was asked for."""
     panels = [outline(after[face]) for face in faces]
@@ -108,6 +122,7 @@ def problems(before, after, faces, types, edge, within, move):
         f"a corner is {fit / edge:.5f} edges off": fit > within * edge * (1 + ROUNDING),
         "a panel is not flat": max(out for _, out in panels) > FLAT,
         "a point is too far": np.linalg.norm(after - before, axis=1).max() > move * edge * (1 + ROUNDING),
+        "a fold is too sharp": (folds(after, faces) - folds(before, faces)).max(initial=0.0) > SHARPER,
         "a panel is turned over": any(area_vector(after[face]) @ area_vector(before[face]) <= 0 for face in faces),
         "a panel became concave": any(concave(panel) and not concave(was)
                                       for (panel, _), was in zip(panels, given, strict=True)),
@@ -137,7 +152,7 @@ def measured(name, within, move, folder):
         found.append("another result the second time")
     moved = np.linalg.norm(after - before, axis=1).max() / edge
     line = (f"{name:34} {len(faces):5} panels {types['before']:5} -> {types['after']:5} types, moved {moved:.3f} "
-            f"edges, {seconds:.1f} s  {'; '.join(found) or 'holds'}")
+            f"edges, folds {folds(before, faces).max():.1f} -> {folds(after, faces).max():.1f}, {seconds:.1f} s  {'; '.join(found) or 'holds'}")
     return line, not found and 2 * types["after"] <= types["before"]
 
 

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "hybrid_run.hpp"
+#include "projected_mesh.hpp"
 #include "projection_run.hpp"
 #include "terminal.hpp"
 
@@ -28,10 +28,10 @@ ExitCode run_project(const Arguments& arguments) {
     save_mesh(*output, flat, content);
   }
   Json json = projection_json(made.mesh, reference ? *reference : made.mesh, result, options);
-  add_hybrid(json, made);
+  add_projected(json, made);
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(not_flat_sentence(result, options));
-  print_sentence(hybrid_sentence(made));
+  print_sentence(projected_sentence(made));
   print_sentence(lost_height_sentence(made.mesh, result));
   print_sentence(confined_sentence(result));
   print_sentence(outcome_sentence(result.report));

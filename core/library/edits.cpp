@@ -9,10 +9,10 @@
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "edit_sentences.hpp"
-#include "hybrid_run.hpp"
 #include "mesh_files.hpp"
 #include "offset_run.hpp"
 #include "planish/design/design_text.hpp"
+#include "projected_mesh.hpp"
 #include "projection_run.hpp"
 #include "replay_run.hpp"
 #include "report.hpp"
@@ -124,11 +124,11 @@ Shape make_projection(const OpenMesh& mesh, const std::string& asked, const Open
   const ProjectionResult& result = made.result;
   Json report = projection_json(made.mesh, reference != nullptr ? reference->mesh : made.mesh,
                                 result, options);
-  add_hybrid(report, made);
+  add_projected(report, made);
   Shape shape{made.mesh, projected(made.mesh, result), report.dump(2), {}};
   add(shape.messages, damage_sentence(report["spoilt_faces"]));
   add(shape.messages, not_flat_sentence(result, options));
-  add(shape.messages, hybrid_sentence(made));
+  add(shape.messages, projected_sentence(made));
   add(shape.messages, lost_height_sentence(made.mesh, result));
   add(shape.messages, confined_sentence(result));
   add(shape.messages, outcome_sentence(result.report));

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "edit_options.hpp"
-#include "hybrid_run.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/text/number.hpp"
+#include "projected_mesh.hpp"
 #include "repetition_run.hpp"
 
 namespace planish::workflow {
@@ -52,7 +52,7 @@ ProjectionOptions projection_options(const Request& request) {
     if (options.within <= 0.0) throw UsageError("--within must be greater than 0");
   }
   const Bounds bounds = parse_bounds(request);
-  if (!bounds.limits.empty()) {
+  if (!bounds.limits.empty() && !asks_for_fewer_types(request)) {
     throw UsageError("--bound: project keeps the panels' shape; limits are for edit");
   }
   options.keep_shape = bounds.keep_shape;

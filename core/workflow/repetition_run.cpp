@@ -3,21 +3,38 @@
 
 #include <algorithm>
 
+#include "edit_options.hpp"
+#include "planish/constraints/fold_limit.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/stopwatch.hpp"
 #include "planish/text/number.hpp"
+#include "report.hpp"
 
 namespace planish::workflow {
 namespace {
 
 constexpr std::string_view kTypes = "--types";
 constexpr std::string_view kMove = "--move";
+constexpr std::string_view kFoldsOfTypes = "fold=+5";  ///< where none is stated
 
 void check_company(const Request& request) {
-  for (const std::string_view other : {"--reference", "--smooth", "--bound", "--fairness",
-                                       "--constraint", "--split", "--solver"}) {
+  for (const std::string_view other :
+       {"--reference", "--smooth", "--fairness", "--constraint", "--split", "--solver"}) {
     if (request.has(other)) throw UsageError("--move: fewer types know no " + std::string(other));
   }
+}
+
+/// Without one on folds panels may turn until nobody would build it.
+std::vector<StatedLimit> limits_of(const Request& request) {
+  Bounds bounds = parse_bounds(request);
+  if (bounds.flat || !bounds.keep_shape) {
+    throw UsageError("--move: fewer types stay flat and keep their shape, whatever --bound says");
+  }
+  const auto is_fold = [](const StatedLimit& limit) { return limit.name == FoldLimit::kName; };
+  if (std::none_of(bounds.limits.begin(), bounds.limits.end(), is_fold)) {
+    bounds.limits.push_back(*parse_stated_limit(kFoldsOfTypes));
+  }
+  return bounds.limits;
 }
 
 FewerTypesOptions fewer_types_options(const Mesh& mesh, const Request& request,
@@ -36,6 +53,7 @@ FewerTypesOptions fewer_types_options(const Mesh& mesh, const Request& request,
   options.mirrored = request.has("--mirrored");
   options.tolerance = projection.tolerance;
   options.supports = projection.supports;
+  options.bounds = limits_of(request);
   if (within != nullptr) {
     options.within = parse_length(*within, "--within", mean_edge);
   } else {
@@ -52,7 +70,8 @@ std::vector<OptionRow> repetition_option_rows() {
   return {{kMove, "MAX|P%",
            "of a flat mesh: make more panels alike, moving no point farther\n"
            "(units of the mesh, or a share of the mean edge); --within D|P% is\n"
-           "then how far a corner may be from its template's"},
+           "then how far a corner may be from its template's; folds grow by at\n"
+           "most 5 degrees, or as --bound fold=MAX or +MAX says"},
           {kTypes, "K", "with --move: the closest fit found that K types reach, for --within"},
           {"--mirrored", "", "with --move: a panel may be its template turned over"}};
 }
@@ -114,6 +133,7 @@ Json fewer_types_json(const Mesh& mesh, const FewerTypes& fewer) {
           {"sizes", fewer.types.sizes()},
           {"templates", templates_json(fewer.types)},
           {"max_move", fewer.max_move},
+          {"sharpest_fold", fold_json(mesh, fewer.positions)},
           {"descents", fewer.descents},
           {"merging", fewer.merging}};
 }
@@ -124,7 +144,8 @@ std::string fewer_types_sentence(const Mesh& mesh, const FewerTypes& fewer) {
          std::to_string(fewer.types.families.size()) + " are left, within " +
          three_digits(fewer.within) + " (" + three_digits(100.0 * fewer.within / mean_edge) +
          "% of the mean edge); points move by up to " + three_digits(fewer.max_move) + " (" +
-         three_digits(100.0 * fewer.max_move / mean_edge) + "%)";
+         three_digits(100.0 * fewer.max_move / mean_edge) + "%), folds are at most " +
+         three_digits(fold_json(mesh, fewer.positions)["growth"].get<double>()) + "° sharper";
 }
 
 }  // namespace planish::workflow

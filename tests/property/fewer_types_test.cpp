@@ -6,11 +6,13 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "planish/io/obj.hpp"
+#include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/projection/planarising.hpp"
@@ -24,6 +26,8 @@ namespace {
 
 constexpr double kWithin = 0.005;  ///< mean edges
 constexpr double kMove = 0.2;      ///< mean edges
+constexpr double kSharper = 5.0;   ///< degrees, of folds
+constexpr double kAllowed = 0.1;   ///< of folds beyond the limit already
 
 /// The samples, and shared meshes made flat where they are there.
 std::map<std::string, Mesh> flat_meshes(const std::vector<std::string>& shared) {
@@ -46,7 +50,14 @@ FewerTypesOptions options_for(const Mesh& mesh) {
   FewerTypesOptions options;
   options.within = kWithin * mean_edge_length(mesh);
   options.move = kMove * mean_edge_length(mesh);
+  options.bounds = {{.name = "fold", .most = kSharper, .relative = true}};
   return options;
+}
+
+double fold_growth(const Mesh& mesh, const FewerTypes& fewer) {
+  std::vector<int> faces(static_cast<std::size_t>(mesh.face_count()));
+  std::iota(faces.begin(), faces.end(), 0);
+  return largest_fold_growth(mesh, build_adjacency(mesh), mesh.positions, fewer.positions, faces);
 }
 
 double longest_move(const Mesh& mesh, const FewerTypes& fewer) {
@@ -75,6 +86,7 @@ TEST(FewerTypesOf, MeshesAreFlatSoundNearAndWithinTheirTemplates) {
     EXPECT_LE(planarity_summary(mesh, fewer.positions).max_excess, testing::kPromise);
     EXPECT_EQ(testing::spoilt_count(mesh, fewer.positions), 0);
     EXPECT_LE(longest_move(mesh, fewer), options.move);
+    EXPECT_LE(fold_growth(mesh, fewer), kSharper + kAllowed);
     EXPECT_LE(worst_fit_of(mesh, fewer), options.within * (1.0 + 1e-6));
     EXPECT_TRUE(testing::same_bits(find_fewer_types(mesh, options, {}).positions, fewer.positions));
   }
@@ -91,6 +103,7 @@ TEST(FewerTypesOf, SharedMeshesAreHalfAsMany) {
     const FewerTypes fewer = find_fewer_types(found->second, options_for(found->second), {});
     EXPECT_LE(2 * static_cast<int>(fewer.types.families.size()), fewer.before);
     EXPECT_EQ(testing::spoilt_count(found->second, fewer.positions), 0);
+    EXPECT_LE(fold_growth(found->second, fewer), kSharper + kAllowed);
     EXPECT_LE(planarity_summary(found->second, fewer.positions).max_excess, testing::kPromise);
   }
 }

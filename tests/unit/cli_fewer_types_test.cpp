@@ -29,6 +29,7 @@ TEST_F(Cli, FewerTypesAreWrittenAndTold) {
   EXPECT_LT(types["after"], types["before"]);
   EXPECT_EQ(types["within_mean_edges"], 0.01);
   EXPECT_LE(types["worst_fit"], types["within"]);
+  EXPECT_LE(types["sharpest_fold"]["growth"], 5.1) << "where no limit is stated";
   const std::vector<int> sizes = types["sizes"];
   EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), 0), mesh.face_count());
   EXPECT_EQ(types["templates"].size(), types["after"]);
@@ -60,7 +61,9 @@ TEST_F(Cli, FewerTypesAreRefusedInOneSentence) {
         "sample:vault:6 --move 20% --types 0", "sample:vault:6 --move 20% --types 3 --within 1%",
         "sample:vault:6 --move few --types 3", "sample:vault:6 --move 0 --types 3",
         "sample:vault:6 --move 20% --within 1% --smooth 3",
-        "sample:vault:6 --move 20% --within 1% --split 3"}) {
+        "sample:vault:6 --move 20% --within 1% --split 3",
+        "sample:vault:6 --move 20% --within 1% --bound shape=off",
+        "sample:vault:6 --move 20% --within 1% --bound flat=2"}) {
     EXPECT_EQ(run(std::string("project ") + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;

@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "planish/constraints/mesh_limits.hpp"
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "planish/numeric/index.hpp"
 #include "planish/numeric/stopwatch.hpp"
 #include "problem/shape_slides.hpp"
@@ -55,6 +58,11 @@ FamilyShape template_on(const FamilyMember& member, const FamilyShape& shape) {
   return corners;
 }
 
+Mesh in_mean_edges(Mesh mesh, double unit) {
+  mesh.positions /= unit;
+  return mesh;
+}
+
 double longest_of(const Eigen::Matrix3Xd& moves) {
   return moves.cols() > 0 ? std::sqrt(moves.colwise().squaredNorm().maxCoeff()) : 0.0;
 }
@@ -69,13 +77,15 @@ class TypeSearch {
         pins_(pins),
         progress_(progress),
         unit_(mean_edge_length(mesh)),
-        scaled_(mesh) {
-    scaled_.positions /= unit_;
+        scaled_(in_mean_edges(mesh, unit_)),
+        adjacency_(build_adjacency(mesh)),
+        limits_({mesh_, adjacency_, scaled_.positions, unit_}, options.bounds) {
     outlines_ = outlines_of(scaled_);
     if (hold_points(options.supports)) {
       slides_ = std::make_unique<VertexSlides>(mesh_, options.supports, unit_);
     }
-    pull_ = std::make_unique<TemplatePull>(scaled_, pins, options.move / unit_, slides_.get());
+    pull_ =
+        std::make_unique<TemplatePull>(scaled_, pins, options.move / unit_, limits_, slides_.get());
     std::vector<char> pinned(at(mesh.vertex_count()), 0);
     for (const int v : pins) pinned[at(v)] = 1;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -97,6 +107,7 @@ class TypeSearch {
   [[nodiscard]] bool may_go_on(const SolveCost& cost);
   [[nodiscard]] std::vector<PanelGoal> goals(double width,
                                              const Eigen::Matrix3Xd& displacement) const;
+  [[nodiscard]] bool keeps_limits(const Positions& positions) const;
   [[nodiscard]] bool descend(double first_width, FewerTypes& best);
   [[nodiscard]] std::optional<Positions> made_flat(const Eigen::Matrix3Xd& displacement,
                                                    std::vector<int>& spoilt, FewerTypes& best);
@@ -106,7 +117,9 @@ class TypeSearch {
   const std::vector<int>& pins_;
   const Progress& progress_;
   double unit_;
-  Mesh scaled_;                        ///< mesh_ in mean edges
+  Mesh scaled_;  ///< mesh_ in mean edges
+  Adjacency adjacency_;
+  MeshLimits limits_;                  ///< of scaled_
   std::vector<FamilyShape> outlines_;  ///< of scaled_
   std::unique_ptr<VertexSlides> slides_;
   std::unique_ptr<TemplatePull> pull_;
@@ -159,7 +172,19 @@ std::optional<Positions> TypeSearch::made_flat(const Eigen::Matrix3Xd& displacem
     return std::nullopt;
   }
   if (longest_of(flat.positions - mesh_.positions) > options_.move) return std::nullopt;
+  if (!keeps_limits(flat.positions)) return std::nullopt;
   return flat.positions;
+}
+
+bool TypeSearch::keeps_limits(const Positions& positions) const {
+  if (limits_.empty()) return true;
+  std::vector<int> faces(at(mesh_.face_count()));
+  std::iota(faces.begin(), faces.end(), 0);
+  const auto standing = limit_standing(limits_, faces, [&](int v) -> Eigen::Vector3d {
+    return scaled_.positions.col(v) + (positions.col(v) - mesh_.positions.col(v)) / unit_;
+  });
+  return std::all_of(standing.begin(), standing.end(),
+                     [](const LimitStanding& one) { return one.least_share >= 0.0; });
 }
 
 /// From the best so far through families of one width after the other. @returns whether there are
@@ -177,13 +202,16 @@ bool TypeSearch::descend(double first_width, FewerTypes& best) {
     }
   }
   std::optional<Positions> flat;
-  for (int k = 0; k < kMendings && !flat; ++k) {
+  double times = 1.0;
+  for (int k = 0; k < kMendings && !flat; ++k, times *= kHeldMore) {
+    pull_->hold_limits(times);
     best.cost.steps +=
         pull_->pull(goals(kWidths.back() * within, displacement), kLastSteps, displacement);
     std::vector<int> spoilt;
     flat = made_flat(displacement, spoilt, best);
     for (const int f : spoilt) held_[at(f)] = held_[at(f)] > 0.0 ? kHeldMore * held_[at(f)] : 1.0;
   }
+  pull_->hold_limits(1.0);
   if (!flat) return false;
   Mesh moved = mesh_;
   moved.positions = std::move(*flat);
@@ -264,6 +292,7 @@ Refusal find_problem(const FewerTypesOptions& options) {
 
 Refusal find_problem(const FewerTypesOptions& options, const Mesh& mesh) {
   if (auto problem = find_problem(options)) return problem;
+  if (auto problem = find_problem(options.bounds)) return problem;
   if (mesh.face_count() == 0) return "the mesh has no panels";
   if (planarity_summary(mesh).max_excess > options.tolerance) {
     return "the mesh is not flat: planish project makes it so";

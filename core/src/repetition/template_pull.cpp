@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 
+#include "engines/coupling_graph.hpp"
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/numeric/index.hpp"
 
@@ -14,27 +14,29 @@ namespace planish {
 namespace {
 
 constexpr double kFlat = 1000.0;      ///< weight of what is out of a panel's plane
+constexpr double kLimit = 1.0;        ///< weight of a limit's share, squared, below ...
+constexpr double kWithin = 0.02;      ///< ... this, at first
 constexpr double kStay = 1e-4;        ///< weight of the displacements themselves
 constexpr double kWall = 10.0;        ///< weight of what is beyond the farthest move
 constexpr double kBeforeWall = 0.98;  ///< of it: where the wall begins
 constexpr double kLongestStep = 0.5;  ///< mean edges
 constexpr double kNoStep = 1e-4;      ///< mean edges
 
-RaggedRows vertices_beside(const Mesh& mesh) {
-  std::vector<std::set<int>> beside(at(mesh.vertex_count()));
+/// Calls visit(row) for the rows of `face`, of those that it shares where it is the first.
+template <class Visit>
+void for_each_own_row(const MeshLimits& limits, int face, const Visit& visit) {
+  limits.for_each_row(face, [&](auto, const auto& row, int other, int) {
+    if (other < 0 || face < other) visit(row);
+  });
+}
+
+RaggedRows coupled_vertices(const Mesh& mesh, const MeshLimits& limits) {
+  Cliques cliques;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    for (const int v : mesh.face(f)) {
-      for (const int w : mesh.face(f)) {
-        if (v != w) beside[at(v)].insert(w);
-      }
-    }
+    cliques.add(mesh.face(f));
+    for_each_own_row(limits, f, [&](const auto& row) { cliques.add(row.vertices); });
   }
-  RaggedRows rows;
-  for (const std::set<int>& others : beside) {
-    rows.values.insert(rows.values.end(), others.begin(), others.end());
-    rows.offsets.push_back(static_cast<int>(rows.values.size()));
-  }
-  return rows;
+  return cliques.graph(mesh.vertex_count());
 }
 
 /// From each corner of the goal, laid where it fits `outline` best, to the outline's.
@@ -83,16 +85,17 @@ Eigen::MatrixXd rigid_free_out_of_plane(const Outline& centred) {
 }  // namespace
 
 TemplatePull::TemplatePull(const Mesh& base, const std::vector<int>& pins, double farthest,
-                           VertexSlides* slides)
+                           const MeshLimits& limits, VertexSlides* slides)
     : base_(base),
       farthest_(farthest),
+      limits_(limits),
       slides_(slides),
       ways_(at(base.vertex_count()), Eigen::Matrix3d::Identity()) {
   for (const int v : pins) ways_[at(v)].setZero();
   for (int v = 0; v < base.vertex_count(); ++v) {
     if (!ways_[at(v)].isZero(0.0)) movable_.push_back(v);
   }
-  cholesky_.analyze(vertices_beside(base), 3);
+  cholesky_.analyze(coupled_vertices(base, limits), 3);
 }
 
 void TemplatePull::add_block(int row, int column, const Eigen::Matrix3d& block) {
@@ -130,6 +133,28 @@ void TemplatePull::add_panel(const Positions& positions, int f, const PanelGoal&
   }
 }
 
+/// Those that are beyond their bound, or nearly: w ∇s ∇sᵀ and w (s − s₀) ∇s.
+void TemplatePull::add_limits(const Positions& positions, int f) {
+  for_each_own_row(limits_, f, [&]<class Row>(const Row& row) {
+    const auto k = static_cast<Eigen::Index>(row.vertices.size());
+    RowPoints<Row::kArity> points(3, k);
+    for (Eigen::Index i = 0; i < k; ++i) points.col(i) = positions.col(row.vertices[at(i)]);
+    const double off = row.scale.share(value(row, points)) - kWithin;
+    if (!(off < 0.0)) return;
+    const RowPoints<Row::kArity> slope = row.scale.slope * gradient(row, points);
+    const double weight = limit_weight_ * kLimit;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const int v = row.vertices[at(i)];
+      const Eigen::Vector3d here = ways_[at(v)] * slope.col(i);
+      gradient_.segment<3>(3 * v) += weight * off * here;
+      for (Eigen::Index j = 0; j < k; ++j) {
+        const int w = row.vertices[at(j)];
+        add_block(v, w, weight * here * (ways_[at(w)] * slope.col(j)).transpose());
+      }
+    }
+  });
+}
+
 /// Its pull back to where it began, and the wall; where it may not go, the identity.
 void TemplatePull::add_vertex(int v, const Eigen::Vector3d& moved) {
   const Eigen::Matrix3d& way = ways_[at(v)];
@@ -162,7 +187,10 @@ double TemplatePull::step(const std::vector<PanelGoal>& goals, Eigen::Matrix3Xd&
   const Positions positions = base_.positions + displacement;
   cholesky_.set_zero();
   gradient_.setZero(3 * base_.vertex_count());
-  for (int f = 0; f < base_.face_count(); ++f) add_panel(positions, f, goals[at(f)]);
+  for (int f = 0; f < base_.face_count(); ++f) {
+    add_panel(positions, f, goals[at(f)]);
+    add_limits(positions, f);
+  }
   for (int v = 0; v < base_.vertex_count(); ++v) add_vertex(v, displacement.col(v));
   if (!cholesky_.factorize()) return 0.0;
   cholesky_.solve(gradient_);

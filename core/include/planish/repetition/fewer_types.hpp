@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "planish/constraints/stated_limit.hpp"
 #include "planish/families/families.hpp"
 #include "planish/mesh/mesh.hpp"
 #include "planish/problem/solve_report.hpp"
@@ -18,6 +19,8 @@ struct FewerTypesOptions {
   double move = 0.0;      ///< > 0, model units: no point moves farther
   bool mirrored = false;  ///< a panel may be its template turned over
   double tolerance = 1e-6;  ///< mm/m, > 0, of every panel
+  /// Relative to the mesh as given, as those of edits.
+  std::vector<StatedLimit> bounds = {};
   /// What points stand on, about the mesh as given; no springs. They must pass find_problem() on
   /// it.
   std::vector<PointSupport> supports = {};
@@ -29,7 +32,8 @@ struct FewerTypesOptions {
 /// for.
 [[nodiscard]] Refusal find_problem(const FewerTypesOptions& options, const Mesh& mesh);
 
-/// A mesh with as few types as were found: flat, no panel spoilt that was not, no point farther.
+/// A mesh with as few types as were found: flat, no panel spoilt that was not, within the limits,
+/// no point farther.
 struct FewerTypes {
   Positions positions;  ///< 3 × n, model units; what did not move has its bits
   double within = 0.0;  ///< of the types, model units: asked for, or the smallest found

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hybrid_run.hpp"
+#include "projected_mesh.hpp"
 
 #include <utility>
 
@@ -65,7 +65,7 @@ ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const Projecti
   return projected;
 }
 
-void add_hybrid(Json& json, const ProjectedMesh& projected) {
+void add_projected(Json& json, const ProjectedMesh& projected) {
   if (projected.fewer) json["types"] = fewer_types_json(projected.mesh, *projected.fewer);
   if (!projected.hybrid) return;
   Json curve = Json::array();
@@ -82,7 +82,7 @@ void add_hybrid(Json& json, const ProjectedMesh& projected) {
   add_cuts(json, projected.hybrid->cut);
 }
 
-std::optional<std::string> hybrid_sentence(const ProjectedMesh& projected) {
+std::optional<std::string> projected_sentence(const ProjectedMesh& projected) {
   if (projected.fewer) return fewer_types_sentence(projected.mesh, *projected.fewer);
   if (!projected.hybrid || projected.hybrid->panels == 0) return std::nullopt;
   const int count = projected.hybrid->panels;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `--split` of a projection takes, does and tells.
+/// What a projection makes of a mesh, perhaps with panels split or with fewer types, and tells of it.
 #pragma once
 
 #include <optional>
@@ -29,10 +29,11 @@ struct ProjectedMesh {
                                       const ProjectionOptions& options, const Mesh* reference,
                                       const Progress& progress);
 
-/// Nothing without --split.
-void add_hybrid(Json& json, const ProjectedMesh& projected);
+/// Types with --move, parts with --split; else nothing.
+void add_projected(Json& json, const ProjectedMesh& projected);
 
-/// How many panels are split, and whether the mesh is flat so; nullopt where none need be.
-[[nodiscard]] std::optional<std::string> hybrid_sentence(const ProjectedMesh& projected);
+/// How many types are left; or how many panels are split, and whether the mesh is flat so; nullopt
+/// where none need be.
+[[nodiscard]] std::optional<std::string> projected_sentence(const ProjectedMesh& projected);
 
 }  // namespace planish::workflow
