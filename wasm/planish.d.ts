@@ -3,7 +3,7 @@
 // return "" when done, otherwise one sentence that says why nothing changed.
 
 import type { AnalysisModule } from "./planish_analysis.d.ts";
-import type { CutTrial, SplitModule } from "./planish_cuts.d.ts";
+import type { CutTrial } from "./planish_cuts.d.ts";
 import type {
   DesignValue,
   EditOptions,
@@ -12,7 +12,7 @@ import type {
   ResultMark,
   VariationFamily,
 } from "./planish_designs.d.ts";
-import type { FewestEdits } from "./planish_fewest.d.ts";
+import type { EditWays } from "./planish_fewest.d.ts";
 import type { MobilityModule } from "./planish_mobility.d.ts";
 import type { MeshReport, Replayed, ShapeReport, VariationsReport } from "./planish_reports.d.ts";
 import type { SymmetryModule } from "./planish_symmetry.d.ts";
@@ -97,12 +97,7 @@ export interface Session {
   delete(): void;
 }
 
-export interface PlanishModule
-  extends SymmetryModule,
-    SplitModule,
-    FewestEdits,
-    AnalysisModule,
-    MobilityModule {
+export interface PlanishModule extends SymmetryModule, EditWays, AnalysisModule, MobilityModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
   /** Of a shape, as designs record it. */

@@ -2,6 +2,7 @@
 // What fewest_bindings.cpp lists, by hand.
 
 import type { Session } from "./planish.d.ts";
+import type { SplitModule } from "./planish_cuts.d.ts";
 
 /** The edit that makes few panels again, beside its shape. */
 export interface FewestFound {
@@ -19,7 +20,8 @@ export interface FewestFound {
   readonly limits: readonly string[];
 }
 
-export interface FewestEdits {
+/** What looks for other edits in place of one: with panels split, or with few to make again. */
+export interface EditWays extends SplitModule {
   /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
    * to their targets handles have arrived. What it holds are pins from here on, its limits options. */
   fewest(session: Session, handles: Float64Array, pins: Int32Array, withinHandle: number): string;
