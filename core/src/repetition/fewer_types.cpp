@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -29,7 +28,7 @@ constexpr std::array kFirstWidths = {3.0, 8.0, 4.0, 6.0, 3.0, 8.0, 4.0, 6.0};
 constexpr int kSortings = 4;      ///< at each width
 constexpr int kSteps = 6;         ///< after each sorting
 constexpr int kLastSteps = 12;    ///< before the mesh is made exactly flat
-constexpr int kMendings = 5;      ///< of what came out spoilt
+constexpr int kMendings = 8;      ///< of what came out spoilt, too far or beyond a limit
 constexpr double kHeldMore = 10;  ///< as strongly as before
 constexpr int kMostFailures = 2;  ///< descents in a row that find hardly any fewer
 constexpr double kFewer = 0.99;   ///< of the types: what is worth another descent
@@ -107,7 +106,7 @@ class TypeSearch {
   [[nodiscard]] bool may_go_on(const SolveCost& cost);
   [[nodiscard]] std::vector<PanelGoal> goals(double width,
                                              const Eigen::Matrix3Xd& displacement) const;
-  [[nodiscard]] bool keeps_limits(const Positions& positions) const;
+  [[nodiscard]] std::vector<int> beyond_limits(const Positions& positions) const;
   [[nodiscard]] bool descend(double first_width, FewerTypes& best);
   [[nodiscard]] std::optional<Positions> made_flat(const Eigen::Matrix3Xd& displacement,
                                                    std::vector<int>& spoilt, FewerTypes& best);
@@ -171,20 +170,35 @@ std::optional<Positions> TypeSearch::made_flat(const Eigen::Matrix3Xd& displacem
     spoilt = flat.failing;
     return std::nullopt;
   }
-  if (longest_of(flat.positions - mesh_.positions) > options_.move) return std::nullopt;
-  if (!keeps_limits(flat.positions)) return std::nullopt;
+  const std::vector<int> beyond = beyond_limits(flat.positions);
+  for (const int v : beyond) pull_->hold_back(v);
+  if (!beyond.empty()) return std::nullopt;
   return flat.positions;
 }
 
-bool TypeSearch::keeps_limits(const Positions& positions) const {
-  if (limits_.empty()) return true;
-  std::vector<int> faces(at(mesh_.face_count()));
-  std::iota(faces.begin(), faces.end(), 0);
-  const auto standing = limit_standing(limits_, faces, [&](int v) -> Eigen::Vector3d {
-    return scaled_.positions.col(v) + (positions.col(v) - mesh_.positions.col(v)) / unit_;
-  });
-  return std::all_of(standing.begin(), standing.end(),
-                     [](const LimitStanding& one) { return one.least_share >= 0.0; });
+/// Vertices that are too far, and those of rows that are beyond their bound. Ascending.
+std::vector<int> TypeSearch::beyond_limits(const Positions& positions) const {
+  std::vector<int> beyond;
+  for (int v = 0; v < mesh_.vertex_count(); ++v) {
+    const Eigen::Vector3d move = positions.col(v) - mesh_.positions.col(v);
+    if (move.norm() > options_.move) beyond.push_back(v);
+  }
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    limits_.for_each_row(f, [&]<class Row>(auto, const Row& row, int, int) {
+      const auto k = static_cast<Eigen::Index>(row.vertices.size());
+      RowPoints<Row::kArity> points(3, k);
+      for (Eigen::Index i = 0; i < k; ++i) {
+        const int v = row.vertices[at(i)];
+        points.col(i) =
+            scaled_.positions.col(v) + (positions.col(v) - mesh_.positions.col(v)) / unit_;
+      }
+      if (row.scale.share(value(row, points)) >= 0.0) return;
+      beyond.insert(beyond.end(), row.vertices.begin(), row.vertices.end());
+    });
+  }
+  std::sort(beyond.begin(), beyond.end());
+  beyond.erase(std::unique(beyond.begin(), beyond.end()), beyond.end());
+  return beyond;
 }
 
 /// From the best so far through families of one width after the other. @returns whether there are
@@ -202,16 +216,13 @@ bool TypeSearch::descend(double first_width, FewerTypes& best) {
     }
   }
   std::optional<Positions> flat;
-  double times = 1.0;
-  for (int k = 0; k < kMendings && !flat; ++k, times *= kHeldMore) {
-    pull_->hold_limits(times);
+  for (int k = 0; k < kMendings && !flat; ++k) {
     best.cost.steps +=
         pull_->pull(goals(kWidths.back() * within, displacement), kLastSteps, displacement);
     std::vector<int> spoilt;
     flat = made_flat(displacement, spoilt, best);
     for (const int f : spoilt) held_[at(f)] = held_[at(f)] > 0.0 ? kHeldMore * held_[at(f)] : 1.0;
   }
-  pull_->hold_limits(1.0);
   if (!flat) return false;
   Mesh moved = mesh_;
   moved.positions = std::move(*flat);

@@ -15,8 +15,10 @@ namespace {
 
 constexpr double kFlat = 1000.0;      ///< weight of what is out of a panel's plane
 constexpr double kLimit = 1.0;        ///< weight of a limit's share, squared, below ...
-constexpr double kWithin = 0.02;      ///< ... this, at first
+constexpr double kWithin = 0.02;      ///< ... this
 constexpr double kStay = 1e-4;        ///< weight of the displacements themselves
+constexpr double kHeldBack = 1.0;     ///< the same where one is held back ...
+constexpr double kStaysMore = 10.0;   ///< ... and, said again, so many times that
 constexpr double kWall = 10.0;        ///< weight of what is beyond the farthest move
 constexpr double kBeforeWall = 0.98;  ///< of it: where the wall begins
 constexpr double kLongestStep = 0.5;  ///< mean edges
@@ -90,7 +92,8 @@ TemplatePull::TemplatePull(const Mesh& base, const std::vector<int>& pins, doubl
       farthest_(farthest),
       limits_(limits),
       slides_(slides),
-      ways_(at(base.vertex_count()), Eigen::Matrix3d::Identity()) {
+      ways_(at(base.vertex_count()), Eigen::Matrix3d::Identity()),
+      stays_(at(base.vertex_count()), kStay) {
   for (const int v : pins) ways_[at(v)].setZero();
   for (int v = 0; v < base.vertex_count(); ++v) {
     if (!ways_[at(v)].isZero(0.0)) movable_.push_back(v);
@@ -133,6 +136,11 @@ void TemplatePull::add_panel(const Positions& positions, int f, const PanelGoal&
   }
 }
 
+void TemplatePull::hold_back(int vertex) {
+  double& stay = stays_[at(vertex)];
+  stay = stay < kHeldBack ? kHeldBack : kStaysMore * stay;
+}
+
 /// Those that are beyond their bound, or nearly: w ∇s ∇sᵀ and w (s − s₀) ∇s.
 void TemplatePull::add_limits(const Positions& positions, int f) {
   for_each_own_row(limits_, f, [&]<class Row>(const Row& row) {
@@ -142,14 +150,13 @@ void TemplatePull::add_limits(const Positions& positions, int f) {
     const double off = row.scale.share(value(row, points)) - kWithin;
     if (!(off < 0.0)) return;
     const RowPoints<Row::kArity> slope = row.scale.slope * gradient(row, points);
-    const double weight = limit_weight_ * kLimit;
     for (Eigen::Index i = 0; i < k; ++i) {
       const int v = row.vertices[at(i)];
       const Eigen::Vector3d here = ways_[at(v)] * slope.col(i);
-      gradient_.segment<3>(3 * v) += weight * off * here;
+      gradient_.segment<3>(3 * v) += kLimit * off * here;
       for (Eigen::Index j = 0; j < k; ++j) {
         const int w = row.vertices[at(j)];
-        add_block(v, w, weight * here * (ways_[at(w)] * slope.col(j)).transpose());
+        add_block(v, w, kLimit * here * (ways_[at(w)] * slope.col(j)).transpose());
       }
     }
   });
@@ -158,8 +165,8 @@ void TemplatePull::add_limits(const Positions& positions, int f) {
 /// Its pull back to where it began, and the wall; where it may not go, the identity.
 void TemplatePull::add_vertex(int v, const Eigen::Vector3d& moved) {
   const Eigen::Matrix3d& way = ways_[at(v)];
-  Eigen::Vector3d pull = kStay * moved;
-  Eigen::Matrix3d block = kStay * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d pull = stays_[at(v)] * moved;
+  Eigen::Matrix3d block = stays_[at(v)] * Eigen::Matrix3d::Identity();
   const double distance = std::sqrt(moved.squaredNorm()), wall = kBeforeWall * farthest_;
   if (distance > wall) {
     const Eigen::Vector3d out = moved / distance;

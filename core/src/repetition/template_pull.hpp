@@ -32,8 +32,8 @@ class TemplatePull {
   TemplatePull(const Mesh& base, const std::vector<int>& pins, double farthest,
                const MeshLimits& limits, VertexSlides* slides);
 
-  /// How strongly limits hold from here on, against what they did at first.
-  void hold_limits(double times) { limit_weight_ = times; }
+  /// A vertex is pulled back to where it began ever more strongly, each time that this is said.
+  void hold_back(int vertex);
 
   /// As many steps as are asked for, fewer once they move nothing.
   /// @param goals one a panel @param displacement 3 × n, mean edges
@@ -51,9 +51,9 @@ class TemplatePull {
   const Mesh& base_;
   double farthest_;
   const MeshLimits& limits_;
-  double limit_weight_ = 1.0;
   VertexSlides* slides_;
   std::vector<Eigen::Matrix3d> ways_;  ///< n: P of where a vertex may go; 0 for pins
+  std::vector<double> stays_;          ///< n: weight of the displacement
   std::vector<int> movable_;           ///< ascending
   SparseCholesky cholesky_;
   Eigen::VectorXd gradient_;
