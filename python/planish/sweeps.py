@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from .request import request
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -28,11 +29,25 @@ class Job:
         """The fields that the plan varies, with their values here."""
         return json.loads(self.plan._core.job_values(self.index))
 
-    def run(self, folder: str | os.PathLike[str]) -> dict[str, Any]:
-        """Does it, unless `folder` has it, and gives its figures."""
+    def run(
+        self,
+        folder: str | os.PathLike[str],
+        *,
+        count_types: float | str | None = None,
+        mirrored: bool | None = None,
+    ) -> dict[str, Any]:
+        """Does it, unless `folder` has it, and gives its figures.
+
+        Args:
+            count_types, mirrored: as `edit` takes them.
+
+        Raises:
+            UsageError: an option that cannot be.
+        """
         folder = os.fspath(folder)
+        asked = request({"count_types": count_types, "mirrored": mirrored})
         if not self.is_done(folder):
-            _core.save_job(folder, self.id, *self.plan._core.run(self.index))
+            _core.save_job(folder, self.id, *self.plan._core.run(self.index, asked))
         with open(os.path.join(folder, self.id + ".json"), encoding="utf-8") as file:
             return json.load(file)
 
@@ -74,6 +89,8 @@ def sweep(
     client: Client,
     folder: str | os.PathLike[str],
     *,
+    count_types: float | str | None = None,
+    mirrored: bool | None = None,
     progress: Callable[[int, int, dict[str, Any]], bool | None] | None = None,
     retries: int = 3,
 ) -> None:
@@ -85,6 +102,7 @@ def sweep(
     Args:
         client: of dask.distributed; its workers need this package.
         folder: as `planish sweep -o` fills it; `gather` makes its table.
+        count_types, mirrored: as `edit` takes them; the table then has both counts.
         progress: (done, all, figures), after every job; False cancels the rest.
         retries: how often a job that failed is tried again.
     """
@@ -97,9 +115,10 @@ def sweep(
     # A task like the others: it is done again if the worker that holds it is lost.
     key = "planish-plan-" + hashlib.sha256(plan.text.encode()).hexdigest()
     text = client.submit(str, plan.text, key=key, retries=retries)
+    asked = request({"count_types": count_types, "mirrored": mirrored})
     indices = [job.index for job in waiting.values()]
     keys = ["planish-job-" + name for name in waiting]
-    futures = client.map(_run, indices, plan_text=text, key=keys, retries=retries)
+    futures = client.map(_run, indices, plan_text=text, asked=asked, key=keys, retries=retries)
     names = dict(zip(futures, waiting))
     for future in as_completed(futures):
         result = future.result()
@@ -121,6 +140,6 @@ def _plan(text: str) -> _core.Plan:
     return _core.Plan(text)
 
 
-def _run(index: int, plan_text: str) -> tuple[str, str, str]:
+def _run(index: int, plan_text: str, asked: str) -> tuple[str, str, str]:
     """On a worker, which reads a plan once."""
-    return _plan(plan_text).run(index)
+    return _plan(plan_text).run(index, asked)

@@ -170,11 +170,13 @@ void bind_sweep(py::module_& module) {
       .def("job_id", &SweepPlan::job_id)
       .def("job_values",
            [](const SweepPlan& self, std::size_t k) { return values_text(self.job(k)); })
-      .def("run", [](const SweepPlan& self, std::size_t k) {
+      .def("run", [](const SweepPlan& self, std::size_t k, const std::string& asked) {
         SweepResult result;
         {
           const py::gil_scoped_release unlocked;
-          result = run_job(self.job(k));
+          const workflow::Request request(asked, workflow::type_counting_rows());
+          const auto types = workflow::type_counting(request);
+          result = run_job(self.job(k), types);
         }
         return py::make_tuple(result.figures, result.design, result.seconds);
       });

@@ -91,6 +91,17 @@ class Sweeps(InFolderWithPlan):
         values = {(row["handles[0].by[2]"], row["options.softness"]) for row in rows}
         self.assertEqual(len(values), 12)
 
+    def test_types_are_counted_as_the_command_does(self):
+        for job in self.plan:
+            job.run("mine", count_types="2%", mirrored=True)
+        self.command("sweep", "plan.json", "--part=1/1", "--count-types=2%", "--mirrored",
+                     "-o", "command")
+        self.assertEqual(self.table("mine"), self.table("command"))
+        rows = list(csv.DictReader(self.table("mine").decode().splitlines()))
+        self.assertTrue(all(int(row["types_after"]) > 0 for row in rows))
+        with self.assertRaisesRegex(planish.UsageError, "count_types"):
+            self.plan[0].run("other", count_types="few")
+
     def test_a_design_that_is_none_is_a_result(self):
         plan = planish.Plan({**PLAN, "values": {"handles[0][0]": [78, 4000]}})
         figures = [job.run("mixed") for job in plan]
