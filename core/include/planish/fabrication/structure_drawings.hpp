@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planish/fabrication/panel_names.hpp"
 #include "planish/fabrication/section.hpp"
 #include "planish/mesh/mesh.hpp"
 #include "planish/text/refusal.hpp"
