@@ -153,15 +153,18 @@ std::optional<std::string> fewest_sentence(const EditRun& run) {
     return "--fewest: with nothing held a handle stops " + three_digits(run.report.handle_error) +
            " short of its target (units of the mesh), more than --within-handle; nothing was held";
   }
+  std::string sentence = "--fewest: " + std::to_string(found.panels) +
+                         (found.panels == 1 ? " panel" : " panels") + " cut again in place of " +
+                         std::to_string(found.panels_before);
   if (!found.minimal) {
-    return "--fewest: stopped after " + std::to_string(found.solves) + " solves; fewer may do";
+    return sentence + "; stopped after " + std::to_string(found.solves) + " solves, fewer may do";
   }
-  const std::size_t slivers = new_slivers(run).size();
-  if (slivers == 0) return std::nullopt;
-  return "--fewest: " + std::to_string(slivers) +
+  const auto slivers = static_cast<int>(new_slivers(run).size());
+  if (slivers == 0) return sentence;
+  return sentence + "; " + std::to_string(slivers) +
          (slivers == 1 ? " panel became a sliver" : " panels became slivers") +
          " with a corner below " + three_digits(kSliverAngle) +
-         " degrees; --bound angle=MIN:MAX and edge=MIN:MAX limit that";
+         " degrees, which --bound angle=MIN:MAX and edge=MIN:MAX limit";
 }
 
 }  // namespace planish::workflow

@@ -84,7 +84,11 @@ void add_projected(Json& json, const ProjectedMesh& projected) {
 
 std::optional<std::string> projected_sentence(const ProjectedMesh& projected) {
   if (projected.fewer) return fewer_types_sentence(projected.mesh, *projected.fewer);
-  if (!projected.hybrid || projected.hybrid->panels == 0) return std::nullopt;
+  if (!projected.hybrid || (projected.hybrid->panels == 0 && projected.hybrid->reached)) {
+    return std::nullopt;
+  }
+  if (projected.hybrid->panels == 0)
+    return "--split: so few panels split do not make the mesh flat";
   const int count = projected.hybrid->panels;
   return "--split: " + std::to_string(count) + (count == 1 ? " panel is" : " panels are") +
          " split, and the mesh is " + (projected.hybrid->reached ? "flat" : "not flat with that");

@@ -48,6 +48,10 @@ ProjectionOptions projection_options(const Request& request) {
   if (!request.has("--reference")) options.fairness_weight = Planarising{}.fairness_weight;
   request.read("--smooth", options.fairness_weight);
   if (request.has("--within") && !asks_for_fewer_types(request)) {
+    const auto* const within = request.last("--within")->get_ptr<const std::string*>();
+    if (within != nullptr && within->ends_with('%')) {
+      throw UsageError("--within: a share of the mean edge is for --move; else it is a length");
+    }
     request.read("--within", options.within);
     if (options.within <= 0.0) throw UsageError("--within must be greater than 0");
   }

@@ -72,7 +72,7 @@ std::vector<OptionRow> repetition_option_rows() {
            "(units of the mesh, or a share of the mean edge); --within D|P% is\n"
            "then how far a corner may be from its template's; folds grow by at\n"
            "most 5 degrees, or as --bound fold=MAX or +MAX says"},
-          {kTypes, "K", "with --move: the closest fit found that K types reach, for --within"},
+          {kTypes, "K", "with --move: the closest fit tried that K types reach, for --within"},
           {"--mirrored", "", "with --move: a panel may be its template turned over"}};
 }
 
@@ -140,8 +140,13 @@ Json fewer_types_json(const Mesh& mesh, const FewerTypes& fewer) {
 
 std::string fewer_types_sentence(const Mesh& mesh, const FewerTypes& fewer) {
   const double mean_edge = mean_edge_length(mesh);
-  return "--move: of " + std::to_string(fewer.before) + " types " +
-         std::to_string(fewer.types.families.size()) + " are left, within " +
+  const auto after = static_cast<int>(fewer.types.families.size());
+  if (after == fewer.before) {
+    return "--move: no fewer than " + std::to_string(after) + " types were found, within " +
+           three_digits(fewer.within) + "; the mesh is as it was";
+  }
+  return "--move: " + std::to_string(mesh.face_count()) + " panels are of " +
+         std::to_string(after) + " types, " + std::to_string(fewer.before) + " before, within " +
          three_digits(fewer.within) + " (" + three_digits(100.0 * fewer.within / mean_edge) +
          "% of the mean edge); points move by up to " + three_digits(fewer.max_move) + " (" +
          three_digits(100.0 * fewer.max_move / mean_edge) + "%), folds are at most " +

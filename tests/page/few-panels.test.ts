@@ -54,14 +54,14 @@ const slider = (page: Page) => part(page).getByRole("slider", { name: "Few panel
 const find = (page: Page) =>
   part(page).getByRole("button", { name: "Find edits with fewer panels" }).click();
 
-/** "Sparse: 42 panels cut again, sharpest fold +8°" → 42 */
+/** "Sparse: 42 panels cut again, folds up to 8° sharper" → 42 */
 const panelsIn = (words: string | null): number =>
   Number(/(\d+) panels? cut again/.exec(words ?? "")?.[1] ?? Number.NaN);
 
 const price = async (page: Page): Promise<number> =>
   panelsIn(
     await part(page)
-      .getByText(/^\d+ panels? cut again, sharpest fold/)
+      .getByText(/^\d+ panels? cut again, folds up to/)
       .textContent(),
   );
 

@@ -35,8 +35,9 @@ TEST_F(Cli, FewerTypesAreWrittenAndTold) {
   EXPECT_EQ(types["templates"].size(), types["after"]);
   EXPECT_LE(report["planarity_mm_per_m"]["after_max"], 1e-6);
   EXPECT_EQ(report["spoilt_faces"], json::object());
-  const std::string line = "of " + std::to_string(types["before"].get<int>()) + " types " +
-                           std::to_string(types["after"].get<int>()) + " are left";
+  const std::string line = std::to_string(mesh.face_count()) + " panels are of " +
+                           std::to_string(types["after"].get<int>()) + " types, " +
+                           std::to_string(types["before"].get<int>()) + " before";
   EXPECT_NE(err().find(line), std::string::npos) << err();
   EXPECT_EQ(err().find("identical"), std::string::npos);
   // What `types` finds in the file that was written, in its own unit.
@@ -61,7 +62,7 @@ TEST_F(Cli, FewerTypesAreRefusedInOneSentence) {
         "sample:vault:6 --move 20% --types 0", "sample:vault:6 --move 20% --types 3 --within 1%",
         "sample:vault:6 --move few --types 3", "sample:vault:6 --move 0 --types 3",
         "sample:vault:6 --move 20% --within 1% --smooth 3",
-        "sample:vault:6 --move 20% --within 1% --split 3",
+        "sample:vault:6 --move 20% --within 1% --split 3", "sample:vault:6 --within 1%",
         "sample:vault:6 --move 20% --within 1% --bound shape=off",
         "sample:vault:6 --move 20% --within 1% --bound flat=2"}) {
     EXPECT_EQ(run(std::string("project ") + words), 2) << words;

@@ -65,8 +65,8 @@ describe("points of the curve", () => {
   });
 
   it("say what they cost", () => {
-    expect(pointWords(point("", 42, 8.2))).toBe("42 panels cut again, sharpest fold +8.2°");
-    expect(pointWords(point("", 1, 0))).toBe("1 panel cut again, sharpest fold +0°");
+    expect(pointWords(point("", 42, 8.2))).toBe("42 panels cut again, folds up to 8.2° sharper");
+    expect(pointWords(point("", 1, 0))).toBe("1 panel cut again, folds up to 0° sharper");
   });
 
   it("count panels with a corner that moved, not those with a new bevel alone", () => {

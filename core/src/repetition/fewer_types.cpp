@@ -272,17 +272,23 @@ FewerTypes with_most_types(TypeSearch& search, int most, double unit) {
   }
   FewerTypes best = search.run(wide);
   best.reached = static_cast<int>(best.types.families.size()) <= most;
-  for (int k = 0; k < kTries && !best.cancelled && wide > 2e-9 * unit; ++k) {
-    FewerTypes next = search.run(kCloser * best.within);
+  double within = wide;
+  int failures = 0;
+  for (int k = 0; k < kTries && !best.cancelled && within > 2e-9 * unit; ++k) {
+    within *= kCloser;
+    FewerTypes next = search.run(within);
     next.cost += best.cost;
     next.descents += best.descents;
+    // One that needs more types says nothing about a closer fit yet: descents end where they end.
     if (static_cast<int>(next.types.families.size()) > most) {
       best.cost = next.cost;
       best.descents = next.descents;
       best.cancelled = next.cancelled;
-      break;
+      if (++failures == kMostFailures) break;
+    } else {
+      best = std::move(next);
+      failures = 0;
     }
-    best = std::move(next);
   }
   return best;
 }

@@ -74,10 +74,10 @@ export function cutAgain(health: Float32Array): number {
   return changed - bevel;
 }
 
-/** "42 panels cut again, sharpest fold +8°". */
+/** "42 panels cut again, folds up to 8° sharper". */
 export function priceWords(panels: number, growth: number): string {
   const again = `${panels} ${panels === 1 ? "panel" : "panels"} cut again`;
-  return `${again}, sharpest fold +${formatDegrees(growth)}`;
+  return `${again}, folds up to ${formatDegrees(growth)} sharper`;
 }
 
 export const pointWords = (point: CurvePoint): string => priceWords(point.panels, growthOf(point));

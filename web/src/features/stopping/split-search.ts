@@ -102,6 +102,7 @@ export const takeSplits = (page: Page, { asked }: { asked: Design }, by: SplitSt
     const made = await commitEdit(page, { ...based.value, handles: asked.handles }, "solve");
     if (!made?.ok) return made;
     wanted(page).value = null;
+    if (by.cuts.length === 0) return made;
     const lines = counted(by.cuts.length, "line");
     page.notice.value = `Split by ${lines} between corners; the edit was solved again on that mesh. Undo takes both back.`;
     return made;

@@ -43,10 +43,32 @@ function Row({ by, asked }: { by: SplitStanding; asked: Design }) {
   );
 }
 
+/** Solved at once, and not from where the drag had come, it may arrive as it is. */
+function Whole({ by, asked }: { by: SplitStanding; asked: Design }) {
+  const page = usePage();
+  return (
+    <p class="split-search">
+      <span class="quiet small">
+        {`Solved at once it arrives with no panel split, ${formatLength(by.handleError, page.unit.value)} short, sharpest fold ${formatDegrees(by.sharpestFold)}.`}
+      </span>
+      <button
+        type="button"
+        class="button small"
+        disabled={!page.ready.value || !settled(page).value}
+        onClick={() => void takeSplits(page, { asked }, by)}
+      >
+        Move it there
+      </button>
+    </p>
+  );
+}
+
 function Curve({ finding, asked }: { finding: SplitFinding; asked: Design }) {
   const { curve, tried, reached } = finding;
+  const [whole] = curve;
+  if (reached && whole && curve.length < 2) return <Whole by={whole} asked={asked} />;
   if (curve.length < 2) {
-    const words = reached ? "It arrives without." : "None that was tried lets it come nearer.";
+    const words = "None that was tried lets it come nearer.";
     return <p class="quiet small">{`${counted(tried, "edit")} with panels split: ${words}`}</p>;
   }
   return (
