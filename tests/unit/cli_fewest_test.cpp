@@ -23,6 +23,7 @@ const std::string kEdit =
 
 TEST_F(Cli, FewestReportsWhatItSavedAndTheDesignReplays) {
   ASSERT_EQ(run(kEdit + "--fewest panels -o a.obj --report a.json --design d.json"), 0) << err();
+  EXPECT_NE(err().find(" cut again in place of "), std::string::npos) << err();
   const json report = json::parse(contents(directory_ / "a.json"));
   const json& fewest = report["fewest"];
   EXPECT_EQ(fewest["of"], "panels");
