@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a projection makes of a mesh, perhaps with panels split or with fewer types, and tells of it.
+/// What a projection makes of a mesh, perhaps split or with fewer types, and tells of it.
 #pragma once
 
 #include <optional>
