@@ -69,11 +69,7 @@ std::vector<LimitStanding> limit_standing(const MeshLimits& limits, std::span<co
   for (const int face : faces) {
     limits.for_each_row(face, [&](auto tag, const auto& row, int, int) {
       using Kind = typename decltype(tag)::type;
-      RowPoints<Kind::Row::kArity> points(3, static_cast<Eigen::Index>(row.vertices.size()));
-      for (std::size_t k = 0; k < row.vertices.size(); ++k) {
-        points.col(static_cast<Eigen::Index>(k)) = point(row.vertices[k]);
-      }
-      const double share = row.scale.share(value(row, points));
+      const double share = row.scale.share(value(row, placed_points(row, point)));
       LimitStanding& kind = kinds[LimitKinds::index_of<Kind>()];
       // Not a number is no share that holds.
       if (!(share >= kind.least_share)) kind.least_share = share;

@@ -183,16 +183,12 @@ std::vector<int> TypeSearch::beyond_limits(const Positions& positions) const {
     const Eigen::Vector3d move = positions.col(v) - mesh_.positions.col(v);
     if (move.norm() > options_.move) beyond.push_back(v);
   }
+  const auto place = [&](int v) -> Eigen::Vector3d {
+    return scaled_.positions.col(v) + (positions.col(v) - mesh_.positions.col(v)) / unit_;
+  };
   for (int f = 0; f < mesh_.face_count(); ++f) {
-    limits_.for_each_row(f, [&]<class Row>(auto, const Row& row, int, int) {
-      const auto k = static_cast<Eigen::Index>(row.vertices.size());
-      RowPoints<Row::kArity> points(3, k);
-      for (Eigen::Index i = 0; i < k; ++i) {
-        const int v = row.vertices[at(i)];
-        points.col(i) =
-            scaled_.positions.col(v) + (positions.col(v) - mesh_.positions.col(v)) / unit_;
-      }
-      if (row.scale.share(value(row, points)) >= 0.0) return;
+    limits_.for_each_row(f, [&](auto, const auto& row, int, int) {
+      if (row.scale.share(value(row, placed_points(row, place))) >= 0.0) return;
       beyond.insert(beyond.end(), row.vertices.begin(), row.vertices.end());
     });
   }

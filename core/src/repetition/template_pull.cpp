@@ -145,8 +145,8 @@ void TemplatePull::hold_back(int vertex) {
 void TemplatePull::add_limits(const Positions& positions, int f) {
   for_each_own_row(limits_, f, [&]<class Row>(const Row& row) {
     const auto k = static_cast<Eigen::Index>(row.vertices.size());
-    RowPoints<Row::kArity> points(3, k);
-    for (Eigen::Index i = 0; i < k; ++i) points.col(i) = positions.col(row.vertices[at(i)]);
+    const auto points =
+        placed_points(row, [&](int v) -> Eigen::Vector3d { return positions.col(v); });
     const double off = row.scale.share(value(row, points)) - kWithin;
     if (!(off < 0.0)) return;
     const RowPoints<Row::kArity> slope = row.scale.slope * gradient(row, points);

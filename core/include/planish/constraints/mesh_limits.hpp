@@ -72,6 +72,16 @@ class MeshLimits {
   std::shared_ptr<MeshKeepOuts> keep_outs_;
 };
 
+/// The points of a row. @param point a vertex's place, in the unit that the row was made in
+template <LimitRow Row, class Point>
+[[nodiscard]] RowPoints<Row::kArity> placed_points(const Row& row, const Point& point) {
+  RowPoints<Row::kArity> points(3, static_cast<Eigen::Index>(row.vertices.size()));
+  for (std::size_t k = 0; k < row.vertices.size(); ++k) {
+    points.col(static_cast<Eigen::Index>(k)) = point(row.vertices[k]);
+  }
+  return points;
+}
+
 /// Panels that break a limit before anything moves; there it holds what they have.
 struct LimitExcess {
   std::string_view name;    ///< of the limit
