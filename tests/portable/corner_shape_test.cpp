@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "support/scenes.hpp"
 
@@ -129,6 +131,94 @@ TEST(CornerShapes, KeepAReflexCornerAndLeaveOutWhatHasNoArea) {
   EXPECT_EQ(reflex.size(), 4u);
   EXPECT_EQ(straight.size(), 4u);
   EXPECT_TRUE(line.empty());
+}
+
+/// A simple outline: its corners one after the other around a point, near and far.
+Positions random_outline(unsigned seed, int corners) {
+  constexpr double kTurn = 6.283185307179586;
+  const Eigen::VectorXd random = testing::random_vector(seed, 2 * corners);
+  Positions outline(3, corners);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = kTurn * (k + 0.3 * std::tanh(random[2 * k])) / corners;
+    const double radius = std::exp(0.6 * std::tanh(random[2 * k + 1]));
+    outline.col(k) << radius * std::cos(angle), radius * std::sin(angle), 0.0;
+  }
+  return outline;
+}
+
+/// Whether two sides without a common corner have a common point.
+bool sides_meet(const Positions& p) {
+  const auto side = [&](Eigen::Index a, Eigen::Index b, Eigen::Index c) {
+    const Eigen::Vector3d u = p.col(b) - p.col(a), v = p.col(c) - p.col(a);
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  const Eigen::Index n = p.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = i + 2; j < n; ++j) {
+      const Eigen::Index a = i, b = i + 1, c = j, d = (j + 1) % n;
+      if (d == a) continue;
+      if (side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0) return true;
+    }
+  }
+  return false;
+}
+
+/// Reflex corners go to the other side, the other ones their own ways: in the plane, a share each.
+Positions random_way(unsigned seed, const Positions& outline) {
+  Positions way = 0.1 * testing::random_points(seed + 7919, outline.cols());
+  for (Eigen::Index k = 0; k < way.cols(); ++k) {
+    const Eigen::Index n = way.cols();
+    const Eigen::Vector3d in = outline.col(k) - outline.col((k + n - 1) % n);
+    const Eigen::Vector3d out = outline.col((k + 1) % n) - outline.col(k);
+    if (in.cross(out).z() < 0.0) way.col(k) -= outline.col(k);
+  }
+  way.row(2).setZero();
+  return way;
+}
+
+/// No outline with reflex corners crosses itself before a row says so. By corners alone many would.
+TEST(CornerShapes, KeepAnOutlineFromCrossingItself) {
+  constexpr int kOutlines = 400;
+  constexpr int kSteps = 200;
+  int reflex = 0, held_by_triangles = 0;
+  for (int outline = 0; outline < kOutlines; ++outline) {
+    SCOPED_TRACE(outline);
+    const int n = 5 + outline % 5;
+    const auto seed = static_cast<unsigned>(outline);
+    const Positions base = random_outline(seed, n);
+    const Positions way = random_way(seed, base);
+    std::vector<int> face(static_cast<std::size_t>(n));
+    std::iota(face.begin(), face.end(), 0);
+    std::vector<CornerShape> rows;
+    append_corner_shapes(base, face, rows);
+    reflex += rows.size() > face.size() ? 1 : 0;
+    bool stopped = false;
+    for (int step = 1; step <= kSteps; ++step) {
+      const Positions now = base + 3.0 * step / kSteps * way;
+      const auto breaks = [&](const CornerShape& row) {
+        const std::vector<int> vertices(row.vertices.begin(), row.vertices.end());
+        return residual(row, now(Eigen::all, vertices)) <= 0.0;
+      };
+      const auto first_triangle = rows.begin() + n;
+      if (std::any_of(rows.begin(), first_triangle, breaks)) break;
+      stopped = stopped || std::any_of(first_triangle, rows.end(), breaks);
+      if (!sides_meet(now)) continue;
+      ASSERT_TRUE(stopped) << "step " << step;
+      ++held_by_triangles;
+      break;
+    }
+  }
+  EXPECT_GT(reflex, kOutlines / 2);
+  EXPECT_GT(held_by_triangles, kOutlines / 20);
+}
+
+TEST(CornerShapes, OfConvexPanelsAreTheirCornersAlone) {
+  const Mesh mesh = testing::sample("hex", 8);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    std::vector<CornerShape> corners;
+    append_corner_shapes(mesh.positions, mesh.face(f), corners);
+    EXPECT_EQ(corners.size(), mesh.face(f).size());
+  }
 }
 
 }  // namespace

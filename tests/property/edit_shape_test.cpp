@@ -141,5 +141,50 @@ INSTANTIATE_TEST_SUITE_P(Samples, EditShape,
                          ::testing::Values("roof", "vault", "dome", "freeform", "hex", "trihex"),
                          [](const auto& each) { return std::string(each.param); });
 
+/// Bow-tie hexagons, as flat panels have them where a surface bends both ways; flat here, so that
+/// they can be pulled together in their plane.
+Mesh bow_ties(int columns, int rows) {
+  constexpr double kWaist = 0.2;  // of a row, that points on even places are below it
+  std::vector<Eigen::Vector3d> points;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      points.emplace_back(i, j + ((i + j) % 2 == 0 ? -kWaist : kWaist), 0.0);
+    }
+  }
+  std::vector<std::vector<int>> faces;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = j % 2; i + 2 < columns; i += 2) {
+      const int low = j * columns + i, high = low + columns;
+      faces.push_back({low, low + 1, low + 2, high + 2, high + 1, high});
+    }
+  }
+  return testing::make_mesh(points, faces);
+}
+
+/// A waist that is pulled together stops before its corners go through the sides; the edit is
+/// certified, at the first attempt.
+TEST(EditShapeOfBowTies, IsKeptAndCertified) {
+  const Mesh mesh = bow_ties(15, 12);
+  HandleEditOptions options;
+  options.reach = 4;
+  options.softness = 5.0;
+  int edits = 0;
+  for (const int vertex : {6 * 15 + 6, 6 * 15 + 7, 5 * 15 + 8}) {
+    for (const Eigen::Vector3d& move :
+         {Eigen::Vector3d(0.0, 1.2, 0.0), Eigen::Vector3d(0.0, -1.2, 0.0),
+          Eigen::Vector3d(0.5, 0.9, 0.0), Eigen::Vector3d(-0.5, -0.9, 0.0)}) {
+      SCOPED_TRACE(vertex);
+      const HandleEditResult result =
+          solve_handle_edit(mesh, testing::pull(mesh, vertex, move), options);
+      EXPECT_EQ(spoilt_panels(mesh, result), 0);
+      EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+      EXPECT_GT(result.report.max_displacement, 0.4);
+      EXPECT_LT(result.report.cost.factorizations, 150);
+      ++edits;
+    }
+  }
+  EXPECT_EQ(edits, 12);
+}
+
 }  // namespace
 }  // namespace planish

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "constraints/panel_triangles.hpp"
 #include "numeric/logarithm.hpp"
 #include "planish/constraints/vector_pair.hpp"
 
@@ -14,6 +15,29 @@ namespace {
 constexpr double kKeep = 0.05;            ///< κ: the share of g⁰ that no corner goes below
 constexpr double kClamp = 0.5;            ///< ŝ: where the barrier begins
 constexpr double kLeastAreaShare = 1e-6;  ///< of the squared perimeter: less is no area
+
+/// A triangle of a panel keeps the share κ of its area, and its side.
+CornerShape kept_area(const std::array<int, 3>& vertices, const Eigen::Vector3d& normal,
+                      double base) {
+  return {vertices, normal / (base * (1.0 - kKeep)), -kKeep / (1.0 - kKeep)};
+}
+
+/// Corners that keep their sides do not keep a reflex corner from going through a side: the
+/// triangles do that lie between corners which are no neighbours.
+void append_inner_triangles(const Positions& positions, std::span<const int> face,
+                            const Eigen::Vector3d& normal, std::vector<CornerShape>& out) {
+  const auto n = static_cast<int>(face.size());
+  const Positions outline = positions(Eigen::all, std::vector<int>(face.begin(), face.end()));
+  for (const auto& [i, k, j] : panel_triangles(outline, normal)) {
+    if (k - i == 1 && j - k == 1) continue;  // a corner of the outline: it has its row
+    if ((k - i == 1 && i + n - j == 1) || (j - k == 1 && i + n - j == 1)) continue;
+    const Eigen::Vector3d in = outline.col(k) - outline.col(i);
+    const double base = normal.dot(in.cross(Eigen::Vector3d(outline.col(j) - outline.col(k))));
+    out.push_back(kept_area({face[static_cast<std::size_t>(i)], face[static_cast<std::size_t>(k)],
+                             face[static_cast<std::size_t>(j)]},
+                            normal, base));
+  }
+}
 
 }  // namespace
 
@@ -59,6 +83,7 @@ void append_corner_shapes(const Positions& positions, std::span<const int> face,
   const double size = area.norm();
   if (!(size > kLeastAreaShare * perimeter * perimeter)) return;
   const Eigen::Vector3d normal = area / size;
+  bool is_reflex = false;
   for (std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector3d in = point(k + n) - point(k + n - 1);
     const Eigen::Vector3d away = point(k + 1) - point(k);
@@ -66,13 +91,15 @@ void append_corner_shapes(const Positions& positions, std::span<const int> face,
     const double lengths = in.norm() * away.norm();
     if (!(lengths > 0.0)) continue;
     const std::array<int, 3> corner{face[(k + n - 1) % n], face[k], face[(k + 1) % n]};
+    is_reflex = is_reflex || base < -kStraight * lengths;
     if (std::abs(base) > kStraight * lengths) {
-      out.push_back({corner, normal / (base * (1.0 - kKeep)), -kKeep / (1.0 - kKeep)});
+      out.push_back(kept_area(corner, normal, base));
     } else {
       out.push_back({corner, normal / (lengths * kStraightTurn), 1.0});
     }
     if (n == 3) return;  // the other two say the same
   }
+  if (is_reflex && n > 4) append_inner_triangles(positions, face, normal, out);
 }
 
 }  // namespace planish

@@ -10,7 +10,8 @@
 /// reflex corner stays reflex. A corner that is straight in the base has no side to keep; it may
 /// turn inwards by kStraightTurn: s = 1 + g / (‖b − a‖ ‖c − b‖ kStraightTurn), lengths of the base.
 /// One row rules out concave, turned-over and collapsed panels alike. Its price: a panel cannot
-/// turn by nearly 90°.
+/// turn by nearly 90°. Where a corner of a panel with more than four is reflex, the triangles
+/// between its corners have such rows too: they keep it from going through a side.
 #pragma once
 
 #include <Eigen/Core>
@@ -65,7 +66,7 @@ struct Barrier {
 };
 [[nodiscard]] Barrier clamped_barrier(double share);
 
-/// The corners of `face`; a triangle's three are one. Appends nothing for corners with an edge of
+/// The corners of `face`, a triangle's three are one; then its inner triangles. Appends nothing for corners with an edge of
 /// no length and for faces without area.
 /// @param positions 3 × n of the base mesh
 void append_corner_shapes(const Positions& positions, std::span<const int> face,
