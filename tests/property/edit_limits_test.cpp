@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <string>
 #include <vector>
@@ -260,6 +261,40 @@ TEST_P(EditLimits, EndAtTheirBoundWhereTheyHold) {
     }
   }
   EXPECT_GT(held, 0);
+}
+
+/// Folds, edges and corners: what ends is certified, seeded points pulled by half an edge and one.
+TEST(EditLimitsOn, AreCertified) {
+  int edits = 0, certified = 0;
+  for (const char* name : {"vault", "freeform", "hex", "trihex"}) {
+    const Mesh mesh = testing::sample(name, std::string(name) == "trihex" ? 12 : 24);
+    const double edge = mean_edge_length(mesh);
+    HandleEditOptions options;
+    options.reach = 6;
+    options.softness = 5.0;
+    options.keep_boundary = true;
+    const std::string lengths =
+        "edge=" + std::to_string(0.8 * edge) + ":" + std::to_string(1.2 * edge);
+    for (const std::string& bound :
+         {std::string("fold=+8"), lengths, std::string("angle=60:120")}) {
+      options.bounds = {*parse_stated_limit(bound)};
+      HandleEditSolver solver(mesh, options);
+      for (int k = 0; k < 8; ++k) {
+        const int vertex = (137 * k + 211) % mesh.vertex_count();
+        const Eigen::Vector3d move(0.0, 0.0, (k % 2 == 0 ? 0.5 : 1.0) * edge);
+        const HandleEditResult result = solver.solve(testing::pull(mesh, vertex, move));
+        ++edits;
+        if (result.report.status == SolveStatus::kConverged) {
+          ++certified;
+        } else {
+          std::cout << name << " " << vertex << " " << bound << " "
+                    << status_name(result.report.status) << "\n";
+        }
+      }
+    }
+  }
+  std::cout << certified << " of " << edits << " certified\n";
+  EXPECT_GE(certified, 0.96 * edits);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, EditLimits,

@@ -80,6 +80,7 @@ EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
 EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& progress) {
   constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
   constexpr double kWarm = 0.015;
+  constexpr double kLimitPenalty = 30.0;  // μ of the limits once their multipliers are about known
   const HandleEditOptions& asked = model_.options();
   NewtonOptions step = options;
   step.last_smoothing = kCoarse;  // settle() goes on from its own first ε
@@ -91,6 +92,7 @@ EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& p
   field_.clear();
   EngineOutcome total = newton_.run_cold(model_.problem(), {3, 16, 0.05}, step, field_, progress);
   step.first_smoothing = kWarm;
+  step.step.limit_penalty = kLimitPenalty;
   for (bool last = false; !last && total.status != SolveStatus::kCancelled;) {
     now.softness = std::max(asked.softness, now.softness - kDown);
     last = now.softness == asked.softness;

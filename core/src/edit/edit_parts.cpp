@@ -125,13 +125,16 @@ bool EditSearch::stops_short(const ExactDesign& design, const SolveReport& repor
   return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
 }
 
-/// The way in parts, where it ends lower.
+/// The way in parts, where it ends lower, or at the same place with a certificate.
 void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report) {
   SolveReport other;
   ExactDesign nearer = solve_in_parts(progress, other);
   other.cost += report.cost;
   other.records = std::move(report.records);
-  if (model_.objective(nearer).total() < model_.objective(design).total()) {
+  constexpr double kSame = 1e-6;  // of the objective
+  const double found = model_.objective(design).total();
+  const bool certified = other.optimality && other.optimality->met();
+  if (model_.objective(nearer).total() < (certified ? 1.0 + kSame : 1.0) * found) {
     design = std::move(nearer);
   } else {
     other.status = report.status;

@@ -116,6 +116,7 @@ ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& pro
         [&](const ExactDesign& last) { return active_set.update(last) || release(); });
     if (model_.is_acceptable(settled)) {
       report.optimality = optimality(settled);
+      if (!report.optimality->met()) refine(options, settled, report);
       if (!report.optimality->met()) include_slow_movers(settled, report);
       report.status = fine.status == SolveStatus::kCancelled ? fine.status
                       : report.optimality->met()             ? SolveStatus::kConverged
@@ -133,9 +134,20 @@ ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& pro
   return clamped;
 }
 
+/// The design of a state whose rows hold to rounding, where the certificate lacks that.
+void EditSearch::refine(const NewtonOptions& options, ExactDesign& design, SolveReport& report) {
+  report.cost += newton_.refine(model_.problem(), options, field_).cost;
+  take_if_certified(design, report);
+}
+
 /// The design with what hardly moves moving, where that is what the certificate lacks.
 void EditSearch::include_slow_movers(ExactDesign& design, SolveReport& report) {
   newton_.keep_slow_movers(field_);
+  take_if_certified(design, report);
+}
+
+/// The design of the engine's state in place of one without a certificate.
+void EditSearch::take_if_certified(ExactDesign& design, SolveReport& report) {
   ExactDesign other = this->design();
   if (!model_.is_acceptable(other)) return;
   const Optimality found = optimality(other);

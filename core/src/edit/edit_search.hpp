@@ -62,6 +62,8 @@ class EditSearch {
   ExactDesign solve_newton(const Progress& progress, SolveReport& report);
   ExactDesign solve_augmented_lagrangian(const Progress& progress, SolveReport& report);
   ExactDesign settle(const NewtonOptions& options, const Progress& progress, SolveReport& report);
+  void refine(const NewtonOptions& options, ExactDesign& design, SolveReport& report);
+  void take_if_certified(ExactDesign& design, SolveReport& report);
   void include_slow_movers(ExactDesign& design, SolveReport& report);
 
   // The continuation.

@@ -155,6 +155,8 @@ double correct_constraints(const Patch& patch, int max_passes, Eigen::Matrix3Xd&
                            int& factorizations) {
   constexpr double kRegularization = 1e-10;
   constexpr double kRounding = 1e-13;
+  constexpr double kSmall = 1e-9;
+  constexpr double kWorthIt = 0.5;
   constexpr int kMostHalvings = 6;
   if (patch.equations.empty()) return 0.0;
   Eigen::VectorXd residuals;
@@ -181,6 +183,8 @@ double correct_constraints(const Patch& patch, int max_passes, Eigen::Matrix3Xd&
       better = trial_residuals.allFinite() && trial_residuals.norm() < residuals.norm();
     }
     if (!better) break;
+    // Rows among points that stay keep what the base has of them, and the way to that is no better.
+    if (residuals.norm() <= kSmall && trial_residuals.norm() > kWorthIt * residuals.norm()) break;
     displacement = trial;
     residuals = trial_residuals;
     worst = residuals.cwiseAbs().maxCoeff();

@@ -85,6 +85,12 @@ class WorkingSetNewton {
   EngineOutcome settle(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field, const Progress& progress);
 
+  /// After settle(): steps at the ε that it ended at until the rows hold to rounding, so that a
+  /// finish changes nothing. Where rows are nearly dependent, the shortest way from 1e-11 to there
+  /// leads far from the minimum.
+  EngineOutcome refine(const EditProblem& problem, const NewtonOptions& options,
+                       DisplacementField& field);
+
   /// After settle(): what moves by so little that it was taken to rest moves after all. Where rows
   /// are stiff, stopping it costs the certificate.
   void keep_slow_movers(DisplacementField& field);

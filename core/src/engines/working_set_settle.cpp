@@ -30,6 +30,9 @@ constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts
 constexpr double kStalled = 1e-8;        ///< |c| that need not fall where no step changes it
 constexpr double kLimitsHeld = 1e-7;     ///< share by which a limit that presses may be off
 constexpr double kLimitPenalty = 1e3;    ///< μ of the limits: their multipliers are known by then
+constexpr double kLateLimitPenalty = 1e4;  ///< once the first ε has been followed
+constexpr int kMostRefinements = 6;
+constexpr double kExactRows = 1e-13;     ///< |c| that a finish leaves as it is
 constexpr int kStepsPerRun = 2;          ///< on one of them
 constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 
@@ -128,7 +131,6 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   const double scale = handle_scale(problem);
   seeks_support_ = problem.seeks_support;
   NewtonOptions exact = options;
-  exact.step.limit_penalty = kLimitPenalty;
   set_out(problem);
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
@@ -146,6 +148,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     if (first_stage && outcome.cost.steps >= options.max_first_settle_steps) break;
     const bool last = !seeks_support_ || smoothing <= kLast * scale;
     exact.stationary = last ? kStationary : kFollowed;
+    exact.step.limit_penalty = first_stage ? kLimitPenalty : kLateLimitPenalty;
     exact.step.penalty = seeks_support_
                              ? std::clamp(kPenalty / smoothing, options.step.penalty, kMostPenalty)
                              : options.step.penalty;
@@ -186,6 +189,27 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   settled_ = state_.displacement;
   settled_smoothing_ = smoothing;
   keep_support(kRestsAtLast * smoothing);
+  field.store(patch_, state_);
+  outcome.cost.factorizations = system_.factorizations() - before;
+  return outcome;
+}
+
+EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonOptions& options,
+                                       DisplacementField& field) {
+  EngineOutcome outcome;
+  const int before = system_.factorizations();
+  StepOptions step = options.step;
+  step.limit_penalty = kLateLimitPenalty;
+  if (problem.seeks_support) step.penalty = std::max(step.penalty, kMostPenalty);
+  state_.displacement = settled_;
+  step_.restart();
+  for (; outcome.cost.steps < kMostRefinements; ++outcome.cost.steps) {
+    system_.lagrangian().residuals(state_.displacement, residuals_);
+    if (residuals_.size() == 0 || residuals_.cwiseAbs().maxCoeff() <= kExactRows) break;
+    if (step_.take(step, settled_smoothing_, state_) != PrimalDualStep::Result::kAccepted) break;
+  }
+  settled_ = state_.displacement;
+  keep_support(kRestsAtLast * settled_smoothing_);
   field.store(patch_, state_);
   outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
