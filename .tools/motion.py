@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Where the page's default colour is darkest after a first drag: the figures in docs/benchmarks.md.
 
-    /usr/bin/python3 .tools/motion.py [--points N] [--lift EDGES] [--only NAME,...] [FOLDER]
+    /usr/bin/python3 .tools/motion.py [--points N] [--lift EDGES] [--reach RINGS] [--only NAME,...] [FOLDER]
 
 N seeded inner points of each sample and of each mesh of ../shared/meshes (or FOLDER) that can be made flat
 are pulled along their normals by so many mean edges (a quarter) with the page's first settings. Distances
 from the old surface and ways along it are measured by this script's own code, from all panels as triangles,
-and compared with the report's.
+and compared with the report's. Beside them stand the panels to make again and by how many degrees the
+fold that sharpens most does.
 """
 
 import argparse
@@ -19,7 +20,7 @@ import numpy as np
 from survey import ROOT, SAMPLES, Topology, area_vector, mean_edge, read_obj, run
 
 PLANISH = ROOT / "build" / "native" / "planish"
-PAGE = "--keep-boundary --attraction 10000 --reach 6 --softness 5".split()
+PAGE = "--keep-boundary --attraction 10000 --softness 5".split()
 LARGEST = 20  # panels a side
 
 
@@ -53,26 +54,31 @@ def beside_one(faces, vertex):
     return {v for face in faces if vertex in face for v in face}
 
 
-def pull(path, vertex, lift, scratch):
+def pull(path, vertex, lift, reach, scratch):
     out, report = scratch / "after.obj", scratch / "report.json"
     before, faces = read_obj(path)
     normal = sum(area_vector(before[face]) for face in faces if vertex in face)
     move = lift * mean_edge(before, faces) * normal / np.linalg.norm(normal)
     by = ",".join(repr(float(x)) for x in move)
-    run(PLANISH, ["edit", path, "--handle", f"{vertex}+={by}", *PAGE, "-o", out, "--report", report])
+    run(PLANISH, ["edit", path, "--handle", f"{vertex}+={by}", *PAGE, "--reach", reach, "-o", out, "--report", report])
     after, _ = read_obj(out)
     triangles = np.array([before[[face[0], s, t]] for face in faces for s, t in zip(face[1:], face[2:])])
     moved = np.flatnonzero(np.any(before != after, axis=1))
     feet = np.array([nearest_on_triangles(after[v], triangles) for v in moved])
     shape = np.linalg.norm(after[moved] - feet, axis=1)
-    slide = np.linalg.norm(feet - before[moved], axis=1)
+    normals = np.array([sum(area_vector(before[face]) for face in faces if v in face) for v in moved])
+    slide = np.linalg.norm(np.cross(after[moved] - before[moved], normals), axis=1) / np.linalg.norm(normals, axis=1)
     total = np.linalg.norm(after[moved] - before[moved], axis=1)
-    said = json.loads(report.read_text())["motion"]
-    return {"points": len(moved), "shape": shape.max(), "slide": slide.max(), "total": total.max(),
+    told = json.loads(report.read_text())
+    said = told["motion"]
+    slide_differs = abs(said["slide_max"] - slide.max()) / slide.max()
+    return {"again": told["remake"]["outline"], "sharper": told["sharpest_fold"]["growth"],
+            "short": told["handle_error"] / np.linalg.norm(move), "points": len(moved),
+            "shape": shape.max(), "slide": slide.max(), "total": total.max(),
             "shape_there": moved[shape.argmax()] == vertex, "total_there": moved[total.argmax()] == vertex,
             "beside": int(moved[shape.argmax()]) in beside_one(faces, vertex),
             "at_handle": float(shape[moved == vertex].max(initial=0.0) / shape.max()),
-            "differs": abs(said["shape_max"] - shape.max()) / shape.max()}
+            "differs": max(slide_differs, abs(said["shape_max"] - shape.max()) / shape.max())}
 
 
 def meshes_of(folder, scratch, only):
@@ -95,12 +101,13 @@ def main():
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT.parent / "shared" / "meshes")
     parser.add_argument("--points", type=int, default=5)
     parser.add_argument("--lift", type=float, default=0.25)
+    parser.add_argument("--reach", type=int, default=6)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
     only = set(filter(None, options.only.split(",")))
     print("| mesh | pulls | shape largest at the handle | or one panel beside | move largest at the handle "
-          "| slide over shape, median |")
-    print("|" + " --- |" * 6)
+          "| slide over shape, median | panels again, median | folds sharper by, median, worst | short, median |")
+    print("|" + " --- |" * 9)
     everything = []
     with tempfile.TemporaryDirectory() as name:
         scratch = Path(name)
@@ -108,18 +115,21 @@ def main():
             points, faces = read_obj(path)
             inner = inner_points(faces, Topology(faces))
             picked = np.random.default_rng(1000 + k).permutation(inner)[:options.points]
-            rows = [pull(path, int(v), options.lift, scratch) for v in picked]
+            rows = [pull(path, int(v), options.lift, options.reach, scratch) for v in picked]
             everything += rows
             if rows:
                 there, beside, moved = (sum(r[key] for r in rows) for key in ("shape_there", "beside", "total_there"))
                 print(f"| {mesh} | {len(rows)} | {there} | {beside} | {moved} "
-                      f"| {np.median([r['slide'] / r['shape'] for r in rows]):.2g} |", flush=True)
+                      f"| {np.median([r['slide'] / r['shape'] for r in rows]):.2g} "
+                      f"| {np.median([r['again'] for r in rows]):.0f} | {np.median([r['sharper'] for r in rows]):.1f}°, "
+                      f"{max(r['sharper'] for r in rows):.1f}° | {100 * np.median([r['short'] for r in rows]):.1f} % |",
+                      flush=True)
     count = max(1, len(everything))
     shape, beside, total = (100 * sum(r[key] for r in everything) / count
                             for key in ("shape_there", "beside", "total_there"))
     print(f"\n{len(everything)} pulls: shape largest at the handle {shape:.0f} %, "
           f"there or one panel beside {beside:.0f} %, move {total:.0f} %; report differs by at most "
-          f"{100 * max(r['differs'] for r in everything):.2g} % of the largest shape; least share of it "
+          f"{100 * max(r['differs'] for r in everything):.2g} % of the largest shape or slide; least share of it "
           f"at the handle {min(r['at_handle'] for r in everything):.2f}")
 
 

@@ -38,6 +38,7 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
   print_sentence(broken_limits_sentence(run));
+  print_sentence(sliding_target_sentence(run));
   print_sentence(not_exact_sentence(run, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   print_sentence(exact_outcome_sentence(variation));

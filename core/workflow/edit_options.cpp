@@ -79,7 +79,8 @@ std::vector<OptionRow> edit_option_rows() {
            "shape=on|off, default on: no panel becomes concave, crossing,\n"
            "turned over or collapsed that was not; limits of panels, each at most\n"
            "as broken as in MESH: fold=MAX degrees or fold=+MAX beyond what it was,\n"
-           "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH (repeatable)"},
+           "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH; of points, handles too:\n"
+           "slide=MAX across the normal of MESH there (repeatable)"},
           {"--keep-out", "KIND=VALUE",
            "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
            "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "planish/constraints/mesh_limits.hpp"
+#include "planish/constraints/slide_limit.hpp"
 #include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/measures/panel_health.hpp"
 #include "planish/mesh/adjacency.hpp"
+#include "planish/mesh/mean_normal.hpp"
 #include "planish/text/number.hpp"
 
 namespace planish::workflow {
@@ -134,6 +136,31 @@ std::optional<std::string> broken_limits_sentence(const EditRun& run) {
            " before the edit and may not get worse, which holds it back: a wider limit frees them";
   }
   return std::nullopt;
+}
+
+std::optional<std::string> sliding_target_sentence(const EditRun& run) {
+  const StatedLimit* least = nullptr;
+  for (const StatedLimit& limit : run.asked.options.bounds) {
+    const bool narrower = least == nullptr || limit.most < least->most;
+    if (limit.name == SlideLimit::kName && narrower) least = &limit;
+  }
+  if (least == nullptr || run.targets.handles.empty()) return std::nullopt;
+  const Mesh& mesh = run.base.mesh;
+  const Adjacency adjacency = build_adjacency(mesh);
+  int vertex = -1;
+  double most = least->most;
+  for (const Handle& handle : run.targets.handles) {
+    const Eigen::Vector3d move = handle.target - mesh.positions.col(handle.vertex);
+    const auto around = adjacency.faces[handle.vertex];
+    const double slide = across(move, mean_normal(mesh, mesh.positions, around)).norm();
+    if (slide <= most) continue;
+    most = slide;
+    vertex = handle.vertex;
+  }
+  if (vertex < 0) return std::nullopt;
+  return "the target of handle " + std::to_string(vertex) + " is " + three_digits(most) +
+         " along the surface (units of the mesh), where --bound " + stated_limit_text(*least) +
+         " stops it";
 }
 
 std::vector<int> new_slivers(const EditRun& run) {

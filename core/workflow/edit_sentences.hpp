@@ -32,6 +32,10 @@ namespace planish::workflow {
 /// edit back that stops short of what was asked for; nullopt otherwise.
 [[nodiscard]] std::optional<std::string> broken_limits_sentence(const EditRun& run);
 
+/// That --bound slide stops a handle on its way along the surface, the one asked to go furthest;
+/// nullopt where no target is beyond that limit.
+[[nodiscard]] std::optional<std::string> sliding_target_sentence(const EditRun& run);
+
 /// That the base was made symmetric first, and by how much; nullopt where it was.
 [[nodiscard]] std::optional<std::string> evened_sentence(const EditRun& run);
 

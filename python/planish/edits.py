@@ -111,8 +111,8 @@ def edit(
         supports: what points slide on, ["level=z:boundary", "outline:boundary"].
         continuation: steps in which the handles go to their targets, each solved from the last.
         symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
-        bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "shape": False} or the texts
-            of the command line, ["fold=+5"].
+        bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "slide": 0.05, "shape": False} or
+            the texts of the command line, ["fold=+5"].
         keep_outs: where nothing may go, ["below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3",
             "mesh=core.obj"].
         clearance: kept from every one of them; model units.

@@ -33,7 +33,8 @@ class Report:
     symmetry: dict[str, Any] | None = None
     planarised_first: dict[str, float] | None = None
     spoilt_faces: dict[str, list[int]] = field(default_factory=dict)
-    #: "shape_max": largest distance from the surface that was edited; "slide_max": way along it
+    #: "shape_max": largest distance from the surface that was edited; "slide_max": way along it,
+    #: across its mean normal at the old point
     motion: dict[str, float] | None = None
     sharpest_fold: dict[str, float] | None = None
     remake: dict[str, int] | None = None

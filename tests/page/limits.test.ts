@@ -156,3 +156,28 @@ it("a drag keeps them in its frames and at its end, and a link carries them", as
   await other.context().close();
   await page.context().close();
 });
+
+it("joints slide no further than their limit, in the page's unit, and it is what is named", async () => {
+  const page = await site.open();
+  await openVault(page);
+  await typeTarget(page, "+50cm");
+  const free = await status(page);
+  await type(page, "Joints slide at most", "100 mm");
+  expect(await page.getByRole("checkbox", { name: "Joints slide at most" }).isChecked()).toBe(true);
+  await page
+    .getByText(
+      /^\d+ of 500 mm reached: the limit on slides holds (a joint|joints of \d+ panels) back/,
+    )
+    .waitFor();
+  await page
+    .getByText("Further, joints would slide by more than the limit that you stated.")
+    .waitFor();
+  await page.getByText(/^raised \d+ mm, joints slide up to 100 mm, the limit$/).waitFor();
+  expect(await status(page)).not.toBe(free);
+  const text = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(text).options.bounds).toContain("slide=0.1");
+  await page.getByRole("button", { name: "Joints slide twice as far" }).click();
+  await idle(page);
+  await page.getByText(/joints slide up to 200 mm, the limit$/).waitFor();
+  await page.context().close();
+});

@@ -23,7 +23,8 @@ StatedLimit limit_of(std::string_view name) {
                            : name == "angle" ? "angle=30:150"
                            : name == "edge"  ? "edge=0.5:1.6"
                            : name == "area"  ? "area=2.5"
-                                             : "sheet=2.6x2.4";
+                           : name == "sheet" ? "sheet=2.6x2.4"
+                                             : "slide=0.3";
   return *parse_stated_limit(text);
 }
 
@@ -84,7 +85,7 @@ TEST(LimitKinds, NeverBlockTheirBase) {
   const Mesh mesh = testing::three_panels();
   const Adjacency adjacency = build_adjacency(mesh);
   for (const char* text : {"fold=1", "fold=+1", "angle=85:95", "edge=1:1.01", "area=0.1",
-                           "sheet=0.2x0.1", "fold=170", "edge=0:100", "area=100"}) {
+                           "sheet=0.2x0.1", "fold=170", "edge=0:100", "area=100", "slide=0.001"}) {
     SCOPED_TRACE(text);
     const auto limit = parse_stated_limit(text);
     ASSERT_TRUE(limit);
@@ -128,7 +129,7 @@ TEST(LimitKinds, MeanTheSameInAnyUnit) {
 
 TEST(StatedLimit, ReadsBackWhatItWrites) {
   for (const char* text : {"fold=30", "fold=+2.5", "angle=60:120", "edge=0.1:1.25", "edge=0:3",
-                           "area=2.75", "sheet=1.25x2.5"}) {
+                           "area=2.75", "sheet=1.25x2.5", "slide=0.125"}) {
     const auto limit = parse_stated_limit(text);
     ASSERT_TRUE(limit) << text;
     EXPECT_EQ(stated_limit_text(*limit), text);
@@ -138,8 +139,9 @@ TEST(StatedLimit, ReadsBackWhatItWrites) {
 }
 
 TEST(StatedLimit, IsRefusedWithItsName) {
-  for (const char* text : {"", "fold", "fold=", "fold=x", "fold=1:2", "angle=60", "sheet=2",
-                           "bend=3", "angle=60:", "edge=1x2", "shape=on"}) {
+  for (const char* text :
+       {"", "fold", "fold=", "fold=x", "fold=1:2", "angle=60", "sheet=2", "bend=3",
+        "angle=60:", "edge=1x2", "shape=on", "slide", "slide=0:1", "slide=10%"}) {
     EXPECT_FALSE(parse_stated_limit(text)) << text;
   }
   const auto problem_of = [](const char* text) {
@@ -152,6 +154,8 @@ TEST(StatedLimit, IsRefusedWithItsName) {
   EXPECT_EQ(problem_of("edge=-1:2"), "bounds: edge must be greater than 0");
   EXPECT_EQ(problem_of("area=inf"), "bounds: area must be finite");
   EXPECT_EQ(problem_of("edge=nan:1"), "bounds: edge must be finite");
+  EXPECT_EQ(problem_of("slide=0"), "bounds: slide must be greater than 0");
+  EXPECT_EQ(problem_of("slide=+1"), "bounds: slide cannot be relative");
   EXPECT_EQ(problem_of("area=+1"), "bounds: area cannot be relative");
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// What limits hold: no panel of an edit exceeds one that did not, measured without the rows.
+/// What limits hold: no panel or point of an edit exceeds one that did not, measured without the
+/// rows.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,6 +16,7 @@
 #include "planish/mesh/area_vector.hpp"
 #include "support/edit_invariants.hpp"
 #include "support/scenes.hpp"
+#include "support/slides.hpp"
 
 namespace planish {
 namespace {
@@ -150,6 +153,7 @@ std::vector<PanelLimit> panel_limits(const Mesh& mesh) {
       {"sheet", "sheet=" + text(width) + "x" + text(height),
        [=](const Mesh& m, const Positions& p) { return fillings(m, p, height, width); }, 0.0, 1.0,
        2e-3},
+      {"slide", "slide=" + text(0.1 * edge), testing::slides, 0.0, number(0.1 * edge), 0.0},
   };
 }
 
@@ -221,15 +225,18 @@ TEST_P(EditLimits, HoldInEveryFrameOfADrag) {
 /// joined, so that the elimination takes another order.)
 TEST_P(EditLimits, ThatNothingMeetsChangeNoBit) {
   for (const HandleEditOptions& options : ways()) {
-    HandleEditOptions limited = options;
-    limited.bounds = {*parse_stated_limit("edge=0:100000")};
     for (const double lift : lifts()) {
-      const HandleEditResult with = solve_handle_edit(mesh, targets(lift), limited);
       const HandleEditResult without = solve_handle_edit(mesh, targets(lift), options);
       ASSERT_EQ(without.report.status, SolveStatus::kConverged);
-      EXPECT_EQ(apply(mesh, with), apply(mesh, without)) << "lift " << lift;
-      ASSERT_EQ(with.report.bounds.size(), 1u);
-      EXPECT_TRUE(with.report.bounds[0].binding.empty());
+      for (const char* const wide : {"edge=0:100000", "slide=100000"}) {
+        SCOPED_TRACE(wide + std::string(" lift ") + std::to_string(lift));
+        HandleEditOptions limited = options;
+        limited.bounds = {*parse_stated_limit(wide)};
+        const HandleEditResult with = solve_handle_edit(mesh, targets(lift), limited);
+        EXPECT_EQ(apply(mesh, with), apply(mesh, without));
+        ASSERT_EQ(with.report.bounds.size(), 1u);
+        EXPECT_TRUE(with.report.bounds[0].binding.empty());
+      }
     }
   }
 }

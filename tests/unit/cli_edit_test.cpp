@@ -215,6 +215,23 @@ TEST_F(Cli, KeepsALimitAndReplaysIt) {
   }
 }
 
+TEST_F(Cli, KeepsTheLimitOnSlidesAndSaysWhichTargetIsBeyondIt) {
+  const std::string edit =
+      "edit sample:vault:12 --handle 66+=0.8,0,0.2 --bound slide=0.2 --report r.json ";
+  const auto report = [&] { return nlohmann::json::parse(contents(directory_ / "r.json")); };
+  for (const std::string how : {"", "--hard "}) {
+    ASSERT_EQ(run(edit + how + "--design d.json"), 0) << err();
+    EXPECT_NE(err().find("the target of handle 66 is "), std::string::npos) << err();
+    EXPECT_NE(err().find("where --bound slide=0.2 stops it"), std::string::npos) << err();
+    EXPECT_LE(report()["motion"]["slide_max"].get<double>(), 0.2 * (1.0 + 1e-6));
+    EXPECT_EQ(report()["bounds"][0]["name"], "slide");
+    ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
+    EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "again.json"))["verified"], true);
+  }
+  ASSERT_EQ(run("edit sample:vault:12 --handle 66+=0,0,0.2 --bound slide=0.2 --report r.json"), 0);
+  EXPECT_EQ(err().find("the target of handle"), std::string::npos) << err();
+}
+
 TEST_F(Cli, SaysWhatAnEditDidNotReach) {
   const std::string edit = "edit sample:vault:12 --handle 66+=0,0,1.5 --report - ";
   ASSERT_EQ(run(edit + "--bound fold=+15"), 0) << err();

@@ -59,6 +59,9 @@ describe("what stops it", () => {
     expect(reasonOf(design({ limits }, { bounds: { fold: [3] } }), false)).toBe("limits");
     expect(reasonOf(design({ limits }, { bounds: { fold: [] } }), false)).toBe("panels");
     expect(reasonOf(design({ limits }, { status: "infeasible_handles" }), false)).toBe("limits");
+    const sliding = { bounds: { fold: [3], slide: [4] } };
+    expect(reasonOf(design({ limits: ["fold=25", "slide=0.1"] }, sliding), false)).toBe("slides");
+    expect(reasonWords("slides", null)).toContain("joints would slide");
     expect(reasonOf(design({}, { status: "infeasible_handles" }), false)).toBe("panels");
     expect(reasonOf(design({}), true)).toBe("fold");
     const keepOuts = ["above=3"];
@@ -109,6 +112,14 @@ describe("ways on", () => {
       "Folds sharper by 15°",
     );
     expect(labels(design({ limits: ["area=2"] }), "limits", null)).toContain("Without limits");
+  });
+
+  it("past the limit on slides loosen that alone", () => {
+    const limits = ["fold=25", "slide=0.1"];
+    const ways = waysOn(design({ limits }), "slides", null);
+    const further = ways.find(({ label }) => label === "Joints slide twice as far");
+    expect(further?.change).toEqual({ limits: ["fold=25", "slide=0.2"] });
+    expect(ways.some(({ label }) => /Folds|Without/.test(label))).toBe(false);
   });
 
   it("are only those that are not taken yet", () => {

@@ -9,6 +9,7 @@
 
 #include "numeric/trigonometry.hpp"
 #include "planish/mesh/area_vector.hpp"
+#include "planish/mesh/mean_normal.hpp"
 
 namespace planish {
 namespace {
@@ -172,16 +173,15 @@ bool OldSurface::is_on_border(const NearestPlace& place) const {
 }
 
 PointMotion OldSurface::motion(int vertex, const Eigen::Vector3d& point) {
+  const auto around = adjacency_.faces[vertex];
   const Eigen::Vector3d move = point - mesh_.positions.col(vertex);
-  if (adjacency_.faces[vertex].empty()) return {.shape = 0.0, .slide = move.norm()};
+  const double slide = across(move, mean_normal(mesh_, mesh_.positions, around)).norm();
+  if (around.empty()) return {.shape = 0.0, .slide = slide};
   const NearestPlace nearest = walk(vertex, point);
-  const Eigen::Vector3d normal = normal_at(nearest);
-  const double height = -normal.dot(nearest.arm);
-  if (is_on_border(nearest)) {
-    return {.shape = height, .slide = (move - height * normal).norm()};
-  }
+  const double height = -normal_at(nearest).dot(nearest.arm);
+  if (is_on_border(nearest)) return {.shape = height, .slide = slide};
   const double distance = nearest.arm.norm();
-  return {.shape = height < 0.0 ? -distance : distance, .slide = (move + nearest.arm).norm()};
+  return {.shape = height < 0.0 ? -distance : distance, .slide = slide};
 }
 
 }  // namespace

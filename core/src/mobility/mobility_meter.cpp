@@ -14,7 +14,7 @@
 #include "planish/fabrication/remake.hpp"
 #include "planish/measures/folds.hpp"
 #include "planish/mesh/adjacency.hpp"
-#include "planish/mesh/area_vector.hpp"
+#include "planish/mesh/mean_normal.hpp"
 
 namespace planish {
 namespace {
@@ -50,12 +50,10 @@ HandleEditResult solve_briefly(HandleEditSolver& solver, const EditTargets& targ
   });
 }
 
-/// Mean normal of the panels around a vertex; z where they cancel.
+/// z where the normals of the panels around a vertex cancel.
 Eigen::Vector3d normal_at(const Mesh& mesh, const Adjacency& adjacency, int vertex) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const int f : adjacency.faces[vertex]) sum += area_vector(mesh.positions, mesh.face(f));
-  const double length = sum.norm();
-  return length > 0.0 ? Eigen::Vector3d(sum / length) : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d mean = mean_normal(mesh, mesh.positions, adjacency.faces[vertex]);
+  return mean.isZero(0.0) ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : mean;
 }
 
 /// Along the first mesh line of the vertex, in the plane with normal `n`; of length 1.

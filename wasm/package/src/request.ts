@@ -2,7 +2,7 @@
 // Options as the core reads them: a JSON object, by the core's names. Every option is known to the
 // core alone, with its default, its range and its errors; what is undefined is not asked for.
 
-/** Limits of the panels, in degrees and model units. */
+/** Limits of the edit, in degrees and model units. */
 export interface Bounds {
   /** Keep every panel's shape; on unless it is false. */
   readonly shape?: boolean;
@@ -12,6 +12,8 @@ export interface Bounds {
   readonly edge?: readonly [least: number, most: number];
   readonly area?: number;
   readonly sheet?: readonly [width: number, height: number];
+  /** How far any point may go across the mean normal of the panels around it. */
+  readonly slide?: number;
 }
 
 /** One point and where it goes: by a displacement or to a place. */

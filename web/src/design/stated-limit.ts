@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Limits on the panels of an edit, in the words of the command line: "fold=+5", "edge=0.5:2".
+// Limits on an edit, in the words of the command line: "fold=+5", "edge=0.5:2".
 
 const NUMBER = String.raw`\d+(?:\.\d*)?(?:e[+-]?\d+)?`;
 const LIMIT = new RegExp(
-  `^(?:(?:fold=\\+?|area=)${NUMBER}|(?:angle|edge)=${NUMBER}:${NUMBER}|sheet=${NUMBER}x${NUMBER})$`,
+  `^(?:(?:fold=\\+?|area=|slide=)${NUMBER}|(?:angle|edge)=${NUMBER}:${NUMBER}|sheet=${NUMBER}x${NUMBER})$`,
 );
 
 /** What a limit begins with; the page has one control for each: "fold=", "fold=+", "angle=" … */

@@ -9,7 +9,7 @@ import { panelAt } from "./triangulation.ts";
 export interface Motion {
   /** Distance from the old surface, positive on its outside. */
   readonly shape: number;
-  /** From the old point to the place on the old surface under the new one. */
+  /** How far it went across the mean normal of the panels around the old point. */
   readonly slide: number;
 }
 
@@ -47,16 +47,13 @@ export class OldSurface {
   /** Of a vertex that is now at `point`. */
   motion(vertex: number, point: Vector): Motion {
     const move = add(point, this.#at(vertex), -1);
-    if (!this.#walk(vertex, point)) return { shape: 0, slide: Math.hypot(...move) };
-    const normal = this.#normalAtFoot();
-    const height = -dot(normal, this.#arm);
-    if (this.#isOnBorder())
-      return { shape: height, slide: Math.hypot(...add(move, normal, -height)) };
+    const normal = this.#meanNormal(vertex);
+    const slide = Math.hypot(...add(move, normal, -dot(normal, move)));
+    if (!this.#walk(vertex, point)) return { shape: 0, slide };
+    const height = -dot(this.#normalAtFoot(), this.#arm);
+    if (this.#isOnBorder()) return { shape: height, slide };
     const distance = Math.sqrt(this.#squared);
-    return {
-      shape: height < 0 ? -distance : distance,
-      slide: Math.hypot(...add(move, this.#arm)),
-    };
+    return { shape: height < 0 ? -distance : distance, slide };
   }
 
   #at(v: number): Vector {
@@ -74,9 +71,8 @@ export class OldSurface {
     for (const corner of row(topology.corners, vertex)) yield panelAt(offsets, corner);
   }
 
-  #normalOf(panel: number): Vector {
-    const known = this.#normals.get(panel);
-    if (known) return known;
+  /** Twice the area, along the normal. */
+  #areaOf(panel: number): Vector {
     const corners = this.#cornersOf(panel);
     const origin = this.#at(corners[0] ?? 0);
     let area = NOTHING;
@@ -84,9 +80,22 @@ export class OldSurface {
       const next = corners[(k + 1) % corners.length] ?? v;
       area = add(area, cross(add(this.#at(v), origin, -1), add(this.#at(next), origin, -1)));
     });
-    const normal = unit(area);
+    return area;
+  }
+
+  #normalOf(panel: number): Vector {
+    const known = this.#normals.get(panel);
+    if (known) return known;
+    const normal = unit(this.#areaOf(panel));
     this.#normals.set(panel, normal);
     return normal;
+  }
+
+  /** Of the panels around a vertex, by their areas: a drag follows it. */
+  #meanNormal(vertex: number): Vector {
+    let sum = NOTHING;
+    for (const panel of this.#panelsAround(vertex)) sum = add(sum, this.#areaOf(panel));
+    return unit(sum);
   }
 
   /** From panel to panel, to those that share a corner, while that is nearer. */

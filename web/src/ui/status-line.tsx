@@ -52,16 +52,17 @@ function numbers(page: Page): readonly string[] {
 /** Slides from this share of the change of shape on are worth a word. */
 const NOTICEABLE = 0.5;
 
-/** What the largest move is made of, where points slide noticeably: "" else. */
+/** What the largest move is made of, where points slide noticeably or as far as they may: "" else. */
 function motionWords(page: Page): string {
-  const { motion, movedVertices } = page.figures.value;
+  const { bounds, motion, movedVertices } = page.figures.value;
   if (!page.ready.value || !motion || movedVertices === 0) return "";
   const { raised, lowered, slide } = motion;
   const shape = Math.max(raised, lowered);
-  if (!(slide > NOTICEABLE * shape)) return "";
+  const held = (bounds?.slide ?? []).length > 0;
+  if (!(held || slide > NOTICEABLE * shape)) return "";
   const way = raised < lowered ? "lowered" : "raised";
   const [height, along] = [shape, slide].map((one) => formatLength(one, page.unit.value));
-  return `${way} ${height}, joints slide up to ${along}`;
+  return `${way} ${height}, joints slide up to ${along}${held ? ", the limit" : ""}`;
 }
 
 /** Only where nothing else is to be said: a sentence needs the room. */

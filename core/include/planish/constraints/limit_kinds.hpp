@@ -8,6 +8,7 @@
 #include "planish/constraints/edge_limit.hpp"
 #include "planish/constraints/fold_limit.hpp"
 #include "planish/constraints/sheet_limit.hpp"
+#include "planish/constraints/slide_limit.hpp"
 
 namespace planish {
 
@@ -16,7 +17,8 @@ using LimitKinds = KindList<  //
     AngleLimit,               //
     EdgeLimit,                //
     AreaLimit,                //
-    SheetLimit                //
+    SheetLimit,               //
+    SlideLimit                //
     >;
 static_assert(LimitKinds::all([](auto tag) { return LimitKind<typename decltype(tag)::type>; }));
 

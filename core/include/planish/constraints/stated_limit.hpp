@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Limits that someone states for the panels of an edit: folds, angles, lengths, sizes. [LIM-1]
+/// Limits that someone states for an edit: folds, angles, lengths, sizes, slides. [LIM-1]
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ struct StatedLimit {
 /// The first rule that `limits` break, naming the limit; nullopt if none.
 [[nodiscard]] Refusal find_problem(const std::vector<StatedLimit>& limits);
 
-/// "fold=MAX", "fold=+MAX", "angle=MIN:MAX", "edge=MIN:MAX", "area=MAX" or "sheet=WxH".
+/// "fold=MAX", "fold=+MAX", "angle=MIN:MAX", "edge=MIN:MAX", "area=MAX", "sheet=WxH" or
+/// "slide=MAX".
 /// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s
 [[nodiscard]] std::optional<StatedLimit> parse_stated_limit(std::string_view text);
 

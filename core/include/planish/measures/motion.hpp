@@ -14,7 +14,7 @@ namespace planish {
 /// What became of one point, in the unit of the positions.
 struct PointMotion {
   double shape = 0.0;  ///< distance from the old surface, positive on its outside
-  double slide = 0.0;  ///< straight from the old point to the place under the new one; ≥ 0
+  double slide = 0.0;  ///< across the normal at the old point; ≥ 0
 };
 
 /// The largest of many points; all ≥ 0.
@@ -34,10 +34,10 @@ struct MotionRange {
 ///
 /// Shape is ±‖p − foot‖, with the sign of N·(p − foot). N is the normal at the foot: of its panel;
 /// on an edge or a corner the mean of those around it, weighted by their angles there. Where the
-/// foot is on the border, the surface goes on straight, at right angles to N: shape is N·(p − foot)
-/// and the foot follows to p − shape·N. Slide is the length from the old point to the foot, no
-/// longer than any way along the surface. Hence, up to rounding (and for p over a panel that is not
-/// flat, up to its gap), |shape| ≤ move, slide ≤ move + |shape| and move ≤ |shape| + slide. [MET-5]
+/// foot is on the border, the surface goes on straight, at right angles to N: shape is N·(p −
+/// foot). Slide is ‖d − (n·d) n‖, d the move and n the mean normal of the panels around the old
+/// point, along which handles are dragged: what a SlideLimit bounds. Hence, up to rounding (and for
+/// p over a panel that is not flat, up to its gap), |shape| ≤ move and slide ≤ move. [MET-5]
 ///
 /// A point of no panel has its whole move as its slide. Costs what the panels are that the walks
 /// pass, and their neighbours.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the shop or the eye allows: limits on folds, angles, lengths and sizes of panels, each on or off.
+// What the shop or the eye allows: limits on folds, angles, lengths and sizes of panels, and on how far
+// joints slide, each on or off.
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./limits.css";
@@ -72,6 +73,13 @@ const ROWS: readonly Row[] = [
     mark: ["x", "×"],
     measure: "length",
     usual: (edge) => [niceStep(2.5 * edge), niceStep(2.5 * edge)],
+  },
+  {
+    head: "slide=",
+    label: "Joints slide at most",
+    about: "along the old surface; handles too",
+    measure: "length",
+    usual: (edge) => [niceStep(edge / 10)],
   },
 ];
 
@@ -149,7 +157,14 @@ const NAMES: Readonly<Record<string, string>> = {
   edge: "edges",
   area: "area",
   sheet: "sheet",
+  slide: "slides",
 };
+
+/** A slide's are panels with a point at its limit. */
+function heldWords(name: string, { length }: readonly number[]): string {
+  if (name === "slide") return length === 1 ? "a joint" : `joints of ${length} panels`;
+  return length === 1 ? "a panel" : `${length} panels`;
+}
 
 /** "asked 25°, is 24.99°"; of the other limits nothing is measured here. */
 function foldReached(page: Page, name: string, { sharpestFold }: ShapeReport): string {
@@ -185,7 +200,7 @@ function Standing() {
     <>
       {held.map(([name, panels], k) => (
         <p key={name} class="small">
-          {`${k === 0 ? costWords(page) : "The"} limit on ${NAMES[name] ?? name} holds ${panels.length === 1 ? "a panel" : `${panels.length} panels`} back${foldReached(page, name, page.figures.value)}: `}
+          {`${k === 0 ? costWords(page) : "The"} limit on ${NAMES[name] ?? name} holds ${heldWords(name, panels)} back${foldReached(page, name, page.figures.value)}: `}
           <button
             type="button"
             class="text-button"

@@ -6,7 +6,7 @@ import { settled, shortfalls, varied } from "../../state/shortfall.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { goOn, stopped } from "./going-on.ts";
 import { SplitWay } from "./split-way.tsx";
-import { gotWords, reasonWords, waysOn } from "./way-on.ts";
+import { gotWords, type Reason, reasonWords, waysOn } from "./way-on.ts";
 
 /** More would not help to decide what to change. */
 const MOST = 4;
@@ -41,6 +41,10 @@ function HoldingPanels() {
 /** Mean edges: of less a figure in millimetres is all zeros. */
 const WORTH_SAYING = 1e-6;
 
+/** What lets the handle go as far as it does. */
+const allowing = (reason: Reason): string =>
+  reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels";
+
 /** Where a point stops on its way to its target, why, and one press for each way on. */
 export function StoppedNote() {
   const page = usePage();
@@ -53,7 +57,7 @@ export function StoppedNote() {
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`${reason === "keep-outs" ? "Keep-outs" : "Panels"} allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
+        <strong>{`${allowing(reason)} allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
         {reasonWords(reason, growth)}
       </p>
       {reason === "panels" && <HoldingPanels />}

@@ -17,9 +17,9 @@ export interface Stop {
   readonly got: number;
 }
 
-/** By the limit on a drag's folds, by a limit that was stated, by what flat panels can do, or by a
- * keep-out. */
-export type Reason = "fold" | "limits" | "panels" | "keep-outs";
+/** By the limit on a drag's folds, by a limit that was stated, that on slides by its own name, by what
+ * flat panels can do, or by a keep-out. */
+export type Reason = "fold" | "limits" | "slides" | "panels" | "keep-outs";
 
 export interface WayOn {
   readonly label: string;
@@ -62,6 +62,7 @@ export function stopOf(
 /** `held`: a pull of the design was held back. */
 export function reasonOf({ report, settings }: Design, held: boolean): Reason {
   if ((report.bounds?.["keep-out"] ?? []).length > 0) return "keep-outs";
+  if ((report.bounds?.slide ?? []).length > 0) return "slides";
   const bound = Object.values(report.bounds ?? {}).some((panels) => panels.length > 0);
   const refused = report.status === "infeasible_handles";
   if (settings.limits.length > 0 && (held || bound || refused)) return "limits";
@@ -78,6 +79,8 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
 /** What stops it, in a sentence; `growth` as in Wanted. */
 export function reasonWords(reason: Reason, growth: number | null): string {
   if (reason === "limits") return "Further, they would exceed a limit that you stated.";
+  if (reason === "slides")
+    return "Further, joints would slide by more than the limit that you stated.";
   if (reason === "keep-outs") return "Further, they would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
   return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
@@ -112,6 +115,16 @@ function sharper({ report }: Design, growth: number): WayOn {
   return { label, title, change: {}, growth: growth + MORE_DEGREES };
 }
 
+/** The limit on slides twice as far. */
+function slidingFurther({ limits }: EditSettings): WayOn {
+  const changed = limits.map((limit) => {
+    const [head, most] = [limitHead(limit), limitNumbers(limit)[0] ?? 0];
+    return head === "slide=" ? `${head}${2 * most}` : limit;
+  });
+  const [label, title] = ["Joints slide twice as far", "Loosens the limit"];
+  return { label, title, change: { limits: changed }, growth: null };
+}
+
 /** A limit on folds ten degrees further on; any other is taken back. */
 function looser({ limits }: EditSettings): WayOn {
   const fold = limits.find((limit) => limit.startsWith("fold="));
@@ -140,6 +153,7 @@ export function waysOn(design: Design, reason: Reason, growth: number | null): r
   const ways = wider(settings, kept);
   if (kept !== null)
     ways.push(...softer(settings, kept), shared(settings, kept), sharper(design, kept));
+  if (reason === "slides") ways.push(slidingFurther(settings));
   if (reason === "limits") ways.push(looser(settings));
   if (settings.keepBoundary) {
     const [label, title] = ["Let the boundary move", "Points on the boundary may follow"];
