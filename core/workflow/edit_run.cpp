@@ -128,7 +128,9 @@ HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
   const HandleEditOptions& options = run.asked.options;
   if (run.asked.splits) {
     const EditTargets targets = targets_with_images(run);
-    SplitSolve solved = solve_split(run.base.mesh, targets, options, *run.asked.splits, progress);
+    const MeshSymmetry* symmetry = has_images(run) ? &*run.symmetry : nullptr;
+    SplitSolve solved =
+        solve_split(run.base.mesh, targets, options, *run.asked.splits, symmetry, progress);
     run.splits = std::move(solved.run);
     return std::move(solved.result);
   }
