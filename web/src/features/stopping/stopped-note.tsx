@@ -74,7 +74,7 @@ export function StoppedNote() {
           </button>
         ))}
       </fieldset>
-      {reason !== "keep-outs" && <SplitWay design={design} />}
+      <SplitWay design={design} />
     </section>
   );
 }
