@@ -110,21 +110,14 @@ it("a search for lines can be stopped, and ends with the design that it is for",
   await page.context().close();
 });
 
-it("the table grows while lines are looked for, and what was found stays when that is stopped", async () => {
+it("of a longer table any row can be taken", async () => {
   const page = await site.open(ROOMY, FAR);
   await note(page).waitFor();
   await idle(page);
   await page.getByRole("button", { name: "Split where needed" }).click();
+  await note(page).getByRole("button", { name: "Split by 2 lines" }).waitFor();
   const rows = note(page).getByRole("table").locator("tbody").getByRole("row");
-  const two = note(page).getByRole("button", { name: "Split by 2 lines" });
-  await two.waitFor();
-  expect(await page.getByText("Trying lines through panels").count()).toBe(1);
-  const sofar = await rows.count();
-  expect(sofar).toBeGreaterThanOrEqual(3);
-  await page.getByRole("button", { name: "Stop trying" }).click();
-  expect(await page.getByText("Trying lines through panels").count()).toBe(0);
-  await page.getByText("found until it was stopped").waitFor();
-  expect(await rows.count()).toBeGreaterThanOrEqual(sofar);
+  expect(await rows.count()).toBeGreaterThanOrEqual(3);
   await press(page, "Split by 2 lines");
   expect(await cutsOf(page)).toHaveLength(2);
   expect(await panels(page)).toBe(123);
