@@ -3,11 +3,13 @@
 """Whether handles that stop short arrive once a few panels are split: random points of samples and shared
 meshes pulled one to two edges along the normal, softness 3, folds at most 8 degrees sharper. Of the edits
 that stop more than 5 % short there, `--split-where-needed 4` is measured with folds up to 30 degrees sharper
-(and with 8 for the first SHARP of them): the curve falls strictly, and every tenth design replays to the bit.
-Writes a line an edit, then the shares.
+(and with 8 for the first SHARP of a mesh): the curve falls strictly, and every tenth design replays to the bit.
+Writes a line an edit, then the shares. A NAME is a sample:size, a shared mesh, or the path of one made flat
+already; what is drawn depends on the name and SEED alone, so meshes may be measured in pieces.
 
-Usage: /usr/bin/python3 .tools/splits.py [EDITS [SHARP [NAME...]]]"""
+Usage: /usr/bin/python3 .tools/splits.py [--edits N] [--sharp N] [--seed N] [NAME...]"""
 
+import argparse
 import collections
 import json
 import pathlib
@@ -15,15 +17,15 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 import numpy as np
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
 PLANISH = TREE / "build/native/planish"
 MESHES = TREE.parent / "shared/meshes"
-NAMES = ["freeform:32", "vault:24", "dome:24", "hex:20", "trihex:20", "roof:24", "pq_gitter.obj",
-         "pq_botanic_bubble.obj", "pq_vase_small.obj", "pq_six_planarized.obj", "pq_static_roof.obj",
-         "hex_sphere_two_openings.obj"]
+BENT = ["quad_heart", "quad_helical_minimal", "quad_pillow", "quad_wein99"]  # no flat mesh near
+SAMPLES = ["freeform:32", "vault:24", "dome:24", "hex:20", "trihex:20", "roof:24"]
 PAGE = ["--softness=3", "--reach=6", "--keep-boundary", "--attraction=10000"]
 WITHIN = 0.05
 REPLAYED = 10
@@ -90,14 +92,25 @@ def measure_split(folder, handle, fold, way):
     return errors[-1] <= WITHIN, curve[-1]["cuts"], falls and agrees
 
 
-def main(edits=200, sharp=0, *names):
-    edits, sharp = int(edits), int(sharp)
-    names = names or NAMES
-    rng = np.random.default_rng(38)
+def asked():
+    shared = sorted(path.name for path in MESHES.glob("*.obj") if path.stem not in BENT)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--edits", type=int, default=200, help="over all meshes")
+    parser.add_argument("--sharp", type=int, default=0, help="of a mesh, at +8 as well")
+    parser.add_argument("--seed", type=int, default=38)
+    parser.add_argument("names", nargs="*", default=[*SAMPLES, *shared], metavar="NAME")
+    return parser.parse_args()
+
+
+def main():
+    given = asked()
+    names, edits = given.names, given.edits
     found = []
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         for place, name in enumerate(names):
+            rng = np.random.default_rng([given.seed, zlib.crc32(pathlib.Path(name).name.encode())])
+            sharp = given.sharp
             mesh = flat_mesh(name, folder)
             if mesh is None:
                 print(name, "has no flat mesh near")
@@ -117,7 +130,8 @@ def main(edits=200, sharp=0, *names):
                 print(f"{name} {handle}", flush=True)
                 at_30 = measure_split(folder, handle, 30, way)
                 same = len(found) % REPLAYED or replays(folder)
-                at_8 = measure_split(folder, handle, 8, way) if len(found) < sharp else None
+                at_8 = measure_split(folder, handle, 8, way) if sharp > 0 else None
+                sharp -= 1
                 found.append((at_30, bool(same), at_8))
     print(f"{len(found)} edits stop short at +8")
     for cuts in range(5):
@@ -130,4 +144,4 @@ def main(edits=200, sharp=0, *names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main())

@@ -17,6 +17,8 @@ export interface CutTrial {
 
 /** What so many lines through panels give, and what they cost. */
 export interface SplitStanding {
+  /** Each with its images under a symmetry. */
+  readonly lines: number;
   /** As --cut says them, behind those that the mesh has. */
   readonly cuts: readonly string[];
   /** Model units. */
@@ -38,13 +40,14 @@ export interface SplitFinding {
 }
 
 export interface SplitModule {
-  /** What parting `most` panels at most lets the handles do, by the options and supports that were set;
-   * the design shown stays. */
+  /** What `most` lines at most let the handles do, by the options and supports that were set; the design
+   * shown stays. @param found told none, then the best so far of each number of lines as soon as it is found */
   splitWhereNeeded(
     session: Session,
     handles: Float64Array,
     pins: Int32Array,
     most: number,
+    found: (standing: SplitStanding) => void,
   ): (SplitFinding & { readonly problem: "" }) | { readonly problem: string };
   /** As planarise(), with so many panels parted at most; the base is then the parted mesh. */
   splitUntilFlat(session: Session, how: Planarising, most: number): string;

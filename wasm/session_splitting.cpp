@@ -11,13 +11,13 @@ namespace planish {
 
 std::variant<SplitEdit, std::string> Session::split_where_needed(EditTargets targets,
                                                                  const SplitOptions& options) {
-  if (symmetry_) return "Lines that are looked for have no images: switch the symmetry off.";
   for (const Refusal& refusal :
        {require_flat_base(), take_targets(targets), require_kept_constraints()}) {
     if (refusal) return *refusal;
   }
   if (const Refusal problem = find_problem(options, options_, targets)) return *problem;
-  return planish::split_where_needed(base_, targets, options_, options, progress_);
+  if (const Refusal refusal = add_images(targets)) return *refusal;
+  return planish::split_where_needed(base_, targets, options_, options, symmetry_.get(), progress_);
 }
 
 Refusal Session::split_until_flat(const Planarising& how, int most_panels) {

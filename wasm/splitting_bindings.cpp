@@ -20,6 +20,7 @@ val to_value(const planish::SplitStanding& standing) {
   val cuts = val::array();
   for (const planish::Cut& cut : standing.cuts) cuts.call<void>("push", planish::cut_text(cut));
   val value = val::object();
+  value.set("lines", standing.lines);
   value.set("cuts", cuts);
   value.set("handleError", standing.handle_error);
   value.set("movedVertices", standing.moved_vertices);
@@ -47,10 +48,12 @@ val refused(const std::string& problem) {
   return value;
 }
 
-val split_where_needed(Session& s, const val& handles, const val& pins, int most) {
+val split_where_needed(Session& s, const val& handles, const val& pins, int most,
+                       const val& found_one) {
   try {
     planish::SplitOptions options;
     options.most_cuts = most;
+    options.found = [&](const planish::SplitStanding& standing) { found_one(to_value(standing)); };
     auto found = s.split_where_needed({.handles = planish::to_handles(handles),
                                        .pins = planish::to_indices(pins),
                                        .supports = {},

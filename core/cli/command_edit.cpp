@@ -20,7 +20,7 @@ ExitCode run_edit(const Arguments& arguments) {
   print_sentence(outcome_sentence(run.report));
   print_sentence(broken_limits_sentence(run));
   print_sentence(sliding_target_sentence(run));
-  print_sentence(fewest_sentence(run));
+  print_sentence(fewest_sentence(run, json));
   if (run.splits) print_sentence(splits_sentence(*run.splits, run.report));
   print_sentence(shortfall_sentence(run));
   if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));

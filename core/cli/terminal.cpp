@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edit_sentences.hpp"
+#include "interruption.hpp"
 #include "planish/design/design_text.hpp"
 
 namespace planish::cli {
@@ -47,9 +48,36 @@ LoadedSource load_source(const std::string& path) {
   return source;
 }
 
+namespace {
+
+/// Lines that let handles go further are said as they are found; Ctrl-C keeps what was found.
+EditRun run_split_edit(EditRequest asked, LoadedSource source, const std::string& name) {
+  const Interruption interruption;
+  const Progress line = progress_line();
+  if (line) {
+    asked.splits->found = [](const SplitStanding& standing) {
+      clear_progress_line();
+      print_message(standing_sentence(standing));
+    };
+  }
+  const Progress watched = [&](const IterationRecord& record) {
+    const Flow flow = line ? line(record) : Flow::kContinue;
+    return Interruption::is_asked_for() ? Flow::kStop : flow;
+  };
+  EditRun run = run_edit(std::move(asked), std::move(source), name, watched);
+  if (run.report.status == SolveStatus::kCancelled) {
+    throw UsageError("stopped before an edit was found");
+  }
+  return run;
+}
+
+}  // namespace
+
 EditRun run_edit_solver(const Arguments& arguments, EditRequest asked) {
   const std::string name = arguments.only_positional("MESH");
-  EditRun run = run_edit(std::move(asked), load_source(name), name, progress_line());
+  LoadedSource source = load_source(name);
+  EditRun run = asked.splits ? run_split_edit(std::move(asked), std::move(source), name)
+                             : run_edit(std::move(asked), std::move(source), name, progress_line());
   clear_progress_line();
   for (const auto& sentence :
        {planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)}) {

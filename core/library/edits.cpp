@@ -37,7 +37,7 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
   add(messages, outcome_sentence(run.report));
   add(messages, broken_limits_sentence(run));
   add(messages, sliding_target_sentence(run));
-  add(messages, fewest_sentence(run));
+  add(messages, fewest_sentence(run, report));
   if (run.splits) add(messages, splits_sentence(*run.splits, run.report));
   add(messages, shortfall_sentence(run));
   if (report.contains("types")) messages.push_back(type_change_sentence(report["types"]));

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "cut_run.hpp"
-#include "edit_sentences.hpp"
 #include "planish/design/cut_base.hpp"
 #include "planish/design/cut_images.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/measures/panel_health.hpp"
 #include "report.hpp"
 
 namespace planish::workflow {
@@ -128,7 +128,9 @@ HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
   const HandleEditOptions& options = run.asked.options;
   if (run.asked.splits) {
     const EditTargets targets = targets_with_images(run);
-    SplitSolve solved = solve_split(run.base.mesh, targets, options, *run.asked.splits, progress);
+    const MeshSymmetry* symmetry = has_images(run) ? &*run.symmetry : nullptr;
+    SplitSolve solved =
+        solve_split(run.base.mesh, targets, options, *run.asked.splits, symmetry, progress);
     run.splits = std::move(solved.run);
     return std::move(solved.result);
   }
@@ -199,6 +201,17 @@ EditRun run_edit(EditRequest asked, LoadedSource source, const std::string& name
 }
 
 namespace {
+
+/// Panels that became slivers, ascending.
+std::vector<int> new_slivers(const EditRun& run) {
+  std::vector<int> slivers;
+  for (int f = 0; f < run.base.mesh.face_count(); ++f) {
+    if (became_sliver(run.base.mesh.positions, run.edited, run.base.mesh.face(f))) {
+      slivers.push_back(f);
+    }
+  }
+  return slivers;
+}
 
 Json fewest_json(const EditRun& run) {
   const FewestEdit& found = *run.fewest;

@@ -2,6 +2,7 @@
 #include "edit_sentences.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/constraints/slide_limit.hpp"
@@ -163,17 +164,7 @@ std::optional<std::string> sliding_target_sentence(const EditRun& run) {
          " stops it";
 }
 
-std::vector<int> new_slivers(const EditRun& run) {
-  std::vector<int> slivers;
-  for (int f = 0; f < run.base.mesh.face_count(); ++f) {
-    if (became_sliver(run.base.mesh.positions, run.edited, run.base.mesh.face(f))) {
-      slivers.push_back(f);
-    }
-  }
-  return slivers;
-}
-
-std::optional<std::string> fewest_sentence(const EditRun& run) {
+std::optional<std::string> fewest_sentence(const EditRun& run, const Json& report) {
   if (!run.fewest) return std::nullopt;
   const FewestEdit& found = *run.fewest;
   if (!found.reached) {
@@ -186,7 +177,7 @@ std::optional<std::string> fewest_sentence(const EditRun& run) {
   if (!found.minimal) {
     return sentence + "; stopped after " + std::to_string(found.solves) + " solves, fewer may do";
   }
-  const auto slivers = static_cast<int>(new_slivers(run).size());
+  const std::size_t slivers = report["fewest"]["slivers"].size();
   if (slivers == 0) return sentence;
   return sentence + "; " + std::to_string(slivers) +
          (slivers == 1 ? " panel became a sliver" : " panels became slivers") +

@@ -4,17 +4,14 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "edit_run.hpp"
 
 namespace planish::workflow {
 
-/// Panels that --fewest made slivers, ascending.
-[[nodiscard]] std::vector<int> new_slivers(const EditRun& run);
-
-/// That --fewest held nothing, or not all that could be held; nullopt otherwise.
-[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run);
+/// That --fewest held nothing, or how few panels it left; nullopt where few were not asked for.
+/// @param report of edit_json()
+[[nodiscard]] std::optional<std::string> fewest_sentence(const EditRun& run, const Json& report);
 
 /// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
 /// the mesh was flat.

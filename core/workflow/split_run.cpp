@@ -17,9 +17,7 @@ OptionRow split_option_row() {
 std::optional<SplitOptions> split_options(const Request& request) {
   if (!request.has(kSplitOption)) return std::nullopt;
   const std::string option(kSplitOption);
-  for (const char* other : {"--fewest", "--symmetry"}) {
-    if (request.has(other)) throw UsageError(option + ": it knows no " + other);
-  }
+  if (request.has("--fewest")) throw UsageError(option + ": it knows no --fewest");
   SplitOptions options;
   request.read(kSplitOption, options.most_cuts);
   if (options.most_cuts < 1) throw UsageError(option + " must be at least 1");
@@ -28,11 +26,12 @@ std::optional<SplitOptions> split_options(const Request& request) {
 }
 
 SplitSolve solve_split(const Mesh& base, const EditTargets& targets, const HandleEditOptions& edit,
-                       const SplitOptions& options, const Progress& progress) {
+                       const SplitOptions& options, const MeshSymmetry* symmetry,
+                       const Progress& progress) {
   if (const auto problem = find_problem(options, edit, targets)) {
     throw UsageError(*problem);
   }
-  SplitEdit found = split_where_needed(base, targets, edit, options, progress);
+  SplitEdit found = split_where_needed(base, targets, edit, options, symmetry, progress);
   return {{std::move(found.cuts), std::move(found.curve), found.solves, found.reached},
           std::move(found.result)};
 }
@@ -40,13 +39,22 @@ SplitSolve solve_split(const Mesh& base, const EditTargets& targets, const Handl
 Json splits_json(const SplitRun& run) {
   Json curve = Json::array();
   for (const SplitStanding& standing : run.curve) {
-    curve.push_back({{"cuts", standing.cuts.size()},
+    curve.push_back({{"cuts", standing.lines},
                      {"handle_error", standing.handle_error},
                      {"moved_vertices", standing.moved_vertices},
                      {"remade_panels", standing.remade_panels},
                      {"sharpest_fold", standing.sharpest_fold}});
   }
   return {{"tried", run.tried}, {"reached", run.reached}, {"curve", std::move(curve)}};
+}
+
+std::string standing_sentence(const SplitStanding& standing) {
+  const std::string lines = standing.lines == 0 ? "no panel split"
+                                                : std::to_string(standing.lines) +
+                                                      (standing.lines == 1 ? " line" : " lines");
+  return lines + ": " + three_digits(standing.handle_error) + " short, " +
+         std::to_string(standing.remade_panels) + " panels changed, sharpest fold " +
+         three_digits(standing.sharpest_fold) + "°";
 }
 
 std::optional<std::string> splits_sentence(const SplitRun& run, const SolveReport& report) {

@@ -35,13 +35,17 @@ struct SplitSolve {
 };
 
 /// @param base after the cuts that were asked for
-/// @param targets with the supports of points that these added
+/// @param targets with the supports of points that these added, and with their images
+/// @param symmetry that the base has; null for none
 /// Throws UsageError.
 [[nodiscard]] SplitSolve solve_split(const Mesh& base, const EditTargets& targets,
                                      const HandleEditOptions& edit, const SplitOptions& options,
-                                     const Progress& progress);
+                                     const MeshSymmetry* symmetry, const Progress& progress);
 
 [[nodiscard]] Json splits_json(const SplitRun& run);
+
+/// What so many lines give, of a search that goes on.
+[[nodiscard]] std::string standing_sentence(const SplitStanding& standing);
 
 /// How many panels were parted, and whether the handles arrive with that; nullopt where none was
 /// needed.

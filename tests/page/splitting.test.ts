@@ -4,6 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
+import type { EditSettings } from "../../web/src/solver/protocol.ts";
 import { flatRoof } from "../browser/support/faults.ts";
 import { readObj } from "../browser/support/obj.ts";
 import { idle, movedCount, obj, openFile, typeTarget } from "../browser/support/page.ts";
@@ -17,24 +18,32 @@ const VERTEX = 26;
 const BASE_Z = 1.4746156846004828;
 const PULL = 0.5;
 
+const SETTINGS: EditSettings = {
+  ...DEFAULT_SETTINGS,
+  attraction: 10_000,
+  softness: 3,
+  reach: 2,
+  keepBoundary: true,
+  limits: ["fold=+12"],
+};
+
 /** Beside a boundary that stays, where folds may sharpen by 12° at most. */
-const STOPPED = await encodeLink({
-  source: { kind: "sample", name: "vault", size: 12 },
-  planarised: null,
-  handles: [{ vertex: VERTEX, target: [2, 2, BASE_Z + PULL], pinned: false }],
-  settings: {
-    ...DEFAULT_SETTINGS,
-    attraction: 10_000,
-    softness: 3,
-    reach: 2,
-    keepBoundary: true,
-    limits: ["fold=+12"],
-  },
-  families: [],
-  unit: "m",
-  camera: null,
-  mark: { hash: 0, moved: 0, probes: [] },
-});
+const stopped = (pull: number, settings: Partial<EditSettings> = {}): Promise<string> =>
+  encodeLink({
+    source: { kind: "sample", name: "vault", size: 12 },
+    planarised: null,
+    handles: [{ vertex: VERTEX, target: [2, 2, BASE_Z + pull], pinned: false }],
+    settings: { ...SETTINGS, ...settings },
+    families: [],
+    unit: "m",
+    camera: null,
+    mark: { hash: 0, moved: 0, probes: [] },
+  });
+
+const STOPPED = await stopped(PULL);
+
+/** Further than two lines let it go. */
+const FAR = await stopped(2 * PULL);
 
 const press = async (page: Page, name: string): Promise<void> => {
   await page.getByRole("button", { name, exact: true }).click();
@@ -98,6 +107,47 @@ it("a search for lines can be stopped, and ends with the design that it is for",
   await typeTarget(page, "+10cm");
   expect(await page.getByText("Trying lines through panels").count()).toBe(0);
   expect(await cutsOf(page)).toEqual([]);
+  await page.context().close();
+});
+
+it("of a longer table any row can be taken", async () => {
+  const page = await site.open(ROOMY, FAR);
+  await note(page).waitFor();
+  await idle(page);
+  await page.getByRole("button", { name: "Split where needed" }).click();
+  await note(page).getByRole("button", { name: "Split by 2 lines" }).waitFor();
+  const rows = note(page).getByRole("table").locator("tbody").getByRole("row");
+  expect(await rows.count()).toBeGreaterThanOrEqual(3);
+  await press(page, "Split by 2 lines");
+  expect(await cutsOf(page)).toHaveLength(2);
+  expect(await panels(page)).toBe(123);
+  await page.context().close();
+});
+
+it("a line is cut with its images, which it does not count", async () => {
+  const page = await site.open(ROOMY, await stopped(PULL, { symmetry: ["x"] }));
+  await note(page).waitFor();
+  await idle(page);
+  await page.getByRole("button", { name: "Split where needed" }).click();
+  await note(page).getByRole("button", { name: "Split by 1 line" }).waitFor();
+  await press(page, "Split by 1 line");
+  expect(await cutsOf(page)).toHaveLength(2);
+  expect(await panels(page)).toBe(123);
+  await page.context().close();
+});
+
+it("lines are looked for where a keep-out stops a handle, and keep it", async () => {
+  const top = BASE_Z + 0.3;
+  const page = await site.open(ROOMY, await stopped(PULL, { keepOuts: [`above=${top}`] }));
+  await note(page).waitFor();
+  await idle(page);
+  await page.getByText(/Keep-outs allow/).waitFor();
+  await page.getByRole("button", { name: "Split where needed" }).click();
+  await note(page).getByRole("button", { name: "Split by 1 line" }).waitFor();
+  await press(page, "Split by 1 line");
+  expect(await cutsOf(page)).toHaveLength(1);
+  const { points } = readObj(await obj(page));
+  expect(points[VERTEX]?.[2]).toBeLessThanOrEqual(top + 1e-9);
   await page.context().close();
 });
 

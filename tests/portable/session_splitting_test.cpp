@@ -55,12 +55,23 @@ TEST(SessionSplitting, FindsLinesWhoseEditIsTheOneThatTheyPromise) {
 
 TEST(SessionSplitting, SaysWhereLinesCannotBeLookedFor) {
   Session session = stiff_vault();
+  EXPECT_TRUE(std::holds_alternative<std::string>(session.split_where_needed({}, {})));
+}
+
+TEST(SessionSplitting, CutsImagesUnderASymmetry) {
+  Session session = stiff_vault();
   ASSERT_EQ(session.set_symmetry("x", kEvened), std::nullopt);
   const auto found = session.split_where_needed(pull_of(session), {});
-  ASSERT_TRUE(std::holds_alternative<std::string>(found));
-  EXPECT_NE(std::get<std::string>(found).find("symmetry"), std::string::npos);
-  Session other = stiff_vault();
-  EXPECT_TRUE(std::holds_alternative<std::string>(other.split_where_needed({}, {})));
+  ASSERT_TRUE(std::holds_alternative<SplitEdit>(found));
+  const SplitEdit& split = std::get<SplitEdit>(found);
+  ASSERT_FALSE(split.cuts.empty());
+  EXPECT_EQ(split.cuts.size(), 2U * static_cast<std::size_t>(split.curve.back().lines));
+  std::string lines;
+  for (const Cut& cut : split.cuts) lines += (lines.empty() ? "" : "\n") + cut_text(cut);
+  ASSERT_EQ(session.set_cuts(lines, kEvened), std::nullopt);
+  EXPECT_TRUE(testing::same_bits(session.base(), split.mesh));
+  ASSERT_EQ(session.edit(EditMode::kSolve, pull_of(session), 0.0), std::nullopt);
+  EXPECT_EQ(session.moved_positions(), split.result.moved_positions);
 }
 
 /// One panel bent by a corner that is its own, between others that are flat.

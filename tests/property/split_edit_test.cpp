@@ -3,17 +3,24 @@
 /// others.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "planish/constraints/stated_limit.hpp"
 #include "planish/cuts/cut_mesh.hpp"
+#include "planish/design/cut_base.hpp"
+#include "planish/edit/symmetric_edit.hpp"
 #include "planish/measures/folds.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/obstacles/keep_out.hpp"
 #include "planish/splitting/split_where_needed.hpp"
 #include "support/scenes.hpp"
+#include "support/symmetric_meshes.hpp"
 
 namespace planish {
 namespace {
@@ -91,6 +98,75 @@ TEST_F(SplitEdits, AreEditsOfTheCutMeshWithinTheirLimits) {
             kFold + 1e-6);
 }
 
+TEST_F(SplitEdits, TellTheirCurveWhileTheyLookForIt) {
+  std::vector<SplitStanding> told;
+  SplitOptions options = at_most(2);
+  options.found = [&](const SplitStanding& standing) { told.push_back(standing); };
+  const SplitEdit found = split_where_needed(mesh_, targets_, edit_, options);
+  ASSERT_EQ(found.curve.size(), 3U);
+  EXPECT_GT(told.size(), found.curve.size());
+  for (std::size_t k = 1; k < told.size(); ++k) {
+    ASSERT_GE(told[k].lines, told[k - 1].lines);
+    if (told[k].lines == told[k - 1].lines) {
+      EXPECT_LT(told[k].handle_error, told[k - 1].handle_error);
+    }
+  }
+  for (const SplitStanding& standing : found.curve) {
+    const auto last = std::find_if(told.rbegin(), told.rend(), [&](const SplitStanding& one) {
+      return one.lines == standing.lines;
+    });
+    ASSERT_NE(last, told.rend());
+    EXPECT_EQ(last->cuts, standing.cuts);
+    EXPECT_EQ(last->handle_error, standing.handle_error);
+  }
+}
+
+/// Of both handles on a vault, and of all four on a surface of revolution.
+TEST_F(SplitEdits, UnderASymmetryCutImagesAndStaySymmetric) {
+  const auto expect_symmetric = [&](Mesh mesh, const EditTargets& targets, const char* text) {
+    SCOPED_TRACE(text);
+    const MeshSymmetry symmetry = testing::symmetry_of(mesh, text);
+    ASSERT_TRUE(make_symmetric(mesh, symmetry, edit_.tolerance).symmetric);
+    const auto all = std::get<EditTargets>(with_images(targets, mesh, symmetry));
+    const SplitEdit found = split_where_needed(mesh, all, edit_, at_most(1), &symmetry);
+    ASSERT_EQ(found.curve.size(), 2U);
+    EXPECT_EQ(found.curve.back().lines, 1);
+    EXPECT_EQ(found.cuts.size(), symmetry.operations.size());
+    EXPECT_LT(found.result.report.handle_error, found.curve.front().handle_error);
+    std::optional<MeshSymmetry> after = symmetry;
+    const auto cut = cut_base(mesh, found.cuts, after, edit_.tolerance);
+    ASSERT_TRUE(std::holds_alternative<CutMesh>(cut)) << std::get<std::string>(cut);
+    const Mesh& base = std::get<CutMesh>(cut).mesh;
+    EXPECT_EQ(base.positions, mesh.positions);
+    EXPECT_LE(asymmetry(*after, base, apply(base, found.result)), 1e-9);
+    const HandleEditResult again = HandleEditSolver(base, edit_).solve_symmetric(all, *after);
+    EXPECT_EQ(again.moved, found.result.moved);
+    EXPECT_EQ(again.moved_positions, found.result.moved_positions);
+  };
+  expect_symmetric(mesh_, targets_, "x");
+  const Mesh turned = testing::turned_surface(12, 8);
+  Eigen::Vector3d outwards = turned.positions.col(13);
+  outwards.z() = 0.0;
+  outwards *= 0.9 * mean_edge_length(turned) / outwards.norm();
+  expect_symmetric(turned, testing::pull(turned, 13, outwards), "axis:4");
+}
+
+/// The handle alone may go there: what it takes along stays below.
+TEST_F(SplitEdits, KeepWhatKeepOutsHold) {
+  const double top = std::ceil(10.0 * mesh_.positions(2, 26)) / 10.0 + 0.3;
+  HandleEditOptions options = edit_;
+  options.keep_outs.push_back(*parse_keep_out("above=" + std::to_string(top)));
+  const SplitEdit found = split_where_needed(mesh_, targets_, options, at_most(2));
+  ASSERT_GT(found.curve.size(), 1U);
+  const Positions after = apply(found.mesh, found.result);
+  const double edge = mean_edge_length(mesh_);
+  for (const int v : found.result.moved) {
+    EXPECT_LE(after(2, v), std::max(top, mesh_.positions(2, v)) + 1e-9 * edge) << v;
+  }
+  EXPECT_FALSE(found.reached);
+  EXPECT_LT(found.result.report.handle_error, found.curve.front().handle_error);
+}
+
 TEST_F(SplitEdits, CutNothingWhereHandlesArrive) {
   const EditTargets near = testing::pull(mesh_, 66, {0.0, 0.0, 0.1});
   const SplitEdit found = split_where_needed(mesh_, near, edit_, at_most(4));
@@ -108,7 +184,7 @@ TEST_F(SplitEdits, StopAfterAsManySolvesAsTheyMayOrWhereTheyAreAskedTo) {
   const Progress stop = [&](const IterationRecord&) {
     return ++steps > 200 ? Flow::kStop : Flow::kContinue;
   };
-  const SplitEdit stopped = split_where_needed(mesh_, targets_, edit_, at_most(3), stop);
+  const SplitEdit stopped = split_where_needed(mesh_, targets_, edit_, at_most(3), nullptr, stop);
   EXPECT_TRUE(stopped.result.report.usable());
   EXPECT_LE(stopped.result.report.handle_error, stopped.curve.front().handle_error);
 }

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "planish/numeric/index.hpp"
 
@@ -22,7 +25,41 @@ bool is_tried(int count, int apart, bool from_given) {
   return apart == 2 || apart == count - 2 || apart == count / 2;
 }
 
+/// Of one with corners in ascending order, so that a line is the same both ways.
+SplitLine image_of(const Mesh& mesh, const Adjacency& adjacency, const SplitLine& line,
+                   const std::vector<int>& image) {
+  const auto corners = mesh.face(line.panel);
+  const auto [from, to] = std::minmax(image[at(line.from)], image[at(line.to)]);
+  for (const int f : adjacency.faces[from]) {
+    const auto there = mesh.face(f);
+    const auto has = [&](int v) {
+      return std::find(there.begin(), there.end(), image[at(v)]) != there.end();
+    };
+    if (there.size() == corners.size() && std::all_of(corners.begin(), corners.end(), has)) {
+      return {f, from, to};
+    }
+  }
+  return {line.panel, from, to};
+}
+
 }  // namespace
+
+std::vector<LineImages> lines_with_images(const Mesh& mesh, const Adjacency& adjacency,
+                                          std::span<const SplitLine> lines,
+                                          const MeshSymmetry* symmetry) {
+  std::vector<LineImages> all;
+  std::set<std::tuple<int, int, int>> seen;
+  for (const SplitLine& line : lines) {
+    LineImages images;
+    if (symmetry == nullptr) images.push_back(line);
+    for (std::size_t k = 0; symmetry != nullptr && k < symmetry->operations.size(); ++k) {
+      const SplitLine image = image_of(mesh, adjacency, line, symmetry->operations[k].image);
+      if (seen.insert({image.panel, image.from, image.to}).second) images.push_back(image);
+    }
+    if (!images.empty()) all.push_back(std::move(images));
+  }
+  return all;
+}
 
 std::vector<SplitLine> split_lines(const Mesh& mesh, std::span<const int> panels,
                                    std::span<const int> from) {

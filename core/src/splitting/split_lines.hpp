@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "planish/cuts/cut.hpp"
+#include "planish/mesh/adjacency.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/symmetry/symmetry.hpp"
 
 namespace planish {
 
@@ -24,6 +26,16 @@ struct SplitLine {
 /// @param from ascending
 [[nodiscard]] std::vector<SplitLine> split_lines(const Mesh& mesh, std::span<const int> panels,
                                                  std::span<const int> from);
+
+/// A line and its images under a symmetry; alone where there is none.
+using LineImages = std::vector<SplitLine>;
+
+/// `lines` with all their images; of those that are images of each other the first stands for all.
+/// @param symmetry of the mesh; null for none
+[[nodiscard]] std::vector<LineImages> lines_with_images(const Mesh& mesh,
+                                                        const Adjacency& adjacency,
+                                                        std::span<const SplitLine> lines,
+                                                        const MeshSymmetry* symmetry);
 
 /// `line` as a cut of `mesh`, which other lines parted already: of the part that has both ends.
 /// Panel −1 where none has.

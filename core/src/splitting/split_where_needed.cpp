@@ -40,8 +40,13 @@ struct Tried {
 class SplitSearch {
  public:
   SplitSearch(const Mesh& mesh, const EditTargets& targets, const HandleEditOptions& edit,
-              const SplitOptions& options, const Progress& progress)
-      : mesh_(mesh), targets_(targets), edit_(edit), options_(options), progress_(progress) {
+              const SplitOptions& options, const MeshSymmetry* symmetry, const Progress& progress)
+      : mesh_(mesh),
+        targets_(targets),
+        edit_(edit),
+        options_(options),
+        symmetry_(symmetry),
+        progress_(progress) {
     double longest = 0.0;
     for (const Handle& handle : targets.handles) {
       longest = std::max(longest, (handle.target - mesh.positions.col(handle.vertex)).norm());
@@ -53,6 +58,7 @@ class SplitSearch {
 
   SplitEdit run() {
     Tried uncut = solve({}, {}, mesh_);
+    tell(uncut);
     keep(uncut);
     lines_ = lines_for(uncut.result.report);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
@@ -61,8 +67,7 @@ class SplitSearch {
     std::vector<Tried> beam;
     beam.push_back(std::move(uncut));
     for (int cuts = 1; cuts <= options_.most_cuts && may_go_on(); ++cuts) {
-      beam = with_one_more(beam);
-      add_freed(cuts, beam);
+      beam = with_one_more(beam, cuts);
       if (beam.empty()) break;
       if (is_better(beam.front())) keep(beam.front());
       if (cuts == 1) rank_lines(beam);
@@ -81,7 +86,9 @@ class SplitSearch {
   Tried solve(LineSet lines, std::vector<Cut> cuts, Mesh mesh) {
     ++best_.solves;
     HandleEditSolver solver(mesh, edit_);
-    HandleEditResult result = solver.solve(targets_, progress_);
+    HandleEditResult result = symmetry_ != nullptr
+                                  ? solver.solve_symmetric(targets_, *symmetry_, progress_)
+                                  : solver.solve(targets_, progress_);
     stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
     return {std::move(lines), std::move(cuts), std::move(mesh), std::move(result)};
   }
@@ -99,7 +106,7 @@ class SplitSearch {
   }
 
   [[nodiscard]] bool is_better(const Tried& tried) const {
-    return tried.error() < best_.curve.back().handle_error;
+    return best_.curve.empty() || tried.error() < best_.curve.back().handle_error;
   }
 
   /// Of two that arrive the one that the edit itself prefers, else the one that comes nearer.
@@ -108,6 +115,10 @@ class SplitSearch {
     if (arrives_a != arrives_b) return arrives_a;
     if (!arrives_a) return a.error() < b.error();
     return a.result.report.objective.total() < b.result.report.objective.total();
+  }
+
+  void tell(const Tried& tried) const {
+    if (options_.found && is_better(tried)) options_.found(standing_of(tried));
   }
 
   void keep(const Tried& tried) {
@@ -122,16 +133,22 @@ class SplitSearch {
     const Adjacency adjacency = build_adjacency(mesh);
     std::vector<int> remade = faces_of(adjacency, tried.result.moved);
     const double fold = sharpest_fold(mesh, adjacency, apply(mesh, tried.result), remade).degrees;
-    for (const int line : tried.lines) remade.push_back(lines_[at(line)].panel);
+    for (const int line : tried.lines) {
+      for (const SplitLine& image : lines_[at(line)]) remade.push_back(image.panel);
+    }
     for (int f = mesh_.face_count(); f < mesh.face_count(); ++f) remade.push_back(f);
     std::sort(remade.begin(), remade.end());
     remade.erase(std::unique(remade.begin(), remade.end()), remade.end());
-    return {tried.cuts, tried.error(), tried.result.report.moved_vertices,
-            static_cast<int>(remade.size()), fold};
+    return {static_cast<int>(tried.lines.size()),
+            tried.cuts,
+            tried.error(),
+            tried.result.report.moved_vertices,
+            static_cast<int>(remade.size()),
+            fold};
   }
 
   /// Of the panels at a handle, beside them, and of some that a limit holds.
-  [[nodiscard]] std::vector<SplitLine> lines_for(const SolveReport& report) const {
+  [[nodiscard]] std::vector<LineImages> lines_for(const SolveReport& report) const {
     const Adjacency adjacency = build_adjacency(mesh_);
     std::vector<int> corners;
     for (const int f : faces_of(adjacency, handles_)) {
@@ -148,35 +165,59 @@ class SplitSearch {
         }
       }
     }
-    return split_lines(mesh_, panels, handles_);
+    return lines_with_images(mesh_, adjacency, split_lines(mesh_, panels, handles_), symmetry_);
   }
 
-  /// Each of `beam` with each line that it has not, the best first.
-  std::vector<Tried> with_one_more(const std::vector<Tried>& beam) {
+  /// Each of `beam` with each line that it has not, the best first; with those of other panels only
+  /// where none of a panel at a handle lets the handles arrive.
+  std::vector<Tried> with_one_more(const std::vector<Tried>& beam, int cuts) {
     std::vector<Tried> found;
+    add_each(beam, true, found);
+    add_freed(cuts, found);
+    if (found.empty() || !arrives(found.front().result)) add_each(beam, false, found);
+    return found;
+  }
+
+  void add_each(const std::vector<Tried>& beam, bool at_handles, std::vector<Tried>& found) {
     std::set<LineSet> seen;
     for (const Tried& parent : beam) {
       for (const int line : ranked_) {
         if (stopped_ || best_.solves >= options_.most_solves) break;
+        if (is_at_handle(lines_[at(line)].front()) != at_handles) continue;
         LineSet lines = parent.lines;
         const auto place = std::lower_bound(lines.begin(), lines.end(), line);
         if (place != lines.end() && *place == line) continue;
         lines.insert(place, line);
         if (!seen.insert(lines).second) continue;
-        const SplitCut cut = split_along(parent.mesh, lines_[at(line)], mesh_.face_count());
-        if (cut.panel < 0) continue;
-        auto made = cut_mesh(parent.mesh, {cut});
-        if (!std::holds_alternative<CutMesh>(made)) continue;
         std::vector<Cut> cuts = parent.cuts;
-        cuts.emplace_back(cut);
-        Tried tried =
-            solve(std::move(lines), std::move(cuts), std::get<CutMesh>(std::move(made)).mesh);
-        if (is_sound(tried.result)) found.push_back(std::move(tried));
+        Mesh mesh = parent.mesh;
+        if (!cut_along(lines_[at(line)], mesh, cuts)) continue;
+        add(solve(std::move(lines), std::move(cuts), std::move(mesh)), found);
       }
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
-    return found;
+  }
+
+  /// Keeps `found` in its order, the best first.
+  void add(Tried tried, std::vector<Tried>& found) const {
+    if (!is_sound(tried.result)) return;
+    const auto place =
+        std::upper_bound(found.begin(), found.end(), tried,
+                         [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
+    if (place == found.begin()) tell(tried);
+    found.insert(place, std::move(tried));
+  }
+
+  /// Whether all images of a line can be cut.
+  [[nodiscard]] bool cut_along(const LineImages& line, Mesh& mesh, std::vector<Cut>& cuts) const {
+    for (const SplitLine& image : line) {
+      const SplitCut cut = split_along(mesh, image, mesh_.face_count());
+      if (cut.panel < 0) return false;
+      auto made = cut_mesh(mesh, {cut});
+      if (!std::holds_alternative<CutMesh>(made)) return false;
+      mesh = std::get<CutMesh>(std::move(made)).mesh;
+      cuts.emplace_back(cut);
+    }
+    return true;
   }
 
   /// The set of `cuts` lines that cut off all corners at the handles, if it has so many: they are
@@ -184,38 +225,41 @@ class SplitSearch {
   void add_freed(int cuts, std::vector<Tried>& found) {
     const LineSet freeing = freeing_lines();
     if (static_cast<int>(freeing.size()) != cuts || cuts < 2 || stopped_) return;
-    Tried tried{{}, {}, mesh_, {}};
+    std::vector<Cut> made;
+    Mesh mesh = mesh_;
     for (const int line : freeing) {
-      const SplitCut cut = split_along(tried.mesh, lines_[at(line)], mesh_.face_count());
-      if (cut.panel < 0) return;
-      auto made = cut_mesh(tried.mesh, {cut});
-      if (!std::holds_alternative<CutMesh>(made)) return;
-      tried.mesh = std::get<CutMesh>(std::move(made)).mesh;
-      tried.cuts.emplace_back(cut);
+      if (!cut_along(lines_[at(line)], mesh, made)) return;
     }
-    tried = solve(freeing, std::move(tried.cuts), std::move(tried.mesh));
-    if (!is_sound(tried.result)) return;
-    const auto place =
-        std::upper_bound(found.begin(), found.end(), tried,
-                         [&](const Tried& a, const Tried& b) { return comes_before(a, b); });
-    found.insert(place, std::move(tried));
+    add(solve(freeing, std::move(made), std::move(mesh)), found);
   }
 
   [[nodiscard]] LineSet freeing_lines() const {
     LineSet freeing;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
-      const auto corners = mesh_.face(lines_[k].panel);
-      for (std::size_t c = 0; c < corners.size(); ++c) {
-        const int before = corners[(c + corners.size() - 1) % corners.size()];
-        const int after = corners[(c + 1) % corners.size()];
-        if (std::binary_search(handles_.begin(), handles_.end(), corners[c]) &&
-            std::minmax(before, after) == std::minmax(lines_[k].from, lines_[k].to)) {
-          freeing.push_back(static_cast<int>(k));
-          break;
-        }
-      }
+      if (cuts_off_handle(lines_[k].front())) freeing.push_back(static_cast<int>(k));
     }
     return freeing;
+  }
+
+  [[nodiscard]] bool is_handle(int v) const {
+    return std::binary_search(handles_.begin(), handles_.end(), v);
+  }
+
+  [[nodiscard]] bool is_at_handle(const SplitLine& line) const {
+    const auto corners = mesh_.face(line.panel);
+    return std::any_of(corners.begin(), corners.end(), [&](int v) { return is_handle(v); });
+  }
+
+  [[nodiscard]] bool cuts_off_handle(const SplitLine& line) const {
+    const auto corners = mesh_.face(line.panel);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const int before = corners[(c + corners.size() - 1) % corners.size()];
+      const int after = corners[(c + 1) % corners.size()];
+      if (is_handle(corners[c]) && std::minmax(before, after) == std::minmax(line.from, line.to)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Lines that help most alone are those tried together.
@@ -230,10 +274,11 @@ class SplitSearch {
   const EditTargets& targets_;
   const HandleEditOptions& edit_;
   const SplitOptions& options_;
+  const MeshSymmetry* symmetry_;
   const Progress& progress_;
   std::vector<int> handles_;
   double near_ = 0.0;  ///< within which handles arrive
-  std::vector<SplitLine> lines_;
+  std::vector<LineImages> lines_;
   LineSet ranked_;  ///< the lines that are tried, in this order
   SplitEdit best_;
   bool stopped_ = false;
@@ -255,8 +300,8 @@ Refusal find_problem(const SplitOptions& options, const HandleEditOptions& edit,
 
 SplitEdit split_where_needed(const Mesh& mesh, const EditTargets& targets,
                              const HandleEditOptions& edit, const SplitOptions& options,
-                             const Progress& progress) {
-  return SplitSearch(mesh, targets, edit, options, progress).run();
+                             const MeshSymmetry* symmetry, const Progress& progress) {
+  return SplitSearch(mesh, targets, edit, options, symmetry, progress).run();
 }
 
 }  // namespace planish

@@ -11,8 +11,8 @@ import { loadPlanish } from "../../parity/support/planish.ts";
 
 type Job = Exclude<Request, { kind: "start" }>;
 
-/** What happens to requests: null lets the core answer. */
-export type Fate = (request: Job) => Reply | null;
+/** What happens to requests: null lets the core answer; of several the last may be missing. */
+export type Fate = (request: Job) => Reply | readonly Reply[] | null;
 
 /** As much of a Worker as the page uses. Answers come later, in order, as messages do. */
 class WorkerHere extends EventTarget {
@@ -35,7 +35,7 @@ class WorkerHere extends EventTarget {
       await new Promise((resolve) => setTimeout(resolve));
       if (this.#gone) return;
       const fate = this.#fate(request);
-      if (fate) this.#say(fate);
+      if (fate) for (const reply of [fate].flat()) this.#say(reply);
       else await this.#dispatcher.handle(request);
     });
   }

@@ -110,7 +110,7 @@ export class Dispatcher {
     this.#post({ kind: "reading", job: this.#job, done, total }, []);
 
   async #open(request: Extract<Request, { kind: "open" }>): Promise<void> {
-    const { job, source, planarise, symmetry, cuts } = request;
+    const { job, source, planarise, found, symmetry, cuts } = request;
     const session = this.#session;
     if (source.kind === "sample") insist(session.openSample(source.name, source.size));
     else {
@@ -120,7 +120,10 @@ export class Dispatcher {
         source.format === "glb" ? await this.#files.openGlb(name, bytes) : asIs(bytes, source);
       insistReadable(name, session.openFile(mesh, format));
     }
-    if (planarise) insist(session.planarise(planarise));
+    if (planarise && found) {
+      const { length } = session.basePositions();
+      insist(session.takePlanarised(found.subarray(0, length)));
+    } else if (planarise) insist(session.planarise(planarise));
     if (symmetry) this.#setSymmetry(symmetry);
     if (cuts.length > 0) insist(session.setCuts(cuts.join("\n"), symmetry?.tolerance ?? 0));
     this.#postOpened(job, null, null);
@@ -302,7 +305,7 @@ export class Dispatcher {
         return;
       }
       case "splitEdit":
-        this.#post({ kind: "split", job, finding: this.#edits.split(request) }, []);
+        this.#split(request);
         return;
       case "splitMesh": {
         insist(this.#module.splitUntilFlat(session, request.how, request.most));
@@ -313,6 +316,14 @@ export class Dispatcher {
         this.#post({ kind: "hybrid", job, mesh, panels, file }, buffers);
       }
     }
+  }
+
+  #split(request: Extract<Request, { kind: "splitEdit" }>): void {
+    const { job } = request;
+    const finding = this.#edits.split(request, (standing) =>
+      this.#post({ kind: "standing", job, standing }, []),
+    );
+    this.#post({ kind: "split", job, finding }, []);
   }
 
   #postMeasures(job: number, also: AlsoMeasured): void {

@@ -10,6 +10,7 @@ import type {
   Reply,
   Request,
   SplitFinding,
+  SplitStanding,
 } from "./protocol.ts";
 import { isWithin, PullHold } from "./pull-limit.ts";
 import { insist, Refused } from "./refused.ts";
@@ -79,14 +80,17 @@ export class Edits {
     insist(this.#session.restore(handles, pins, shape.moved, shape.positions, keep));
   }
 
-  split({ targets, settings, most }: Extract<Request, { kind: "splitEdit" }>): SplitFinding {
+  split(
+    { targets, settings, most }: Extract<Request, { kind: "splitEdit" }>,
+    found: (standing: SplitStanding) => void,
+  ): SplitFinding {
     this.#hold = new PullHold();
     this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
-    const found = this.#module.splitWhereNeeded(this.#session, handles, pins, most);
-    if (!("curve" in found)) throw new Refused(found.problem);
-    const { curve, tried, reached } = found;
+    const answer = this.#module.splitWhereNeeded(this.#session, handles, pins, most, found);
+    if (!("curve" in answer)) throw new Refused(answer.problem);
+    const { curve, tried, reached } = answer;
     return { curve, tried, reached };
   }
 

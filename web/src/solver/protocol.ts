@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page and the solver worker say to each other. Every request carries a job number;
 // every request but `start` gets exactly one reply with that number, `failed` if nothing changed.
-// Progress messages (`progress` in solver steps, of many a few; `reading` in bytes) may come before the reply.
+// Progress messages (`progress` in solver steps, of many a few; `reading` in bytes; `standing`) may come before the reply.
 
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport, NodeCounts } from "@wasm/planish.mjs";
@@ -112,6 +112,8 @@ export type Request =
       job: number;
       source: Source;
       planarise: Reports.Planarising | null;
+      /** Where that is known to put the points, and more behind them: nothing is solved for it. */
+      found?: Float64Array;
       symmetry: Symmetry | null;
       cuts: readonly string[];
     } // → opened
@@ -346,6 +348,8 @@ export type Reply =
     }
   | { kind: "fewest"; job: number; shape: Shape; report: ShapeReport; found: Reports.FewestFound }
   | { kind: "tried"; job: number; trial: Reports.CutTrial }
+  /** On the way to `split`: the best with so many lines so far. */
+  | { kind: "standing"; job: number; standing: Reports.SplitStanding }
   | { kind: "split"; job: number; finding: Reports.SplitFinding }
   /** `panels`: how many are split; `file`: the mesh as OBJ, every bit of it. */
   | { kind: "hybrid"; job: number; mesh: OpenedMesh; panels: number; file: Uint8Array }

@@ -15,11 +15,14 @@ type ReplyOf<K extends Reply["kind"]> = Extract<Reply, { kind: K }>;
 /** Distributes over the union, unlike Omit. */
 type Unnumbered<T> = T extends unknown ? Omit<T, "job"> : never;
 
+/** What is told before the reply. */
+export type News = ReplyOf<"progress" | "standing">;
+
 /** Asks and waits for the reply of a kind; a refusal rejects with its sentence. */
 export type Ask = <K extends Reply["kind"]>(
   question: Unnumbered<Exclude<Request, { kind: "start" }>>,
   kind: K,
-  onStep?: (step: number) => void,
+  onNews?: (news: News) => void,
 ) => Promise<ReplyOf<K>>;
 
 /** A worker of its own, which lives as long as questions follow each other. */
@@ -61,8 +64,8 @@ export class SecondSolver {
   async #begin<T>(work: (ask: Ask) => Promise<T>): Promise<T> {
     this.#worker ??= startWorker(this.#spawn);
     const worker = await this.#worker;
-    return work((question, kind, onStep = () => {}) => {
-      const answer = heard(worker, kind, onStep);
+    return work((question, kind, onNews = () => {}) => {
+      const answer = heard(worker, kind, onNews);
       worker.postMessage({ ...question, job: JOB } as Request);
       return answer;
     });
@@ -79,12 +82,12 @@ async function startWorker(spawn: SpawnWorker): Promise<Worker> {
 function heard<K extends Reply["kind"]>(
   worker: Worker,
   kind: K,
-  onStep: (step: number) => void,
+  onNews: (news: News) => void,
 ): Promise<ReplyOf<K>> {
   return new Promise((resolve, reject) => {
     const off = new AbortController();
     const listen = ({ data }: MessageEvent<Reply>): void => {
-      if (data.kind === "progress") onStep(data.step);
+      if (data.kind === "progress" || data.kind === "standing") onNews(data);
       if (data.kind === kind) resolve(data as ReplyOf<K>);
       else if (data.kind === "failed") reject(new Error(data.message));
       else return;

@@ -5,7 +5,7 @@ import { type Design, toTargets } from "../design/design.ts";
 import { symmetryIn } from "../design/symmetry.ts";
 import { done, GIVEN_UP, type Refusal, type Result, refuse } from "../result/result.ts";
 import { Abandoned, type Answer, Died, type Question, SolverClient } from "../solver/client.ts";
-import type { Planarising, Shape, Source, Symmetry } from "../solver/protocol.ts";
+import type { OpenedMesh, Planarising, Shape, Source, Symmetry } from "../solver/protocol.ts";
 import { kept, type Page } from "./page.ts";
 import { say } from "./telling.ts";
 
@@ -62,6 +62,12 @@ type BaseSteps = Pick<Design, "source" | "planarised" | "settings">;
 /** What makes the solver open it. */
 export const openQuestion = ({ source, planarised, symmetry, cuts }: Base) =>
   ({ kind: "open", source, planarise: planarised, symmetry, cuts }) as const;
+
+/** The same of a second solver, where the points of the mesh after all that are known. */
+export const openKnownQuestion = (base: Base, { positions }: Pick<OpenedMesh, "positions">) => {
+  const question = openQuestion(base);
+  return base.planarised ? { ...question, found: positions.slice() } : question;
+};
 
 /** What the solver holds; null where it would have to be told again. */
 interface Held {

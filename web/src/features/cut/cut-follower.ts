@@ -25,7 +25,7 @@ const followPreview = (page: Page, view: Viewport): (() => void) =>
   followDrawing(view.stage, () => {
     const [lines, places] = [trialNow(page)?.lines ?? NO_LINES, placesOf(page, view)];
     if (lines.length === 0 && places.length === 0) return null;
-    return fetchPart(page, () => import("./cut-drawing.ts")).then(
+    return fetchPart(page, () => import("../../scene/cut-drawing.ts")).then(
       (part) =>
         part && ((dark) => part.drawCut(view.stage, lines, places, (dark ? DARK : LIGHT).selected)),
     );

@@ -5,9 +5,9 @@
 import { computed, signal } from "@preact/signals";
 import { type Design, type HandleRow, toTargets } from "../../design/design.ts";
 import * as steps from "../../design/history.ts";
-import type { Shape } from "../../solver/protocol.ts";
-import { type Ask, GivenUp, SecondSolver } from "../../solver/second-solver.ts";
-import { baseOf, openQuestion } from "../../state/connection.ts";
+import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
+import { type Ask, GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
+import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { basePoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
@@ -68,9 +68,9 @@ export function stopWhereLeft(page: Page): void {
 /** Finds the points of the present edit one by one. */
 export async function findCurve(page: Page): Promise<void> {
   stopSearch(page);
-  const of = page.history.peek()?.present;
-  if (!of) return;
-  const search = new CurveSearch(page, of);
+  const [of, mesh] = [page.history.peek()?.present, page.mesh.peek()];
+  if (!of || !mesh) return;
+  const search = new CurveSearch(page, of, mesh);
   own(page).stop = () => search.stop();
   await search.run();
 }
@@ -79,12 +79,14 @@ export async function findCurve(page: Page): Promise<void> {
 class CurveSearch {
   readonly #page: Page;
   readonly #of: Design;
+  readonly #mesh: OpenedMesh;
   readonly #solver: SecondSolver;
   #going = true;
 
-  constructor(page: Page, of: Design) {
+  constructor(page: Page, of: Design, mesh: OpenedMesh) {
     this.#page = page;
     this.#of = of;
+    this.#mesh = mesh;
     this.#solver = new SecondSolver(page.spawn);
   }
 
@@ -122,7 +124,9 @@ class CurveSearch {
     if (this.#going && value?.of === this.#of) found(this.#page).value = { ...value, ...change };
   }
 
-  readonly #step = (step: number): void => this.#tell({ step });
+  readonly #step = (news: News): void => {
+    if (news.kind === "progress") this.#tell({ step: news.step });
+  };
 
   #complain(error: unknown, label = ""): void {
     const sentence = error instanceof Error ? error.message : String(error);
@@ -132,7 +136,7 @@ class CurveSearch {
 
   /** The same mesh, and the edit as it is. */
   async #begin(ask: Ask): Promise<void> {
-    await ask(openQuestion(baseOf(this.#of)), "opened", this.#step);
+    await ask(openKnownQuestion(baseOf(this.#of), this.#mesh), "opened", this.#step);
     const panels = await this.#panelsOf(ask, this.#of.shape);
     this.#addPoint({ label: "As it is", design: this.#of, panels, minimal: null });
   }

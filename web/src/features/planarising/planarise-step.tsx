@@ -14,6 +14,7 @@ import { formatDegrees } from "../../state/fold.ts";
 import { Choice } from "../../ui/choice.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
 import { Slider } from "../../ui/slider.tsx";
+import { viewOf } from "../../ui/view-slot.ts";
 import {
   EAGER_POINTS,
   isMet,
@@ -21,6 +22,7 @@ import {
   spoiltWords,
   usualFold,
 } from "./planarise-preview.ts";
+import { followSplitLines } from "./split-lines.ts";
 
 /** Weights of fairness, from the nearest flat mesh to the fairest. */
 const STOPS = [0, 1, 10, 100, 1000] as const;
@@ -255,7 +257,12 @@ export function PlanariseStep({ live }: { live: boolean }) {
       page.planarising.value = { ...page.planarising.peek(), keepBoundary, within: 0, flat: 0 };
     }
     if (live && opened.report.vertices <= EAGER_POINTS) void begin();
-    return () => preview.end();
+    const view = viewOf(page);
+    const stop = view && followSplitLines(page, view, opened);
+    return () => {
+      stop?.();
+      preview.end();
+    };
   }, [opened, preview, live]);
   if (!opened || !preview) return null;
   const { smooth, keepBoundary, within, flat } = page.planarising.value;

@@ -5,8 +5,9 @@
 import { signal } from "@preact/signals";
 import { type Design, toTargets } from "../../design/design.ts";
 import { counted } from "../../quantity/counted.ts";
-import type { SplitFinding, SplitStanding } from "../../solver/protocol.ts";
-import { type Ask, GivenUp, SecondSolver } from "../../solver/second-solver.ts";
+import type { SplitStanding } from "../../solver/protocol.ts";
+import { GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
+import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { commitEdit } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { openBase, takeBack } from "../../state/showing.ts";
@@ -16,13 +17,31 @@ import { beyond, wanted } from "../../state/wanted.ts";
 /** Lines through panels at most. */
 const MOST = 4;
 
+/** What so many lines give. */
+export interface Curve {
+  readonly asked: Design;
+  /** From none on, the best of each number of lines; only what comes nearer than fewer do. */
+  readonly standings: readonly SplitStanding[];
+}
+
 type Stage =
-  | { readonly kind: "running"; readonly steps: number }
+  | { readonly kind: "running"; readonly steps: number; readonly curve: Curve }
   | { readonly kind: "refused"; readonly sentence: string }
-  | { readonly kind: "found"; readonly asked: Design; readonly finding: SplitFinding };
+  /** `end`: that the handles arrive, that no more lines help, or that somebody stopped it. */
+  | {
+      readonly kind: "found";
+      readonly curve: Curve;
+      readonly end: "arrived" | "short" | "stopped";
+    };
 
 /** Of the design that it is looked for. */
 export type Search = Stage & { readonly of: Design };
+
+/** With what is new: of one number of lines the latest is the best. */
+const withStanding = ({ asked, standings }: Curve, standing: SplitStanding): Curve => ({
+  asked,
+  standings: [...standings.filter(({ lines }) => lines < standing.lines), standing],
+});
 
 const searches = kept((page) => ({
   now: signal<Search | null>(null),
@@ -45,19 +64,18 @@ function asked(page: Page, design: Design): Design {
   return { ...design, handles: pull?.handles ?? design.handles, settings };
 }
 
-/** Whether lines can be looked for: they have no images, and the paper's engine knows none. */
-export const canSplit = ({ settings }: Design): boolean =>
-  settings.symmetry.length === 0 && settings.engine === "newton";
+/** Whether lines can be looked for: the paper's engine knows none. */
+export const canSplit = ({ settings }: Design): boolean => settings.engine === "newton";
 
-/** Opens the mesh of the design, which is flat already where its file is not. */
-async function open(ask: Ask, { source, planarised, settings }: Design, flat: Float64Array) {
-  const plain = { source, planarise: null, symmetry: null, cuts: [] } as const;
-  const { mesh } = await ask({ kind: "open", ...plain }, "opened");
-  // Cuts move no point, and add theirs behind all others.
-  const found = flat.slice(0, mesh.positions.length);
-  if (planarised) await ask({ kind: "planarise", how: planarised, found }, "opened");
-  const { cuts } = settings;
-  if (cuts.length > 0) await ask({ kind: "cut", cuts, tolerance: 0 }, "opened");
+/** Ends what runs; what it found stays. */
+export function stopSearch(page: Page): void {
+  const { now, solver } = searches(page);
+  const search = now.peek();
+  solver.end();
+  if (search?.kind !== "running") return;
+  const { of, curve } = search;
+  const found = curve.standings.length > 1;
+  now.value = found ? { of, kind: "found", curve, end: "stopped" } : null;
 }
 
 /** Gives up what runs; what was found is forgotten. */
@@ -67,24 +85,31 @@ export function endSearch(page: Page): void {
 }
 
 export async function search(page: Page): Promise<void> {
-  const [of, flat] = [page.history.value?.present, page.mesh.value?.positions];
-  if (!of || !flat) return;
+  const [of, mesh] = [page.history.value?.present, page.mesh.value];
+  if (!of || !mesh) return;
   const { now, solver } = searches(page);
   const wish = asked(page, of);
   const { settings } = wish;
   const targets = toTargets(wish.handles);
-  const onStep = (steps: number): void => {
-    if (now.peek()?.of === of) now.value = { of, kind: "running", steps };
+  const onNews = (news: News): void => {
+    const search = now.peek();
+    if (search?.of !== of || search.kind !== "running") return;
+    now.value =
+      news.kind === "progress"
+        ? { ...search, steps: news.step }
+        : { ...search, curve: withStanding(search.curve, news.standing) };
   };
-  now.value = { of, kind: "running", steps: 0 };
+  now.value = { of, kind: "running", steps: 0, curve: { asked: wish, standings: [] } };
   try {
     const finding = await solver.run(async (ask) => {
-      await open(ask, of, flat);
+      await ask(openKnownQuestion(baseOf(of), mesh), "opened");
       const question = { kind: "splitEdit", targets, settings, most: MOST } as const;
-      return (await ask(question, "split", onStep)).finding;
+      return (await ask(question, "split", onNews)).finding;
     });
     solver.end();
-    now.value = { of, kind: "found", asked: wish, finding };
+    const { curve: standings, reached } = finding;
+    const end = reached ? "arrived" : "short";
+    now.value = { of, kind: "found", curve: { asked: wish, standings }, end };
   } catch (error) {
     if (error instanceof GivenUp) return;
     const sentence = error instanceof Error ? error.message : String(error);
@@ -103,7 +128,7 @@ export const takeSplits = (page: Page, { asked }: { asked: Design }, by: SplitSt
     if (!made?.ok) return made;
     wanted(page).value = null;
     if (by.cuts.length === 0) return made;
-    const lines = counted(by.cuts.length, "line");
+    const lines = counted(by.lines, "line");
     page.notice.value = `Split by ${lines} between corners; the edit was solved again on that mesh. Undo takes both back.`;
     return made;
   });

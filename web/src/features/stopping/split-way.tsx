@@ -6,19 +6,28 @@ import { useEffect } from "preact/hooks";
 import type { Design } from "../../design/design.ts";
 import { counted } from "../../quantity/counted.ts";
 import { formatLength } from "../../quantity/units.ts";
-import type { SplitFinding, SplitStanding } from "../../solver/protocol.ts";
+import type { SplitStanding } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import { settled } from "../../state/shortfall.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "./split-way.css";
-import { canSplit, endSearch, search, searchNow, takeSplits } from "./split-search.ts";
+import {
+  type Curve,
+  canSplit,
+  endSearch,
+  type Search,
+  search,
+  searchNow,
+  stopSearch,
+  takeSplits,
+} from "./split-search.ts";
 
 const COLUMNS = ["Lines", "Short by", "Panels changed", "Sharpest fold"] as const;
 
 function Row({ by, asked }: { by: SplitStanding; asked: Design }) {
   const page = usePage();
-  const lines = by.cuts.length;
+  const { lines } = by;
   return (
     <tr>
       <th scope="row">{lines}</th>
@@ -63,19 +72,18 @@ function Whole({ by, asked }: { by: SplitStanding; asked: Design }) {
   );
 }
 
-function Curve({ finding, asked }: { finding: SplitFinding; asked: Design }) {
-  const { curve, tried, reached } = finding;
-  const [whole] = curve;
-  if (reached && whole && curve.length < 2) return <Whole by={whole} asked={asked} />;
-  if (curve.length < 2) {
-    const words = "None that was tried lets it come nearer.";
-    return <p class="quiet small">{`${counted(tried, "edit")} with panels split: ${words}`}</p>;
-  }
+const ENDS = {
+  running: ", so far",
+  arrived: "",
+  short: "; more lines bring it no nearer",
+  stopped: ", found until it was stopped",
+} as const;
+
+function CurveTable({ curve, end }: { curve: Curve; end: keyof typeof ENDS }) {
+  const { asked, standings } = curve;
   return (
     <table class="split-curve">
-      <caption>
-        {`Panels split by lines between corners, ${tried} edits tried${reached ? "" : "; more lines bring it no nearer"}`}
-      </caption>
+      <caption>{`Panels split by lines between corners${ENDS[end]}`}</caption>
       <thead>
         <tr>
           {COLUMNS.map((name) => (
@@ -87,11 +95,37 @@ function Curve({ finding, asked }: { finding: SplitFinding; asked: Design }) {
         </tr>
       </thead>
       <tbody>
-        {curve.map((by) => (
-          <Row key={by.cuts.length} by={by} asked={asked} />
+        {standings.map((by) => (
+          <Row key={by.lines} by={by} asked={asked} />
         ))}
       </tbody>
     </table>
+  );
+}
+
+function Found({ curve, end }: Extract<Search, { kind: "found" }>) {
+  const { asked, standings } = curve;
+  const [whole] = standings;
+  if (standings.length > 1) return <CurveTable curve={curve} end={end} />;
+  if (end === "arrived" && whole) return <Whole by={whole} asked={asked} />;
+  const words = "None of the lines through panels that were tried lets it come nearer.";
+  return <p class="quiet small">{words}</p>;
+}
+
+/** Each line of the table can be taken while it grows. */
+function Running({ steps, curve }: Extract<Search, { kind: "running" }>) {
+  const page = usePage();
+  return (
+    <>
+      <p class="split-search">
+        <span role="status">Trying lines through panels…</span>
+        {steps > 0 && <span aria-hidden="true">{`step ${steps}`}</span>}
+        <button type="button" class="button small" onClick={() => stopSearch(page)}>
+          Stop trying
+        </button>
+      </p>
+      {curve.standings.length > 0 && <CurveTable curve={curve} end="running" />}
+    </>
   );
 }
 
@@ -101,18 +135,8 @@ export function SplitWay({ design }: { design: Design }) {
   useEffect(() => () => endSearch(page), [page, design]);
   const found = searchNow(page);
   if (!canSplit(design)) return null;
-  if (found?.kind === "running") {
-    return (
-      <p class="split-search">
-        <span role="status">Trying lines through panels…</span>
-        {found.steps > 0 && <span aria-hidden="true">{`step ${found.steps}`}</span>}
-        <button type="button" class="button small" onClick={() => endSearch(page)}>
-          Stop trying
-        </button>
-      </p>
-    );
-  }
-  if (found?.kind === "found") return <Curve finding={found.finding} asked={found.asked} />;
+  if (found?.kind === "running") return <Running {...found} />;
+  if (found?.kind === "found") return <Found {...found} />;
   return (
     <div class="split-search">
       {found && <p class="quiet small">{found.sentence}</p>}

@@ -78,7 +78,7 @@ export function StoppedNote() {
           </button>
         ))}
       </fieldset>
-      {reason !== "keep-outs" && <SplitWay design={design} />}
+      <SplitWay design={design} />
     </section>
   );
 }

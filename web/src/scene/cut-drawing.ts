@@ -4,8 +4,8 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { Drawn } from "../../scene/drawing-follower.ts";
-import type { Stage } from "../../scene/stage.ts";
+import type { Drawn } from "./drawing-follower.ts";
+import type { Stage } from "./stage.ts";
 
 /** Pixels. */
 const [WIDTH, SIZE] = [3, 9];
