@@ -42,8 +42,12 @@ export async function openSample(page, name) {
   await settled(page);
 }
 
+/** Brings one of the tabs of the inspector into sight: "Edit", "Explore" or "Check and make". */
+export const showTab = (page, name) => page.getByRole("tab", { name, exact: true }).click();
+
 /** Moves a sensible point up by typing. */
 export async function lift(page, amount) {
+  await showTab(page, "Edit");
   await page.getByRole("button", { name: "Add handle" }).click();
   const z = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
   await z.last().fill(amount);

@@ -4,7 +4,15 @@ import { mkdtemp, readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { findVariations, lift, openBrowser, openPage, openSample, settled } from "./page.mjs";
+import {
+  findVariations,
+  lift,
+  openBrowser,
+  openPage,
+  openSample,
+  settled,
+  showTab,
+} from "./page.mjs";
 import { serve } from "./serve.mjs";
 
 const SIZE = { width: 1120, height: 700 };
@@ -62,9 +70,10 @@ async function heatMap(page) {
   await page.getByRole("button", { name: "Open file" }).click();
   const buffer = Buffer.from(bumpyVault());
   await (await chooser).setFiles({ name: "as-built.obj", mimeType: "text/plain", buffer });
-  await page.getByRole("button", { name: "Leave as it is" }).click();
+  await page.getByRole("button", { name: "Not now" }).click();
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("planarity");
   await settled(page);
+  await showTab(page, "Check and make");
   await page
     .getByRole("button", { name: /Show panel/ })
     .first()

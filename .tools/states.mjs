@@ -2,7 +2,15 @@
 // Every state of the page as a picture, to be looked at: node .tools/states.mjs OUT [state…]
 // Writes OUT/<state>-<size>-<light|dark>.png from the built site. --size and --scheme choose.
 import { mkdirSync } from "node:fs";
-import { findVariations, lift, openBrowser, openPage, openSample, settled } from "./page.mjs";
+import {
+  findVariations,
+  lift,
+  openBrowser,
+  openPage,
+  openSample,
+  settled,
+  showTab,
+} from "./page.mjs";
 
 const SIZES = {
   phone: { width: 360, height: 740 },
@@ -109,7 +117,7 @@ const STATES = {
   import: (page) => openMesh(page, "saddle.obj", warpedGrid()),
   notFlat: async (page) => {
     await openMesh(page, "saddle.obj", warpedGrid());
-    await button(page, "Leave as it is").click();
+    await button(page, "Not now").click();
     await page.getByRole("combobox", { name: "Colour by" }).selectOption("planarity");
     await settled(page);
   },
@@ -133,11 +141,13 @@ const STATES = {
   health: colour("health"),
   table: async (page) => {
     await lift(page, "+1200mm");
+    await showTab(page, "Check and make");
     await page.getByRole("table", { name: "Panels" }).scrollIntoViewIfNeeded();
     await page.getByRole("row").last().scrollIntoViewIfNeeded();
   },
   panel: async (page) => {
     await lift(page, "+1200mm");
+    await showTab(page, "Check and make");
     await page
       .getByRole("button", { name: /Show panel/ })
       .first()
@@ -162,6 +172,11 @@ const STATES = {
     await lift(page, "+1200mm");
     await page.getByText("Advanced", { exact: true }).click();
     await page.getByRole("combobox", { name: "Tolerance" }).selectOption("1");
+    await settled(page);
+  },
+  solve: async (page) => {
+    await lift(page, "+1200mm");
+    await showTab(page, "Check and make");
     await page.getByText("Last solve", { exact: true }).click();
     await settled(page);
     await inspect(page, "Last solve");
@@ -173,9 +188,10 @@ const STATES = {
   },
   snapshots: async (page) => {
     await lift(page, "+1200mm");
-    await button(page, "Take snapshot").click();
+    await button(page, "Snapshot").click();
     await lift(page, "+400mm");
-    await button(page, "Take snapshot").click();
+    await button(page, "Snapshot").click();
+    await showTab(page, "Explore");
     await page.getByRole("list", { name: "Snapshots" }).scrollIntoViewIfNeeded();
     await page
       .getByRole("textbox", { name: /^Name of/ })

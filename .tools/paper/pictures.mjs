@@ -60,7 +60,7 @@ async function shootBent(site, { scene }) {
   const chooser = page.waitForEvent("filechooser");
   await page.getByRole("button", { name: "Open file" }).click();
   await (await chooser).setFiles(file);
-  await page.getByRole("button", { name: "Leave as it is" }).click();
+  await page.getByRole("button", { name: "Not now" }).click();
   await colourBy(page, "planarity");
   await settled(page);
   rmSync(directory, { recursive: true });

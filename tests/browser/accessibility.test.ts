@@ -5,7 +5,15 @@ import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { expectClean, expectReadable } from "./support/axe.ts";
 import { flatRoof } from "./support/faults.ts";
-import { idle, openFile, typeTarget } from "./support/page.ts";
+import {
+  idle,
+  openFile,
+  openLastSolve,
+  openRule,
+  openViewOptions,
+  showTab,
+  typeTarget,
+} from "./support/page.ts";
 import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press } from "./support/view.ts";
@@ -59,10 +67,14 @@ async function editing(page: Page): Promise<void> {
   for (const name of ["Export", "Share", "Help"]) await lookInto(page, name);
   await page.getByText("Move along the surface").click();
   await page.getByRole("checkbox", { name: "Pinned" }).focus();
-  for (const summary of await page.locator("summary").all()) {
+  for (const summary of await page.locator("summary").filter({ visible: true }).all()) {
     if ((await summary.locator("..").getAttribute("open")) === null) await summary.click();
   }
   await look(page, "everything unfolded");
+  for (const name of ["Limits", "Supports", "Symmetry", "Keep-outs"]) {
+    await openRule(page, name);
+    await expectClean(page, name, ".rules");
+  }
   await push(page, "Nothing may be in a box");
   await idle(page);
   await expectClean(page, "a keep-out", "aside");
@@ -79,6 +91,8 @@ async function exploring(page: Page): Promise<void> {
   await idle(page);
   await push(page, "Take snapshot");
   await look(page, "variations, gallery and snapshots");
+  await openLastSolve(page);
+  await expectClean(page, "the panels", "aside");
 }
 
 async function analysing(page: Page): Promise<void> {
@@ -88,6 +102,7 @@ async function analysing(page: Page): Promise<void> {
     await idle(page);
     await expectClean(page, `coloured by ${label}`, ".legend");
   }
+  await showTab(page, "Check and make");
   await page
     .getByRole("button", { name: /Show panel/ })
     .first()
@@ -102,7 +117,7 @@ async function opening(page: Page): Promise<void> {
   await openFile(page, "warped.obj", warped());
   await page.getByRole("heading", { name: "warped.obj" }).waitFor();
   await look(page, "import report");
-  await push(page, "Leave as it is");
+  await push(page, "Not now");
   await expectClean(page, "not flat");
 }
 
@@ -110,11 +125,14 @@ async function opening(page: Page): Promise<void> {
 async function naming(page: Page): Promise<void> {
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("ArrowUp");
+  await showTab(page, "Edit");
   await push(page, "Group points");
   await page.getByRole("textbox", { name: "Name of Group 1" }).waitFor();
+  await openViewOptions(page);
   await push(page, "Keep this view");
   await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
-  await expectClean(page, "with a group and a named view", "aside");
+  await expectClean(page, "with a group and a named view", "main");
+  await push(page, "View options");
 }
 
 /** The palette, by touch where there is one. */

@@ -4,7 +4,7 @@
 // themselves, and where there are no figures the ground is shaded.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { still, typeTarget } from "./support/page.ts";
+import { openViewOptions, still, typeTarget } from "./support/page.ts";
 import { type Picture, readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
@@ -67,6 +67,7 @@ it("by figures, by what must be made again, as stripes and as glass; without, wi
   // A section cuts away what lies before it.
   await still(page);
   const whole = await picture(page);
+  await openViewOptions(page);
   await page.getByRole("combobox", { name: "Cut the view" }).selectOption("across X");
   await expect.poll(async () => (await picture(page)).equals(whole)).toBe(false);
   await page.context().close();

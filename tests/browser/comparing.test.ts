@@ -3,11 +3,12 @@
 // Snapshots held against each other: side by side or swiped, one camera, a table, the difference in colour.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, typeTarget } from "./support/page.ts";
+import { idle, movedCount, showTab, typeTarget } from "./support/page.ts";
 import { readPng, steady } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
 async function snapshot(page: Page): Promise<number> {
+  await showTab(page, "Explore");
   await page.getByRole("button", { name: "Take snapshot" }).click();
   await idle(page);
   return movedCount(page);

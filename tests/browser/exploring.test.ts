@@ -74,7 +74,7 @@ it("says what sliders do and where they stop, and shows the design that is point
   const tile = page.getByRole("button", { name: /^Adopt design 1/ });
   await tile.hover();
   await expect.poll(async () => (await view.screenshot()).equals(own)).toBe(false);
-  expect(await tile.textContent()).toMatch(/fold [\d.]+°\d+ again/);
+  expect(await tile.textContent()).toMatch(/fold [\d.]+°\d+ to make again/);
   // Where and which way each is furthest from the edit tells them apart.
   const figures = await page.locator(".tile-figures").allTextContents();
   for (const words of figures) expect(words).toMatch(/points[+−][\d.]+ mm at \d+fold/);

@@ -5,7 +5,15 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { exportAs, idle, obj, openFile, typeTarget } from "./support/page.ts";
+import {
+  exportAs,
+  idle,
+  obj,
+  openFile,
+  openViewOptions,
+  showTab,
+  typeTarget,
+} from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const NOTE = "The middle comes up.\nThe third is the one that we would build.";
@@ -18,6 +26,7 @@ const named = (page: Page, what: string): Promise<string[]> =>
 
 /** The shape of each variant, as it is exported once it is adopted. */
 async function shapes(page: Page): Promise<string[]> {
+  await showTab(page, "Explore");
   const all: string[] = [];
   for (const name of await named(page, "Variant")) {
     await page.getByRole("button", { name: `Adopt ${name}` }).click();
@@ -31,6 +40,7 @@ async function author(): Promise<Page> {
   const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
   for (const [k, rise] of ["+20cm", "+15cm", "+30cm"].entries()) {
     await typeTarget(page, rise);
+    await showTab(page, "Explore");
     await page.getByRole("button", { name: "Take snapshot" }).click();
     const name = page.getByRole("textbox", { name: "Name of Snapshot 1" });
     await name.fill(`Variant ${k + 1}`);
@@ -38,12 +48,14 @@ async function author(): Promise<Page> {
     await page.getByRole("textbox", { name: `Name of Variant ${k + 1}` }).waitFor();
   }
   await page.getByRole("button", { name: "Top", exact: true }).click();
+  await openViewOptions(page);
   await page.getByRole("combobox", { name: "Cut the view" }).selectOption("across X");
   await idle(page);
   await page.getByText(/^Cuts \d+ panels, .* in all\./).waitFor();
   await page.getByRole("button", { name: "Keep this view" }).click();
   await page.getByRole("textbox", { name: "Name of View 1" }).waitFor();
   await page.getByRole("button", { name: "Perspective", exact: true }).click();
+  await showTab(page, "Check and make");
   const note = page.getByRole("textbox", { name: "Note" });
   await note.fill(NOTE);
   await note.blur();
@@ -72,10 +84,13 @@ async function expectHandedOver(page: Page, { link, sent, shown }: HandedOver): 
   await expectClean(page, "a design that was handed over");
   await page.getByRole("button", { name: "Put the note aside" }).click();
   expect(await arrived.count()).toBe(0);
+  await showTab(page, "Check and make");
   expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
+  await openViewOptions(page);
   expect(await named(page, "View")).toEqual(["View 1"]);
   const cut = page.getByRole("combobox", { name: "Cut the view" });
   expect(await cut.locator("option:checked").innerText()).toBe("across X");
+  await showTab(page, "Explore");
   expect(await named(page, "Variant")).toEqual(["Variant 1", "Variant 2", "Variant 3"]);
   expect(await shapes(page)).toEqual(sent);
 }
@@ -106,6 +121,7 @@ it("they come with a link", async () => {
   await expectHandedOver(page, handedOver);
   await page.reload();
   await page.getByText(/is back\./).waitFor();
+  await showTab(page, "Check and make");
   expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
   await page.context().close();
 });

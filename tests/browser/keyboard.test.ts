@@ -67,6 +67,8 @@ it("edits, explores, makes exact, shares and exports", async () => {
   for (let k = 0; k < 5; ++k) await page.keyboard.press("ArrowRight");
   await idle(page);
   expect(await page.getByRole("slider", { name: "Variation 1" }).inputValue()).toBe("0.05");
+  await tabTo(page, "Explore");
+  await page.keyboard.press("ArrowRight");
   await tabTo(page, "Make exact");
   await page.keyboard.press("Enter");
   await idle(page);

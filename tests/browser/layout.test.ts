@@ -3,7 +3,7 @@
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { openFile, typeTarget } from "./support/page.ts";
+import { idle, openFile, showTab, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press, viewBox } from "./support/view.ts";
 
@@ -58,13 +58,23 @@ async function expectPlaces(page: Page, width: number, height: number): Promise<
       page.getByRole("toolbar", { name: "Drag tools" }),
       page.getByRole("group", { name: "Views" }),
       page.getByRole("group", { name: "Legend" }),
+      page.getByRole("button", { name: "View options", exact: true }),
     ].map(boxOf),
   );
   for (const [k, box] of over.entries()) {
     expect(inside(box, view), `part ${k} over the view`).toBe(true);
     for (const other of over.slice(k + 1)) expect(apart(box, other)).toBe(true);
   }
-  for (const name of ["Open file", "Undo", "Redo", "Export", "Share", "Help", "Cancel"]) {
+  for (const name of [
+    "Open file",
+    "Undo",
+    "Redo",
+    "Snapshot",
+    "Export",
+    "Share",
+    "Help",
+    "Cancel",
+  ]) {
     const box = await boxOf(page.getByRole("button", { name, exact: true }));
     expect(inside(box, window), name).toBe(true);
   }
@@ -160,6 +170,38 @@ async function foldAndUnfold(page: Page, width: number, height: number): Promise
   await expect.poll(() => viewBox(page)).toEqual(before);
 }
 
+/** How many times its own height a tab has to scroll through, and how far to the side. */
+const screens = (page: Page): Promise<number[]> =>
+  page
+    .locator(".inspector-body")
+    .evaluate((shown) => [
+      shown.scrollHeight / shown.clientHeight,
+      shown.scrollWidth - shown.clientWidth,
+    ]);
+
+async function expectCalm(page: Page, state: string): Promise<void> {
+  for (const name of ["Edit", "Explore", "Check and make"] as const) {
+    await showTab(page, name);
+    const [high = 0, aside] = await screens(page);
+    expect(high, `${name}, ${state}`).toBeLessThanOrEqual(1.5);
+    expect(aside, `${name}, ${state}`).toBe(0);
+    expect(await cutShort(page)).toEqual([]);
+  }
+}
+
+it("no tab is more than one and a half screens, at rest or after a long drag", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await page.getByRole("button", { name: "Group points" }).waitFor();
+  const at = await hintedPoint(page);
+  await expectCalm(page, "at rest");
+  await press(page, at, { x: at.x, y: at.y - 200 });
+  await page.mouse.up();
+  await page.getByRole("region", { name: "Why the target is not reached" }).waitFor();
+  await idle(page);
+  await expectCalm(page, "after a long drag");
+  await page.context().close();
+});
+
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
 
 it("the import report leaves the model in view at every size", async () => {
@@ -181,9 +223,10 @@ it("the import report leaves the model in view at every size", async () => {
 async function expectReportBeside(page: Page, width: number, height: number): Promise<void> {
   const report = await boxOf(page.getByRole("region", { name: "saddle.obj" }));
   expect(apart(report, await viewBox(page))).toBe(true);
-  for (const name of ["Planarise", "Leave as it is", "Open file", "Cancel"]) {
+  for (const name of ["Planarise", "Not now", "Open file", "Cancel"]) {
     const button = await boxOf(page.getByRole("button", { name, exact: true }));
-    expect(inside(button, { x: 0, y: 0, width, height }), name).toBe(true);
+    const where = `${name} at ${width} × ${height}: ${JSON.stringify(button)}`;
+    expect(inside(button, { x: 0, y: 0, width, height }), where).toBe(true);
   }
   expect(await cutShort(page)).toEqual([]);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: network.
 import { expect, it } from "vitest";
-import { exportAs, idle, status, typeTarget } from "./support/page.ts";
+import { exportAs, idle, openRule, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 it("works without a network after the first visit", async () => {
@@ -12,7 +12,7 @@ it("works without a network after the first visit", async () => {
   await expect.poll(() => status(page)).toMatch(/0 of 425 points move/);
   expect((await exportAs(page, "OBJ")).length).toBeGreaterThan(1000);
   // What knows keep-outs is another module, which the first visit has not run.
-  await page.locator("summary", { hasText: "Keep-outs" }).click();
+  await openRule(page, "Keep-outs");
   await page.getByRole("button", { name: "Nothing may be above a level" }).click();
   await idle(page);
   await typeTarget(page, "+1.5");

@@ -3,7 +3,7 @@
 // The table of panels fits, and the scale of their planarity can be read.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { openFile, pickFile, typeTarget } from "./support/page.ts";
+import { openFile, pickFile, showTab, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const BOW_TIE = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
@@ -39,6 +39,7 @@ it("has a head that fits and is explained, at a desk and on a telephone", async 
   ] as const;
   const page = await site.openVault();
   await typeTarget(page, "+40cm");
+  await showTab(page, "Check and make");
   await expect.poll(() => shows(page).count()).toBe(8);
   for (const size of sizes) {
     await page.setViewportSize(size);
@@ -50,6 +51,7 @@ it("has a head that fits and is explained, at a desk and on a telephone", async 
   }
   await openFile(page, "bow.obj", BOW_TIE);
   await page.getByRole("button", { name: "Start editing" }).click();
+  await showTab(page, "Check and make");
   await expect.poll(() => shows(page).count()).toBe(2);
   for (const size of sizes.toReversed()) {
     await page.setViewportSize(size);
@@ -114,7 +116,7 @@ it("the scale of planarity is logarithmic, grows by decades to hold the worst pa
     [0.4, ["0.001", "1", "1000"]],
   ] as const) {
     await pickFile(page, "bent.obj", bent(by));
-    await page.getByRole("button", { name: "Leave as it is" }).click();
+    await page.getByRole("button", { name: "Not now" }).click();
     await expect.poll(named).toEqual(ticks);
   }
   await page.setViewportSize({ width: 390, height: 844 });

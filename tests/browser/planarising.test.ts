@@ -64,7 +64,7 @@ it("shows what planarising gives before it is done, and does just that, once", a
   await figures(page).waitFor();
   expect(await cell(page, "Worst panel", 0)).toMatch(/[1-9].* mm\/m/);
   expect(await cell(page, "Worst panel", 1)).toBe("flat");
-  expect(await cell(page, "Newly spoilt", 1)).toBe("none");
+  expect(await cell(page, "Panels it spoils", 1)).toBe("none");
   expect(await cell(page, "95 % of panels fold", 1)).toMatch(/°$/);
   expect(await cell(page, "Points that move", 1)).toBe(`${(SIZE - 1) ** 2} of ${(SIZE + 1) ** 2}`);
   expect(await status(page)).toContain(`${(SIZE - 1) ** 2} of ${(SIZE + 1) ** 2} points move`);
@@ -73,7 +73,7 @@ it("shows what planarising gives before it is done, and does just that, once", a
 
   // Each place of the slider is another mesh; the nearest is no farther than the fairest.
   const fair = millimetres(await cell(page, "Largest move", 1));
-  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
+  await page.getByRole("slider", { name: "Aim for" }).fill("0");
   await expect.poll(() => figures(page).count()).toBe(1);
   await expect.poll(async () => millimetres(await cell(page, "Largest move", 1))).not.toBe(fair);
   const near = millimetres(await cell(page, "Largest move", 1));

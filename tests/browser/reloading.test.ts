@@ -11,6 +11,10 @@ import {
   movedCount,
   obj,
   openFile,
+  openRule,
+  openViewOptions,
+  ruleChip,
+  showTab,
   status,
   typeTarget,
   usable,
@@ -36,8 +40,6 @@ async function slide(page: Page, name: string, value: string): Promise<void> {
 
 const NOTE = "The middle comes up.\nThe third is the one that we would build.";
 
-const supports = (page: Page) => page.getByText(/^Supports/).filter({ visible: true });
-
 const region = (page: Page, name: string) => page.getByRole("region", { name });
 
 const names = (page: Page, name: string): Promise<string[]> =>
@@ -54,10 +56,11 @@ function boundaryOf({ faces }: ObjMesh): Set<number> {
 
 /** A boundary that only goes up and down, a group that hardly moves and a view, each under a name. */
 async function describe(page: Page): Promise<void> {
-  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
+  await page.getByRole("combobox", { name: "Boundary" }).selectOption("free");
+  await idle(page);
   await press(page, "Select in a box");
   await press(page, "Boundary");
-  await supports(page).click();
+  await openRule(page, "Supports");
   await page.getByRole("combobox", { name: /^Selected: / }).selectOption("only go up and down");
   await idle(page);
   await press(page, "Add handle");
@@ -66,6 +69,7 @@ async function describe(page: Page): Promise<void> {
   await page.keyboard.press("Enter");
   const will = page.getByRole("combobox", { name: "How willingly Lantern moves" });
   await will.selectOption("hardly move");
+  await openViewOptions(page);
   await press(page, "Keep this view");
   const view = region(page, "Named views").getByRole("textbox", { name: "Name of View 1" });
   await view.fill("From the street");
@@ -82,8 +86,9 @@ it("of a file: its edit, unit, supports, groups, views, snapshots, section, note
   const boundary = boundaryOf(base);
   await describe(page);
   await typeTarget(page, "+0.2");
-  await press(page, "Take snapshot");
+  await press(page, "Snapshot");
   await page.getByRole("combobox", { name: "Cut the view" }).selectOption("across Y");
+  await showTab(page, "Check and make");
   await page.getByRole("textbox", { name: "Note" }).fill(NOTE);
   await page.getByRole("textbox", { name: "Note" }).blur();
   const before = await obj(page);
@@ -92,15 +97,19 @@ it("of a file: its edit, unit, supports, groups, views, snapshots, section, note
   expect(await obj(page)).toBe(before);
   expect(await status(page)).toContain(numbers);
   await page.getByText(/is back\./).waitFor();
+  // In the tab that was left.
   expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);
+  await showTab(page, "Explore");
   expect(await page.getByRole("button", { name: "Adopt Snapshot 1" }).count()).toBe(1);
   expect(await page.getByTitle(/my roof\.obj · \d+ points/).count()).toBe(1);
   await expect.poll(() => page.getByText(/^Cuts \d+ panels/).count()).toBe(1);
+  await showTab(page, "Edit");
+  await openViewOptions(page);
   await expect.poll(() => names(page, "Groups")).toEqual(["Lantern"]);
   const will = page.getByRole("combobox", { name: "How willingly Lantern moves" });
   expect(await will.inputValue()).toBe("30");
   expect(await names(page, "Named views")).toEqual(["From the street"]);
-  await expect.poll(() => supports(page).innerText()).toBe(`Supports (${boundary.size} points)`);
+  await expect.poll(() => ruleChip(page, "Supports").innerText()).toBe(`Supports ${boundary.size}`);
   // They still hold: every x and y of the boundary keeps its digits.
   await page.getByRole("slider", { name: "Reach" }).fill("10");
   await typeTarget(page, "+0.2");

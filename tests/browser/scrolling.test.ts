@@ -3,7 +3,7 @@
 // The page is as high as its window in every state, so the wheel never moves it out of sight.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { idle, openFile, typeTarget } from "./support/page.ts";
+import { idle, openAdvanced, openFile, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
@@ -37,7 +37,7 @@ const STATES: readonly (readonly [string, (page: Page) => Promise<void>])[] = [
   ["edited", (page) => typeTarget(page, "+80cm")],
   ["varied", findVariations],
   ["kept", (page) => press(page, "Take snapshot")],
-  ["under Advanced", (page) => page.getByText("Advanced", { exact: true }).click()],
+  ["under Advanced", openAdvanced],
   ["imported", (page) => openFile(page, "saddle.obj", SADDLE)],
   ["planarised", (page) => press(page, "Planarise")],
 ];

@@ -10,7 +10,7 @@ import { EDITED, FILE, MARK } from "../web/support/golden-designs.ts";
 import { encodeLink } from "../web/support/links.ts";
 import { flatRoof } from "./support/faults.ts";
 import { openSite, type Prepare } from "./support/open.ts";
-import { kept, openFile, still, typeTarget, usable } from "./support/page.ts";
+import { kept, openFile, showTab, still, typeTarget, usable } from "./support/page.ts";
 import { SITE } from "./support/server.ts";
 import { site } from "./support/site.ts";
 
@@ -54,6 +54,7 @@ describe("markup in data stays text", () => {
     await openFile(page, "broken.obj", `v 0 0 0\nf ${PAYLOAD}\n`);
     await expectUnharmed(page);
     await typeTarget(page, "+60cm");
+    await showTab(page, "Explore");
     await page.getByRole("button", { name: "Take snapshot" }).click();
     const name = page.getByRole("textbox", { name: "Name of Snapshot 1" });
     await name.fill(PAYLOAD);

@@ -125,7 +125,7 @@ class Visitor {
     const content = kind === "roof" ? flatRoof(size) : BENT;
     const act = async () => {
       await openFile(this.#page, `${kind}.obj`, content);
-      const close = kind === "roof" ? "Start editing" : "Leave as it is";
+      const close = kind === "roof" ? "Start editing" : "Not now";
       // The report comes in a part of the page that loads when first asked for.
       await this.#page.getByRole("button", { name: close }).waitFor();
       await this.#hands.press(close);

@@ -3,7 +3,7 @@
 // A link over a design that was kept.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, kept, typeTarget, usable } from "./support/page.ts";
+import { exportAs, idle, kept, showTab, typeTarget, usable } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 async function linkOf(page: Page): Promise<string> {
@@ -32,6 +32,7 @@ it("a link opened over a kept design keeps that one; after an edit a reload keep
   await usable(tab);
   await idle(tab);
   expect(await exportAs(tab, "OBJ")).toEqual(edited);
+  await showTab(tab, "Explore");
   await tab.getByRole("button", { name: "Adopt Before the link" }).click();
   await idle(tab);
   expect(await exportAs(tab, "OBJ")).toEqual(design);

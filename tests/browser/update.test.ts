@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { holdSolvers, killNow } from "./support/faults.ts";
 import { openSite, type Site } from "./support/open.ts";
-import { exportAs, idle, typeTarget, usable } from "./support/page.ts";
+import { exportAs, idle, showTab, typeTarget, usable } from "./support/page.ts";
 import { SITE } from "./support/server.ts";
 
 let directory: string;
@@ -36,6 +36,7 @@ it("is offered during an edit, waits for the user, and loses nothing", async () 
   await page.reload();
   await usable(page);
   await typeTarget(page, "+60cm");
+  await showTab(page, "Explore");
   await page.getByRole("button", { name: "Take snapshot" }).click();
   await page.evaluate("window.sameVisit = true");
   await publish("second");

@@ -2,7 +2,16 @@
 // What an expert looks for: health of panels, sorting, how the solve went, settings behind a fold.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, pickFile, still, typeTarget } from "../browser/support/page.ts";
+import {
+  idle,
+  movedCount,
+  openAdvanced,
+  openLastSolve,
+  pickFile,
+  showTab,
+  still,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 /** The cells of one column of the table Panels. */
@@ -22,6 +31,7 @@ it("lists panels by any figure, by keyboard, and says which must be made again",
   const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   await expect.poll(() => page.getByText(/^[1-9]\d* panels must be made again/).count()).toBe(1);
+  await showTab(page, "Check and make");
   const angle = page.getByRole("columnheader", { name: "Angle" });
   await angle.getByRole("button").focus();
   await page.keyboard.press("Enter");
@@ -111,19 +121,19 @@ it("shows how the solve went and changes it behind a fold", async () => {
   const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   await typeTarget(page, "+40cm");
   const before = await movedCount(page);
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   expect(await page.getByRole("img", { name: /^Residual of \d+ steps/ }).count()).toBe(1);
   const fact = (name: string) => page.getByText(name, { exact: true }).locator("xpath=../dd");
-  await expect.poll(() => fact("Ways left to move them").count()).toBe(1);
+  await expect.poll(() => fact("Independent ways left").count()).toBe(1);
   const [points = 0, equations = 0, rank = 0, ways = 0] = [
     ...((await fact("Points that may move").textContent()) ?? "").matchAll(/^\d+/g),
     ...((await fact("Flatness equations on them").textContent()) ?? "").matchAll(/\d+/g),
-    ...((await fact("Ways left to move them").textContent()) ?? "").matchAll(/\d+/g),
+    ...((await fact("Independent ways left").textContent()) ?? "").matchAll(/\d+/g),
   ].map(Number);
   expect(points).toBe(before);
   expect(rank).toBeLessThanOrEqual(equations);
   expect(ways).toBe(3 * points - rank);
-  await page.getByText("Advanced", { exact: true }).click();
+  await openAdvanced(page);
   await page.getByRole("combobox", { name: "Fairness" }).selectOption("Laplacian");
   await idle(page);
   await expect.poll(() => movedCount(page)).not.toBe(before);
@@ -151,7 +161,7 @@ it("says why a target is refused: how far short, which panels hold it; each can 
   if (await first.isChecked()) await first.uncheck();
   await idle(page);
   await expect.poll(() => why.textContent()).toMatch(/^Panels allow (< )?[\d.]+ of \d+ mm here/);
-  await page.getByText("Advanced", { exact: true }).click();
+  await openAdvanced(page);
   await page.getByRole("checkbox", { name: "Meet the targets exactly" }).check();
   await idle(page);
   await expect.poll(() => why.textContent()).toMatch(/some would not stay flat and sound/);
@@ -167,8 +177,9 @@ it("marks panels that cross themselves, in words too", async () => {
   const page = await site.openVault({ viewport: { width: 1280, height: 900 } });
   const bowTie = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
   await pickFile(page, "bow.obj", bowTie);
-  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await page.getByRole("button", { name: /Start editing|Not now/ }).click();
   await expect.poll(() => page.getByText(/1 self-crossing/).count()).toBe(1);
+  await showTab(page, "Check and make");
   expect((await column(page, 5))[0]).toBe("crosses itself");
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Panel health");
   await expect.poll(() => page.getByText("crosses itself (bow-tie)").count()).toBe(1);

@@ -4,7 +4,14 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
-import { idle, movedCount, obj, openAdvanced, typeTarget } from "../browser/support/page.ts";
+import {
+  idle,
+  movedCount,
+  obj,
+  openAdvanced,
+  showTab,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const press = async (page: Page, name: string): Promise<void> => {
@@ -49,6 +56,7 @@ it("the shape becomes the base: its own bits, no handles, one step back", async 
   expect(after.filter((line, v) => line !== before[v]).length).toBe(moved);
   for (let k = 0; k < 3; ++k) await press(page, "Undo");
   expect(await obj(page)).toBe(varied);
+  await showTab(page, "Explore");
   const first = page.getByRole("slider", { name: "Variation 1", exact: true });
   expect(await first.inputValue()).toBe("0.6");
   await page.context().close();
@@ -58,11 +66,13 @@ it("an edit says that it leaves a variation behind, and only then", async () => 
   const page = await site.openVault();
   await openAdvanced(page);
   await vary(page, "0");
+  await showTab(page, "Edit");
   await slide(page, "Locality", "2");
   expect(await leftBehind(page)).toBe(0);
   await press(page, "Find variations");
   await slide(page, "Variation 1", "0.5");
   const varied = await obj(page);
+  await showTab(page, "Edit");
   await slide(page, "Locality", "1.5");
   expect(await leftBehind(page)).toBe(1);
   await press(page, "Undo");

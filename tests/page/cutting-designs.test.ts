@@ -3,7 +3,15 @@
 import { expect, it } from "vitest";
 import { flatRoof } from "../browser/support/faults.ts";
 import { readObj } from "../browser/support/obj.ts";
-import { exportAs, idle, movedCount, obj, openFile, typeTarget } from "../browser/support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  obj,
+  openFile,
+  openRule,
+  typeTarget,
+} from "../browser/support/page.ts";
 import {
   cutsOf,
   field,
@@ -187,7 +195,7 @@ it("groups made here keep what becomes of their panels, and have it back after U
 
 it("under a symmetry the images of a cut are cut with it, in one step", async () => {
   const page = await site.open();
-  await page.locator("summary", { hasText: "Symmetry" }).click();
+  await openRule(page, "Symmetry");
   await page.getByRole("button", { name: "All that it has" }).click();
   await idle(page);
   const whole = await panels(page);

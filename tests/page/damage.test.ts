@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A panel can be flat and spoilt all the same: the page says so, in words, wherever it says flat.
 import { expect, it } from "vitest";
-import { exportAs, idle, pickFile, status, still, typeTarget } from "../browser/support/page.ts";
+import {
+  exportAs,
+  idle,
+  openLastSolve,
+  pickFile,
+  status,
+  still,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Panel 0 is a square; the flat quad nearest to panel 1, which is twisted, has no width. */
@@ -25,7 +33,7 @@ it("says by how much planarising moved the points, and which panels it spoilt", 
   await page.getByText("Advanced", { exact: true }).click();
   await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();
   await pickFile(page, "twisted.obj", TWISTED);
-  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
+  await page.getByRole("slider", { name: "Aim for" }).fill("0");
   await page.getByRole("button", { name: "Planarise" }).first().click();
   await expect.poll(() => status(page)).toContain("planarised first");
   await idle(page);
@@ -48,7 +56,7 @@ it("says by how much planarising moved the points, and which panels it spoilt", 
     1,
   );
   await report.getByRole("button", { name: "Start editing" }).click();
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   expect(await page.getByText(said).count()).toBe(2);
   await page.getByRole("button", { name: /1 panel has collapsed: show/ }).click();
   await expect.poll(() => page.getByText(/^Panel 1 4 corners/).count()).toBe(1);
@@ -63,7 +71,7 @@ it("the report of a file says of an edit that it spoilt panels, not that making 
   await page.getByText("Advanced", { exact: true }).click();
   await page.getByRole("checkbox", { name: "Panels keep their shape" }).uncheck();
   await pickFile(page, "twisted.obj", TWISTED);
-  await page.getByRole("slider", { name: "Close or fair" }).fill("0");
+  await page.getByRole("slider", { name: "Aim for" }).fill("0");
   await page.getByRole("button", { name: "Planarise" }).first().click();
   await idle(page);
   const report = page.getByRole("region", { name: "twisted.obj" });

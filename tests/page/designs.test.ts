@@ -9,6 +9,7 @@ import {
   obj,
   openAdvanced,
   openFile,
+  showTab,
   status,
   typeTarget,
 } from "../browser/support/page.ts";
@@ -93,6 +94,7 @@ it("takes, renames, adopts and deletes snapshots by keyboard", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+50cm");
   const first = await obj(page);
+  await showTab(page, "Explore");
   const take = page.getByRole("button", { name: "Take snapshot" });
   await take.focus();
   await page.keyboard.press("Enter");

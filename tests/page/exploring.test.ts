@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "../browser/support/obj.ts";
-import { idle, obj, status, typeTarget } from "../browser/support/page.ts";
+import { idle, obj, showTab, status, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 async function findVariations(page: Page): Promise<void> {
@@ -60,6 +60,7 @@ it("a slider shows the worst panel while it moves, and is exact when let go", as
 it("offers as many directions as asked for, and the smoothest first if wanted", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+80cm");
+  await showTab(page, "Explore");
   await page.getByRole("slider", { name: "Dimension" }).fill("3");
   await findVariations(page);
   const sliders = page.getByRole("slider", { name: /^Variation \d+$/ });

@@ -79,7 +79,7 @@ it("computes the curve of the edit, and what is taken from it is the command lin
   const page = await edited();
   const [soft, before] = [await written(page), await obj(page)];
   const gentle = await price(page);
-  expect(await slider(page).isDisabled()).toBe(true);
+  expect(await slider(page).count()).toBe(0);
   await find(page);
   await point(page, /^Fewest, folds up to 15° sharper:/).waitFor();
   await part(page).getByRole("button", { name: "Stop" }).click();
@@ -87,7 +87,10 @@ it("computes the curve of the edit, and what is taken from it is the command lin
     (await points(page).all()).map((one) => one.getAttribute("aria-label")),
   );
   expect(panelsIn(names[0] ?? "")).toBe(gentle);
-  expect(names.length).toBeGreaterThanOrEqual(4);
+  // Those alone that no other betters: each has fewer panels than the gentler ones before it.
+  const drawn = names.map((name) => panelsIn(name ?? ""));
+  expect(drawn.length).toBeGreaterThanOrEqual(2);
+  expect(drawn).toEqual([...new Set(drawn)].sort((a, b) => b - a));
   expect(await obj(page)).toBe(before); // nothing has changed yet
 
   await point(page, /^Fewest, folds up to 15° sharper:/).click();

@@ -171,3 +171,17 @@ it("a mesh with Y up, which is said to be likely, is turned to the bit, as one s
   expect((await exportAs(page, "OBJ")).toString().match(/^v .*$/gm)).toEqual(file);
   await page.context().close();
 });
+
+it("a file that is in millimetres by its size is asked whether it is", async () => {
+  const page = await site.open();
+  const roof = flatRoof(6).replace(/^v (\S+) (\S+) (\S+)$/gm, (_, ...at: string[]) =>
+    ["v", ...at.slice(0, 3).map((x) => 3000 * Number(x))].join(" "),
+  );
+  await openFile(page, "roof.obj", roof);
+  await page.getByText(/^Size [\d,]+ × [\d,]+ × [\d,.]+: millimetres\?/).waitFor();
+  await page.getByRole("button", { name: "Yes, millimetres" }).click();
+  expect(await page.getByLabel("Unit of the file").inputValue()).toBe("mm");
+  expect(await page.getByText(/millimetres\?/).count()).toBe(0);
+  expect(await reportOf(page, "roof.obj")).toMatch(/Size\s*[\d,]+ × [\d,]+ × [\d,.]+ mm/);
+  await page.context().close();
+});

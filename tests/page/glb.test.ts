@@ -6,7 +6,14 @@ import { validateBytes } from "gltf-validator";
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { type ObjMesh, readObj } from "../browser/support/obj.ts";
-import { exportAs, idle, movedCount, openFile, typeTarget } from "../browser/support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openFile,
+  showTab,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 async function expectValid(glb: Buffer): Promise<void> {
@@ -123,6 +130,7 @@ describe("a GLB from the page", () => {
     expect(
       await fresh.getByRole("table", { name: "Handles" }).getByRole("spinbutton").count(),
     ).toBe(3);
+    await showTab(fresh, "Explore");
     expect(await fresh.getByRole("slider", { name: "Variation 2", exact: true }).inputValue()).toBe(
       "-0.4",
     );
@@ -203,10 +211,10 @@ it("OBJ and PLY out of the page hold the same bits", async () => {
   const obj = (await exportAs(page, "OBJ")).toString();
   const ply = await exportAs(page, "PLY");
   await openFile(page, "again.ply", ply);
-  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await page.getByRole("button", { name: /Start editing|Not now/ }).click();
   expect((await exportAs(page, "OBJ")).toString()).toBe(obj);
   await openFile(page, "again.obj", obj);
-  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await page.getByRole("button", { name: /Start editing|Not now/ }).click();
   expect((await exportAs(page, "OBJ")).toString()).toBe(obj);
   await page.context().close();
 });

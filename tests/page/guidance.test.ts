@@ -28,7 +28,7 @@ async function somePoint(page: Page): Promise<{ x: number; y: number }> {
 it("a mesh that is not flat says why no point moves", async () => {
   const page = await site.open();
   await openFile(page, "bent.obj", BENT);
-  await page.getByRole("button", { name: "Leave as it is" }).click();
+  await page.getByRole("button", { name: "Not now" }).click();
   const add = page.getByRole("button", { name: "Add handle" });
   expect(await add.isDisabled()).toBe(true);
   expect(await add.getAttribute("aria-description")).toBe(REASON);

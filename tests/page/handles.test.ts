@@ -92,3 +92,20 @@ it("-= takes away; a minus alone is a place, which is said where it goes beyond 
   await words.waitFor();
   await page.context().close();
 });
+
+it("a pin on a point that was moved says that it goes back; without it the point goes again", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+40cm");
+  const moved = await movedCount(page);
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("p");
+  await idle(page);
+  await page
+    .getByText(/^Pinned points stay where the mesh has them: point \d+ went back\./)
+    .waitFor();
+  expect(await movedCount(page)).toBe(0);
+  await page.keyboard.press("p");
+  await idle(page);
+  expect(await movedCount(page)).toBe(moved);
+  await page.context().close();
+});

@@ -3,11 +3,9 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
-import { idle, obj, pickFile, typeTarget } from "../browser/support/page.ts";
+import { idle, obj, openRule, pickFile, ruleChip, typeTarget } from "../browser/support/page.ts";
 import { press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
-
-const section = (page: Page) => page.locator("summary", { hasText: "Keep-outs" });
 
 async function add(page: Page, words: string): Promise<void> {
   await page.getByRole("button", { name: `Nothing may be ${words}` }).click();
@@ -33,9 +31,9 @@ async function heights(page: Page): Promise<{ all: number[]; highest: number }> 
 it("edits stay below a level with its clearance, in the link too, until it is removed", async () => {
   const page = await site.open({ permissions: ["clipboard-read", "clipboard-write"] });
   const { highest: roof } = await heights(page);
-  await section(page).click();
+  await openRule(page, "Keep-outs");
   await add(page, "above a level");
-  expect(await section(page).innerText()).toBe("Keep-outs (1)");
+  expect(await ruleChip(page, "Keep-outs").innerText()).toBe("Keep-outs 1");
   expect(await numberIn(page, "Nothing above, level Z")).toBeGreaterThanOrEqual(roof - 1e-3);
   await type(page, "Nothing above, level Z", `${roof + 0.3}`);
   await type(page, "Clearance", "5cm");
@@ -51,7 +49,7 @@ it("edits stay below a level with its clearance, in the link too, until it is re
   const other = await site.open({}, new URL(link).hash);
   await other.getByText(/^Verified:/).waitFor();
   expect(await obj(other)).toBe(held);
-  await expect.poll(() => section(other).innerText()).toBe("Keep-outs (1)");
+  await expect.poll(() => ruleChip(other, "Keep-outs").innerText()).toBe("Keep-outs 1");
   await other.context().close();
   await page.getByRole("button", { name: "Remove: Nothing above" }).click();
   await idle(page);
@@ -59,7 +57,7 @@ it("edits stay below a level with its clearance, in the link too, until it is re
   await page.getByRole("button", { name: "Undo" }).click();
   await idle(page);
   expect(await obj(page)).toBe(held);
-  expect(await section(page).innerText()).toBe("Keep-outs (1)");
+  expect(await ruleChip(page, "Keep-outs").innerText()).toBe("Keep-outs 1");
   await page.context().close();
 });
 
@@ -71,7 +69,7 @@ it("a box is moved by its arrows as one step, and a wrong corner is refused with
   await page.keyboard.press("ArrowUp");
   const marker = page.locator(".marker.selected");
   await marker.waitFor();
-  await section(page).click();
+  await openRule(page, "Keep-outs");
   await add(page, "in a box");
   const name = "Nothing in a box";
   const fields = ["from X", "from Y", "from Z", "to X", "to Y", "to Z"];
@@ -106,11 +104,11 @@ it("a model from a file is stood beside the structure, and edits stop at it", as
   const { highest } = await heights(page);
   const slab = highest + 0.2;
   const corners = ["-99 -99", "99 -99", "99 99", "-99 99"].map((at) => `v ${at} ${slab}`);
-  await section(page).click();
+  await openRule(page, "Keep-outs");
   await pickFile(page, "slab.obj", `${corners.join("\n")}\nf 1 2 3 4\n`, (shown) =>
     shown.getByRole("button", { name: "Nothing may be through a model" }).click(),
   );
-  await expect.poll(() => section(page).innerText()).toBe("Keep-outs (1)");
+  await expect.poll(() => ruleChip(page, "Keep-outs").innerText()).toBe("Keep-outs 1");
   await idle(page);
   await typeTarget(page, "+0.8");
   const { highest: now } = await heights(page);

@@ -10,6 +10,8 @@ import {
   obj,
   openAdvanced,
   openFile,
+  openLastSolve,
+  showTab,
   status,
   typeTarget,
 } from "../browser/support/page.ts";
@@ -32,10 +34,11 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
   const kept = await obj(page);
   expect(kept).not.toBe(free);
   expect(await movedCount(page)).toBeGreaterThan(0);
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   await page.getByText("Worst, of circular", { exact: true }).waitFor();
   const text = (await exportAs(page, "JSON")).toString();
   expect(JSON.parse(text).options.constraints).toEqual([{ kind: "circular", tolerance: 1e-9 }]);
+  await showTab(page, "Edit");
   await circular.uncheck();
   await idle(page);
   expect(await obj(page)).toBe(free);
@@ -56,13 +59,17 @@ it("a mesh of circular panels offers to keep them so, and a design says that it 
   const colours = page.getByRole("combobox", { name: "Colour by" });
   await colours.selectOption("Circular");
   await page.getByText(/^\d+ panels miss it, \d+ circular$/).waitFor();
+  await showTab(page, "Check and make");
   const table = page.getByRole("table", { name: "Panels" });
   const worst = () => table.getByRole("row").nth(1).getByRole("cell").first().innerText();
   await table.getByRole("columnheader", { name: "Circular" }).getByRole("button").click();
   await expect.poll(async () => Number(await worst())).toBeGreaterThan(1);
+  await showTab(page, "Edit");
   await page.getByRole("button", { name: "Make panels circular" }).click();
   await idle(page);
+  await showTab(page, "Check and make");
   await expect.poll(worst).toBe("0");
+  await showTab(page, "Edit");
   await expect.poll(() => circular.isChecked()).toBe(true);
   await expect.poll(() => status(page)).toMatch(/planarised first: \d+ points moved by up to/);
   await page.getByText(/^0 panels miss it, \d+ circular$/).waitFor();
@@ -129,7 +136,7 @@ it("meshes that are meant to be so are recognised on opening, others are not", a
   await idle(page);
   await expect.poll(() => conical.isChecked()).toBe(true);
   await typeTarget(page, "+5cm");
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   await page.getByText("Worst, of conical", { exact: true }).waitFor();
   const design = JSON.parse((await exportAs(page, "JSON")).toString());
   expect(design.options.constraints).toEqual([{ kind: "conical", tolerance: 1e-9 }]);

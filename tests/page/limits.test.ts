@@ -9,6 +9,8 @@ import {
   movedCount,
   obj,
   openFile,
+  openRule,
+  showTab,
   status,
   typeTarget,
 } from "../browser/support/page.ts";
@@ -22,7 +24,7 @@ async function sharpestFold(page: Page): Promise<number> {
 }
 
 async function unfold(page: Page): Promise<void> {
-  await page.locator("summary", { hasText: "Limits" }).click();
+  await openRule(page, "Limits");
   await page.getByRole("checkbox", { name: "Folds up to" }).waitFor();
 }
 
@@ -107,6 +109,7 @@ it("variations made exact keep the limits", async () => {
   const before = await obj(page);
   await slider.fill("-1");
   await idle(page);
+  await showTab(page, "Check and make");
   await page.getByRole("button", { name: "Make exact" }).click();
   await idle(page);
   expect(await obj(page)).not.toBe(before);

@@ -2,7 +2,14 @@
 // What the view says about points: under the pointer, chosen, and where a handle came from.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { idle, movedCount, openAdvanced, status, typeTarget } from "../browser/support/page.ts";
+import {
+  idle,
+  movedCount,
+  openAdvanced,
+  showTab,
+  status,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { hintedPoint, press, viewBox } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -17,6 +24,7 @@ it("every slider says its value with its unit", async () => {
   expect(await spoken("Smoothness")).toBe(
     "1.0 times the default weight: from sharp, close by to gentle, wider",
   );
+  await showTab(page, "Explore");
   expect(await spoken("Dimension")).toMatch(/^4 directions: /);
   await page.getByRole("slider", { name: "Dimension" }).fill("1");
   await expect.poll(() => spoken("Dimension")).toMatch(/^1 direction: /);
@@ -111,6 +119,7 @@ it("Before and the key B show the base while held", async () => {
   await page.mouse.up();
   await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
   await idle(page);
+  await showTab(page, "Check and make");
   const before = page.getByRole("button", { name: "Before" });
   await page.getByLabel("3D view").focus();
   await page.keyboard.down("b");

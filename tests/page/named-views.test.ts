@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Views that are kept under a name and gone back to.
 import { expect, it } from "vitest";
-import { idle, still } from "../browser/support/page.ts";
+import { idle, openViewOptions, still } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 it("a view is kept, named, and gone back to by button and by command", async () => {
@@ -19,6 +19,7 @@ it("a view is kept, named, and gone back to by button and by command", async () 
     const { x, y } = await handle();
     return Math.hypot(x - at.x, y - at.y);
   };
+  await openViewOptions(page);
   const section = page.getByRole("region", { name: "Named views" });
   await section.getByRole("button", { name: "Keep this view" }).click();
   await section.getByRole("textbox", { name: "Name of View 1" }).fill("From the street");

@@ -2,7 +2,7 @@
 // Numbers on the model are those of tables and reports, and only of what is in sight.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { still } from "../browser/support/page.ts";
+import { openViewOptions, still } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 interface Label {
@@ -26,6 +26,7 @@ it("are on the panels and points that have them, and on none that is hidden", as
   const viewport = { width: 1600, height: 1100 };
   const page = await site.openVault({ viewport, reducedMotion: "reduce" });
   await page.getByRole("button", { name: "Top", exact: true }).click();
+  await openViewOptions(page);
   await page.getByLabel("Number the panels").check();
   await expect.poll(async () => (await labels(page, "panel")).length).toBeGreaterThan(20);
   const [panel] = await labels(page, "panel");
@@ -54,6 +55,7 @@ it("are on the panels and points that have them, and on none that is hidden", as
 
 it("of what lies behind are left out, and come when it is turned to", async () => {
   const page = await site.open({ reducedMotion: "reduce" });
+  await openViewOptions(page);
   await page.getByLabel("Number the points").check();
   await page.getByRole("button", { name: "Front", exact: true }).click();
   await expect.poll(async () => (await labels(page, "point")).length).toBeGreaterThan(5);

@@ -6,7 +6,15 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, obj, openFile, still, typeTarget } from "../browser/support/page.ts";
+import {
+  exportAs,
+  idle,
+  obj,
+  openFile,
+  showTab,
+  still,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -77,6 +85,7 @@ it("a second layer is said, follows the design, and is in its GLB", async () => 
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
   await idle(page);
   // The camera goes to a panel.
+  await showTab(page, "Check and make");
   await page
     .getByRole("button", { name: /^Show panel/ })
     .first()

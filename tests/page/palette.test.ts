@@ -2,7 +2,7 @@
 // The palette: everything the page can be told, by a few letters, with keys and by touch.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, typeTarget } from "../browser/support/page.ts";
+import { idle, movedCount, showTab, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const field = (page: Page) => page.getByRole("combobox", { name: "Command" });
@@ -74,6 +74,7 @@ it("buttons and Help say the keys of the same table; Make exact says what is exa
   await page.getByRole("button", { name: "Help" }).click();
   await page.getByText("all commands: type a few letters of one").waitFor();
   await page.keyboard.press("Escape");
+  await showTab(page, "Check and make");
   await page.getByRole("button", { name: "Make exact" }).click();
   // Where it is read aloud.
   await page

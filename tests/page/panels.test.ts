@@ -3,7 +3,14 @@
 // leads to its panels; and words that need no paper to be read.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, openFile, pickFile, typeTarget } from "../browser/support/page.ts";
+import {
+  idle,
+  openFile,
+  openLastSolve,
+  pickFile,
+  showTab,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const BOW_TIE = "v 0 0 0\nv 2 1 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nf 1 2 3 4\nf 3 5 6 2\n";
@@ -15,6 +22,7 @@ const shows = (page: Page) => table(page).getByRole("button", { name: /^Show pan
 it("goes on by keyboard, and lists those alone that must be made again", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
+  await showTab(page, "Check and make");
   await expect.poll(() => shows(page).count()).toBe(8);
   await page.getByRole("button", { name: "Show 50 more" }).focus();
   await page.keyboard.press("Enter");
@@ -54,7 +62,7 @@ it("goes to the next panel of a class of the legend", async () => {
 it("speaks of millimetres, and of flat panels only where they are flat", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   const curve = page.getByRole("img", { name: /^Residual of \d+ steps/ });
   expect(await curve.getAttribute("aria-label")).toMatch(
     /from [\d.]+ mm to (less than )?[\d.]+ mm/,
@@ -104,6 +112,7 @@ it("says how many panels must be made again after the edit", async () => {
 it("shows those panels first that fold most", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await typeTarget(page, "+40cm");
+  await showTab(page, "Check and make");
   await expect.poll(() => shows(page).count()).toBe(8);
   const folds = await table(page)
     .getByRole("row")

@@ -50,13 +50,17 @@ async function handle(page: Page): Promise<number> {
   return row.vertex;
 }
 
+/** "" where it is free. */
+const boundaryIs = (page: Page): Promise<string> =>
+  page.getByRole("combobox", { name: "Boundary" }).inputValue();
+
 it("a new visitor's edit stays in its reach, and the boundary stays, to the last digit", async () => {
   const page = await site.open();
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
   await idle(page);
   expect(await page.getByRole("slider", { name: "Reach" }).inputValue()).toBe("6");
   expect(await page.getByRole("slider", { name: "Softness" }).inputValue()).toBe("5");
-  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(true);
+  expect(await boundaryIs(page)).toBe("fixed");
   const base = await exported(page);
   await typeTarget(page, "+50cm");
   const boundary = boundaryOf(base);
@@ -130,8 +134,9 @@ it("a boundary that moves stays on its level or its outline, and the design says
   await idle(page);
   const base = await exported(page);
   const boundary = boundaryOf(base);
-  await page.getByRole("checkbox", { name: "Keep boundary" }).uncheck();
-  const slides = page.getByRole("combobox", { name: "Boundary that moves" });
+  const slides = page.getByRole("combobox", { name: "Boundary" });
+  await slides.selectOption("free");
+  await idle(page);
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("ArrowUp");
   // A point whose sides slope one way: on top of an arch nothing could go up.
@@ -147,7 +152,7 @@ it("a boundary that moves stays on its level or its outline, and the design says
   const level = await exported(page);
   for (const v of boundary) expect(level.points[v]?.[2]).toBe(base.points[v]?.[2]);
 
-  await slides.selectOption("stays on its outline");
+  await slides.selectOption("on its outline");
   await idle(page);
   const outline = await exported(page);
   for (const v of boundary) {
@@ -173,7 +178,7 @@ it("raw weights are the command line's, in Advanced; Softness takes over again",
   await idle(page);
   expect(await locality.isDisabled()).toBe(false);
   expect(await locality.inputValue()).toBe("1");
-  expect(await page.getByRole("checkbox", { name: "Keep boundary" }).isChecked()).toBe(false);
+  expect(await boundaryIs(page)).toBe("");
   await page.getByText("no limit", { exact: true }).first().waitFor();
   const raw = await movedCount(page);
   expect(raw).not.toBe(soft);

@@ -9,6 +9,7 @@ import {
   movedCount,
   obj,
   openFile,
+  showTab,
   typeTarget,
 } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
@@ -57,6 +58,7 @@ it.each(["sample", "file"])(
 it("the table of panels is saved with a line for every panel", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+40cm");
+  await showTab(page, "Check and make");
   const button = page.getByRole("button", { name: "Save CSV" });
   await button.waitFor();
   const sentence = page.getByText(/panels? must be made again after this edit/);

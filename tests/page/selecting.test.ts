@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is selected is what was clicked, and the arrows stand where the selected point is.
 import { expect, it } from "vitest";
-import { openFile, still } from "../browser/support/page.ts";
+import { openFile, showTab, still } from "../browser/support/page.ts";
 import { viewBox } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -13,6 +13,7 @@ it("a panel chosen in the table can be seen: a click on it in the view selects i
   const page = await site.openVault();
   await openFile(page, "box.obj", BOX);
   await page.getByRole("button", { name: "Start editing" }).click();
+  await showTab(page, "Check and make");
   const { x, y, width, height } = await viewBox(page);
   const figure = page.getByText(/^Panel \d+ 4 corners/);
   for (const panel of [0, 1, 2, 3, 4, 5]) {

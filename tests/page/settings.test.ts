@@ -3,7 +3,14 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj, worstFlatness } from "../browser/support/obj.ts";
-import { exportAs, idle, movedCount, openFile, typeTarget } from "../browser/support/page.ts";
+import {
+  exportAs,
+  idle,
+  movedCount,
+  openFile,
+  showTab,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { handleRows } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -30,7 +37,7 @@ it("panels count as flat up to the tolerance, and stay within it", async () => {
   const page = await site.open();
   const alert = page.getByRole("alert");
   await openFile(page, "row.obj", almostFlat(0.0005));
-  await page.getByRole("button", { name: "Leave as it is" }).click();
+  await page.getByRole("button", { name: "Not now" }).click();
   expect(await page.getByRole("button", { name: "Add handle" }).isDisabled()).toBe(true);
 
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Vault");
@@ -122,7 +129,9 @@ it("variations are found by the weights that are set, and by the usual ones agai
   const found = async (): Promise<number> => {
     await page.getByRole("button", { name: "Find variations" }).click();
     await idle(page);
-    return page.getByRole("slider", { name: /^Variation \d+$/ }).count();
+    const count = await page.getByRole("slider", { name: /^Variation \d+$/ }).count();
+    await showTab(page, "Edit");
+    return count;
   };
   await page.getByText("Weights of variations").click();
   const ring = page.getByRole("slider", { name: "Rings around the edit" });
@@ -161,7 +170,7 @@ it("settings stay for another sample and a file; Defaults takes them back", asyn
   await idle(page);
   await expectKept();
   await openFile(page, "dome.obj", await exportAs(page, "OBJ"));
-  await page.getByRole("button", { name: /Start editing|Leave as it is/ }).click();
+  await page.getByRole("button", { name: /Start editing|Not now/ }).click();
   await expectKept();
   await page.getByRole("button", { name: "Undo" }).click();
   await idle(page);

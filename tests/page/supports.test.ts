@@ -4,10 +4,8 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
-import { idle, movedCount, obj } from "../browser/support/page.ts";
+import { idle, movedCount, obj, openRule, ruleChip } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
-
-const supports = (page: Page) => page.getByText(/^Supports/).filter({ visible: true });
 
 async function stand(page: Page, words: string): Promise<void> {
   await page.getByRole("combobox", { name: /^Selected: / }).selectOption(words);
@@ -29,9 +27,9 @@ it("a point keeps its level to the last digit, in the design and its link, until
   await idle(page);
   const vertex = Number(await page.getByRole("button", { name: /^Select point/ }).innerText());
   const before = await obj(page);
-  await supports(page).click();
+  await openRule(page, "Supports");
   await stand(page, "keep their level");
-  expect(await supports(page).innerText()).toBe("Supports (1 point)");
+  expect(await ruleChip(page, "Supports").innerText()).toBe("Supports 1");
   await type(page, "X", "+30cm");
   await type(page, "Z", "+20cm");
   expect(await movedCount(page)).toBeGreaterThan(1);
@@ -50,7 +48,7 @@ it("a point keeps its level to the last digit, in the design and its link, until
   const other = await site.open({}, new URL(link).hash);
   await other.getByText(/^Verified:/).waitFor();
   expect(await obj(other)).toBe(held);
-  expect(await supports(other).innerText()).toBe("Supports (1 point)");
+  expect(await ruleChip(other, "Supports").innerText()).toBe("Supports 1");
   await other.context().close();
   await page.context().close();
 });
@@ -83,14 +81,14 @@ it("the points of a line stay on it, and the link says so", async () => {
   const handle = Number(await select.innerText());
   const drawn = readObj(await obj(page)).points;
   await select.click();
-  await supports(page).click();
+  await openRule(page, "Supports");
   const choice = page.getByRole("combobox", { name: /^Selected: / });
   expect(await choice.getByRole("option", { name: "stay on their line" }).count()).toBe(0);
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("Control+ArrowRight");
   await page.getByRole("button", { name: "Line", exact: true }).click();
   await stand(page, "stay on their line");
-  const count = Number(/\d+/.exec(await supports(page).innerText())?.[0]);
+  const count = Number(/\d+/.exec(await ruleChip(page, "Supports").innerText())?.[0]);
   for (const [axis, by] of Object.entries({ X: "+40cm", Y: "+30cm", Z: "+20cm" }))
     await type(page, axis, by);
   expect(await movedCount(page)).toBeGreaterThan(1);
@@ -112,7 +110,7 @@ it("the points of a line stay on it, and the link says so", async () => {
   const other = await site.open({}, new URL(link).hash);
   await other.getByText(/^Verified:/).waitFor();
   expect(readObj(await obj(other)).points).toEqual(held);
-  expect(await supports(other).innerText()).toBe(`Supports (${count} points)`);
+  expect(await ruleChip(other, "Supports").innerText()).toBe(`Supports ${count}`);
   await other.context().close();
   await page.context().close();
 });
@@ -128,7 +126,7 @@ function parabolaThrough(points: readonly (readonly [number, number])[], x: numb
 it("all points stay on the surface, and the link says so", async () => {
   const page = await site.openVault({ permissions: ["clipboard-read", "clipboard-write"] });
   const drawn = readObj(await obj(page)).points;
-  await supports(page).click();
+  await openRule(page, "Supports");
   await page.getByRole("checkbox", { name: "All points stay on the surface" }).check();
   await page.getByRole("button", { name: "Add handle" }).click();
   await idle(page);
@@ -158,7 +156,7 @@ it("all points stay on the surface, and the link says so", async () => {
   const other = await site.open({}, new URL(link).hash);
   await other.getByText(/^Verified:/).waitFor();
   expect(readObj(await obj(other)).points).toEqual(held);
-  await supports(other).click();
+  await openRule(other, "Supports");
   const box = other.getByRole("checkbox", { name: "All points stay on the surface" });
   expect(await box.isChecked()).toBe(true);
   await other.context().close();

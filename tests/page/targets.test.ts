@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
-import { exportAs, idle, typeTarget } from "../browser/support/page.ts";
+import { exportAs, idle, openLastSolve, showTab, typeTarget } from "../browser/support/page.ts";
 import { handleRows } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -15,6 +15,7 @@ const press = async (page: Page, name: string): Promise<void> => {
 /** Millimetres from the first handle's target to its point in the exported file. */
 async function away(page: Page): Promise<number> {
   const { points } = readObj((await exportAs(page, "OBJ")).toString());
+  await showTab(page, "Edit");
   const [row] = await handleRows(page);
   const at = points[row?.vertex ?? 0] ?? [];
   return 1000 * Math.hypot(...(row?.target ?? []).map((x, k) => x - (at[k] ?? Number.NaN)));
@@ -44,7 +45,7 @@ async function expectTruth(page: Page, words: string): Promise<void> {
 it("says how far a point stops short, and can do away with it", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+50mm");
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
   expect(await away(page)).toBeGreaterThan(1);
   await expectTruth(page, "short");
   await press(page, "Meet the targets exactly");
@@ -59,9 +60,11 @@ it("says how far a point stops short, and can do away with it", async () => {
 it("speaks of the variation that is shown, not of the edit before it", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+80cm");
-  await page.getByText("Last solve", { exact: true }).click();
+  await openLastSolve(page);
+  await showTab(page, "Explore");
   await press(page, "Find variations");
   await expectTruth(page, "short");
+  await showTab(page, "Explore");
   await page.getByRole("slider", { name: "Variation 1", exact: true }).fill("0.7");
   await idle(page);
   expect(await away(page)).toBeGreaterThan(20);

@@ -68,11 +68,13 @@ describe("what stops it", () => {
     const held = { "keep-out": [212] };
     expect(reasonOf(design({ keepOuts }, { bounds: held }), false)).toBe("keep-outs");
     expect(reasonOf(design({ keepOuts }, { bounds: { "keep-out": [] } }), false)).toBe("panels");
-    expect(reasonWords("keep-outs", null)).toBe("Further, they would enter a keep-out.");
+    expect(reasonWords("keep-outs", null)).toBe(
+      "Further, panels or points would enter a keep-out.",
+    );
     const ways = waysOn(design({ keepOuts, clearance: 0.1 }), "keep-outs", null);
     expect(ways.map(({ change }) => change)).toEqual([{ keepOuts: [], clearance: 0 }]);
     expect(reasonWords("fold", 10)).toBe("Further, folds would be more than 10° sharper.");
-    expect(reasonWords("limits", null)).toContain("a limit that you stated");
+    expect(reasonWords("limits", null)).toContain("would exceed a limit");
   });
 });
 
@@ -86,7 +88,7 @@ describe("ways on", () => {
     expect(ways.map(({ label, growth }) => [label, growth])).toEqual([
       ["Reach 9 panels", 10],
       ["Softer", 10],
-      ["Share the bend", null],
+      ["Spread the folds", null],
       ["Folds up to 26°", 20],
       ["Let the boundary move", 10],
       ["Meet it exactly", null],
@@ -125,7 +127,7 @@ describe("ways on", () => {
   it("are only those that are not taken yet", () => {
     expect(labels(design({ reach: 12, softness: 10 }, fold), "fold", 10)).toEqual([
       "Reach without limit",
-      "Share the bend",
+      "Spread the folds",
       "Folds up to 26°",
       "Let the boundary move",
       "Meet it exactly",

@@ -27,7 +27,8 @@ export const catchExports: Prepare = async (context) => {
   });
 };
 
-/** Defines `find(role)` in the page: what can be used now, with its accessible name. */
+/** Defines `find(role)` in the page: what can be used now, in the tab that is in sight or after a press on
+ * another, with its accessible name. */
 const FINDER = `(role) => {
   const selectors = {
     button: "button",
@@ -40,8 +41,15 @@ const FINDER = `(role) => {
     (element.getAttribute("aria-label") ??
       [...(element.labels ?? [])].map((label) => label.textContent).join(" ")) ||
     (element.textContent ?? "");
+  const visible = (element) => {
+    const panel = element.closest("[role=tabpanel][hidden]");
+    panel?.removeAttribute("hidden");
+    const is = element.checkVisibility();
+    panel?.setAttribute("hidden", "");
+    return is;
+  };
   return [...document.querySelectorAll(selectors[role])]
-    .filter((element) => !element.disabled && element.checkVisibility())
+    .filter((element) => !element.disabled && visible(element))
     .map((element) => ({ element, name: name(element).replace(/\\s+/g, " ").trim() }));
 }`;
 
@@ -135,6 +143,8 @@ export class Hands {
       const found = (${FINDER})("${role}").filter(({ name }) => name === ${JSON.stringify(name)});
       const element = found[${nth}]?.element;
       if (!element) return false;
+      const tab = element.closest("[role=tabpanel][hidden]")?.getAttribute("aria-labelledby");
+      if (tab) document.getElementById(tab).click();
       ${code};
       return true;
     })()`);

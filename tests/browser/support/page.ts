@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a visitor does and sees, in a browser or in a page without one (tests/page).
 import { buffer } from "node:stream/consumers";
-import type { Download, Page } from "playwright-core";
+import type { Download, Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 
 /** Waits until the page can be used. */
@@ -35,14 +35,43 @@ export async function still(page: Page): Promise<void> {
   await page.locator("canvas#view[data-still=true]").waitFor();
 }
 
+/** Brings one of the three tabs of the inspector into sight. */
+export const showTab = (page: Page, name: "Edit" | "Explore" | "Check and make"): Promise<void> =>
+  page.getByRole("tab", { name, exact: true }).click();
+
+/** The chip of a kind of rules, which says how many there are: "Keep-outs 1". */
+export const ruleChip = (page: Page, name: string): Locator =>
+  page.getByRole("button", { name: new RegExp(`^${name}( \\d+)?$`) });
+
+/** Brings the editor of a kind of rules into sight. */
+export async function openRule(page: Page, name: string): Promise<void> {
+  await showTab(page, "Edit");
+  const chip = ruleChip(page, name);
+  if ((await chip.getAttribute("aria-expanded")) !== "true") await chip.click();
+}
+
+/** Brings the section, the numbers and the named views into sight. */
+export async function openViewOptions(page: Page): Promise<void> {
+  const button = page.getByRole("button", { name: "View options", exact: true });
+  if ((await button.getAttribute("aria-expanded")) !== "true") await button.click();
+}
+
 /** Unfolds what few need: there the raw weights are. */
 export async function openAdvanced(page: Page): Promise<void> {
+  await showTab(page, "Edit");
   await page.getByText("Advanced", { exact: true }).click();
   await page.getByRole("slider", { name: "Locality" }).waitFor();
 }
 
+/** Unfolds how the last solve went. */
+export async function openLastSolve(page: Page): Promise<void> {
+  await showTab(page, "Check and make");
+  await page.getByText("Last solve", { exact: true }).click();
+}
+
 /** Adds a handle if there is none and moves it: "+40cm" raises it. */
 export async function typeTarget(page: Page, z: string): Promise<void> {
+  await showTab(page, "Edit");
   const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
   if ((await field.count()) === 0) {
     await page.getByRole("button", { name: "Add handle" }).click();

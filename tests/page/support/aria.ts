@@ -65,6 +65,7 @@ const NAMED_BY_CONTENT = new Set([
   "option",
   "row",
   "rowheader",
+  "tab",
 ]);
 
 export const oneLine = (text: string): string => text.replace(/\s+/g, " ").trim();

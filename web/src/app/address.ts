@@ -47,7 +47,7 @@ export async function openAddress(page: Page): Promise<boolean> {
 async function keepAside(page: Page, kept: Design, { mark }: Steps): Promise<string | null> {
   if ((await markOf(page, kept.shape))?.hash === mark?.hash) return null;
   const pictures = await fetchPart(page, () => import("../features/comparing/snapshot-picture.ts"));
-  if (pictures) providePictures(page, () => pictures.snapshotPicture(page));
+  if (pictures) providePictures(page, (design) => pictures.snapshotPicture(page, design));
   return takeSnapshot(page, "Before the link");
 }
 

@@ -4,6 +4,7 @@ import { keepElsewhere, restoreSaved, startAutosave } from "../features/saving/a
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
+import { keepTab } from "../state/inspector.ts";
 import { keepGroups, keptGroups } from "../state/kept-groups.ts";
 import { note } from "../state/note.ts";
 import { openFirst } from "../state/opening.ts";
@@ -69,6 +70,7 @@ export async function begin(page: Page): Promise<void> {
   const asked = new URLSearchParams(location.search);
   if (asked.has("embed") && window.parent !== window)
     return (await import("../embed/embedded.ts")).beginEmbedded(page, asked, openAddress);
+  keepTab(page);
   const saved = restoreSaved(page);
   if (!(await solverIsThere(page))) return;
   await openDesigns(page, saved);

@@ -79,6 +79,7 @@ export class DragSession {
     const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, sight);
     const held = lock ? this.#heldBy(lock) : (arrow ?? usual);
     const offset = dragged(press, ray, arrow?.at ?? start, held, view);
+    this.#drag.byFinger = pixel === null && !free;
     // A length or a step is asked for by name: no fold takes it back.
     if (typed !== null) this.#drag.by(ofLength(typed, held, offset), true);
     else if (!offset) this.#drag.endOn();

@@ -6,6 +6,9 @@ import { type Place, project, type View } from "./picking.ts";
 /** More marks than this would hide the model. */
 const LIMIT = 400;
 
+/** More pins than this are small marks: they hold a region, and are not one by one. */
+const MANY_PINS = 24;
+
 export interface Marker {
   readonly vertex: number;
   readonly kind: "handle" | "pin" | "image" | "support" | "point" | "hover" | "first";
@@ -23,9 +26,11 @@ export class Markers {
   set(markers: readonly Marker[]): void {
     this.#markers = markers.slice(0, LIMIT);
     this.#elements.resize(this.#markers.length);
-    this.#markers.forEach((marker, k) => {
+    const small = this.#markers.filter(({ kind }) => kind === "pin").length > MANY_PINS;
+    this.#markers.forEach(({ kind, selected }, k) => {
       const element = this.#elements.at(k);
-      if (element) element.className = `marker ${marker.kind}${marker.selected ? " selected" : ""}`;
+      if (!element) return;
+      element.className = `marker ${kind}${selected ? " selected" : ""}${small && kind === "pin" ? " small" : ""}`;
     });
   }
 

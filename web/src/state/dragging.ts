@@ -27,6 +27,7 @@ import {
 } from "./editing.ts";
 import { moveWeights } from "./fall-off.ts";
 import { formatDegrees } from "./fold.ts";
+import { shownTab } from "./inspector.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
 import { showPresent } from "./showing.ts";
@@ -81,11 +82,11 @@ const FOLD_GROWTH = 10;
 const HELD = "Held back: ";
 
 /** By its own limit on folds, or by limits that are stated. */
-function heldBack(page: Page, limit: PullLimit | null): string {
+function heldBack(page: Page, limit: PullLimit | null, byFinger: boolean): string {
   const degrees = limit && limit.degrees < Number.POSITIVE_INFINITY ? limit.degrees : null;
   const stated = (page.draft.value?.settings.limits.length ?? 0) > 0;
-  if (degrees === null) return `${HELD}further, panels would exceed a limit that you stated.`;
-  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${stated ? ", or exceed a limit that you stated" : ""}. Shift goes through.`;
+  if (degrees === null) return `${HELD}further, panels would exceed a limit.`;
+  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${stated ? ", or exceed a limit" : ""}.${byFinger ? "" : " Shift goes through."}`;
 }
 
 const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;
@@ -118,6 +119,8 @@ export class Drag {
   /** What the drag began with; a lock chosen while it lasts ends with it. */
   readonly #lock: Lock | null;
   readonly #limit: PullLimit | null;
+  /** Beside which no key is held. */
+  byFinger = false;
   #through = false;
   #over = false;
   /** Model units: a pull this long was held back. */
@@ -179,7 +182,7 @@ export class Drag {
       };
       this.#want(null);
     } else this.#letGo();
-    if (taken) this.#page.notice.value = heldBack(this.#page, this.#limit);
+    if (taken) this.#page.notice.value = heldBack(this.#page, this.#limit, this.byFinger);
     else if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
   }
 
@@ -229,8 +232,10 @@ export class Drag {
       const takenBack = made?.ok && made.value.handles !== design.handles;
       this.#letGo();
       if (!held && !takenBack) return made;
-      this.#page.notice.value = heldBack(this.#page, this.#limit);
+      this.#page.notice.value = heldBack(this.#page, this.#limit, this.byFinger);
       if (made?.ok) this.#want(made.value);
+      // There it says why, and what goes further.
+      shownTab(this.#page).value = "edit";
       return made;
     });
   }

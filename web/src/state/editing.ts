@@ -199,8 +199,9 @@ export function setTarget(
 }
 
 /** Pins points to where the base has them, or lets them go. */
-export const setPinned = (page: Page, vertices: readonly number[], pinned: boolean): Outcome =>
-  edit(page, (rows) => {
+export async function setPinned(page: Page, vertices: readonly number[], pinned: boolean): Outcome {
+  const [back] = pinned ? vertices.filter((vertex) => isMovedHandle(page, vertex)) : [];
+  const made = await edit(page, (rows) => {
     let next = [...rows];
     for (const vertex of vertices) {
       const target = handleOf(page, vertex)?.target ?? basePoint(page, vertex);
@@ -208,6 +209,17 @@ export const setPinned = (page: Page, vertices: readonly number[], pinned: boole
     }
     return next;
   });
+  if (made?.ok && back !== undefined)
+    page.notice.value = `Pinned points stay where the mesh has them: point ${back} went back. Unpin it and it goes to its target again.`;
+  return made;
+}
+
+/** Whether a pin would take it back. */
+function isMovedHandle(page: Page, vertex: number): boolean {
+  const row = handleOf(page, vertex);
+  const base = basePoint(page, vertex);
+  return row !== undefined && !row.pinned && row.target.some((x, axis) => x !== base[axis]);
+}
 
 /** Adds the selected point, or a sensible one. */
 export async function addHandle(page: Page): Outcome {

@@ -8,8 +8,8 @@ import { kept, type Page } from "./page.ts";
 import { showStep } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
-/** A small picture of the design shown, as a data: address. */
-type Draw = () => string;
+/** A small picture of a design, as a data: address. */
+type Draw = (design: Design) => string;
 
 interface Own {
   draw: Draw;
@@ -38,15 +38,20 @@ export const newSnapshot = (name: string, design: Design): Snapshot => ({
   design,
 });
 
+/** Keeps a design of the mesh that is open, though it is not the one shown. */
+export function keepSnapshot(page: Page, design: Design, given?: string, id = newId()): void {
+  const name = given ?? freeName(page);
+  const snapshot = { id, name, time: Date.now(), picture: own(page).draw(design), design };
+  page.snapshots.value = [...page.snapshots.value, snapshot];
+  if (given === undefined) page.notice.value = `${name} is kept, under Explore.`;
+}
+
 /** Keeps the design once everything that was asked for before is done; gives the snapshot's id. */
 export async function takeSnapshot(page: Page, name?: string): Promise<string> {
   const id = newId();
   await inTurn(page, async () => {
     const design = page.history.value?.present;
-    if (!design) return;
-    const called = name ?? freeName(page);
-    const snapshot = { id, name: called, time: Date.now(), picture: own(page).draw(), design };
-    page.snapshots.value = [...page.snapshots.value, snapshot];
+    if (design) keepSnapshot(page, design, name, id);
   });
   return id;
 }

@@ -2,7 +2,6 @@
 
 import { isFlat } from "../design/flatness.ts";
 import type { Page } from "../state/page.ts";
-import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { keyOf } from "./commands/command.ts";
 import { COMMANDS } from "./commands/commands.ts";
@@ -21,16 +20,15 @@ function hold(page: Page, on: boolean): void {
   page.showBefore.value = on;
 }
 
-/** Step 3: project what is shown onto exactly flat panels, and judge the result. */
+/** Project what is shown onto exactly flat panels, and judge the result. */
 export function ExactSection() {
   const page = usePage();
   const exact = isFlat(page.figures.value);
   return (
     <section class="step" aria-labelledby="step-exact">
-      <h2 id="step-exact">
-        <span class="step-number">3</span> Make exact
+      <h2 id="step-exact" class="visually-hidden">
+        Make exact
       </h2>
-      <Ask about="exact" />
       <Verdict />
       <div class="row">
         <CommandButton

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 
-import { Ask } from "./ask.tsx";
 import { CommandButton } from "./command-button.tsx";
 import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
@@ -22,17 +21,18 @@ const ContinueButton = later(() =>
 const directions = (count: number): string =>
   `${count} ${count === 1 ? "direction" : "directions"}`;
 
-/** Step 2: a few sliders around the edit that act instantly, and designs to choose from. */
+/** A few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
   const page = usePage();
   const possible = page.ready.value && page.figures.value.movedVertices > 0;
+  // The sliders need the room, and say more.
+  const varied = Boolean(page.draft.value?.variation);
   return (
     <section class="step explore-step" aria-labelledby="step-explore">
-      <h2 id="step-explore">
-        <span class="step-number">2</span> Explore
+      <h2 id="step-explore" class="visually-hidden">
+        Explore
       </h2>
-      <Ask about="explore" />
-      <p class="quiet">
+      <p class={varied ? "visually-hidden" : "quiet"}>
         Variations of the edit that keep every panel flat, and circular or conical where the edit
         does. Most stay about it; some also move points elsewhere, as the colours show.
       </p>
@@ -64,12 +64,12 @@ export function ExploreSection() {
         />
         <span>Smoothest first</span>
       </label>
-      <p id="first-directions" class="quiet small">
+      <p id="first-directions" class={varied ? "visually-hidden" : "quiet small"}>
         Each slider is one way to change the edit. The first one moves the fewest points, or with
         Smoothest first bends the surface least.
       </p>
       <CommandButton
-        look={possible && !page.draft.value?.variation ? "button wide primary" : "button wide"}
+        look={possible && !varied ? "button wide primary" : "button wide"}
         command={COMMANDS.findVariations}
       />
       <VariationSliders />

@@ -251,8 +251,12 @@ export function HandlesTable() {
         )}
       </div>
       {bent && <p class="quiet small">{FLAT_FIRST}</p>}
-      <SurfaceMove />
-      <Position />
+      {page.selection.value.length > 0 && (
+        <>
+          <SurfaceMove />
+          <Position />
+        </>
+      )}
     </>
   );
 }

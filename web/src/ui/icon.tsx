@@ -2,6 +2,7 @@
 
 import local from "lucide-static/icons/axis-3d.svg?raw";
 import box from "lucide-static/icons/box.svg?raw";
+import camera from "lucide-static/icons/camera.svg?raw";
 import help from "lucide-static/icons/circle-question-mark.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import folder from "lucide-static/icons/folder-open.svg?raw";
@@ -19,6 +20,7 @@ import close from "lucide-static/icons/x.svg?raw";
 
 const ICONS = {
   box,
+  camera,
   close,
   download,
   folder,

@@ -1,74 +1,34 @@
 // SPDX-License-Identifier: MIT
 
 import { useSignalEffect } from "@preact/signals";
-import { decimal } from "../design/flatness.ts";
-import { planarise } from "../state/opening.ts";
+import type { ComponentProps } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { shownTab, TABS, type Tab } from "../state/inspector.ts";
 import { Ask } from "./ask.tsx";
-import { ExactSection } from "./exact-section.tsx";
-import { ExploreSection } from "./explore-section.tsx";
-import { HandlesTable } from "./handles-table.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
-import { ReachAndSoftness } from "./reach-and-softness.tsx";
+import { SECTIONS } from "./sections.tsx";
 
-function NotFlatNote() {
-  const page = usePage();
-  const [report, chosen] = [page.mesh.value?.report, page.settings.value];
-  if (!report || !chosen || page.baseFlat.value || page.importReport.value) return null;
-  const worst = decimal(report.worstMmPerM);
-  return (
-    <div class="note warn">
-      <p>
-        {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are.`}
-      </p>
-      <PlanariseStep live={false} />
-      <button type="button" class="button primary" onClick={() => void planarise(page)}>
-        Planarise
-      </button>
-      <AcceptTolerance />
-    </div>
-  );
+interface TabWords {
+  readonly label: string;
+  /** What its "?" explains. */
+  readonly about: ComponentProps<typeof Ask>["about"];
 }
 
-const AcceptTolerance = later(() =>
-  import("../features/planarising/accept-tolerance.tsx").then((part) => part.AcceptTolerance),
-);
-
-const PlanariseStep = later(() =>
-  import("../features/planarising/planarise-step.tsx").then((part) => part.PlanariseStep),
-);
-
-const ImportReport = later(() =>
-  import("../features/import-report/import-report.tsx").then((part) => part.ImportReport),
-);
-
-const StoppedNote = later(() =>
-  import("../features/stopping/stopped-note.tsx").then((part) => part.StoppedNote),
-);
-
-const Limits = later(() =>
-  import("../features/constraints/limits.tsx").then((part) => part.Limits),
-);
-
-const KeptKinds = later(() =>
-  import("../features/constraints/kept-kinds.tsx").then((part) => part.KeptKinds),
-);
-
-const Advanced = later(() =>
-  import("../features/advanced/advanced.tsx").then((part) => part.Advanced),
-);
-
-const LastSolve = later(() =>
-  import("../features/advanced/last-solve.tsx").then((part) => part.LastSolve),
-);
+const WORDS: Readonly<Record<Tab, TabWords>> = {
+  edit: {
+    label: "Edit",
+    about: ["edit", "reach", "softness", "boundary", "circular", "conical"],
+  },
+  explore: { label: "Explore", about: "explore" },
+  check: { label: "Check and make", about: "exact" },
+};
 
 const SelectionStrip = later(() =>
   import("../features/selecting/selection-strip.tsx").then((part) => part.SelectionStrip),
 );
 
 const CutStrip = later(() => import("../features/cut/cut-strip.tsx").then((part) => part.CutStrip));
-
-const KeptSections = later(() => import("./kept-sections.tsx").then((part) => part.KeptSections));
 
 /** Where several points are selected, or about to be; beside the view, so that it covers none of them. */
 function Several() {
@@ -105,29 +65,97 @@ export function SheetFold() {
   );
 }
 
+/** Where a key goes from a tab; null if it is not for tabs. */
+function tabAfter(key: string, tab: Tab): Tab | null {
+  const [at, count] = [TABS.indexOf(tab), TABS.length];
+  const places: Readonly<Record<string, number>> = {
+    ArrowRight: (at + 1) % count,
+    ArrowLeft: (at + count - 1) % count,
+    Home: 0,
+    End: count - 1,
+  };
+  return TABS[places[key] ?? -1] ?? null;
+}
+
+function Tabs() {
+  const page = usePage();
+  const shown = shownTab(page);
+  const list = useRef<HTMLDivElement>(null);
+  return (
+    <div class="tab-bar">
+      <div
+        ref={list}
+        class="tabs"
+        role="tablist"
+        aria-label="Controls"
+        onKeyDown={(event) => {
+          const next = tabAfter(event.key, shown.value);
+          if (!next) return;
+          event.preventDefault();
+          shown.value = next;
+          list.current?.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
+        }}
+      >
+        {TABS.map((tab) => (
+          <button
+            key={tab}
+            id={`tab-${tab}`}
+            type="button"
+            role="tab"
+            class="tab"
+            aria-selected={tab === shown.value}
+            aria-controls={`panel-${tab}`}
+            tabIndex={tab === shown.value ? 0 : -1}
+            onClick={() => {
+              shown.value = tab;
+            }}
+          >
+            {WORDS[tab].label}
+          </button>
+        ))}
+      </div>
+      <Ask key={shown.value} about={WORDS[shown.value].about} />
+    </div>
+  );
+}
+
+/** All three are there, one is in sight: what was typed or unfolded in the others stays. */
+function Panel({ tab }: { tab: Tab }) {
+  const page = usePage();
+  return (
+    <div
+      id={`panel-${tab}`}
+      class="tab-panel"
+      role="tabpanel"
+      aria-labelledby={`tab-${tab}`}
+      hidden={shownTab(page).value !== tab}
+    >
+      {SECTIONS.filter((section) => section.place === tab).map(({ name, Content }) => (
+        <Content key={name} />
+      ))}
+    </div>
+  );
+}
+
 export function Inspector() {
+  const page = usePage();
+  const under = useRef<HTMLDivElement>(null);
+  const tab = shownTab(page).value;
+  useEffect(() => under.current?.scrollTo(0, 0), [tab]);
+  // It is read before anything else is done with the file.
+  useSignalEffect(() => {
+    if (page.importReport.value) shownTab(page).value = "edit";
+  });
   return (
     <aside id="inspector" class="inspector" aria-label="Inspector">
-      <Several />
-      <Cutting />
-      <ImportReport />
-      <section class="step edit-step" aria-labelledby="step-edit">
-        <h2 id="step-edit">
-          <span class="step-number">1</span> Edit
-        </h2>
-        <Ask about="edit" />
-        <NotFlatNote />
-        <HandlesTable />
-        <StoppedNote />
-        <ReachAndSoftness />
-        <KeptKinds offered={true} />
-        <Limits />
-        <Advanced />
-        <LastSolve />
-      </section>
-      <ExploreSection />
-      <ExactSection />
-      <KeptSections />
+      <Tabs />
+      <div ref={under} class="inspector-body">
+        <Several />
+        <Cutting />
+        {TABS.map((one) => (
+          <Panel key={one} tab={one} />
+        ))}
+      </div>
     </aside>
   );
 }

@@ -6,7 +6,6 @@ import { boundaryForm, withBoundary } from "../design/supports.ts";
 import { formatLength } from "../quantity/units.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
-import { Ask } from "./ask.tsx";
 import { Choice } from "./choice.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
@@ -19,11 +18,6 @@ const NO_LIMIT = MOST_RINGS + 1;
 const [HARDEST, SOFTEST] = [1, 10];
 
 const ringWords = (rings: number): string => (rings === 1 ? "1 panel" : `${rings} panels`);
-
-/** What a slider does to the design on screen; "" without an edit. */
-function Effect({ words }: { words: string }) {
-  return <p class="quiet small effect">{words}</p>;
-}
 
 const movedWords = (moved: number): string => {
   if (moved === 0) return "";
@@ -45,7 +39,6 @@ function Reach() {
   return (
     <Slider
       label="Reach"
-      aside={<Ask about="reach" />}
       value={reach === 0 ? NO_LIMIT : Math.min(reach, MOST_RINGS)}
       min={1}
       max={NO_LIMIT}
@@ -53,6 +46,7 @@ function Reach() {
       shown={shown}
       disabled={!page.ready.value}
       ends={["next panels only", "no limit"]}
+      effect={movedWords(page.figures.value.movedVertices)}
       onInput={(value) => previewSettings(page, change(value))}
       onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
@@ -69,7 +63,6 @@ function Softness() {
   return (
     <Slider
       label="Softness"
-      aside={<Ask about="softness" />}
       value={Math.max(softness, HARDEST)}
       min={HARDEST}
       max={SOFTEST}
@@ -78,33 +71,10 @@ function Softness() {
       spoken={softness > 0 ? `${shown} of ${SOFTEST}` : shown}
       disabled={!page.ready.value}
       ends={["close and firm", "wide and gentle"]}
+      effect={foldWords(page.figures.value)}
       onInput={(value) => previewSettings(page, change(value))}
       onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
-  );
-}
-
-function KeepBoundary() {
-  const page = usePage();
-  const { keepBoundary } = page.settings.value ?? FIRST_SETTINGS;
-  return (
-    <>
-      <div class="beside">
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={keepBoundary}
-            disabled={!page.ready.value}
-            onChange={({ currentTarget }) =>
-              void commitSettings(page, { keepBoundary: currentTarget.checked })
-            }
-          />
-          <span>Keep boundary</span>
-        </label>
-        <Ask about="boundary" />
-      </div>
-      <p class="quiet small">The points that you drag move all the same.</p>
-    </>
   );
 }
 
@@ -112,53 +82,54 @@ const FewPanels = later(() =>
   import("../features/few-panels/few-panels.tsx").then((part) => part.FewPanels),
 );
 
-const PointSupports = later(() =>
-  import("../features/supports/point-supports.tsx").then((part) => part.PointSupports),
-);
+const FIXED = "fixed";
 
-const KeepOuts = later(() =>
-  import("../features/keep-outs/keep-outs-section.tsx").then((part) => part.KeepOuts),
-);
-
-const SymmetrySection = later(() =>
-  import("../features/symmetry/symmetry-section.tsx").then((part) => part.SymmetrySection),
-);
-
-const SLIDES: readonly (readonly [string, string])[] = [
-  ["", "moves freely"],
+const BOUNDARIES: readonly (readonly [string, string])[] = [
+  [FIXED, "fixed"],
+  ["", "free"],
   ["level=z", "keeps its level"],
-  ["outline", "stays on its outline"],
-  ["surface", "stays on the surface"],
+  ["outline", "on its outline"],
+  ["surface", "on the surface"],
 ];
 
-/** What boundary points do that move: those that are dragged, and all where the boundary is not kept. */
-function BoundarySlides() {
+/** A link or a file may have it kept where it is and say what those of its points that are dragged do. */
+function alsoGiven(keepBoundary: boolean, form: string): readonly (readonly [string, string])[] {
+  if (form === "") return [];
+  const words = BOUNDARIES.find(([known]) => known === form)?.[1] ?? form;
+  if (keepBoundary) return [[`${FIXED} ${form}`, `fixed, but where dragged: ${words}`]];
+  return words === form ? [[form, form]] : [];
+}
+
+/** What the points of the boundary may do; those that are dragged move all the same. */
+function Boundary() {
   const page = usePage();
-  const { supports } = page.settings.value ?? FIRST_SETTINGS;
+  const { keepBoundary, supports } = page.settings.value ?? FIRST_SETTINGS;
+  const form = boundaryForm(supports);
+  const words = [...BOUNDARIES, ...alsoGiven(keepBoundary, form)];
   return (
     <Choice
-      label="Boundary that moves"
-      value={boundaryForm(supports)}
-      words={SLIDES}
-      onChoose={(form) => void commitSettings(page, { supports: withBoundary(supports, form) })}
+      label="Boundary"
+      value={keepBoundary ? [FIXED, form].join(" ").trim() : form}
+      words={words}
+      onChoose={(chosen) => {
+        const fixed = chosen.startsWith(FIXED);
+        const wanted = fixed ? chosen.slice(FIXED.length).trim() : chosen;
+        void commitSettings(page, {
+          keepBoundary: fixed,
+          supports: withBoundary(supports, wanted),
+        });
+      }}
     />
   );
 }
 
 export function ReachAndSoftness() {
-  const page = usePage();
   return (
     <>
       <Reach />
-      <Effect words={movedWords(page.figures.value.movedVertices)} />
       <Softness />
-      <Effect words={foldWords(page.figures.value)} />
       <FewPanels />
-      <KeepBoundary />
-      <BoundarySlides />
-      <PointSupports />
-      <KeepOuts />
-      <SymmetrySection />
+      <Boundary />
     </>
   );
 }

@@ -5,7 +5,7 @@
 const REGIONS = {
   bar: ".top-bar :is(button, select)",
   view: "canvas",
-  inspector: ".sheet-fold, .inspector :is(button, input, select)",
+  inspector: ".sheet-fold, .inspector :is(button, input, select):not([tabindex='-1'])",
 } as const;
 
 const AROUND = {

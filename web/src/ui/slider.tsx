@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-import type { ComponentChild } from "preact";
 import { type Apply, useAhead } from "./ahead.ts";
 
 interface SliderProps {
   readonly label: string;
-  /** Beside the label. */
-  readonly aside?: ComponentChild;
   readonly value: number;
   readonly min: number;
   readonly max: number;
@@ -13,6 +10,8 @@ interface SliderProps {
   readonly disabled: boolean;
   /** What the two ends mean, in words. */
   readonly ends?: readonly [string, string];
+  /** What it does to the design on screen, said in the place of the ends; "" without one. */
+  readonly effect?: string;
   readonly shown?: string;
   /** The value with its unit, where `shown` alone does not say it. */
   readonly spoken?: string;
@@ -37,10 +36,7 @@ export function Slider(props: SliderProps) {
   const spoken = props.spoken ?? shown;
   return (
     <div class="slider">
-      <span class="beside">
-        <label for={id}>{label}</label>
-        {props.aside}
-      </span>
+      <label for={id}>{label}</label>
       <span class="slider-value" aria-hidden="true">
         {shown}
       </span>
@@ -75,7 +71,8 @@ export function Slider(props: SliderProps) {
           )}
         </div>
       )}
-      {ends && (
+      {props.effect && <p class="quiet small effect">{props.effect}</p>}
+      {ends && !props.effect && (
         <div class="slider-ends" aria-hidden="true">
           <span>{ends[0]}</span>
           <span>{ends[1]}</span>

@@ -28,7 +28,10 @@ const TypesNote = later(() =>
 );
 
 function numbers(page: Page): readonly string[] {
-  if (!page.ready.value) return [page.stranded.value ? "not ready" : "loading the solver…"];
+  if (!page.ready.value) {
+    const what = page.activity.value ? "design" : "solver";
+    return [page.stranded.value ? "not ready" : `loading the ${what}…`];
+  }
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess, seconds, status } =
     page.figures.value;
   const parts = [

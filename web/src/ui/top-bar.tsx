@@ -65,6 +65,8 @@ function SkipLink({ to, children }: SkipLinkProps) {
   );
 }
 
+const SNAPSHOT = { ...COMMANDS.takeSnapshot, label: "Snapshot" };
+
 export function TopBar() {
   return (
     <header class="top-bar">
@@ -78,6 +80,7 @@ export function TopBar() {
       <div class="bar-group">
         <CommandButton look="bar-button" icon={<Icon name="undo" />} command={COMMANDS.undo} />
         <CommandButton look="bar-button" icon={<Icon name="redo" />} command={COMMANDS.redo} />
+        <CommandButton look="bar-button" icon={<Icon name="camera" />} command={SNAPSHOT} />
       </div>
       <div class="bar-group">
         <ExportMenu />

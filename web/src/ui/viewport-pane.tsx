@@ -14,6 +14,7 @@ import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
 import { usePage } from "./page-context.ts";
+import { ViewOptions } from "./view-options.tsx";
 import { offerView } from "./view-slot.ts";
 
 const PanelFigure = later(() =>
@@ -59,7 +60,9 @@ function Summary() {
 /** What is seen while B or Before is held. */
 function BeforeNote() {
   const page = usePage();
-  return page.showBefore.value ? <div class="before-note">Before the edit</div> : null;
+  if (!page.showBefore.value) return null;
+  const { kind } = page.planariseTrial.value;
+  return <div class="before-note">{kind === "shown" ? "As in the file" : "Before the edit"}</div>;
 }
 
 /** A word that gives way to a shorter one where there is little room. */
@@ -192,6 +195,7 @@ export function ViewportPane() {
           </button>
         ))}
       </fieldset>
+      <ViewOptions />
     </div>
   );
 }

@@ -51,7 +51,7 @@ function freedomFacts(page: Page): readonly (readonly [string, string])[] {
   return [
     ["Points that may move", `${points} (${3 * points} coordinates)`],
     ["Flatness equations on them", `${equations}, rank ${rank}`],
-    ["Ways left to move them", String(ways)],
+    ["Independent ways left", String(ways)],
   ];
 }
 
@@ -67,7 +67,7 @@ function certificateFact(page: Page): readonly (readonly [string, string])[] {
   if (status === "nearest_confined") {
     return [
       [
-        "Lowest nearby",
+        "Local minimum",
         "not sought: the nearest flat mesh of the surroundings, or within the limits",
       ],
     ];
@@ -76,7 +76,7 @@ function certificateFact(page: Page): readonly (readonly [string, string])[] {
   const { stationarity, outside, complementarity } = optimality;
   const far = Math.max(stationarity ?? Number.POSITIVE_INFINITY, outside ?? 0, complementarity);
   const words = Number.isFinite(far) ? `to ${far.toPrecision(1)}` : "not known";
-  return [["Lowest nearby", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
+  return [["Local minimum", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
 }
 
 /** Of what is kept beside planarity, the worst in the design. */
@@ -101,12 +101,12 @@ function facts(page: Page): readonly (readonly [string, string])[] {
 }
 
 /** How the last solve went, and what it leaves free. */
-export function LastSolve() {
+export function LastSolveSection() {
   const page = usePage();
   const { residuals } = page.figures.value;
   return (
     <details
-      class="disclosure"
+      class="step folded"
       onToggle={({ currentTarget }) => {
         page.watchFreedom.value = currentTarget.open;
       }}
@@ -122,7 +122,7 @@ export function LastSolve() {
       </dl>
       <p class="quiet small">
         Degrees of freedom: in how many independent ways points could move with every panel flat.
-        Objective: what the solver makes small, without a unit. Lowest nearby: no small change of
+        Objective: what the solver makes small, without a unit. Local minimum: no small change of
         the design has a lower objective; the number is what is left of the slope.
       </p>
       {residuals.length > 1 && <Curve residuals={residuals} />}

@@ -3,6 +3,7 @@
 
 import { flatnessWords, isFlat } from "../../design/flatness.ts";
 import { damage, damageWords, spoiltPanels } from "../../state/damage.ts";
+import { goToTab } from "../../state/inspector.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { showNextPanel } from "../../state/selection.ts";
 import { usePage } from "../../ui/page-context.ts";
@@ -19,9 +20,12 @@ export function DamageNote() {
       {"· "}
       <button
         type="button"
-        class="text-button"
+        class="text-button alarm"
         title="Go to the next of these panels"
-        onClick={() => showNextPanel(page, spoiltPanels(found))}
+        onClick={() => {
+          goToTab(page, "check");
+          showNextPanel(page, spoiltPanels(found));
+        }}
       >
         {`${flat ? "flat, but " : ""}${words}: show`}
       </button>
@@ -42,6 +46,7 @@ export function RemakeNote() {
       class="text-button remake-note"
       title="Colour by what must be made again"
       onClick={() => {
+        goToTab(page, "check");
         page.colourBy.value = "remake";
       }}
     >

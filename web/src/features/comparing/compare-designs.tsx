@@ -10,6 +10,7 @@ import { cssGradient } from "../../scene/ramp.ts";
 import { readCamera } from "../../state/camera.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
+import { adoptSnapshot } from "../../state/snapshots.ts";
 import { typeWords } from "../../state/type-counts.ts";
 import { CompareView, linkViews } from "./compare-view.ts";
 import {
@@ -77,6 +78,25 @@ function Views({ shown, against, layout, split, onScale }: ViewsProps) {
   );
 }
 
+/** The dialog closes with it. */
+function AdoptButton({ id, name }: Pick<Candidate, "id" | "name">) {
+  const page = usePage();
+  return (
+    <button
+      type="button"
+      class="button small"
+      aria-label={`Adopt ${name}`}
+      disabled={!page.ready.value}
+      onClick={({ currentTarget }) => {
+        currentTarget.closest("dialog")?.close();
+        void adoptSnapshot(page, id);
+      }}
+    >
+      Adopt
+    </button>
+  );
+}
+
 const COLUMNS: readonly (readonly [string, (figures: Figures) => string])[] = [
   ["Points moved", ({ moved }) => String(moved)],
   ["Must be made again", ({ changed }) => String(changed)],
@@ -105,6 +125,7 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
               {title}
             </th>
           ))}
+          <td />
         </tr>
       </thead>
       <tbody>
@@ -116,6 +137,7 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
               {columns.map(([title, words]) => (
                 <td key={title}>{figures ? words(figures) : "…"}</td>
               ))}
+              <td>{id !== "" && <AdoptButton id={id} name={name} />}</td>
             </tr>
           );
         })}

@@ -15,6 +15,7 @@ import {
 } from "../../state/snapshots.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
+import { COMMANDS } from "../../ui/commands/commands.ts";
 import { useDoors } from "../../ui/commands/doors.ts";
 import { MORE_COMMANDS } from "../../ui/commands/more-commands.ts";
 import { useLaterDialog } from "../../ui/later-dialog.tsx";
@@ -88,12 +89,12 @@ function Row({ snapshot }: { snapshot: Snapshot }) {
 /** Designs kept under a name. */
 export function SnapshotsSection() {
   const page = usePage();
-  useEffect(() => providePictures(page, () => snapshotPicture(page)), []);
+  useEffect(() => providePictures(page, (design) => snapshotPicture(page, design)), []);
   return (
     <section class="step" aria-labelledby="snapshots">
       <h2 id="snapshots">Snapshots</h2>
       <Ask about="snapshots" />
-      <CommandButton look="button wide" command={MORE_COMMANDS.takeSnapshot} />
+      <CommandButton look="button wide" command={COMMANDS.takeSnapshot} />
       {page.snapshots.value.length > 0 && <CompareDialog />}
       {page.snapshots.value.length > 0 && (
         <ul class="snapshots" aria-labelledby="snapshots">

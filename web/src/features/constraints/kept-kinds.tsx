@@ -6,7 +6,6 @@ import { isKeptBy, isMeant, KINDS, type Kind, kindOf, withKind } from "../../des
 import { commitSettings } from "../../state/editing.ts";
 import { makeKept } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
-import { Ask } from "../../ui/ask.tsx";
 import { usePage } from "../../ui/page-context.ts";
 
 const LABELS: Readonly<Record<Kind, string>> = {
@@ -42,18 +41,15 @@ function KeptKind({ kind }: { kind: Kind }) {
   const words = nearWords(page, kind);
   return (
     <>
-      <div class="beside">
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={isOn(page, kind)}
-            disabled={!page.ready.value || (words !== "" && !isOn(page, kind))}
-            onChange={({ currentTarget }) => choose(page, kind, currentTarget.checked)}
-          />
-          <span>{LABELS[kind]}</span>
-        </label>
-        <Ask about={kind} />
-      </div>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={isOn(page, kind)}
+          disabled={!page.ready.value || (words !== "" && !isOn(page, kind))}
+          onChange={({ currentTarget }) => choose(page, kind, currentTarget.checked)}
+        />
+        <span>{LABELS[kind]}</span>
+      </label>
       {words && (
         <>
           <p class="quiet small">{words}</p>

@@ -187,7 +187,7 @@ function freeWords(page: Page): string {
 }
 
 /** Which limits hold the edit back, and the way to the panels. */
-function Standing() {
+export function LimitStanding() {
   const page = usePage();
   const { bounds, movedVertices } = page.figures.value;
   if (!page.limited.value || !bounds || movedVertices === 0) return null;
@@ -217,23 +217,15 @@ function Standing() {
 }
 
 export function Limits() {
-  const page = usePage();
-  const count = stated(page).length;
   return (
-    <div class="disclosure">
-      <details>
-        <summary>
-          Limits <span class="quiet small limits-on">{count > 0 ? `${count} on` : "none"}</span>
-        </summary>
-        <Ask about="limits" />
-        {ROWS.map((row) => (
-          <LimitRow key={row.head} row={row} />
-        ))}
-        <p class="quiet small">
-          What exceeds a limit already may not get worse, and holds nothing else back.
-        </p>
-      </details>
-      <Standing />
-    </div>
+    <>
+      <Ask about="limits" />
+      {ROWS.map((row) => (
+        <LimitRow key={row.head} row={row} />
+      ))}
+      <p class="quiet small">
+        What exceeds a limit already may not get worse, and holds nothing else back.
+      </p>
+    </>
   );
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { goToRule } from "../../state/inspector.ts";
 import { fetchPart } from "../../state/later.ts";
 import { usePage } from "../../ui/page-context.ts";
 
@@ -11,6 +12,7 @@ export function ContextNote() {
   const keepOut = async (): Promise<void> => {
     const part = await fetchPart(page, () => import("../keep-outs/keep-outs.ts"));
     await part?.addContext(page);
+    goToRule(page, "keepOuts");
   };
   return (
     <div class="notice">

@@ -10,11 +10,9 @@ export function CutSection() {
   const page = usePage();
   const { length } = cuts(page).value;
   return (
-    <section class="step" aria-labelledby="cuts-made">
+    <section class="step cut-section" aria-labelledby="cuts-made">
       <h2 id="cuts-made">Cuts</h2>
-      <p class="quiet small">
-        {length > 0 ? `${counted(length, "cut")} made.` : "Parts panels; no point moves."}
-      </p>
+      <p class="quiet small">{length > 0 ? `${counted(length, "cut")} made.` : ""}</p>
       <button
         type="button"
         class="button small"

@@ -8,9 +8,11 @@ import * as steps from "../../design/history.ts";
 import type { Shape, ShapeReport } from "../../solver/protocol.ts";
 import { client, runUnseen } from "../../state/connection.ts";
 import { damageWords } from "../../state/damage.ts";
+import { goToTab } from "../../state/inspector.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
+import { keepSnapshot } from "../../state/snapshots.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 import { ensureDirections, explore } from "./exploring.ts";
@@ -157,25 +159,33 @@ export function preview(page: Page, item: GalleryItem | null): void {
   showOnly(page, item ? { ...steady, shape: item.shape } : steady);
 }
 
+/** One of the gallery as a design; null where its sliders are not those of the design shown. */
+function designOf(page: Page, { coefficients, shape, report }: GalleryItem): Design | null {
+  const design = page.history.value?.present;
+  if (!design?.variation) return null;
+  const variation = { ...design.variation, coefficients, exact: true };
+  return { ...design, shape, report, variation };
+}
+
 /** Makes one of the gallery the design, as one step of the history. */
 export const adopt = (page: Page, item: GalleryItem): Outcome =>
   inTurn(page, async () => {
-    const design = page.history.value?.present;
-    if (!page.history.value || !design?.variation || design.shape === item.shape) return;
-    const { coefficients, shape, report } = item;
-    const variation = { ...design.variation, coefficients, exact: true };
-    const next: Design = { ...design, shape, report, variation };
+    const next = designOf(page, item);
+    if (!page.history.value || !next || page.history.value.present.shape === item.shape) return;
     page.notice.value = null;
     return showStep(page, next, steps.record(page.history.value, next));
   });
 
+/** Keeps one of the gallery as a snapshot; the design stays. */
+export const keep = (page: Page, item: GalleryItem): Outcome =>
+  inTurn(page, async () => {
+    const design = designOf(page, item);
+    if (design) keepSnapshot(page, design);
+  });
+
 /** Finds the sliders of the edit, shows where they are, and fills the gallery beside them. */
 export async function findVariations(page: Page): Promise<void> {
-  page.sheetFolded.value = false;
+  goToTab(page, "explore");
   await explore(page);
-  // The sliders and the gallery are what was asked for; there is room to scroll once they are drawn.
-  await new Promise((drawn) => setTimeout(drawn));
-  if (page.draft.value?.variation)
-    document.getElementById("step-explore")?.parentElement?.scrollIntoView();
   await fillGallery(page);
 }

@@ -11,9 +11,18 @@ import { shownPoint } from "../../state/editing.ts";
 import { foldWords, formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
 import { typeWords } from "../../state/type-counts.ts";
+import { Icon } from "../../ui/icon.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { furthestBetween, signOf } from "./furthest.ts";
-import { adopt, fillGallery, type Gallery, type GalleryItem, gallery, preview } from "./gallery.ts";
+import {
+  adopt,
+  fillGallery,
+  type Gallery,
+  type GalleryItem,
+  gallery,
+  keep,
+  preview,
+} from "./gallery.ts";
 import { wayWords } from "./slider-range.ts";
 import "../../ui/designs.css";
 
@@ -68,13 +77,13 @@ interface TileProps {
   readonly centre: Shape;
 }
 
-/** "14 again"; types, where they were asked for, and what is spoilt are said, too. */
+/** "14 to make again"; types, where they were asked for, and what is spoilt are said, too. */
 function Again({ panels }: Pick<GalleryItem, "panels">) {
   if (!panels) return null;
   return (
     <>
       <br />
-      {`${panels.changed} again`}
+      {`${panels.changed} to make again`}
       {panels.types && (
         <>
           <br />
@@ -83,6 +92,23 @@ function Again({ panels }: Pick<GalleryItem, "panels">) {
       )}
       {panels.damage && <strong class="tile-damage">{panels.damage}</strong>}
     </>
+  );
+}
+
+function KeepButton({ item, number }: Pick<TileProps, "item" | "number">) {
+  const page = usePage();
+  const kept = page.snapshots.value.find(({ design }) => design.shape === item.shape);
+  return (
+    <button
+      type="button"
+      class="icon-button keep-variation"
+      aria-label={`Snapshot of design ${number}`}
+      title={kept ? `Kept as ${kept.name}` : "Keep it as a snapshot; the design shown stays"}
+      disabled={kept !== undefined || !page.ready.value}
+      onClick={() => void keep(page, item)}
+    >
+      <Icon name="camera" />
+    </button>
   );
 }
 
@@ -102,7 +128,7 @@ function Tile({ item, number, patch, centre }: TileProps) {
     [opened, patch, item.shape],
   );
   return (
-    <li>
+    <li class="variation">
       <button
         type="button"
         class="tile"
@@ -138,6 +164,7 @@ function Tile({ item, number, patch, centre }: TileProps) {
           , {apartAbout}, worst panel {worst}
         </span>
       </button>
+      <KeepButton item={item} number={number} />
     </li>
   );
 }

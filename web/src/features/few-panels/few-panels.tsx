@@ -34,11 +34,11 @@ function presentPrice(page: Page, design: Design): string {
 }
 
 /** From the edit as it is to the one with fewest panels, through those worth choosing. */
-function Control({ found, design }: { found: EditCurve | null; design: Design }) {
+function Control({ found, design }: { found: EditCurve; design: Design }) {
   const page = usePage();
   const looked = useSignal<CurvePoint | null>(null);
-  const stops = found ? worthChoosing(found.points) : [];
-  const present = found?.points.find((point) => point.design === design);
+  const stops = worthChoosing(found.points);
+  const present = found.points.find((point) => point.design === design);
   // What is on the curve and not worth choosing stands beside the next one with as few panels.
   const next = stops.findIndex(({ panels }) => panels <= (present?.panels ?? panels));
   const at = Math.max(0, present && stops.includes(present) ? stops.indexOf(present) : next);
@@ -88,9 +88,11 @@ function placesOf(points: readonly CurvePoint[]): (point: CurvePoint) => readonl
 /** Panels cut again against the sharpest fold; each point is a design, one press away. */
 function Picture({ found, design }: { found: EditCurve; design: Design }) {
   const page = usePage();
-  const { points } = found;
+  // One that another betters in both figures is none to take, unless it is the one shown.
+  const worth = worthChoosing(found.points);
+  const points = found.points.filter((point) => worth.includes(point) || point.design === design);
   const place = placesOf(points);
-  const line = [...worthChoosing(points)]
+  const line = [...worth]
     .sort((a, b) => growthOf(a) - growthOf(b))
     .map((point) => place(point))
     .map(([x, y]) => `${x},${100 - y}`)
@@ -165,10 +167,11 @@ export function FewPanels() {
   if (toTargets(design.handles).handles.length === 0) return null;
   return (
     <section class="few-panels" aria-label="Few panels">
-      <Control found={found} design={design} />
+      {found && <Control found={found} design={design} />}
       {found && found.points.length > 1 && <Picture found={found} design={design} />}
       {found && <Doing found={found} />}
       {found && <Problems found={found} />}
+      {!found && <p class="quiet small">{presentPrice(page, design)}</p>}
       {!found && (
         <button
           type="button"

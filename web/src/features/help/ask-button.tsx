@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The small "?" beside a control: what it does, in a sentence and a moving picture.
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { HOW_PICTURES, type Subject } from "./how-pictures.ts";
 import type { HowLine } from "./how-shapes.ts";
@@ -65,11 +65,34 @@ function place(note: HTMLElement, button: HTMLElement): void {
   note.style.top = `${within(top, innerHeight - own.height - GAP)}px`;
 }
 
-export function AskButton({ about }: { about: Subject }) {
+/** What there is to choose from where a section has several things to explain. */
+function Subjects({ all, chosen }: { all: readonly Subject[]; chosen: Signal<number> }) {
+  if (all.length < 2) return null;
+  return (
+    <div class="how-subjects">
+      {all.map((subject, k) => (
+        <button
+          key={subject}
+          type="button"
+          aria-pressed={k === chosen.value}
+          onClick={() => {
+            chosen.value = k;
+          }}
+        >
+          {HOW_PICTURES[subject].name}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+export function AskButton({ about }: { about: Subject | readonly Subject[] }) {
   const open = useSignal(false);
   const [button, note] = [useRef<HTMLButtonElement>(null), useRef<HTMLDivElement>(null)];
-  const { name, words, lines } = HOW_PICTURES[about];
-  const shown = open.value;
+  const all = typeof about === "string" ? [about] : about;
+  const chosen = useSignal(0);
+  const [name, shown] = [HOW_PICTURES[all[0] ?? "edit"].name, open.value];
+  const { words, lines } = HOW_PICTURES[all[chosen.value] ?? "edit"];
   useLayoutEffect(() => {
     if (!shown || !note.current || !button.current) return;
     note.current.showPopover();
@@ -99,7 +122,8 @@ export function AskButton({ about }: { about: Subject }) {
             if (newState === "closed") open.value = false;
           }}
         >
-          <svg viewBox="0 0 240 96" aria-hidden="true">
+          <Subjects all={all} chosen={chosen} />
+          <svg key={words} viewBox="0 0 240 96" aria-hidden="true">
             <marker id="how-joint" viewBox="-2 -2 4 4" markerWidth="2.2" markerHeight="2.2">
               <circle r="1.6" />
             </marker>

@@ -57,7 +57,7 @@ export const HOW_PICTURES = {
   boundary: {
     name: "the boundary",
     words:
-      "Kept, the boundary stays where it is drawn. Where it moves, it may keep its level, its outline or the surface.",
+      "Fixed, the boundary stays where it is drawn, but for points that you drag. Else it is free, or keeps its level, its outline or the surface.",
     lines: [
       before,
       strip(

@@ -2,7 +2,7 @@
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./import-report.css";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { flatnessWords } from "../../design/flatness.ts";
 import { isKeptBy, isMeant, KINDS, type Kind } from "../../design/kept-kind.ts";
 import { planarisingWords } from "../../design/planarising.ts";
@@ -15,6 +15,7 @@ import { countHealth } from "../../state/panel-rows.ts";
 import { later } from "../../ui/later.tsx";
 import { AcceptTolerance } from "../planarising/accept-tolerance.tsx";
 import { joinPoints, joinTriangles, mayHaveLostQuads, turnPanels, warnsOf } from "./joining.ts";
+import { guessedUnit, sizesOf, sizeWords } from "./unit-guess.ts";
 import { canTurn, guessedUp, turnUp, upAxis } from "./up-axis.ts";
 
 const PlanariseStep = later(() =>
@@ -47,6 +48,11 @@ function outlineFacts(page: Page): readonly Fact[] {
   return facts;
 }
 
+function sizeFacts(page: Page): readonly Fact[] {
+  const points = page.mesh.value?.positions;
+  return points ? [["Size", `${sizeWords(sizesOf(points))} ${page.unit.value}`]] : [];
+}
+
 function planarisingFacts(page: Page, report: MeshReport): readonly Fact[] {
   const words = planarisingWords(report, page.unit.value);
   return words ? [["Planarised first", words]] : [];
@@ -71,6 +77,7 @@ function Facts({ report }: { report: MeshReport }) {
   const page = usePage();
   const { worstGap, worstMmPerM, worstExcess } = report;
   const facts: readonly Fact[] = [
+    ...sizeFacts(page),
     ["Points", String(report.vertices)],
     ["Panels", faceWords(report.faceSizes)],
     ["Worst panel", flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence],
@@ -90,6 +97,29 @@ function Facts({ report }: { report: MeshReport }) {
         </div>
       ))}
     </dl>
+  );
+}
+
+/** Where the size in the unit chosen is that of no building, and in another it is. */
+function UnitGuess() {
+  const page = usePage();
+  const points = page.mesh.value?.positions;
+  const sizes = useMemo(() => (points ? sizesOf(points) : []), [points]);
+  const guess = sizes.length > 0 ? guessedUnit(sizes, page.unit.value) : null;
+  if (!guess) return null;
+  return (
+    <p class="unit-guess">
+      {`Size ${sizeWords(sizes)}: ${unitWord(guess)}?`}
+      <button
+        type="button"
+        class="button small"
+        onClick={() => {
+          page.unit.value = guess;
+        }}
+      >
+        {`Yes, ${unitWord(guess)}`}
+      </button>
+    </p>
   );
 }
 
@@ -168,7 +198,10 @@ export function ImportReport() {
   };
   const section = useRef<HTMLElement>(null);
   // scrollIntoView would also move the page under a telephone's address bar.
-  useEffect(() => section.current?.parentElement?.scrollTo(0, 0), [page.importReport.value]);
+  useEffect(
+    () => section.current?.closest(".inspector-body")?.scrollTo(0, 0),
+    [page.importReport.value],
+  );
   if (!page.importReport.value) return null;
   return (
     <section ref={section} class="step import-report" aria-labelledby="import-title">
@@ -198,13 +231,14 @@ export function ImportReport() {
           {warning}
         </p>
       ))}
+      <UnitGuess />
       <UnitChooser />
       <UpChooser />
       <div class="dialog-actions">
         {report && !page.baseFlat.value ? (
           <>
             <button type="button" class="button" onClick={close}>
-              Leave as it is
+              Not now
             </button>
             <button
               type="button"

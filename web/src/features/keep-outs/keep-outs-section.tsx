@@ -276,14 +276,13 @@ export function KeepOuts() {
   }, []);
   const some = keepOuts(page).value.length;
   return (
-    <details class="surface-move">
-      <summary>{some > 0 ? `Keep-outs (${some})` : "Keep-outs"}</summary>
+    <>
       <Ask about="keepOuts" />
       <Add />
       {some > 0 && <Kept />}
       <p class="quiet">
         What is there already goes no deeper, may come out, and blocks nothing else.
       </p>
-    </details>
+    </>
   );
 }

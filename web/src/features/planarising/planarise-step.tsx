@@ -81,7 +81,7 @@ function Figures({ trial, opened }: { trial: Trial; opened: OpenedMesh }) {
   const rows: readonly (readonly [string, string, string])[] = [
     ["Worst panel", worst(opened), worst(trial.mesh)],
     ["95 % of panels fold up to", folds[0] ?? "", folds[1] ?? ""],
-    ["Newly spoilt", "", spoiltWords(trial)],
+    ["Panels it spoils", "", spoiltWords(trial)],
     ["Largest move", "", formatLength(largest, page.unit.value)],
     ["Points that move", "", `${moved} of ${opened.report.vertices}`],
     ...splitRow(trial, opened),
@@ -277,7 +277,7 @@ export function PlanariseStep({ live }: { live: boolean }) {
   return (
     <>
       <Slider
-        label="Close or fair"
+        label="Aim for"
         value={stop}
         min={0}
         max={STOPS.length - 1}

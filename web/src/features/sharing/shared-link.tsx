@@ -119,6 +119,20 @@ export function SharedLink({ shared: first, onClose }: SharedLinkProps) {
         onFocus={({ currentTarget }) => currentTarget.select()}
       />
       <p>{advice(shared)}</p>
+      {!shared.copied && (
+        <button
+          type="button"
+          class="button"
+          onClick={({ currentTarget }) => {
+            const box = currentTarget.parentElement?.querySelector<HTMLInputElement>(".link-box");
+            box?.select();
+            // The older way asks for no permission.
+            if (document.execCommand("copy")) shown.value = { ...shared, copied: true };
+          }}
+        >
+          Copy
+        </button>
+      )}
       {shared.link.length > TOO_LONG && (
         <div class="dialog-actions">
           <button

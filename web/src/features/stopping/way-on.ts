@@ -78,10 +78,10 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
 
 /** What stops it, in a sentence; `growth` as in Wanted. */
 export function reasonWords(reason: Reason, growth: number | null): string {
-  if (reason === "limits") return "Further, they would exceed a limit that you stated.";
+  if (reason === "limits") return "Further, panels would exceed a limit.";
   if (reason === "slides")
     return "Further, joints would slide by more than the limit that you stated.";
-  if (reason === "keep-outs") return "Further, they would enter a keep-out.";
+  if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
   return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
 }
@@ -98,7 +98,7 @@ function wider({ reach, reachLength }: EditSettings, growth: number | null): Way
 function softer({ softness: now }: EditSettings, growth: number): WayOn[] {
   if (now === 0 || now === SOFTEST) return [];
   const softness = Math.min(SOFTEST, now + SOFTER);
-  const title = `Softness ${softness}: more panels share the bend`;
+  const title = `Softness ${softness}: more panels share the fold`;
   return [{ label: "Softer", title, change: { softness }, growth }];
 }
 
@@ -106,7 +106,7 @@ function softer({ softness: now }: EditSettings, growth: number): WayOn[] {
 function shared({ limits }: EditSettings, growth: number): WayOn {
   const change = { limits: [...limits, `fold=+${growth}`] };
   const title = "A limit on every fold: panels further away bend in their place";
-  return { label: "Share the bend", title, change, growth: null };
+  return { label: "Spread the folds", title, change, growth: null };
 }
 
 function sharper({ report }: Design, growth: number): WayOn {
@@ -129,7 +129,7 @@ function slidingFurther({ limits }: EditSettings): WayOn {
 function looser({ limits }: EditSettings): WayOn {
   const fold = limits.find((limit) => limit.startsWith("fold="));
   if (!fold) {
-    const [label, title] = ["Without limits", "Takes back the limits that you stated"];
+    const [label, title] = ["Without limits", "Takes back all limits"];
     return { label, title, change: { limits: [] }, growth: null };
   }
   const [head, degrees] = [limitHead(fold), (limitNumbers(fold)[0] ?? 0) + MORE_DEGREES];

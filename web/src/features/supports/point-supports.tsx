@@ -127,12 +127,7 @@ export function PointSupports() {
   const none = page.selection.value.length === 0;
   const listed = groups(standing(page));
   return (
-    <details class="surface-move">
-      <summary>
-        {listed.size > 0
-          ? `Supports (${counted(page.supported.value.length, "point")})`
-          : "Supports"}
-      </summary>
+    <>
       <Ask about="supports" />
       <AllOnSurface />
       {none ? <p class="quiet">Select a point first.</p> : <StandOfSelected />}
@@ -142,9 +137,9 @@ export function PointSupports() {
         ))}
       </ul>
       <p class="quiet">
-        They slide along it and never leave it, wherever the edit takes them. Pinned points do not
-        move at all.
+        Points slide along what they stand on and never leave it, wherever the edit takes them.
+        Pinned points do not move at all.
       </p>
-    </details>
+    </>
   );
 }

@@ -17,8 +17,7 @@ export function SymmetrySection() {
   const { across, turns } = mirrors(page).value;
   const images = mostImages(page).value;
   return (
-    <details class="surface-move">
-      <summary>{images > 1 ? `Symmetry (${images} images)` : "Symmetry"}</summary>
+    <>
       <Ask about="symmetry" />
       <div class="keep-out-kinds">
         <button
@@ -60,12 +59,13 @@ export function SymmetrySection() {
             invalid={false}
             onApply={(given) => void setMirrors(page, { across, turns: replaced(turns, k, given) })}
           />
-          <span class="quiet small">{`turns about ${axis}`}</span>
+          <span class="quiet small">turns (0: none)</span>
         </div>
       ))}
+      {images > 1 && <p>{`Each point has ${images} images, itself included.`}</p>}
       <p class="quiet">
         What is done to one point is done to all its images, in variations as well.
       </p>
-    </details>
+    </>
   );
 }

@@ -4,6 +4,7 @@
 import type { NamedView } from "../../design/camera.ts";
 import { MOST_VIEWS } from "../../design/companions.ts";
 import { placeCamera, readCamera } from "../../state/camera.ts";
+import { viewOptionsShown } from "../../state/inspector.ts";
 import type { Page } from "../../state/page.ts";
 import type { Command } from "../../ui/commands/command.ts";
 
@@ -44,7 +45,10 @@ export const KEEP_VIEW: Command = {
       ? ""
       : `${MOST_VIEWS} views are kept: delete one first.`;
   },
-  run: keepView,
+  run: (page) => {
+    keepView(page);
+    viewOptionsShown(page).value = true;
+  },
 };
 
 /** One for each of them, as they are now. */

@@ -7,10 +7,12 @@ import type { Viewport } from "../../scene/viewport.ts";
 import { FLAT_FIRST, toggleLock, togglePins } from "../../state/dragging.ts";
 import { redo, undo } from "../../state/editing.ts";
 import { hiddenPanels } from "../../state/hidden-panels.ts";
+import { goToTab } from "../../state/inspector.ts";
 import { fetchPart } from "../../state/later.ts";
 import type { Page } from "../../state/page.ts";
 import type { Lock } from "../../state/page-state.ts";
 import { selectHandles } from "../../state/selection.ts";
+import { takeSnapshot } from "../../state/snapshots.ts";
 import { pickAndOpen } from "../pick-file.ts";
 import { viewOf } from "../view-slot.ts";
 import { type Command, notReady, onlyLookedAt } from "./command.ts";
@@ -175,8 +177,12 @@ export const COMMANDS = {
   makeExact: {
     label: "Make exact",
     refusal: notReady,
-    run: async (page) => (await exploring(page))?.makeExact(page),
+    run: async (page) => {
+      goToTab(page, "check");
+      await (await exploring(page))?.makeExact(page);
+    },
   },
+  takeSnapshot: { label: "Take snapshot", refusal: notReady, run: (page) => takeSnapshot(page) },
   before: {
     label: "Before the edit",
     keys: ["B"],

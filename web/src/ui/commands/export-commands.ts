@@ -41,7 +41,9 @@ export const EXPORT_COMMANDS = {
   glb: file("GLB", "3D scene, polygons kept", (part, page) => part.exportMesh(page, "glb")),
   rhino: file("3DM", "Rhino, opens again", (part, page) => part.exportRhino(page)),
   ply: file("PLY", "Polygons, binary", (part, page) => part.exportMesh(page, "ply")),
-  json: file("JSON", "Design, opens again", (part, page) => part.exportDesign(page)),
+  json: file("JSON", "The design itself: save it, open it again", (part, page) =>
+    part.exportDesign(page),
+  ),
   png: file("PNG", "Picture of this view", (part, page) => part.exportPicture(page)),
   package: dialog("Cutting package…", "DXF and tables (zip)", "package"),
   drawings: dialog("Drawings…", "Plan, elevations, section", "drawings"),

@@ -4,10 +4,10 @@ import { candidates } from "../../features/comparing/comparing.ts";
 import { continueFromShape } from "../../features/exploring/continuing.ts";
 import { FLAT_FIRST } from "../../state/dragging.ts";
 import { addHandle, removeHandles } from "../../state/editing.ts";
+import { goToTab } from "../../state/inspector.ts";
 import { planarise } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import { cancel } from "../../state/showing.ts";
-import { takeSnapshot } from "../../state/snapshots.ts";
 import { type Command, notReady } from "./command.ts";
 import { openDoor } from "./doors.ts";
 
@@ -35,14 +35,19 @@ export const MORE_COMMANDS = {
   continueFromShape: {
     label: "Continue from this shape",
     refusal: (page) => notReady(page) || (isEdited(page) ? "" : "Nothing has moved."),
-    run: continueFromShape,
+    run: (page) => {
+      goToTab(page, "edit");
+      return continueFromShape(page);
+    },
   },
-  takeSnapshot: { label: "Take snapshot", refusal: notReady, run: (page) => takeSnapshot(page) },
   compare: {
     label: "Compare",
     refusal: (page) =>
       candidates(page).value.length > 1 ? "" : "It needs a snapshot of this mesh.",
-    run: (page) => openDoor(page, "compare"),
+    run: (page) => {
+      goToTab(page, "explore");
+      return openDoor(page, "compare");
+    },
   },
   cancel: {
     label: "Cancel",

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What changes the view and not the design, beside the buttons of the view: it stays open while the view is used.
+import { useRef } from "preact/hooks";
+import { viewOptionsShown } from "../state/inspector.ts";
+import { sectionPlane } from "../state/shown-section.ts";
+import { usePage } from "./page-context.ts";
+import { SECTIONS } from "./sections.tsx";
+
+export function ViewOptions() {
+  const page = usePage();
+  const shown = viewOptionsShown(page);
+  const button = useRef<HTMLButtonElement>(null);
+  return (
+    <div class="view-options">
+      <section
+        id="view-options"
+        class="view-options-panel"
+        aria-label="View options"
+        hidden={!shown.value}
+        onKeyDown={(event) => {
+          if (event.key !== "Escape") return;
+          event.stopPropagation();
+          shown.value = false;
+          button.current?.focus();
+        }}
+      >
+        {SECTIONS.filter(({ place }) => place === "view").map(({ name, Content }) => (
+          <Content key={name} />
+        ))}
+      </section>
+      <button
+        ref={button}
+        type="button"
+        class={sectionPlane(page).value ? "view-options-button on" : "view-options-button"}
+        title="Section, numbers of panels and points, named views"
+        aria-expanded={shown.value}
+        aria-controls="view-options"
+        onClick={() => {
+          shown.value = !shown.value;
+        }}
+      >
+        View options
+      </button>
+    </div>
+  );
+}
