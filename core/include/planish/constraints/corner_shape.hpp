@@ -66,8 +66,8 @@ struct Barrier {
 };
 [[nodiscard]] Barrier clamped_barrier(double share);
 
-/// The corners of `face`, a triangle's three are one; then its inner triangles. Appends nothing for corners with an edge of
-/// no length and for faces without area.
+/// The corners of `face`, a triangle's three are one; then its inner triangles. Appends nothing for
+/// corners with an edge of no length and for faces without area.
 /// @param positions 3 × n of the base mesh
 void append_corner_shapes(const Positions& positions, std::span<const int> face,
                           std::vector<CornerShape>& out);
