@@ -79,33 +79,63 @@ TEST_P(EditKeepOuts, NoFrameOfADragGoesBeyondAPlane) {
 }
 
 /// Whatever else an edit has to keep, it keeps keep-outs, too.
-TEST_P(EditKeepOuts, HoldWithEveryOption) {
-  const Obstacle one = obstacles(mesh, 47, 4)[1];
-  const KeepOut keep_out = *parse_keep_out(one.plane.text());
-  EditTargets targets = testing::pull(mesh, one.vertex, one.move);
-  const double edge = mean_edge_length(mesh);
-  const auto expect_held = [&](const HandleEditOptions& options, const EditTargets& asked) {
-    const HandleEditResult result = solve_handle_edit(mesh, asked, options);
-    EXPECT_TRUE(testing::is_valid_edit(mesh, asked, result));
+class EditKeepOutsBeside : public EditKeepOuts {
+ protected:
+  void SetUp() override {
+    EditKeepOuts::SetUp();
+    if (IsSkipped()) return;
+    one = obstacles(mesh, 47, 4)[1];
+    options.keep_outs = {*parse_keep_out(one.plane.text())};
+    targets = testing::pull(mesh, one.vertex, one.move);
+  }
+
+  void expect_held() const {
+    const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+    EXPECT_TRUE(testing::is_valid_edit(mesh, targets, result));
     EXPECT_LE(deepest(mesh, result, one.plane, options.clearance), kHeld);
-  };
+  }
+
+  Obstacle one;
   HandleEditOptions options;
-  options.keep_outs = {keep_out};
-  HandleEditOptions soft = options, hard = options, limited = options, clear = options;
-  soft.reach = 4;
-  soft.softness = 5.0;
-  soft.keep_boundary = true;
-  hard.hard_handles = true;
-  limited.bounds = {*parse_stated_limit("fold=+5")};
-  clear.clearance = 0.1 * edge;
-  clear.sparsity = Sparsity::kL2;
-  for (const HandleEditOptions& each : {soft, hard, limited, clear}) expect_held(each, targets);
+  EditTargets targets;
+};
+
+TEST_P(EditKeepOutsBeside, AReachHold) {
+  options.reach = 4;
+  options.softness = 5.0;
+  options.keep_boundary = true;
+  expect_held();
+}
+
+TEST_P(EditKeepOutsBeside, HardHandlesHold) {
+  options.hard_handles = true;
+  expect_held();
+}
+
+TEST_P(EditKeepOutsBeside, LimitsHold) {
+  options.reach = 6;
+  options.softness = 5.0;
+  options.bounds = {*parse_stated_limit("fold=+5")};
+  expect_held();
+}
+
+TEST_P(EditKeepOutsBeside, AClearanceHold) {
+  options.clearance = 0.1 * mean_edge_length(mesh);
+  options.sparsity = Sparsity::kL2;
+  expect_held();
+}
+
+TEST_P(EditKeepOutsBeside, APinAndAContinuationHold) {
   for (const int v : testing::ring_neighbourhood(mesh, one.vertex, 1)) {
     if (v != one.vertex) targets.pins = {v};
   }
   targets.continuation = 4;
-  expect_held(options, targets);
+  expect_held();
 }
+
+INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOutsBeside,
+                         ::testing::ValuesIn(testing::kObstructedMeshes),
+                         [](const auto& each) { return std::string(each.param); });
 
 INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOuts, ::testing::ValuesIn(testing::kObstructedMeshes),
                          [](const auto& each) { return std::string(each.param); });
