@@ -71,13 +71,18 @@ EditRun run_split_edit(EditRequest asked, LoadedSource source, const std::string
   return run;
 }
 
+/// With what is on its way on a terminal.
+EditRun run_watched(EditRequest asked, LoadedSource source, const std::string& name) {
+  if (asked.splits) return run_split_edit(std::move(asked), std::move(source), name);
+  return run_edit(std::move(asked), std::move(source), name, progress_line());
+}
+
 }  // namespace
 
 EditRun run_edit_solver(const Arguments& arguments, EditRequest asked) {
   const std::string name = arguments.only_positional("MESH");
   LoadedSource source = load_source(name);
-  EditRun run = asked.splits ? run_split_edit(std::move(asked), std::move(source), name)
-                             : run_edit(std::move(asked), std::move(source), name, progress_line());
+  EditRun run = run_watched(std::move(asked), std::move(source), name);
   clear_progress_line();
   for (const auto& sentence :
        {planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)}) {
