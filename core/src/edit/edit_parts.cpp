@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The way in parts: for targets that a jump does not reach.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "edit/edit_search.hpp"
@@ -57,8 +56,9 @@ ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& re
   NewtonOptions options = engine_options();
   options.stop = 1e-5;
   options.max_steps = follows_softness() ? budget().part : 60;
-  const int most = follows_softness() ? report.cost.factorizations + budget().all_parts
-                                      : std::numeric_limits<int>::max();
+  constexpr int kMostInParts = 1500;  // without a reach
+  const int most =
+      report.cost.factorizations + (follows_softness() ? budget().all_parts : kMostInParts);
   HandlesOnTheirWay handles(model_.problem());
   ExactDesign best = EditModel::unmoved();
   field_.clear();

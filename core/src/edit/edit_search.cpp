@@ -110,10 +110,15 @@ ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& pro
       report.cost += fine.cost;
       return design();
     };
+    // What presses or pulls says little at a state that is no minimum.
+    constexpr int kMostUnsettled = 4;
+    int unsettled = 0;
+    const auto turn = [&](const ExactDesign& last) {
+      if (fine.status != SolveStatus::kConverged && ++unsettled > kMostUnsettled) return false;
+      return active_set.update(last) || release();
+    };
     ExactDesign settled = settle_once();
-    solve_until_steady(
-        settled, active_set.most_rounds() - 1, settle_once,
-        [&](const ExactDesign& last) { return active_set.update(last) || release(); });
+    solve_until_steady(settled, active_set.most_rounds() - 1, settle_once, turn);
     if (model_.is_acceptable(settled)) {
       report.optimality = optimality(settled);
       if (!report.optimality->met()) refine(options, settled, report);
