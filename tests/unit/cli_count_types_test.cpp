@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::Cli;
 using testing::contents;
 
-const std::string kEdit =
+const std::string kCountedEdit =
     "edit sample:vault:12 --handle 78+=0,0,0.3 --softness 5 --reach 3 --keep-boundary ";
 
 class CountTypes : public Cli {
@@ -33,7 +33,7 @@ TEST_F(CountTypes, SaysWhatTheCommandForTypesFindsBeforeAndAfter) {
   ASSERT_EQ(run("sample vault --size 12 -o before.obj"), 0) << err();
   for (const char* mirrored : {"", " --mirrored"}) {
     const std::string counting = std::string("--count-types 0.5%") + mirrored;
-    ASSERT_EQ(run(kEdit + counting + " -o after.obj --report r.json"), 0) << err();
+    ASSERT_EQ(run(kCountedEdit + counting + " -o after.obj --report r.json"), 0) << err();
     const std::string said = err();
     const json types = json::parse(contents(directory_ / "r.json"))["types"];
     EXPECT_EQ(types["panels"], 121);
@@ -50,7 +50,7 @@ TEST_F(CountTypes, SaysWhatTheCommandForTypesFindsBeforeAndAfter) {
 }
 
 TEST_F(CountTypes, IsNotThereWhereNobodyAsked) {
-  ASSERT_EQ(run(kEdit + "--report r.json"), 0) << err();
+  ASSERT_EQ(run(kCountedEdit + "--report r.json"), 0) << err();
   EXPECT_FALSE(json::parse(contents(directory_ / "r.json")).contains("types"));
   EXPECT_EQ(err().find("types"), std::string::npos) << err();
 }
@@ -64,7 +64,7 @@ TEST_F(CountTypes, OfAVariationIsThatOfItsShape) {
 }
 
 TEST_F(CountTypes, AreColumnsOfASweep) {
-  ASSERT_EQ(run(kEdit + "--design d.json"), 0) << err();
+  ASSERT_EQ(run(kCountedEdit + "--design d.json"), 0) << err();
   const json design = json::parse(contents(directory_ / "d.json"));
   save("plan.json", json{{"design", design}, {"values", {{"options.softness", {3, 8}}}}}.dump());
   ASSERT_EQ(run("sweep plan.json --part 1/1 -o some --count-types 0.5%"), 0) << err();
@@ -79,7 +79,7 @@ TEST_F(CountTypes, AreColumnsOfASweep) {
 TEST_F(CountTypes, RefusesInOneSentence) {
   for (const char* words :
        {"--count-types 0", "--count-types -1%", "--count-types some", "--mirrored"}) {
-    EXPECT_EQ(run(kEdit + words), 2) << words;
+    EXPECT_EQ(run(kCountedEdit + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;
   }
