@@ -23,6 +23,7 @@ import {
   movedCount,
   obj,
   openFile,
+  showTab,
   status,
   still,
   typeTarget,
@@ -51,6 +52,7 @@ describe("the solver", () => {
     expect(await status(page)).toBe(numbers);
     expect(await obj(page)).toBe(before);
     await killDuring(page, "edit", 0);
+    await showTab(page, "Edit");
     const z = page.getByRole("spinbutton", { name: "Z" });
     await z.fill("+20cm");
     await z.press("Enter");
