@@ -28,6 +28,8 @@ async function read(page: Page, seen: (note: Locator) => Promise<void>): Promise
 
 async function lookAtAll(page: Page, seen: (note: Locator) => Promise<void>): Promise<string[]> {
   const names: string[] = [];
+  // Sections come with the first look at their tab.
+  await page.waitForLoadState("networkidle");
   await asks(page).nth(2).waitFor({ state: "attached" });
   for (const ask of await asks(page).all()) {
     if (!(await ask.isVisible())) continue;

@@ -34,6 +34,7 @@ it("compares snapshots by a table, by one camera, and by the difference in colou
   const moved = [await snapshot(page)];
   await typeTarget(page, "+40cm");
   moved.push(await snapshot(page));
+  await showTab(page, "Edit");
   await page.getByRole("slider", { name: "Reach" }).fill("3");
   await idle(page);
   moved.push(await snapshot(page));

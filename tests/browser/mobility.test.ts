@@ -54,7 +54,7 @@ it("a map of mobility fills in, is stopped and goes on, and the page answers mea
   await idle(page);
   await expect.poll(async () => (await progress(page))[1]).not.toBe(441);
   await expect.poll(() => measured(page)).toBeGreaterThan(0);
-  await page.getByRole("combobox", { name: "Boundary" }).selectOption("free");
+  await page.getByRole("combobox", { name: "Boundary" }).selectOption("fixed");
   await idle(page);
   await page.getByRole("button", { name: "Stop" }).click();
   await page.getByRole("button", { name: "Measure again" }).click();

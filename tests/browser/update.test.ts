@@ -67,6 +67,7 @@ it("is offered during an edit, waits for the user, and loses nothing", async () 
   await idle(page);
   expect(await page.evaluate("window.sameVisit")).toBeUndefined();
   expect(await exportAs(page, "OBJ")).toEqual(before);
+  await showTab(page, "Explore");
   expect(await page.getByRole("button", { name: "Adopt Snapshot 1" }).count()).toBe(1);
   expect(await page.evaluate("caches.keys()")).toContain("planish-second");
   await page.context().close();
