@@ -250,8 +250,9 @@ INSTANTIATE_TEST_SUITE_P(Samples, FarVariations,
                                                               "trihex"),
                                             ::testing::Values(7U, 8U)),
                          [](const auto& each) {
-                           return std::get<0>(each.param) +
-                                  ("_" + std::to_string(std::get<1>(each.param)));
+                           std::string name = std::get<0>(each.param);
+                           name += '_';
+                           return name += std::to_string(std::get<1>(each.param));
                          });
 
 INSTANTIATE_TEST_SUITE_P(Samples, LimitedVariations,
