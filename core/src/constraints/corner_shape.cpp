@@ -29,8 +29,9 @@ void append_inner_triangles(const Positions& positions, std::span<const int> fac
   const auto n = static_cast<int>(face.size());
   const Positions outline = positions(Eigen::all, std::vector<int>(face.begin(), face.end()));
   for (const auto& [i, k, j] : panel_triangles(outline, normal)) {
-    if (k - i == 1 && j - k == 1) continue;  // a corner of the outline: it has its row
-    if ((k - i == 1 && i + n - j == 1) || (j - k == 1 && i + n - j == 1)) continue;
+    const int outline_sides =
+        (k - i == 1 ? 1 : 0) + (j - k == 1 ? 1 : 0) + (i + n - j == 1 ? 1 : 0);
+    if (outline_sides >= 2) continue;  // a corner: it has its row
     const Eigen::Vector3d in = outline.col(k) - outline.col(i);
     const double base = normal.dot(in.cross(Eigen::Vector3d(outline.col(j) - outline.col(k))));
     out.push_back(kept_area({face[static_cast<std::size_t>(i)], face[static_cast<std::size_t>(k)],
