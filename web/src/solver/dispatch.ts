@@ -23,8 +23,7 @@ import { insist, insistReadable, isFatal, Refused, sentence } from "./refused.ts
 import { rhinoPart } from "./rhino-part.ts";
 import { offsetOf, panelTypes, previewPackage, writeForShop } from "./shop.ts";
 import { leadsOf, rangesOf } from "./sliders.ts";
-
-export type Post = (reply: Reply, transfer: Transferable[]) => void;
+import { type Post, SplitJobs } from "./split-jobs.ts";
 
 type Job = Exclude<Request, { kind: "start" }>;
 
@@ -58,6 +57,7 @@ export class Dispatcher {
   readonly #post: Post;
   readonly #analysis: DesignAnalysis;
   readonly #edits: Edits;
+  readonly #splits: SplitJobs;
   readonly #files = new DesignFiles();
   /** Found last. */
   #family: ShapeFamily | null = null;
@@ -72,6 +72,8 @@ export class Dispatcher {
     this.#edits = new Edits(module, this.#session);
     this.#analysis = new DesignAnalysis(module, this.#session);
     this.#post = post;
+    const parts = { edits: this.#edits, analysis: this.#analysis, post };
+    this.#splits = new SplitJobs(module, this.#session, parts);
     this.#session.onProgress((residual) => {
       this.#step += 1;
       const now = performance.now();
@@ -233,16 +235,16 @@ export class Dispatcher {
     const { job } = request;
     switch (request.kind) {
       case "planarise":
-        insist(
-          request.found ? session.takePlanarised(request.found) : session.planarise(request.how),
-        );
-        this.#postOpened(job, null, null);
+        this.#planarise(request);
         return;
       case "cut":
+        insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
+        this.#postOpened(job, null, null);
+        return;
       case "tryCut":
       case "splitEdit":
       case "splitMesh":
-        this.#cut(request);
+        this.#splits.run(request);
         return;
       case "edit":
         this.#postShown(job, request.mode !== "drag", this.#edits.edit(request));
@@ -257,11 +259,9 @@ export class Dispatcher {
       case "replay":
         this.#replay(request);
         return;
-      case "mark": {
-        const { moved, positions } = request.shape;
-        this.#post({ kind: "marked", job, mark: this.#module.markOf(moved, positions) }, []);
+      case "mark":
+        this.#mark(request);
         return;
-      }
       case "explore":
         this.#explore(request);
         return;
@@ -292,40 +292,6 @@ export class Dispatcher {
     }
   }
 
-  #cut(request: Extract<Job, { kind: "cut" | "tryCut" | "splitEdit" | "splitMesh" }>): void {
-    const [session, { job }] = [this.#session, request];
-    switch (request.kind) {
-      case "cut":
-        insist(session.setCuts(request.cuts.join("\n"), request.tolerance));
-        this.#postOpened(job, null, null);
-        return;
-      case "tryCut": {
-        const trial = session.tryCut(request.cut, request.tolerance);
-        this.#post({ kind: "tried", job, trial }, [trial.lines.buffer]);
-        return;
-      }
-      case "splitEdit":
-        this.#split(request);
-        return;
-      case "splitMesh": {
-        insist(this.#module.splitUntilFlat(session, request.how, request.most));
-        this.#analysis.forget();
-        const mesh = readMesh(this.#module, session, []);
-        const [panels, file] = [this.#module.splitPanels(session), session.write("obj")];
-        const buffers = [file.buffer as Transferable, ...openedBuffers(mesh)];
-        this.#post({ kind: "hybrid", job, mesh, panels, file }, buffers);
-      }
-    }
-  }
-
-  #split(request: Extract<Request, { kind: "splitEdit" }>): void {
-    const { job } = request;
-    const finding = this.#edits.split(request, (standing) =>
-      this.#post({ kind: "standing", job, standing }, []),
-    );
-    this.#post({ kind: "split", job, finding }, []);
-  }
-
   #postMeasures(job: number, also: AlsoMeasured): void {
     const measures = this.#analysis.panels(also);
     const parts: readonly unknown[] = Object.values(measures);
@@ -353,6 +319,16 @@ export class Dispatcher {
       deviation,
     };
     this.#post(reply, [changes.buffer]);
+  }
+
+  #planarise({ job, how, found }: Extract<Request, { kind: "planarise" }>): void {
+    insist(found ? this.#session.takePlanarised(found) : this.#session.planarise(how));
+    this.#postOpened(job, null, null);
+  }
+
+  #mark({ job, shape }: Extract<Request, { kind: "mark" }>): void {
+    const mark = this.#module.markOf(shape.moved, shape.positions);
+    this.#post({ kind: "marked", job, mark }, []);
   }
 
   #fewest(request: Extract<Request, { kind: "fewest" }>): void {

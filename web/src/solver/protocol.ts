@@ -20,6 +20,14 @@ import type { UpAxis } from "../mesh/up-axis.ts";
 import type { Unit } from "../quantity/units.ts";
 import type { Context } from "../rhino/context.ts";
 import type { WrittenModel } from "../rhino/write-model.ts";
+import type {
+  EditMode,
+  EditSettings,
+  Fairness,
+  HandleList,
+  PullLimit,
+  Targets,
+} from "./edit-asked.ts";
 
 export type {
   CutTrial,
@@ -52,31 +60,18 @@ export type {
   PanelTypes,
   ShopOrder,
 } from "@wasm/planish_documents.mjs";
+export type {
+  EditMode,
+  EditSettings,
+  Fairness,
+  HandleList,
+  PullLimit,
+  Targets,
+} from "./edit-asked.ts";
 
 /** Of meshes that the core reads, as names of files end. */
 export const FILE_FORMATS = ["obj", "off", "ply", "glb"] as const;
 export type FileFormat = (typeof FILE_FORMATS)[number];
-export type Fairness = Reports.EditOptions["fairness"];
-export type EditMode = "drag" | "release" | "solve";
-
-/** Targets in model units. `handles`: vertex, x, y, z for each. */
-export interface Targets {
-  readonly handles: readonly number[];
-  readonly pins: readonly number[];
-}
-
-/** The core's options, and what it counts among the targets. */
-export interface EditSettings extends Reports.EditOptions {
-  /** What points stand on, as the command line's --support says it: "level=z:3,4". */
-  readonly supports: readonly string[];
-  /** Steps in which typed targets are approached; 0: at once. The end of a drag chooses it. */
-  readonly continuation: number;
-  /** Under which edits have images, as --symmetry says it, one each. */
-  readonly symmetry: readonly string[];
-  /** Made on the flat mesh before every edit, in this order, as --cut says them. */
-  readonly cuts: readonly string[];
-}
-
 /** Under which edits of a mesh have images, and how flat its evened base has to be, mm/m. */
 export interface Symmetry {
   readonly elements: readonly string[];
@@ -377,18 +372,6 @@ export type Reply =
   | { kind: "modelled"; job: number; model: WrittenModel }
   /** `fatal`: the session cannot be trusted any more and the worker must be replaced. */
   | { kind: "failed"; job: number; message: string; fatal: boolean };
-
-/** Handles are vertex, x, y, z for each, model units. */
-export type HandleList = readonly number[];
-
-export interface PullLimit {
-  /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
-  readonly degrees: number;
-  /** By how much of the largest move handles may stop short; ∞: by any. */
-  readonly short: number;
-  /** The handles at the start of the drag, in the order of its targets. */
-  readonly from: HandleList;
-}
 
 /** What a Rhino model held. */
 export interface OpenedModel {
