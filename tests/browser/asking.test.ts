@@ -4,7 +4,7 @@
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
-import { openRule, openViewOptions, showTab } from "./support/page.ts";
+import { idle, openRule, openViewOptions, showTab } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 /** Those that can be pressed now: what is folded away has its own inside. */
@@ -29,7 +29,7 @@ async function read(page: Page, seen: (note: Locator) => Promise<void>): Promise
 async function lookAtAll(page: Page, seen: (note: Locator) => Promise<void>): Promise<string[]> {
   const names: string[] = [];
   // Sections come with the first look at their tab.
-  await page.waitForLoadState("networkidle");
+  await idle(page);
   await asks(page).nth(2).waitFor({ state: "attached" });
   for (const ask of await asks(page).all()) {
     if (!(await ask.isVisible())) continue;

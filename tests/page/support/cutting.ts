@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { expect } from "vitest";
 import { flatRoof } from "../../browser/support/faults.ts";
 import { readObj } from "../../browser/support/obj.ts";
-import { exportAs, idle, obj, openFile } from "../../browser/support/page.ts";
+import { exportAs, idle, obj, openFile, still } from "../../browser/support/page.ts";
 import { type Place, viewBox } from "../../browser/support/view.ts";
 import { site } from "./site.ts";
 
@@ -52,7 +52,7 @@ export async function roofFromAbove(
   await openFile(page, "roof.obj", flatRoof(n));
   await page.getByRole("button", { name: "Start editing" }).click();
   await page.getByRole("button", { name: "Top" }).click();
-  await idle(page);
+  await still(page);
   const marks = async (): Promise<Place[]> => {
     const all = await page.locator(".marker.selected:not([hidden])").all();
     return Promise.all(
@@ -72,6 +72,7 @@ export async function roofFromAbove(
   await expect.poll(async () => (await marks()).length).toBe((n + 1) ** 2);
   const seen = await marks();
   await page.keyboard.press("Escape");
+  await expect.poll(async () => (await marks()).length).toBe(0);
   const [xs, ys] = [seen.map(({ x }) => x), seen.map(({ y }) => y)];
   const [left, right] = [Math.min(...xs), Math.max(...xs)];
   const [top, bottom] = [Math.min(...ys), Math.max(...ys)];
@@ -80,5 +81,10 @@ export async function roofFromAbove(
     x: left + ((right - left) * x) / n,
     y: bottom - ((bottom - top) * y) / n,
   });
+  const offGrid = seen.map((mark, k) => {
+    const { x, y } = at(k % (n + 1), Math.floor(k / (n + 1)));
+    return Math.hypot(mark.x - x, mark.y - y);
+  });
+  expect(Math.max(...offGrid), "pixels between a mark and where it is from above").toBeLessThan(2);
   return { page, at };
 }
