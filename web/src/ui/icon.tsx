@@ -12,6 +12,7 @@ import snap from "lucide-static/icons/magnet.svg?raw";
 import pin from "lucide-static/icons/pin.svg?raw";
 import plus from "lucide-static/icons/plus.svg?raw";
 import redo from "lucide-static/icons/redo-2.svg?raw";
+import save from "lucide-static/icons/save.svg?raw";
 import scissors from "lucide-static/icons/scissors.svg?raw";
 import share from "lucide-static/icons/share-2.svg?raw";
 import selectBox from "lucide-static/icons/square-dashed-mouse-pointer.svg?raw";
@@ -31,6 +32,7 @@ const ICONS = {
   plane,
   plus,
   redo,
+  save,
   scissors,
   selectBox,
   share,

@@ -65,6 +65,7 @@ function SkipLink({ to, children }: SkipLinkProps) {
   );
 }
 
+const SAVE = { ...COMMANDS.save, label: "Save" };
 const SNAPSHOT = { ...COMMANDS.takeSnapshot, label: "Snapshot" };
 
 export function TopBar() {
@@ -76,6 +77,7 @@ export function TopBar() {
       <div class="bar-group grow">
         <SampleChooser />
         <CommandButton look="bar-button" icon={<Icon name="folder" />} command={COMMANDS.open} />
+        <CommandButton look="bar-button roomy" icon={<Icon name="save" />} command={SAVE} />
       </div>
       <div class="bar-group">
         <CommandButton look="bar-button" icon={<Icon name="undo" />} command={COMMANDS.undo} />
