@@ -44,6 +44,8 @@ export interface DrawingOptions {
   readonly scale: number;
   /** a, b, c, d of each plane a·x + b·y + c·z = d, (a, b, c) of length 1; model units. */
   readonly sections: readonly number[];
+  /** As --axis says them, model units: "x=4.5:A". Without a level the lowest and the highest point's are drawn. */
+  readonly axes: readonly string[];
 }
 
 /** A design against `base`; `moved`: the vertices that lie elsewhere, with their positions. */

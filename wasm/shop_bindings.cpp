@@ -47,6 +47,17 @@ DrawingOptions to_drawing_options(const val& options) {
   return result;
 }
 
+/// Adds axes and levels as the command line's --axis says them.
+Refusal add_axes(DrawingOptions& options, const val& texts) {
+  for (const val& given : emscripten::vecFromJSArray<val>(texts)) {
+    const auto text = given.as<std::string>();
+    const auto axis = planish::parse_drawing_axis(text);
+    if (!axis) return "axis \"" + text + "\" is not " + std::string(planish::kDrawingAxisForm);
+    options.axes.push_back(*axis);
+  }
+  return std::nullopt;
+}
+
 /// Hands `take` a view of each piece.
 ByteSink to_sink(const val& take) {
   return [take](std::string_view piece) {
@@ -89,7 +100,8 @@ val write_model(const ShopDesign& design, const val& order, const ByteSink& sink
 val write_views(const ShopDesign& design, const val& order, const ByteSink& sink) {
   DrawingOptions options = to_drawing_options(order["options"]);
   options.names = design.names;
-  if (const Refusal problem = find_problem(options)) {
+  const Refusal unread = add_axes(options, order["options"]["axes"]);
+  if (const Refusal problem = unread ? unread : find_problem(options)) {
     return refused("The drawings were refused: " + *problem + ".");
   }
   const auto drawings = planish::write_drawings(design.mesh, options);

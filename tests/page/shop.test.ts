@@ -66,9 +66,11 @@ it("draws what is selected, plans and models with the bytes of the command line"
   const dialog = await openDialog(page, "Drawings…");
   await dialog.getByLabel("Section").selectOption("Across y, seen from the front");
   await dialog.getByLabel("Section at y").fill("3.25");
+  await dialog.getByLabel("Axes and levels").fill("x=2:A, y=4:1, z=1.5:Eaves");
   const drawings = await saved(page, dialog, "Save drawings");
   expect(drawings.name).toMatch(/-drawings\.zip$/);
-  command(["drawings", FILE, "-o", "cli.zip", "--section", "y=3.25"]);
+  const axes = ["x=2:A", "y=4:1", "z=1.5:Eaves"].flatMap((axis) => ["--axis", axis]);
+  command(["drawings", FILE, "-o", "cli.zip", "--section", "y=3.25", ...axes]);
   expect(drawings.bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
   await dialog.getByText(/Drawn at 1 : \d+\./).waitFor();
   await page.context().close();

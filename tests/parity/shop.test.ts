@@ -92,8 +92,16 @@ it.each(SAMPLES)("of an edited %s", async (sample) => {
   const middle = 3 * Math.floor(design.base.length / 6);
   const [x, y] = [0, 1].map((axis) => Number((design.base[middle + axis] ?? 0).toFixed(3)) + 0.01);
   const where = `--section x=${x} --section y=${y}`;
-  command(`drawings design.obj -o d.zip ${where} --unit cm --scale 50`);
-  const drawings = { name: "design", modelUnit: "m", unit: "cm", scale: 50 };
+  const axes = ["x=1:A", "x=2.5:B", "z=0.25:Träger&Sohn"];
+  const grid = axes.map((axis) => `--axis ${axis}`).join(" ");
+  command(`drawings design.obj -o d.zip ${where} ${grid} --unit cm --scale 50`);
+  const drawings = {
+    name: "design",
+    modelUnit: "m",
+    unit: "cm",
+    scale: 50,
+    axes,
+  };
   const sections = [1, 0, 0, x ?? 0, 0, -1, 0, -(y ?? 0)];
   expect((await made(design, { what: "drawings", options: { ...drawings, sections } })).hash).toBe(
     digestOf("d.zip"),
@@ -170,9 +178,13 @@ it("refuses by name what is wrong, as a sentence", async () => {
   );
   const inYards = { ...OPTIONS, unit: "yard" };
   expect(refusal({ what: "ifc", options: inYards })).toMatch(/^The model was refused: unit .+\.$/);
-  const drawings = { name: "", modelUnit: "m", unit: "mm", scale: -1, sections: [] };
+  const drawings = { name: "", modelUnit: "m", unit: "mm", scale: -1, sections: [], axes: [] };
   expect(refusal({ what: "drawings", options: drawings })).toMatch(
     /^The drawings were refused: scale .+\.$/,
+  );
+  const noAxis = { ...drawings, scale: 0, axes: ["q=1"] };
+  expect(refusal({ what: "drawings", options: noAxis })).toBe(
+    'The drawings were refused: axis "q=1" is not x=V, y=V or z=V, or one with :NAME behind it.',
   );
   expect(pieces).toBe(0);
 });

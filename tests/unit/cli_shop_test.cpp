@@ -80,7 +80,10 @@ TEST_F(Cli, AReaderOfDxfAgreesWithTheMeshOnPlanElevationsAndSection) {
   ASSERT_EQ(run("drawings m.obj -o a.zip --section x=3.3 --section z=0.5 --report r.json"), 0)
       << err();
   EXPECT_EQ(nlohmann::json::parse(contents(directory_ / "r.json"))["drawings"].size(), 7U);
-  ASSERT_EQ(run("drawings m.obj -o b.zip --section x=3.3 --unit in --scale 33"), 0) << err();
+  ASSERT_EQ(run("drawings m.obj -o b.zip --section x=3.3 --unit in --scale 33 --axis x=2:A "
+                "--axis x=5.25:B --axis y=3 --axis z=0.5:Träger --axis z=0:"),
+            0)
+      << err();
   const std::string check = testing::in_tree("tests/reference/check_drawings.py");
   for (const char* zip : {"a.zip", "b.zip"}) {
     const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
@@ -106,7 +109,7 @@ TEST_F(Cli, DrawingsAndModelsSayWhatIsWrong) {
         "drawings sample:vault:4 -o b.zip --section x",
         "drawings sample:vault:4 -o b.zip --section x=1,2",
         "drawings sample:vault:4 -o b.zip --section plane=0,0,0,1",
-        "drawings sample:vault:4 -o b.zip --scale 0",
+        "drawings sample:vault:4 -o b.zip --scale 0", "drawings sample:vault:4 -o b.zip --axis w=1",
         "drawings sample:vault:4 -o b.zip --unit yard",
         "panels sample:vault:4 -o b.ifc --sheet 100x100", "panels sample:vault:4 -o b.ifc --link x",
         "panels sample:vault:4 -o b.zip --text-height -1"}) {

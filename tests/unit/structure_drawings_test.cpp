@@ -30,7 +30,7 @@ TEST(StructureDrawings, ArePlanElevationsAndSections) {
   EXPECT_TRUE(write_drawings(testing::quad_grid(4, 3), options).zip == drawings.zip);
 }
 
-/// A plan of 3 × 2 m on 400 × 267 mm: 1 : 10 is the first that fits.
+/// A plan of 3 × 2 m with its sizes on 400 × 277 mm: 1 : 10 is the first that fits.
 TEST(StructureDrawings, TakeTheFirstUsualScaleThatFits) {
   EXPECT_EQ(header_of(testing::quad_grid(4, 3), {})["scale"], 10.0);
   DrawingOptions options;
@@ -39,10 +39,35 @@ TEST(StructureDrawings, TakeTheFirstUsualScaleThatFits) {
   options.model_unit = "km";
   EXPECT_EQ(header_of(testing::quad_grid(4, 3), options)["scale"], 10000.0);
   options.model_unit = "m";
-  EXPECT_EQ(header_of(testing::quad_grid(9, 3), options)["scale"], 20.0);
-  EXPECT_EQ(header_of(testing::quad_grid(10, 3), options)["scale"], 25.0);
+  EXPECT_EQ(header_of(testing::quad_grid(8, 3), options)["scale"], 20.0);
+  EXPECT_EQ(header_of(testing::quad_grid(9, 3), options)["scale"], 25.0);
   options.scale = 33.0;
   EXPECT_EQ(header_of(testing::quad_grid(10, 3), options)["scale"], 33.0);
+}
+
+/// Without a level those of the lowest and the highest point, in the unit of the drawing.
+TEST(StructureDrawings, ShowStatedAxesAndLevelsOrThoseOfTheStructure) {
+  DrawingOptions options;
+  const Mesh flat = testing::quad_grid(4, 3);
+  EXPECT_EQ(header_of(flat, options)["axes"],
+            nlohmann::json::parse(R"([{"axis": "z", "at": 0.0, "name": ""}])"));
+  options.axes = {*parse_drawing_axis("x=1.5:A"), *parse_drawing_axis("z=-0.25:Eaves")};
+  options.unit = "cm";
+  EXPECT_EQ(header_of(flat, options)["axes"],
+            nlohmann::json::parse(R"([{"axis": "x", "at": 150.0, "name": "A"},
+                                      {"axis": "z", "at": -25.0, "name": "Eaves"}])"));
+}
+
+TEST(DrawingAxis, IsReadFromACoordinateANumberAndAName) {
+  const auto axis = parse_drawing_axis("y=-4.5:B:1");
+  ASSERT_TRUE(axis);
+  EXPECT_EQ(axis->coordinate, 1);
+  EXPECT_EQ(axis->at, -4.5);
+  EXPECT_EQ(axis->name, "B:1");
+  EXPECT_EQ(parse_drawing_axis("z=3:")->name, "");
+  for (const char* text : {"", "x", "x=", "x=:A", "w=1", "x=nan", "x=inf:A", "x =1", "xy=1"}) {
+    EXPECT_FALSE(parse_drawing_axis(text)) << text;
+  }
 }
 
 TEST(DrawingOptions, AreRefusedByName) {
@@ -56,6 +81,9 @@ TEST(DrawingOptions, AreRefusedByName) {
   options = {};
   options.sections = {{Eigen::Vector3d::Zero(), 0.0}};
   EXPECT_NE(find_problem(options)->find("section"), std::string::npos);
+  options = {};
+  options.axes = {{3, 0.0, "A"}};
+  EXPECT_NE(find_problem(options)->find("axis"), std::string::npos);
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include "numeric/trigonometry.hpp"
 #include "planish/text/number.hpp"
+#include "planish/text/utf8.hpp"
 
 namespace planish {
 namespace {
@@ -19,14 +21,18 @@ struct LayerStyle {
 };
 
 /// In the order of DrawingLayer.
-constexpr std::array<LayerStyle, 8> kLayers = {{{"CUT", 7, "#111", "none"},
-                                                {"MARK", 1, "#c22", "none"},
-                                                {"TEXT", 3, "#272", "none"},
-                                                {"GAP", 8, "#999", "none"},
-                                                {"SHEET", 5, "#36c", "none"},
-                                                {"OUTSIDE", 7, "#222", "#fff"},
-                                                {"INSIDE", 9, "#999", "#eee"},
-                                                {"SECTION", 1, "#c22", "none"}}};
+constexpr std::array<LayerStyle, 12> kLayers = {{{"CUT", 7, "#111", "none"},
+                                                 {"MARK", 1, "#c22", "none"},
+                                                 {"TEXT", 3, "#272", "none"},
+                                                 {"GAP", 8, "#999", "none"},
+                                                 {"SHEET", 5, "#36c", "none"},
+                                                 {"OUTSIDE", 7, "#222", "#fff"},
+                                                 {"INSIDE", 9, "#999", "#eee"},
+                                                 {"SECTION", 1, "#c22", "none"},
+                                                 {"AXIS", 8, "#777", "none"},
+                                                 {"LEVEL", 5, "#36c", "none"},
+                                                 {"PLANE", 1, "#c22", "none"},
+                                                 {"SIZE", 3, "#272", "none"}}};
 
 const LayerStyle& style_of(DrawingLayer layer) { return kLayers[static_cast<std::size_t>(layer)]; }
 
@@ -126,6 +132,23 @@ void add_polyline(std::string& dxf, const DrawnLoop& loop) {
   add_pair(dxf, 8, layer);
 }
 
+/// ASCII; anything else as \U+XXXX, which readers of R12 that know more than it show as meant.
+std::string dxf_quoted(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string quoted;
+  while (!text.empty()) {
+    const std::uint32_t code = take_code_point(text);
+    if (code >= 0x20 && code < 0x7F) {
+      quoted += static_cast<char>(code);
+      continue;
+    }
+    quoted += "\\U+";
+    const std::uint32_t written = code > 0xFFFF ? 0xFFFD : code;
+    for (int shift = 12; shift >= 0; shift -= 4) quoted += kDigits[written >> shift & 0xFu];
+  }
+  return quoted;
+}
+
 void add_text(std::string& dxf, const DrawnText& text) {
   add_pair(dxf, 0, "TEXT");
   add_pair(dxf, 8, style_of(DrawingLayer::kText).name);
@@ -135,7 +158,7 @@ void add_text(std::string& dxf, const DrawnText& text) {
     add_pair(dxf, code + 20, 0);
   }
   add_pair(dxf, 40, text.height);
-  add_pair(dxf, 1, text.text);
+  add_pair(dxf, 1, dxf_quoted(text.text));
   add_pair(dxf, 50, text.degrees);
   add_pair(dxf, 72, 1);  // centred
   add_pair(dxf, 73, 2);  // on its middle
@@ -171,7 +194,7 @@ void add_svg_text(std::string& svg, const DrawnText& text, double height) {
   append_decimals(svg, -text.degrees);
   svg += ")\"";
   add_attribute(svg, "font-size", 1.4 * text.height);  // capitals are 0.7 of it
-  svg += " dy=\"0.35em\">" + text.text + "</text>\n";
+  svg += " dy=\"0.35em\">" + markup_quoted(text.text) + "</text>\n";
 }
 
 }  // namespace
@@ -192,6 +215,10 @@ void append_decimals(std::string& text, double value) {
     text += static_cast<char>('0' + rest / place);
     rest %= place;
   }
+}
+
+double text_width(const std::string& text, double height) {
+  return 0.9 * height * static_cast<double>(text.size());
 }
 
 void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion) {

@@ -28,20 +28,6 @@ constexpr std::string_view kStyle =
     "i{font-style:normal;white-space:nowrap}"
     ".code{position:absolute;right:4mm;top:12mm;width:50mm;height:50mm}";
 
-std::string html_quoted(std::string_view text) {
-  std::string quoted;
-  for (const char c : as_utf8(text)) {
-    if (c == '&') {
-      quoted += "&amp;";
-    } else if (c == '<') {
-      quoted += "&lt;";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted;
-}
-
 /// The code, drawn once; every label refers to it.
 std::string code_symbol(const LinkCode& code) {
   std::string svg = "<svg width=\"0\" height=\"0\"><symbol id=\"code\" viewBox=\"-4 -4 ";
@@ -106,7 +92,7 @@ void append_rounded(std::string& html, double length) {
 void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_code) {
   const BoundingRectangle rectangle = bounding_rectangle(plan.panels[at(face)].outline);
   html += "<div class=\"label\"><b>" + plan.options.names.of(face) + "</b>";
-  html += "<p class=\"name\">" + hash_text(plan.hash) + " " + html_quoted(plan.options.name);
+  html += "<p class=\"name\">" + hash_text(plan.hash) + " " + markup_quoted(plan.options.name);
   html += "</p><p>";
   append_rounded(html, rectangle.width);
   html += " × ";
@@ -128,7 +114,7 @@ void add_label(std::string& html, const CuttingPlan& plan, int face, bool has_co
 std::string write_labels(const CuttingPlan& plan, const std::vector<int>& faces,
                          const LinkCode& code) {
   std::string html = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>";
-  html += html_quoted(plan.options.name) + ": labels</title>\n<style>";
+  html += markup_quoted(plan.options.name) + ": labels</title>\n<style>";
   html.append(kStyle).append("</style>\n");
   if (code.size > 0) html += code_symbol(code);
   for (std::size_t k = 0; k < faces.size(); ++k) {

@@ -76,20 +76,15 @@ Eigen::Vector2d label_point(const Outline& outline) {
   return best;
 }
 
-/// A character is 0.9 of its height wide or less.
-double width_of(const std::string& text, double height) {
-  return 0.9 * height * static_cast<double>(text.size());
-}
-
 /// Height at which `text` is not wider than `width`.
 double fitting_height(const std::string& text, double width, double height) {
-  return std::min(height, width / width_of(text, 1.0));
+  return std::min(height, width / text_width(text, 1.0));
 }
 
 /// The rectangle that `text` fills at most; `along`: as it runs, of length 1.
 Outline room_of(const DrawnText& text, const Eigen::Vector2d& along) {
   const Eigen::Vector2d up(-along.y(), along.x());
-  const Eigen::Vector2d right = 0.5 * width_of(text.text, text.height) * along;
+  const Eigen::Vector2d right = 0.5 * text_width(text.text, text.height) * along;
   const Eigen::Vector2d top = 0.5 * text.height * up;
   Outline corners(2, 4);
   corners << -right - top, right - top, right + top, top - right;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fabrication/drawing_notes.hpp"
 #include "fabrication/json_object.hpp"
 #include "fabrication/view_axes.hpp"
 #include "planish/fabrication/cutting_plan.hpp"
@@ -20,7 +21,6 @@ namespace planish {
 namespace {
 
 constexpr double kMargin = 10.0;       // around an SVG, mm of paper
-constexpr double kTitleHeight = 3.5;   // mm of paper
 constexpr double kPaperWidth = 420.0;  // A3
 constexpr double kPaperHeight = 297.0;
 
@@ -38,23 +38,12 @@ std::array<NamedView, 5> all_views() {
            {"elevation-left", -Eigen::Vector3d::UnitX()}}};
 }
 
-/// A drawing in the structure's own coordinates, with what it is seen in.
+/// A drawing in the structure's own coordinates, with where it is seen from.
 struct NamedDrawing {
   std::string name;
+  ViewAxes view;
   Drawing drawing;
-  PlanarBox box;
 };
-
-PlanarBox box_of(const Drawing& drawing) {
-  if (drawing.loops.empty()) return {};
-  const Outline& first = drawing.loops[0].points;
-  PlanarBox box{first.rowwise().minCoeff(), first.rowwise().maxCoeff()};
-  for (const DrawnLoop& loop : drawing.loops) {
-    box.low = box.low.cwiseMin(loop.points.rowwise().minCoeff());
-    box.high = box.high.cwiseMax(loop.points.rowwise().maxCoeff());
-  }
-  return box;
-}
 
 NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   const ViewAxes axes = view_from(view.towards);
@@ -62,21 +51,20 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   panels.reserve(at(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) panels.push_back(see_panel(mesh, f, axes));
   sort_by_depth(panels);
-  NamedDrawing result{view.name, {}, {}};
+  NamedDrawing result{view.name, axes, {}};
   for (SeenPanel& panel : panels) {
     const bool shows_outside =
         panel_normal(mesh.positions, mesh.face(panel.face)).dot(view.towards) >= 0.0;
     result.drawing.loops.push_back(
         {shows_outside ? DrawingLayer::kOutside : DrawingLayer::kInside, std::move(panel.outline)});
   }
-  result.box = box_of(result.drawing);
   return result;
 }
 
 NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPlane& plane,
                           std::string name) {
   const ViewAxes axes = view_from(plane.normal);
-  NamedDrawing result{std::move(name), {}, {}};
+  NamedDrawing result{std::move(name), axes, {}};
   for (const SectionLine& line : lines) {
     DrawnLoop loop{DrawingLayer::kSection, Outline(2, line.points.cols()), line.closed};
     for (Eigen::Index k = 0; k < line.points.cols(); ++k) {
@@ -84,7 +72,6 @@ NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPl
     }
     result.drawing.loops.push_back(std::move(loop));
   }
-  result.box = box_of(result.drawing);
   return result;
 }
 
@@ -106,40 +93,94 @@ std::string section_table(const PanelNames& names, const std::vector<SectionLine
   return csv;
 }
 
-/// The first of 1, 2, 5, 10, 20, 25 and 50 times a power of ten at which all drawings fit A3.
-double usual_scale(const std::vector<NamedDrawing>& drawings, double millimetres) {
-  double needed = 0.0;
-  for (const NamedDrawing& d : drawings) {
-    const Eigen::Vector2d size = millimetres * (d.box.high - d.box.low);
-    needed = std::max({needed, size.x() / (kPaperWidth - 2.0 * kMargin),
-                       size.y() / (kPaperHeight - 3.0 * kMargin)});
-  }
-  constexpr std::array<double, 4> kSteps = {1.0, 2.0, 2.5, 5.0};
-  for (double power = 1.0; power < 1e12; power *= 10.0) {
-    for (const double step : kSteps) {
-      if (step * power == 2.5) continue;  // 1 : 2.5 is not usual, 1 : 25 is
-      if (step * power >= needed) return step * power;
-    }
-  }
-  return std::max(needed, 1.0);
+/// "roof, plan, 1:50, sizes in mm, levels in m, mesh 1a2b3c4d".
+std::string title_of(const DrawingOptions& options, const std::string& view, double scale,
+                     const std::string& hash) {
+  std::string title = options.name + ", " + view + ", 1:";
+  append_decimals(title, scale);
+  return title + ", sizes in " + options.unit + ", levels in m, mesh " + hash;
 }
 
-/// On paper: mm, the lower left corner of the drawing inside the margin, a title below it.
-std::string paper_svg(const NamedDrawing& d, double scale, double millimetres) {
-  const double factor = millimetres / scale;
-  const double below = 2.0 * kMargin;
-  Drawing paper;
-  for (DrawnLoop loop : d.drawing.loops) {
-    loop.points = factor * (loop.points.colwise() - d.box.low);
-    loop.points.colwise() += Eigen::Vector2d(kMargin, below);
-    paper.loops.push_back(std::move(loop));
+/// What one set of drawings has in common, in the unit of its DXF.
+struct DrawingSet {
+  const DrawingOptions& options;
+  DrawingNotes notes;        ///< without their title
+  double millimetres = 1.0;  ///< in one of the unit
+  std::string hash;          ///< of the mesh
+
+  /// What stands round the drawing at 1 : `scale`.
+  [[nodiscard]] Drawing notes_of(const NamedDrawing& d, double scale) const {
+    DrawingNotes titled = notes;
+    titled.title = title_of(options, d.name, scale, hash);
+    return notes_round(box_of(d.drawing), d.view, titled, scale / millimetres);
   }
-  std::string title = d.name + " 1:";
-  append_decimals(title, scale);
-  const Eigen::Vector2d size = factor * (d.box.high - d.box.low);
-  const double width = std::max(size.x(), 40.0) + 2.0 * kMargin;
-  paper.texts.push_back({{0.5 * width, kMargin}, kTitleHeight, 0.0, title});
-  return write_svg(paper, width, size.y() + below + kMargin, "mm");
+
+  [[nodiscard]] bool fits(const NamedDrawing& d, double scale) const {
+    const PlanarBox bare = box_of(d.drawing), round = box_of(notes_of(d, scale));
+    const Eigen::Vector2d size =
+        millimetres / scale * (round.high.cwiseMax(bare.high) - round.low.cwiseMin(bare.low));
+    return size.x() <= kPaperWidth - 2.0 * kMargin && size.y() <= kPaperHeight - 2.0 * kMargin;
+  }
+
+  /// The first of 1, 2, 5, 10, 20, 25 and 50 times a power of ten at which all drawings fit A3.
+  [[nodiscard]] double usual_scale(const std::vector<NamedDrawing>& drawings) const {
+    constexpr std::array<double, 4> kSteps = {1.0, 2.0, 2.5, 5.0};
+    for (double power = 1.0; power < 1e12; power *= 10.0) {
+      for (const double step : kSteps) {
+        if (step * power == 2.5) continue;  // 1 : 2.5 is not usual, 1 : 25 is
+        const double scale = step * power;
+        const auto fit = [&](const NamedDrawing& d) { return fits(d, scale); };
+        if (std::all_of(drawings.begin(), drawings.end(), fit)) return scale;
+      }
+    }
+    return 1e12;
+  }
+};
+
+/// On paper: mm, everything inside the margin.
+std::string paper_svg(const Drawing& drawing, double factor) {
+  const PlanarBox box = box_of(drawing);
+  const Eigen::Vector2d margin(kMargin, kMargin);
+  const auto on_paper = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+    return factor * (p - box.low) + margin;
+  };
+  Drawing paper = drawing;
+  for (DrawnLoop& loop : paper.loops) {
+    for (auto point : loop.points.colwise()) point = on_paper(point);
+  }
+  for (DrawnText& text : paper.texts) {
+    text.position = on_paper(text.position);
+    text.height *= factor;
+  }
+  const Eigen::Vector2d size = factor * (box.high - box.low) + 2.0 * margin;
+  return write_svg(paper, size.x(), size.y(), "mm");
+}
+
+std::string json_of(const std::vector<DrawingAxis>& axes) {
+  std::string json;
+  for (const DrawingAxis& axis : axes) {
+    json += json.empty() ? "[" : ",";
+    json += JsonObject()
+                .add("axis", std::string(1, "xyz"[axis.coordinate]))
+                .add("at", axis.at)
+                .add("name", axis.name)
+                .text();
+  }
+  return json.empty() ? "[]" : json + "]";
+}
+
+/// Those that are stated; without a level, the lowest and the highest point of the structure.
+std::vector<DrawingAxis> drawn_axes(const Mesh& mesh, const DrawingOptions& options,
+                                    double factor) {
+  std::vector<DrawingAxis> axes = options.axes;
+  for (DrawingAxis& axis : axes) axis.at *= factor;
+  const bool levels = std::any_of(axes.begin(), axes.end(),
+                                  [](const DrawingAxis& axis) { return axis.coordinate == 2; });
+  if (levels || mesh.positions.cols() == 0) return axes;
+  const double low = mesh.positions.row(2).minCoeff(), high = mesh.positions.row(2).maxCoeff();
+  axes.push_back({2, low, ""});
+  if (high > low) axes.push_back({2, high, ""});
+  return axes;
 }
 
 }  // namespace
@@ -153,6 +194,11 @@ Refusal find_problem(const DrawingOptions& options) {
       return "section must be a plane with a direction";
     }
   }
+  for (const DrawingAxis& axis : options.axes) {
+    if (!std::isfinite(axis.at) || axis.coordinate < 0 || axis.coordinate > 2) {
+      return "axis must be x, y or z at a finite place";
+    }
+  }
   return std::nullopt;
 }
 
@@ -163,25 +209,31 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
   mesh.positions *= factor;
   std::vector<NamedDrawing> drawings;
   for (const NamedView& view : all_views()) drawings.push_back(draw_view(mesh, view));
+  DrawingSet set{options,
+                 {drawn_axes(mesh, options, factor), {}, options.unit, metres, ""},
+                 1000.0 * metres,
+                 hash_text(mesh_hash(given))};
   const JointTable joints = joint_table(mesh);
   StructureDrawings result;
   ZipWriter zip([&](std::string_view piece) { result.zip += piece; });
   for (std::size_t k = 0; k < options.sections.size(); ++k) {
     SectionPlane plane = options.sections[k];
     plane.offset *= factor;
+    set.notes.sections.push_back(plane);
     const std::vector<SectionLine> lines = cut_by(mesh, joints, plane);
     if (lines.empty()) result.missed.push_back(static_cast<int>(k));
     const std::string name = "section-" + std::to_string(k + 1);
     zip.add(name + "-" + options.unit + ".csv", section_table(options.names, lines));
     drawings.push_back(draw_section(lines, plane, name));
   }
-  const double millimetres = 1000.0 * metres;
-  const double scale = options.scale > 0.0 ? options.scale : usual_scale(drawings, millimetres);
+  const double scale = options.scale > 0.0 ? options.scale : set.usual_scale(drawings);
   std::vector<std::string> names;
   for (const NamedDrawing& d : drawings) {
     names.push_back(d.name);
-    zip.add(d.name + ".svg", paper_svg(d, scale, millimetres));
-    zip.add(d.name + "-" + options.unit + ".dxf", write_dxf(d.drawing));
+    Drawing drawing = d.drawing;
+    add_moved(drawing, set.notes_of(d, scale), {});
+    zip.add(d.name + ".svg", paper_svg(drawing, set.millimetres / scale));
+    zip.add(d.name + "-" + options.unit + ".dxf", write_dxf(drawing));
   }
   result.header = JsonObject()
                       .add("format", "planish-drawings")
@@ -189,8 +241,9 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
                       .add("name", options.name)
                       .add("unit", options.unit)
                       .add("model_unit", options.model_unit)
-                      .add("mesh_hash", hash_text(mesh_hash(given)))
+                      .add("mesh_hash", set.hash)
                       .add("scale", scale)
+                      .raw("axes", json_of(set.notes.axes))
                       .add("drawings", names)
                       .add("missed", result.missed)
                       .text();

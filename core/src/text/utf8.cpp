@@ -47,4 +47,18 @@ std::string as_utf8(std::string_view text) {
   return result;
 }
 
+std::string markup_quoted(std::string_view text) {
+  std::string quoted;
+  for (const char c : as_utf8(text)) {
+    if (c == '&') {
+      quoted += "&amp;";
+    } else if (c == '<') {
+      quoted += "&lt;";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted;
+}
+
 }  // namespace planish

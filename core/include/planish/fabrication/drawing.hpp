@@ -21,6 +21,10 @@ enum class DrawingLayer {
   kOutside,  ///< a panel that shows its outside
   kInside,   ///< a panel that shows its inside
   kSection,  ///< where a plane cuts it
+  kAxis,     ///< an axis of the building
+  kLevel,    ///< a height
+  kPlane,    ///< where a section cuts
+  kSize,     ///< a dimension
 };
 
 struct DrawnLoop {
@@ -34,13 +38,16 @@ struct DrawnText {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double height = 1.0;
   double degrees = 0.0;  ///< of its baseline, anticlockwise from x
-  std::string text;      ///< ASCII
+  std::string text;      ///< any bytes; what is no UTF-8 is written as U+FFFD
 };
 
 struct Drawing {
   std::vector<DrawnLoop> loops;
   std::vector<DrawnText> texts;
 };
+
+/// How wide a text of this height is at most: a character is 0.9 of its height wide or less.
+[[nodiscard]] double text_width(const std::string& text, double height);
 
 /// A rotation, then a shift: nothing here is ever mirrored.
 struct PlanarMotion {

@@ -15,4 +15,7 @@ namespace planish {
 /// `text` with U+FFFD in place of what is no UTF-8.
 [[nodiscard]] std::string as_utf8(std::string_view text);
 
+/// `text` between the tags of HTML or SVG: as as_utf8() with & and < as entities.
+[[nodiscard]] std::string markup_quoted(std::string_view text);
+
 }  // namespace planish

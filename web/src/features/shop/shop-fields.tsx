@@ -37,6 +37,31 @@ export function NumberRow({ label, value, otherwise = "none", min = "0" }: Lengt
   );
 }
 
+interface TextProps {
+  readonly label: string;
+  readonly value: Signal<string>;
+  /** How it is written. */
+  readonly placeholder: string;
+}
+
+export function TextRow({ label, value, placeholder }: TextProps) {
+  return (
+    <>
+      <label for={idOf(label)}>{label}</label>
+      <input
+        id={idOf(label)}
+        type="text"
+        spellcheck={false}
+        placeholder={placeholder}
+        value={value.value}
+        onInput={({ currentTarget }) => {
+          value.value = currentTarget.value;
+        }}
+      />
+    </>
+  );
+}
+
 interface ChoiceProps<T extends string> {
   readonly label: string;
   readonly value: Signal<T>;

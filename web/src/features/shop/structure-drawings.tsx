@@ -4,7 +4,7 @@ import { useSignal } from "@preact/signals";
 import { type Unit, unitWord } from "../../quantity/units.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { exportDrawings } from "./shop.ts";
-import { ChoiceRow, NumberRow, ShopForm, UnitRow } from "./shop-fields.tsx";
+import { ChoiceRow, NumberRow, ShopForm, TextRow, UnitRow } from "./shop-fields.tsx";
 
 type Across = "none" | "x" | "y" | "z";
 
@@ -22,17 +22,29 @@ function planeOf(across: Across, at: number): readonly number[] {
   return [across === "x" ? 1 : 0, 0, across === "z" ? 1 : 0, at];
 }
 
+/** "x=4.5:A, z=3.2:Eaves" one by one. */
+const axesOf = (text: string): readonly string[] =>
+  text
+    .split(",")
+    .map((axis) => axis.trim())
+    .filter((axis) => axis !== "");
+
 /** Plan, elevations and a section, to scale. */
 export function StructureDrawings() {
   const page = usePage();
-  const [scale, at] = [useSignal(""), useSignal("")];
+  const [scale, at, axes] = [useSignal(""), useSignal(""), useSignal("")];
   const drawingUnit = useSignal<Unit>("mm");
   const across = useSignal<Across>("none");
   const said = useSignal<string | null>(null);
   const save = async (): Promise<void> => {
     said.value = null;
     const sections = planeOf(across.value, Number(at.value));
-    const options = { unit: drawingUnit.value, scale: Number(scale.value), sections };
+    const options = {
+      unit: drawingUnit.value,
+      scale: Number(scale.value),
+      sections,
+      axes: axesOf(axes.value),
+    };
     const drawn = await exportDrawings(page, options);
     if (drawn === null) return;
     const missed = drawn.missed.length > 0 ? " The section does not meet the structure." : "";
@@ -51,9 +63,11 @@ export function StructureDrawings() {
           min=""
         />
       )}
+      <TextRow label="Axes and levels" value={axes} placeholder="x=4.5:A, z=3.2:Eaves" />
       <p class="quiet">
-        Plan, four elevations and the section, each as SVG to scale and as DXF at full size. The
-        front is at the lowest y.
+        Plan, four elevations and the section, each as SVG to scale and as DXF at full size, with
+        sizes and levels: the lowest and the highest point where none is stated. The front is at the
+        lowest y.
       </p>
     </ShopForm>
   );
