@@ -7,8 +7,17 @@ export const TABS = ["edit", "explore", "check"] as const;
 
 export type Tab = (typeof TABS)[number];
 
-/** What an edit has to keep to, beside flat panels. */
-export type Rule = "limits" | "supports" | "keepOuts" | "symmetry";
+/** What an edit has to keep to, beside flat panels, in the order in which it is shown. */
+export const RULES = {
+  limits: "Limits",
+  supports: "Supports",
+  keepOuts: "Keep-outs",
+  symmetry: "Symmetry",
+} as const;
+
+export type Rule = keyof typeof RULES;
+
+export const rulesInOrder = Object.keys(RULES) as readonly Rule[];
 
 export const shownTab = kept(() => signal<Tab>("edit"));
 

@@ -5,14 +5,12 @@ import { FIRST_SETTINGS } from "../design/design.ts";
 import { formsByPoint } from "../design/listed-supports.ts";
 import { areAllOnSurface } from "../design/supports.ts";
 import type { EditSettings } from "../solver/protocol.ts";
-import { type Rule, shownRule } from "../state/inspector.ts";
+import { RULES, type Rule, rulesInOrder, shownRule } from "../state/inspector.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
 import "./rules.css";
 
 interface RuleKind {
-  readonly rule: Rule;
-  readonly label: string;
   /** How many of them the settings of an edit state. */
   readonly count: (settings: EditSettings) => number;
   readonly Editor: ComponentType;
@@ -21,45 +19,38 @@ interface RuleKind {
 const supported = ({ supports }: EditSettings): number =>
   formsByPoint(supports).size + (areAllOnSurface(supports) ? 1 : 0);
 
-const RULES: readonly RuleKind[] = [
-  {
-    rule: "limits",
-    label: "Limits",
+const KINDS: Readonly<Record<Rule, RuleKind>> = {
+  limits: {
     count: ({ limits }) => limits.length,
     Editor: later(() => import("../features/constraints/limits.tsx").then((part) => part.Limits)),
   },
-  {
-    rule: "supports",
-    label: "Supports",
+  supports: {
     count: supported,
     Editor: later(() =>
       import("../features/supports/point-supports.tsx").then((part) => part.PointSupports),
     ),
   },
-  {
-    rule: "keepOuts",
-    label: "Keep-outs",
+  keepOuts: {
     count: ({ keepOuts }) => keepOuts.length,
     Editor: later(() =>
       import("../features/keep-outs/keep-outs-section.tsx").then((part) => part.KeepOuts),
     ),
   },
-  {
-    rule: "symmetry",
-    label: "Symmetry",
+  symmetry: {
     count: ({ symmetry }) => symmetry.length,
     Editor: later(() =>
       import("../features/symmetry/symmetry-section.tsx").then((part) => part.SymmetrySection),
     ),
   },
-];
+};
 
 const LimitStanding = later(() =>
   import("../features/constraints/limits.tsx").then((part) => part.LimitStanding),
 );
 
-function Chip({ rule, label, count }: RuleKind) {
+function Chip({ rule }: { rule: Rule }) {
   const page = usePage();
+  const [label, { count }] = [RULES[rule], KINDS[rule]];
   const shown = shownRule(page);
   const on = count(page.settings.value ?? FIRST_SETTINGS);
   const open = shown.value === rule;
@@ -81,27 +72,30 @@ function Chip({ rule, label, count }: RuleKind) {
 export function Rules() {
   const page = usePage();
   const settings = page.settings.value ?? FIRST_SETTINGS;
-  const stated = RULES.filter(({ count }) => count(settings) > 0).length;
+  const stated = rulesInOrder.filter((rule) => KINDS[rule].count(settings) > 0).length;
   const open = shownRule(page).value;
   return (
     <section class="rules" aria-labelledby="rules">
       <h3 id="rules">{stated > 0 ? `Rules (${stated})` : "Rules"}</h3>
       <div class="chips">
-        {RULES.map((kind) => (
-          <Chip key={kind.rule} {...kind} />
+        {rulesInOrder.map((rule) => (
+          <Chip key={rule} rule={rule} />
         ))}
       </div>
-      {RULES.map(({ rule, label, Editor }) => (
-        <section
-          key={rule}
-          id={`rule-${rule}`}
-          class="rule"
-          aria-label={label}
-          hidden={open !== rule}
-        >
-          <Editor />
-        </section>
-      ))}
+      {rulesInOrder.map((rule) => {
+        const { Editor } = KINDS[rule];
+        return (
+          <section
+            key={rule}
+            id={`rule-${rule}`}
+            class="rule"
+            aria-label={RULES[rule]}
+            hidden={open !== rule}
+          >
+            <Editor />
+          </section>
+        );
+      })}
       <LimitStanding />
     </section>
   );

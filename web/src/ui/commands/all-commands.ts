@@ -5,7 +5,7 @@ import { SAMPLES } from "../../design/samples.ts";
 import { NUMBER_COMMANDS } from "../../features/numbers/numbering.ts";
 import { SELECTION_COMMANDS } from "../../features/selecting/selection-commands.ts";
 import { KEEP_VIEW } from "../../features/views/named-views.ts";
-import { goToRule, goToTab, type Rule, viewOptionsShown } from "../../state/inspector.ts";
+import { goToRule, goToTab, RULES, rulesInOrder, viewOptionsShown } from "../../state/inspector.ts";
 import { openSample } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
@@ -27,20 +27,13 @@ function colourBy(kind: ColourBy, label: string): Command {
   };
 }
 
-const RULES: readonly (readonly [Rule, string])[] = [
-  ["limits", "limits"],
-  ["supports", "supports"],
-  ["keepOuts", "keep-outs"],
-  ["symmetry", "symmetry"],
-];
-
 /** The ways to sections that are out of sight. */
 const PLACES: readonly Command[] = [
   { label: "Go to Edit", run: (page) => goToTab(page, "edit") },
   { label: "Go to Explore", run: (page) => goToTab(page, "explore") },
   { label: "Go to Check and make", run: (page) => goToTab(page, "check") },
-  ...RULES.map(([rule, label]) => ({
-    label: `Rules: ${label}`,
+  ...rulesInOrder.map((rule) => ({
+    label: `Rules: ${RULES[rule].toLowerCase()}`,
     run: (page: Page) => goToRule(page, rule),
   })),
   {
