@@ -55,10 +55,8 @@ ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& re
   constexpr double kShortestPart = 0.125 / 16;
   NewtonOptions options = engine_options();
   options.stop = 1e-5;
-  options.max_steps = follows_softness() ? budget().part : 60;
-  constexpr int kMostInParts = 1500;  // without a reach
-  const int most =
-      report.cost.factorizations + (follows_softness() ? budget().all_parts : kMostInParts);
+  options.max_steps = parts_budget().part;
+  const int most = report.cost.factorizations + parts_budget().all;
   HandlesOnTheirWay handles(model_.problem());
   ExactDesign best = EditModel::unmoved();
   field_.clear();

@@ -22,8 +22,16 @@ bool EditSearch::follows_softness() const {
 
 /// What takes more ends no lower; where many stated limits act, late steps still pay.
 EditSearch::Budget EditSearch::budget() const {
-  constexpr Budget kPlain{40, 60, 25, 80, 25, 150};
-  constexpr Budget kLimited{80, 120, 60, 150, 40, 300};
+  constexpr Budget kPlain{40, 60, 25, 80};
+  constexpr Budget kLimited{80, 120, 60, 150};
+  return model_.options().bounds.empty() ? kPlain : kLimited;
+}
+
+EditSearch::PartsBudget EditSearch::parts_budget() const {
+  constexpr PartsBudget kAnywhere{60, 1500};
+  constexpr PartsBudget kPlain{25, 150};
+  constexpr PartsBudget kLimited{40, 300};
+  if (!follows_softness()) return kAnywhere;
   return model_.options().bounds.empty() ? kPlain : kLimited;
 }
 

@@ -38,10 +38,14 @@ class EditSearch {
   [[nodiscard]] WorkingSetNewton& newton() { return newton_; }
 
  private:
-  /// What an edit within a reach is worth: steps of its searches, of its settling and of a part of
-  /// the way, and factorizations of all parts.
+  /// What an edit within a reach is worth: steps of its searches and of its settling.
   struct Budget {
-    int coarse, last, first_settle, settle, part, all_parts;
+    int coarse, last, first_settle, settle;
+  };
+
+  /// What going in parts is worth: steps of one, factorizations of all.
+  struct PartsBudget {
+    int part, all;
   };
 
   /// Where a search stands: what moves, and how.
@@ -52,6 +56,7 @@ class EditSearch {
 
   [[nodiscard]] bool follows_softness() const;
   [[nodiscard]] Budget budget() const;
+  [[nodiscard]] PartsBudget parts_budget() const;
   [[nodiscard]] NewtonOptions engine_options() const;
   [[nodiscard]] Place place() const { return {newton_.support(), field_.snapshot()}; }
   void go_back(const Place& place);

@@ -128,6 +128,8 @@ class WorkingSetNewton {
                                EngineOutcome& outcome);
   void shrink_what_rests(double smoothing, double shrink);
   void keep_support(double rest);
+  /// The settled state, at this smoothing, is what is kept.
+  void keep_settled(double smoothing, DisplacementField& field);
   void judge_rests(const EditProblem& problem, double rest, Optimality& result);
 
   const MeshModel& model_;

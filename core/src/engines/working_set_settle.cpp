@@ -186,10 +186,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     smoothing *= shrink;
     step_.restart();
   }
-  settled_ = state_.displacement;
-  settled_smoothing_ = smoothing;
-  keep_support(kRestsAtLast * smoothing);
-  field.store(patch_, state_);
+  keep_settled(smoothing, field);
   outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
 }
@@ -208,11 +205,16 @@ EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonO
     if (residuals_.size() == 0 || residuals_.cwiseAbs().maxCoeff() <= kExactRows) break;
     if (step_.take(step, settled_smoothing_, state_) != PrimalDualStep::Result::kAccepted) break;
   }
-  settled_ = state_.displacement;
-  keep_support(kRestsAtLast * settled_smoothing_);
-  field.store(patch_, state_);
+  keep_settled(settled_smoothing_, field);
   outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
+}
+
+void WorkingSetNewton::keep_settled(double smoothing, DisplacementField& field) {
+  settled_ = state_.displacement;
+  settled_smoothing_ = smoothing;
+  keep_support(kRestsAtLast * smoothing);
+  field.store(patch_, state_);
 }
 
 /// What is at rest stays exactly there; the rest is the support.
