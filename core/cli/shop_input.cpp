@@ -30,15 +30,11 @@ ShopInput replay_input(const std::string& path) {
   return input;
 }
 
-/// Of the base of a design: its edit is not done.
-PanelNames names_after_cuts(const std::string& path, const OpenedDesign& opened) {
-  if (opened.design.cuts.empty()) return {};
-  Design bare = opened.design;
-  bare.targets = {};
-  bare.variations.clear();
-  auto result = replay(bare, opened.base ? &*opened.base : nullptr);
-  if (auto* sentence = std::get_if<std::string>(&result)) refuse_file(path, *sentence);
-  return PanelNames(std::get<Replay>(result).cut->parents);
+PanelNames names_after_cuts(const std::string& path, const Design& design, const Positions& base) {
+  if (design.cuts.empty()) return {};
+  auto cut = cuts_that_left(base, design);
+  if (auto* sentence = std::get_if<std::string>(&cut)) refuse_file(path, *sentence);
+  return PanelNames(std::get<CutMesh>(std::move(cut)).parents);
 }
 
 /// A GLB with a base holds the finished design: nothing is solved.
@@ -52,7 +48,7 @@ ShopInput read_glb_input(const std::string& path, const std::string& unit) {
   const OpenedDesign opened = open_design(path);
   input.model_unit = opened.design.unit;
   input.tolerance = opened.design.options.tolerance;
-  input.names = names_after_cuts(path, opened);
+  if (input.base) input.names = names_after_cuts(path, opened.design, input.base->positions);
   return input;
 }
 

@@ -302,6 +302,15 @@ std::variant<Replay, std::string> replay(const Design& design, const Mesh* given
   return played;
 }
 
+std::variant<CutMesh, std::string> cuts_that_left(const Positions& base, const Design& design) {
+  auto opened = source_mesh(design.source, nullptr);
+  if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
+  Mesh& flat = std::get<Mesh>(opened);
+  if (flat.vertex_count() > base.cols()) return "its base has fewer points than its mesh";
+  flat.positions = base.leftCols(flat.vertex_count());
+  return cut_mesh(flat, design.cuts);
+}
+
 std::variant<Replay, std::string> replay_on(Mesh base, std::shared_ptr<const MeshSymmetry> symmetry,
                                             const Design& design, const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);

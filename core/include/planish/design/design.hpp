@@ -131,6 +131,12 @@ struct Replay {
                                                        const Mesh* given = nullptr,
                                                        const Progress& progress = {});
 
+/// What the cuts of `design` made of its flat mesh, where a file holds what they left: nothing is
+/// made flat anew. One sentence where the design's mesh cannot be had, or has more points.
+/// @param base of the edit, as it was stored: 3 × n, model units
+[[nodiscard]] std::variant<CutMesh, std::string> cuts_that_left(const Positions& base,
+                                                                const Design& design);
+
 /// The same on a base that was opened, made flat, symmetric and cut, already, with supports that
 /// have the points of the cuts (supports_after_cuts()) and are not told in the result.
 /// @param symmetry of that base, which is the design's; null: none, and designs with one are
