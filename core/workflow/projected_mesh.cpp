@@ -77,7 +77,7 @@ void add_projected(Json& json, const ProjectedMesh& projected) {
   }
   json["split"] = {{"panels", projected.hybrid->panels},
                    {"reached", projected.hybrid->reached},
-                   {"tried", projected.hybrid->curve.size()},
+                   {"tried", projected.hybrid->projections},
                    {"curve", std::move(curve)}};
   add_cuts(json, projected.hybrid->cut);
 }

@@ -100,6 +100,30 @@ TEST(HybridMesh, OfATwistedMeshIsFlatWithAtMostHalfOfThePanelsSplit) {
   }
 }
 
+/// Halving tries numbers of panels that leave as many bent as fewer do: nobody reads those.
+TEST(HybridMesh, HasACurveThatIsBetterWithEveryEntry) {
+  const Mesh mesh = twisted_mesh(7);
+  const HybridMesh hybrid =
+      split_until_flat(mesh, fair_options(), boundary_vertices(mesh), at_most(18));
+  ASSERT_GT(hybrid.curve.size(), 1U);
+  EXPECT_LT(static_cast<int>(hybrid.curve.size()), hybrid.projections);
+  EXPECT_EQ(hybrid.curve.front().panels, 0);
+  for (std::size_t k = 1; k < hybrid.curve.size(); ++k) {
+    const HybridStanding &before = hybrid.curve[k - 1], &after = hybrid.curve[k];
+    EXPECT_GT(after.panels, before.panels);
+    EXPECT_LE(after.failing_faces, before.failing_faces);
+    if (after.failing_faces == before.failing_faces) {
+      EXPECT_EQ(after.failing_faces, 0);
+      EXPECT_LT(after.rms_move, before.rms_move);
+    }
+  }
+  const auto taken = std::find_if(hybrid.curve.begin(), hybrid.curve.end(),
+                                  [](const HybridStanding& one) { return one.failing_faces == 0; });
+  ASSERT_NE(taken, hybrid.curve.end());
+  EXPECT_EQ(taken->panels, hybrid.panels);
+  EXPECT_EQ(taken->rms_move, hybrid.result.rms_move);
+}
+
 TEST(HybridMesh, IsTheProjectionOfTheCutMesh) {
   const Mesh mesh = twisted_mesh(6);
   const ProjectionOptions options = fair_options();
@@ -121,6 +145,7 @@ TEST(HybridMesh, LeavesFlatMeshesAsTheyAre) {
   EXPECT_EQ(hybrid.panels, 0);
   EXPECT_TRUE(hybrid.result.moved.empty());
   EXPECT_EQ(hybrid.curve.size(), 1U);
+  EXPECT_EQ(hybrid.projections, 1);
 }
 
 TEST(HybridMesh, GivesTheFewestBentPanelsWhereTooFewMayBeSplit) {

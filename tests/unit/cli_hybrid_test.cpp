@@ -31,7 +31,13 @@ TEST_F(Cli, HybridProjectionWritesTheSplitMesh) {
   const json report = json::parse(contents(directory_ / "a.json"));
   EXPECT_EQ(report["split"]["panels"], 1);
   EXPECT_EQ(report["split"]["reached"], true);
-  EXPECT_EQ(report["split"]["curve"].size(), report["split"]["tried"]);
+  EXPECT_EQ(report["split"]["tried"], 2);
+  const json& curve = report["split"]["curve"];
+  ASSERT_EQ(curve.size(), 2U);
+  EXPECT_EQ(curve[0]["panels"], 0);
+  EXPECT_EQ(curve[0]["failing_faces"], 1);
+  EXPECT_EQ(curve[1]["panels"], 1);
+  EXPECT_EQ(curve[1]["failing_faces"], 0);
   EXPECT_EQ(report["mesh"]["faces"], 2);
   EXPECT_EQ(report["cuts"].size(), 1U);
   EXPECT_EQ(report["panel_parents"][0]["name"], "P-0001a");

@@ -20,6 +20,27 @@ constexpr double kFewBent = 0.25;
 /// Up to so many parted panels each is tried without.
 constexpr std::size_t kFewParted = 12;
 
+/// Whether a reader of the curve wants it behind `before`, which parts fewer panels.
+bool improves(const HybridStanding& after, const HybridStanding& before) {
+  if (after.failing_faces != before.failing_faces) {
+    return after.failing_faces < before.failing_faces;
+  }
+  return after.failing_faces == 0 && after.rms_move < before.rms_move;
+}
+
+/// What was tried, by the number of panels, each better than the one before it.
+std::vector<HybridStanding> curve_of(std::vector<HybridStanding> tried) {
+  std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
+    return a.panels != b.panels ? a.panels < b.panels : improves(a, b);
+  });
+  std::vector<HybridStanding> curve;
+  for (const HybridStanding& standing : tried) {
+    const bool is_same = !curve.empty() && curve.back().panels == standing.panels;
+    if (curve.empty() || (!is_same && improves(standing, curve.back()))) curve.push_back(standing);
+  }
+  return curve;
+}
+
 class HybridSearch {
  public:
   HybridSearch(const Mesh& mesh, const ProjectionOptions& options, const std::vector<int>& pins,
@@ -36,14 +57,13 @@ class HybridSearch {
       halve();
       leave_out();
     }
-    std::sort(best_.curve.begin(), best_.curve.end(),
-              [](const HybridStanding& a, const HybridStanding& b) { return a.panels < b.panels; });
+    best_.curve = curve_of(std::move(tried_));
     return std::move(best_);
   }
 
  private:
   [[nodiscard]] bool may_go_on() const {
-    return !stopped_ && static_cast<int>(best_.curve.size()) < hybrid_.most_projections;
+    return !stopped_ && best_.projections < hybrid_.most_projections;
   }
 
   /// Whether the mesh becomes flat with these parted; the best so far is kept.
@@ -55,9 +75,11 @@ class HybridSearch {
     stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
     const bool flat = !stopped_ && result.report.usable() && result.failing_faces.empty();
     const int failing = static_cast<int>(result.failing_faces.size());
-    const bool is_first = best_.curve.empty();
-    best_.curve.push_back(
-        {static_cast<int>(panels.size()), failing, result.rms_move, result.max_move});
+    const bool is_first = best_.projections++ == 0;
+    if (is_first || !stopped_) {
+      tried_.push_back(
+          {static_cast<int>(panels.size()), failing, result.rms_move, result.max_move});
+    }
     const bool is_better =
         best_.reached ? flat && panels.size() < parted_.size()
                       : flat || failing < static_cast<int>(best_.result.failing_faces.size());
@@ -117,6 +139,7 @@ class HybridSearch {
   std::vector<int> order_;
   std::size_t most_ = 0;
   std::vector<int> parted_;  ///< in the best so far
+  std::vector<HybridStanding> tried_;
   HybridMesh best_;
   bool stopped_ = false;
 };

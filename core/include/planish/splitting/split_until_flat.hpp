@@ -31,9 +31,10 @@ struct HybridMesh {
   CutMesh cut;              ///< lines between corners: no point is added; positions as given
   ProjectionResult result;  ///< of the parted mesh, bit for bit
   int panels = 0;           ///< that are parted
-  /// All that were tried, by the number of panels, those of most_panels being in it where the mesh
-  /// alone does not become flat.
+  /// By the number of panels, from none on; only what leaves fewer bent than fewer panels do, or
+  /// leaves none either and moves points less (rms_move).
   std::vector<HybridStanding> curve;
+  int projections = 0;   ///< that were tried
   bool reached = false;  ///< flat, and sound where the projection keeps shapes
 };
 
