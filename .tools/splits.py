@@ -7,7 +7,7 @@ that stop more than 5 % short there, `--split-where-needed 4` is measured with f
 Writes a line an edit, then the shares. A NAME is a sample:size, a shared mesh, or the path of one made flat
 already; what is drawn depends on the name and SEED alone, so meshes may be measured in pieces.
 
-Usage: /usr/bin/python3 .tools/splits.py [--edits N] [--sharp N] [--seed N] [NAME...]"""
+Usage: /usr/bin/python3 .tools/splits.py [--edits N] [--sharp N] [--seed N] [--planish FILE] [NAME...]"""
 
 import argparse
 import collections
@@ -32,7 +32,10 @@ REPLAYED = 10
 
 
 def said(*words, folder):
-    return subprocess.run([PLANISH, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False)
+    return subprocess.run([said.planish, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False)
+
+
+said.planish = PLANISH
 
 
 def flat_mesh(name, folder):
@@ -87,7 +90,8 @@ def measure_split(folder, handle, fold, way):
     falls = all(after < before for before, after in zip(errors, errors[1:], strict=False))
     steps = " ".join(f"{s['cuts']}:{100 * e:.0f}%({s['remade_panels']},{s['sharpest_fold']:.0f})"
                      for s, e in zip(curve, errors, strict=True))
-    print(f"   fold=+{fold} {time.monotonic() - begin:.1f} s, {report['splits']['tried']} tried: {steps}", flush=True)
+    print(f"   fold=+{fold} {time.monotonic() - begin:.1f} s, {report['splits']['tried']} tried, "
+          f"{report['splits']['factorizations']} factorizations: {steps}", flush=True)
     agrees = abs(report["handle_error"] / way - errors[-1]) < 1e-12
     return errors[-1] <= WITHIN, curve[-1]["cuts"], falls and agrees
 
@@ -98,6 +102,7 @@ def asked():
     parser.add_argument("--edits", type=int, default=200, help="over all meshes")
     parser.add_argument("--sharp", type=int, default=0, help="of a mesh, at +8 as well")
     parser.add_argument("--seed", type=int, default=38)
+    parser.add_argument("--planish", type=pathlib.Path, default=PLANISH)
     parser.add_argument("names", nargs="*", default=[*SAMPLES, *shared], metavar="NAME")
     return parser.parse_args()
 
@@ -105,6 +110,7 @@ def asked():
 def main():
     given = asked()
     names, edits = given.names, given.edits
+    said.planish = given.planish.resolve()
     found = []
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)

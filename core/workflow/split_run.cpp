@@ -32,7 +32,7 @@ SplitSolve solve_split(const Mesh& base, const EditTargets& targets, const Handl
     throw UsageError(*problem);
   }
   SplitEdit found = split_where_needed(base, targets, edit, options, symmetry, progress);
-  return {{std::move(found.cuts), std::move(found.curve), found.solves, found.reached},
+  return {{std::move(found.cuts), std::move(found.curve), found.solves, found.cost, found.reached},
           std::move(found.result)};
 }
 
@@ -45,7 +45,10 @@ Json splits_json(const SplitRun& run) {
                      {"remade_panels", standing.remade_panels},
                      {"sharpest_fold", standing.sharpest_fold}});
   }
-  return {{"tried", run.tried}, {"reached", run.reached}, {"curve", std::move(curve)}};
+  return {{"tried", run.tried},
+          {"factorizations", run.cost.factorizations},
+          {"reached", run.reached},
+          {"curve", std::move(curve)}};
 }
 
 std::string standing_sentence(const SplitStanding& standing) {

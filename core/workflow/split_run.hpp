@@ -26,6 +26,7 @@ struct SplitRun {
   std::vector<Cut> cuts;  ///< behind those that were asked for
   std::vector<SplitStanding> curve;
   int tried = 0;
+  SolveCost cost;  ///< of all that were tried
   bool reached = false;
 };
 

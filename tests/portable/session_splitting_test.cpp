@@ -40,8 +40,9 @@ TEST(SessionSplitting, FindsLinesWhoseEditIsTheOneThatTheyPromise) {
   Session session = stiff_vault();
   const auto found = session.split_where_needed(pull_of(session), {});
   ASSERT_TRUE(std::holds_alternative<SplitEdit>(found));
-  const auto& [cuts, mesh, result, curve, reached, solves] = std::get<SplitEdit>(found);
+  const auto& [cuts, mesh, result, curve, reached, solves, cost] = std::get<SplitEdit>(found);
   EXPECT_TRUE(reached);
+  EXPECT_GT(cost.factorizations, solves);
   ASSERT_FALSE(cuts.empty());
   EXPECT_TRUE(session.moved().empty());
   std::string lines;

@@ -37,6 +37,7 @@ TEST_F(Cli, SplitWhereNeededReportsItsCurveAndTheDesignReplays) {
   EXPECT_EQ(curve[1]["moved_vertices"], report["moved_vertices"]);
   EXPECT_EQ(curve[1]["sharpest_fold"], report["sharpest_fold"]["after"]);
   EXPECT_GT(report["splits"]["tried"], 1);
+  EXPECT_GT(report["splits"]["factorizations"], report["factorizations"]);
   EXPECT_EQ(report["cuts"].size(), 2U);
   const json design = json::parse(contents(directory_ / "d.json"));
   EXPECT_EQ(design["cuts"].size(), 2U);

@@ -90,6 +90,7 @@ class SplitSearch {
                                   ? solver.solve_symmetric(targets_, *symmetry_, progress_)
                                   : solver.solve(targets_, progress_);
     stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
+    best_.cost += result.report.cost;
     return {std::move(lines), std::move(cuts), std::move(mesh), std::move(result)};
   }
 

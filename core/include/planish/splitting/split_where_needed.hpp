@@ -46,6 +46,7 @@ struct SplitEdit {
   std::vector<SplitStanding> curve;
   bool reached = false;  ///< the handles come within reach of their targets
   int solves = 0;
+  SolveCost cost;  ///< of all of them
 };
 
 /// Solves the edit, and where handles stop short of their targets again with panels parted: lines
