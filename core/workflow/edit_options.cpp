@@ -268,15 +268,6 @@ HandleEditOptions edit_options(const Request& request) {
     set_reach(*text, model_unit(request), options);
   }
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
-  if (request.has("--support") && options.engine != Engine::kNewton) {
-    throw UsageError("--support: the solver alm knows none; supports need newton");
-  }
-  if (!options.keep_outs.empty() && options.engine != Engine::kNewton) {
-    throw UsageError("--keep-out: the solver alm knows none; it needs newton");
-  }
-  if (request.has("--continuation") && options.engine != Engine::kNewton) {
-    throw UsageError("--continuation: the solver alm knows none; it needs newton");
-  }
   return options;
 }
 

@@ -81,9 +81,6 @@ EditRequest edit_request(const Request& request) {
   asked.fewest = fewest_options(request);
   asked.splits = split_options(request);
   asked.types = type_counting(request);
-  if (asked.symmetry && asked.options.engine != Engine::kNewton) {
-    throw UsageError("symmetry: the engine alm knows none; it needs newton");
-  }
   for (const Json& stated : request.values("--handle")) {
     const auto [handle, relative] = parse_handle(stated);
     asked.targets.handles.push_back(handle);
@@ -92,6 +89,10 @@ EditRequest edit_request(const Request& request) {
   asked.targets.pins = parse_vertices(request, "--pin");
   asked.targets.supports = parse_supports(request);
   request.read("--continuation", asked.targets.continuation);
+  if (const auto problem =
+          find_engine_problem(asked.options, asked.targets, asked.symmetry.has_value())) {
+    throw UsageError(*problem);
+  }
   return asked;
 }
 

@@ -99,6 +99,10 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 /// Why the steps of `targets` are none.
 [[nodiscard]] Refusal find_continuation_problem(const EditTargets& targets);
 
+/// What of an edit the engine of `options` does not solve: see Beyond.
+[[nodiscard]] Refusal find_engine_problem(const HandleEditOptions& options,
+                                          const EditTargets& targets, bool symmetric);
+
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] Refusal find_problem(const EditTargets& targets, const Mesh& mesh);
 
