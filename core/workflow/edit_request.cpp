@@ -7,6 +7,7 @@
 #include "edit_options.hpp"
 #include "planish/design/cut_base.hpp"
 #include "split_run.hpp"
+#include "thread_pool.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -75,6 +76,7 @@ EditRequest edit_request(const Request& request) {
   // Not in its braces: g++ 12 destroys members twice where an initializer throws.
   EditRequest asked;
   asked.options = edit_options(request);
+  asked.options.executor = stated_executor(request, asked.options.engine);
   asked.unit = model_unit(request);
   asked.cuts = cuts_before_edit(request);
   asked.symmetry = stated_symmetry(request);

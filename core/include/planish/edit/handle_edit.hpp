@@ -13,6 +13,7 @@
 #include "planish/constraints/stated_limit.hpp"
 #include "planish/measures/energies.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/obstacles/keep_out.hpp"
 #include "planish/problem/engine.hpp"
 #include "planish/problem/solve_report.hpp"
@@ -77,6 +78,8 @@ struct HandleEditOptions {
   /// `smoothness`. Higher: wider and gentler. [SOF-1]
   double softness = 0.0;
   Engine engine = Engine::kNewton;
+  /// Threads for the paper's engine; null: the caller's alone. The bits are the same. [ALM-7]
+  std::shared_ptr<Executor> executor = nullptr;
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
   double tolerance = PlanarPolygon::kTolerance;
