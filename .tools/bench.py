@@ -214,7 +214,7 @@ def threads_part(results):
     ratio = row["one_ms"] / row["two_ms"]
     return [f"ALM, 10 K points, one and two threads: the same {row['steps']:.0f} steps with their factors take "
             f"{number(row['one_ms'])} and {number(row['two_ms'])} ms of a wall clock, {ratio:.2f} × as fast, to the "
-            "same bits. These two are the quickest of seven runs each, in turn: here a busy machine does count.\n"]
+            "same bits. These two are the quickest of five runs each, in turn: here a busy machine does count.\n"]
 
 
 def markdown(data):

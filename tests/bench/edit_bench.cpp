@@ -178,8 +178,8 @@ void AlmStep(benchmark::State& state) {
 /// The first dual updates of an edit on the whole mesh, on one thread and on two in turn: the
 /// quickest of some rounds each, in milliseconds of a wall clock.
 void AlmOnThreads(benchmark::State& state) {
-  constexpr int kRounds = 7;
-  constexpr int kUpdates = 40;
+  constexpr int kRounds = 5;
+  constexpr int kUpdates = 12;
   const int size = static_cast<int>(state.range(0));
   workflow::ThreadPool pool(2);
   std::array<double, 2> best = {HUGE_VAL, HUGE_VAL};
