@@ -86,9 +86,7 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const Refusal refusal = take_targets(targets)) return refusal;
   if (const Refusal refusal = require_kept_constraints()) return refusal;
-  if (!supports_.empty() && options_.engine != Engine::kNewton) {
-    return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
-  }
+  if (const Refusal refusal = require_engine(targets)) return refusal;
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
   lower_at_once_ = false;

@@ -214,6 +214,9 @@ class Session {
       const std::vector<PointSupport>& supports) const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
+  /// `targets` without the steps of an engine that knows none; a sentence where it knows more of
+  /// the edit not.
+  [[nodiscard]] Refusal require_engine(EditTargets& targets) const;
   [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
   /// Nothing without a symmetry.

@@ -103,6 +103,16 @@ Refusal Session::set_supports(const std::vector<std::string>& texts) {
   return std::nullopt;
 }
 
+Refusal Session::require_engine(EditTargets& targets) const {
+  if (find_problem(options_.engine, Beyond::kContinuation)) targets.continuation = 0;
+  if (!find_engine_problem(options_, targets, symmetry_ != nullptr)) return std::nullopt;
+  if (symmetry_) return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
+  if (!targets.supports.empty()) {
+    return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
+  }
+  return "The paper's engine knows no keep-outs: remove them, or choose Newton.";
+}
+
 /// The supports are looked at once for a base, not in every frame: that costs O(n).
 Refusal Session::take_targets(EditTargets& targets) {
   if (const auto problem = find_problem(targets, base_)) return *problem;

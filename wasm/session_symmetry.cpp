@@ -45,9 +45,6 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
 
 Refusal Session::add_images(EditTargets& targets) const {
   if (!symmetry_) return std::nullopt;
-  if (options_.engine != Engine::kNewton) {
-    return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
-  }
   auto all = with_images(targets, base_, *symmetry_);
   if (auto* problem = std::get_if<std::string>(&all)) return sentence_about(std::move(*problem));
   targets = std::get<EditTargets>(std::move(all));

@@ -13,6 +13,7 @@
 #include "planish/edit/edit_option_table.hpp"
 #include "planish/variations/subspace.hpp"
 #include "split_run.hpp"
+#include "thread_pool.hpp"
 #include "type_change.hpp"
 
 namespace planish::workflow {
@@ -103,6 +104,7 @@ std::vector<OptionRow> edit_option_rows() {
 
 std::vector<OptionRow> edit_command_rows() {
   std::vector<OptionRow> rows = edit_option_rows();
+  rows.push_back(kThreadsRow);
   rows.push_back({"--cut", "KIND=VALUE",
                   "before the edit, in the order given: split=F:A,B, strip=V-W[@T],\n"
                   "corner=F:V[@T], refine=F,F,...[:collar], trim=a,b,c,d, as planish cut\n"
@@ -268,15 +270,6 @@ HandleEditOptions edit_options(const Request& request) {
     set_reach(*text, model_unit(request), options);
   }
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
-  if (request.has("--support") && options.engine != Engine::kNewton) {
-    throw UsageError("--support: the solver alm knows none; supports need newton");
-  }
-  if (!options.keep_outs.empty() && options.engine != Engine::kNewton) {
-    throw UsageError("--keep-out: the solver alm knows none; it needs newton");
-  }
-  if (request.has("--continuation") && options.engine != Engine::kNewton) {
-    throw UsageError("--continuation: the solver alm knows none; it needs newton");
-  }
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include "edit_options.hpp"
 #include "planish/design/cut_base.hpp"
 #include "split_run.hpp"
+#include "thread_pool.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -75,15 +76,13 @@ EditRequest edit_request(const Request& request) {
   // Not in its braces: g++ 12 destroys members twice where an initializer throws.
   EditRequest asked;
   asked.options = edit_options(request);
+  asked.options.executor = stated_executor(request, asked.options.engine);
   asked.unit = model_unit(request);
   asked.cuts = cuts_before_edit(request);
   asked.symmetry = stated_symmetry(request);
   asked.fewest = fewest_options(request);
   asked.splits = split_options(request);
   asked.types = type_counting(request);
-  if (asked.symmetry && asked.options.engine != Engine::kNewton) {
-    throw UsageError("symmetry: the engine alm knows none; it needs newton");
-  }
   for (const Json& stated : request.values("--handle")) {
     const auto [handle, relative] = parse_handle(stated);
     asked.targets.handles.push_back(handle);
@@ -92,6 +91,10 @@ EditRequest edit_request(const Request& request) {
   asked.targets.pins = parse_vertices(request, "--pin");
   asked.targets.supports = parse_supports(request);
   request.read("--continuation", asked.targets.continuation);
+  if (const auto problem =
+          find_engine_problem(asked.options, asked.targets, asked.symmetry.has_value())) {
+    throw UsageError(*problem);
+  }
   return asked;
 }
 

@@ -89,9 +89,9 @@ Family find_family(const EditRun& run, FamilyRequest asked, const Progress& prog
                                             run.asked.options, symmetry_of(run)),
                 .subspace = {}};
   const std::vector<int>& close = family.asked.close;
-  family.subspace = compute_subspace(run.base.mesh, run.edited,
-                                     close.empty() ? handle_vertices(run.targets) : close,
-                                     family.asked.options, family.keeps, progress);
+  family.subspace = compute_subspace(
+      run.base.mesh, run.edited, close.empty() ? handle_vertices(run.targets) : close,
+      family.asked.options, family.keeps, progress, run.asked.options.executor.get());
   return family;
 }
 

@@ -15,6 +15,7 @@
 #include "edit_options.hpp"
 #include "mesh_files.hpp"
 #include "planish/text/number.hpp"
+#include "thread_pool.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -24,18 +25,9 @@ constexpr std::array<std::string_view, 9> kEditRows = {
     "--locality",   "--smoothness", "--softness", "--reach",    "--keep-boundary",
     "--model-unit", "--fairness",   "--sparsity", "--tolerance"};
 
-/// More would wait for each other, and hold a solver each.
-constexpr int kMostThreads = 256;
-
 std::size_t parse_threads(const Request& request) {
-  const Json* stated = request.last("--threads");
-  if (stated == nullptr)
-    return std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{kMostThreads});
-  const int count = parse_whole(*stated, "--threads");
-  if (count < 1 || count > kMostThreads) {
-    throw UsageError("--threads must be from 1 to " + std::to_string(kMostThreads));
-  }
-  return static_cast<std::size_t>(count);
+  if (const auto stated = stated_threads(request)) return static_cast<std::size_t>(*stated);
+  return std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{kMostThreads});
 }
 
 Json row_json(const MobilityRow& row) {

@@ -53,8 +53,8 @@ ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const Projecti
             std::nullopt};
   }
   if (reference != nullptr) throw UsageError("--split: it knows no --reference");
-  if (options.engine != Engine::kNewton) {
-    throw UsageError("--split: the solver alm knows none; it needs newton");
+  if (const auto problem = find_problem(options.engine, Beyond::kSplits)) {
+    throw UsageError(*problem);
   }
   const HybridOptions hybrid = parse_hybrid(*split, mesh);
   const std::vector<int> pins = projection_pins(mesh, request, options);

@@ -11,6 +11,7 @@
 #include "planish/text/number.hpp"
 #include "projected_mesh.hpp"
 #include "repetition_run.hpp"
+#include "thread_pool.hpp"
 
 namespace planish::workflow {
 
@@ -34,6 +35,7 @@ std::vector<OptionRow> projection_option_rows() {
       support_row(),
       hybrid_option_row(),
       {"--solver", "NAME", "newton or alm; default newton"},
+      kThreadsRow,
       {"--tolerance", "MM_PER_M", "flatness of the result, default 1e-6"}};
   const std::vector<OptionRow> repetition = repetition_option_rows();
   rows.insert(rows.end(), repetition.begin(), repetition.end());
@@ -44,6 +46,7 @@ ProjectionOptions projection_options(const Request& request) {
   ProjectionOptions options;
   read_word(request, "--fairness", options.fairness);
   read_word(request, "--solver", options.engine);
+  options.executor = stated_executor(request, options.engine);
   request.read("--tolerance", options.tolerance);
   if (!request.has("--reference")) options.fairness_weight = Planarising{}.fairness_weight;
   request.read("--smooth", options.fairness_weight);

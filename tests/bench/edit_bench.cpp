@@ -3,17 +3,21 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <string>
 
 #include "bench/survey_meshes.hpp"
+#include "engines/augmented_lagrangian.hpp"
 #include "engines/edit_splitting.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
+#include "planish/numeric/stopwatch.hpp"
 #include "planish/variations/subspace.hpp"
 #include "projection/sound_projection.hpp"
 #include "support/scenes.hpp"
+#include "thread_pool.hpp"
 
 namespace planish::bench {
 namespace {
@@ -171,6 +175,34 @@ void AlmStep(benchmark::State& state) {
   }
 }
 
+/// The first dual updates of an edit on the whole mesh, on one thread and on two in turn: the
+/// quickest of some rounds each, in milliseconds of a wall clock.
+void AlmOnThreads(benchmark::State& state) {
+  constexpr int kRounds = 5;
+  constexpr int kUpdates = 12;
+  const int size = static_cast<int>(state.range(0));
+  workflow::ThreadPool pool(2);
+  std::array<double, 2> best = {HUGE_VAL, HUGE_VAL};
+  std::array<Positions, 2> results;
+  for (auto _ : state) {
+    for (int round = 0; round < 2 * kRounds; ++round) {
+      const auto which = static_cast<std::size_t>(round % 2);
+      WholeMesh whole(size);
+      const Stopwatch watch;
+      AlmOptions options;
+      options.max_outer = kUpdates;
+      options.executor = which == 1 ? &pool : nullptr;
+      EditSplitting splitting(whole.patch(), options.executor);
+      state.counters["steps"] = run_alm(splitting, options, {}).cost.steps;
+      best[which] = std::min(best[which], 1e3 * watch.seconds());
+      results[which] = whole.patch().displacement;
+    }
+  }
+  if (results[0] != results[1]) state.SkipWithError("other bits");
+  state.counters["one_ms"] = best[0];
+  state.counters["two_ms"] = best[1];
+}
+
 /// The floor of that step: x, y, z by one factor.
 void FactorSolve(benchmark::State& state) {
   const Mesh mesh = periodic_vault(static_cast<int>(state.range(0)));
@@ -285,6 +317,7 @@ BENCHMARK(EditBySize)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(3);
 BENCHMARK(AlmStep)->Arg(32)->Arg(100)->Arg(316)->Unit(benchmark::kMillisecond);
+BENCHMARK(AlmOnThreads)->Arg(100)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(FactorSolve)->Arg(32)->Arg(100)->Arg(316)->Unit(benchmark::kMillisecond);
 BENCHMARK(EditAlm)->Arg(32)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(SubspaceOfSix)->Arg(32)->Unit(benchmark::kMillisecond)->Iterations(3);

@@ -131,6 +131,23 @@ TEST(SessionEdit, RefusesSupportsThatTheBaseHasNot) {
 /// Degrees, as the report says it.
 double sharpest_fold_of(const Session& session) { return session.shape_report().fold.degrees; }
 
+/// What a design of it could not say is not done either.
+TEST(SessionEdit, ThePapersEngineKnowsNoKeepOutsAndGoesAtOnce) {
+  Session session = open_vault();
+  HandleEditOptions paper;
+  paper.engine = Engine::kAugmentedLagrangian;
+  ASSERT_EQ(session.set_options(paper), std::nullopt);
+  EditTargets targets = lift(session, 0.5);
+  targets.continuation = 16;
+  ASSERT_EQ(session.edit(EditMode::kSolve, targets, 1.0), std::nullopt);
+  EXPECT_EQ(session.shape_report().continuation, 0);
+  paper.keep_outs = {{.kind = KeepOut::Kind::kAbove, .numbers = {1e3}}};
+  ASSERT_EQ(session.set_options(paper), std::nullopt);
+  const Refusal refusal = session.edit(EditMode::kSolve, targets, 1.0);
+  ASSERT_TRUE(refusal);
+  EXPECT_NE(refusal->find("knows no keep-outs"), std::string::npos) << *refusal;
+}
+
 TEST(SessionEdit, LimitsHoldInEveryEditFromThereOn) {
   Session session = open_vault();
   HandleEditOptions soft;

@@ -170,6 +170,56 @@ INSTANTIATE_TEST_SUITE_P(Graphs, SparseCholeskyOfScalars,
                          ::testing::Combine(::testing::Values(1u, 2u, 3u, 4u),
                                             ::testing::Values(1, 2, 13, 60)));
 
+/// Tasks in the order that is farthest from that of one thread.
+class Backwards final : public Executor {
+ public:
+  void run(int count, const std::function<void(int)>& task) override {
+    for (int k = count; k-- > 0;) task(k);
+    tasks += count;
+  }
+  int tasks = 0;
+};
+
+class SparseCholeskyOfGrid : public ::testing::TestWithParam<int> {};
+
+/// Sec. 3.5: subtrees are solved side by side, and every sum keeps its order.
+TEST_P(SparseCholeskyOfGrid, SolvesInPartsWithTheSameBits) {
+  const int block = GetParam();
+  const RaggedRows graph = build_adjacency(testing::quad_grid(50, 50)).neighbours;
+  const Eigen::VectorXd entries = testing::random_vector(1, graph.size());
+  SparseCholesky cholesky;
+  cholesky.analyze(graph, block);
+  cholesky.set_zero();
+  const auto set = [&](int i, int j, double value) {
+    const BlockSlot slot = cholesky.slot(i, j);
+    for (int c = 0; c < block; ++c) {
+      cholesky.values()[static_cast<std::size_t>(slot.offset + c * (slot.stride + 1))] = value;
+    }
+  };
+  for (int i = 0; i < graph.size(); ++i) {
+    set(i, i, 20.0);
+    for (const int j : graph[i]) {
+      if (cholesky.position(i) > cholesky.position(j)) set(i, j, entries[i]);
+    }
+  }
+  ASSERT_TRUE(cholesky.factorize());
+  Backwards backwards;
+  const Eigen::VectorXd right = testing::random_vector(2, block * graph.size());
+  Eigen::VectorXd x = right, in_parts = right;
+  cholesky.solve(x);
+  cholesky.solve(in_parts, &backwards);
+  EXPECT_EQ(x, in_parts);
+  EXPECT_GT(backwards.tasks, 8);
+  if (block > 1) return;
+  const Eigen::Matrix3Xd three = testing::random_points(3, graph.size());
+  Eigen::Matrix3Xd y = three, y_in_parts = three;
+  cholesky.solve_coordinates(y);
+  cholesky.solve_coordinates(y_in_parts, &backwards);
+  EXPECT_EQ(y, y_in_parts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Blocks, SparseCholeskyOfGrid, ::testing::Values(1, 2, 3));
+
 TEST(SparseCholesky, FactorsAnEmptyMatrix) {
   SparseCholesky cholesky;
   cholesky.analyze(RaggedRows{}, 3);

@@ -206,7 +206,7 @@ TEST(SupportedProjectionRules, AreSaid) {
   options.supports = {support("level:boundary")};
   EXPECT_EQ(find_problem(options), std::nullopt);
   options.engine = Engine::kAugmentedLagrangian;
-  EXPECT_EQ(find_problem(options), "support: the solver alm knows none");
+  EXPECT_EQ(find_problem(options), "supports: the engine alm knows none; they need newton");
   options.engine = Engine::kNewton;
   options.supports = {support("surface:boundary")};
   options.within = 0.1;

@@ -253,6 +253,17 @@ TEST_F(Cli, SaysWhatAnEditDidNotReach) {
   EXPECT_EQ(err().find("out of flat"), std::string::npos) << err();
 }
 
+TEST_F(Cli, ThreadsOfThePapersSolverChangeNoByte) {
+  const std::string edit = "edit sample:hex:16 --handle 200+=0,0,0.3 --solver alm -o ";
+  ASSERT_EQ(run(edit + "one.obj"), 0) << err();
+  ASSERT_EQ(run(edit + "three.obj --threads 3"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "one.obj"), contents(directory_ / "three.obj"));
+  EXPECT_EQ(run(edit + "none.obj --threads 0"), 2);
+  EXPECT_NE(err().find("--threads must be from 1 to 256"), std::string::npos) << err();
+  EXPECT_EQ(run("edit sample:hex:16 --handle 200+=0,0,0.3 --threads 2"), 2);
+  EXPECT_NE(err().find("--threads: newton has one; alm takes more"), std::string::npos) << err();
+}
+
 TEST_F(Cli, SaysWhereEachSliderStops) {
   ASSERT_EQ(run("explore sample:vault:12 --handle 66+=0,0,0.3 --dimension 3 --report r.json"), 0)
       << err();

@@ -102,7 +102,7 @@ TEST(Mobility, RefusesWrongOptionsByName) {
   EXPECT_EQ(find_problem(options), "steps must be from 1 to 1000");
   options.steps = 8;
   options.edit.engine = Engine::kAugmentedLagrangian;
-  EXPECT_EQ(find_problem(options), "solver must be newton");
+  EXPECT_EQ(find_problem(options), "mobility: the engine alm knows none; it needs newton");
 }
 
 MobilityRow place(int vertex, const Eigen::Vector3d& direction, double distance, int remake = 9) {

@@ -278,7 +278,6 @@ std::variant<Replay, std::string> play(Mesh base, std::shared_ptr<const MeshSymm
 std::variant<Replay, std::string> replay(const Design& design, const Mesh* given,
                                          const Progress& progress) {
   if (auto problem = find_problem(design)) return std::move(*problem);
-  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
   std::optional<MeshSymmetry> symmetry;
   auto opened = open_base(design, given, progress, symmetry);
   if (auto* problem = std::get_if<std::string>(&opened)) return std::move(*problem);
@@ -317,7 +316,6 @@ std::variant<Replay, std::string> replay_on(Mesh base, std::shared_ptr<const Mes
   if (!symmetry && !design.symmetry.empty()) {
     return "symmetry: this base is of a design without one";
   }
-  if (auto problem = find_symmetry_problem(design)) return std::move(*problem);
   return play(std::move(base), std::move(symmetry), design, design.targets, progress);
 }
 

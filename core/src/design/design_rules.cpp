@@ -28,14 +28,6 @@ Refusal find_problem(const DesignVariation& variation) {
 
 }  // namespace
 
-Refusal find_symmetry_problem(const Design& design) {
-  if (design.symmetry.empty()) return std::nullopt;
-  if (design.options.engine != Engine::kNewton) {
-    return "symmetry: the engine alm knows none; it needs newton";
-  }
-  return std::nullopt;
-}
-
 Refusal find_problem(const Design& design) {
   constexpr std::array<std::string_view, 6> kUnits = {"mm", "cm", "m", "km", "in", "ft"};
   if (std::find(kUnits.begin(), kUnits.end(), design.unit) == kUnits.end()) {
@@ -50,14 +42,9 @@ Refusal find_problem(const Design& design) {
   if (auto problem = find_problem(design.options)) return "options: " + *problem;
   if (auto problem = find_problem(design.targets.supports)) return problem;
   if (auto problem = find_continuation_problem(design.targets)) return problem;
-  if (design.targets.continuation > 0 && design.options.engine != Engine::kNewton) {
-    return "continuation: the engine alm knows none; it needs newton";
-  }
-  if (!design.targets.supports.empty() && design.options.engine != Engine::kNewton) {
-    return "supports: the engine alm knows none; they need newton";
-  }
-  if (!design.options.keep_outs.empty() && design.options.engine != Engine::kNewton) {
-    return "keep_out: the engine alm knows none; it needs newton";
+  if (auto problem =
+          find_engine_problem(design.options, design.targets, !design.symmetry.empty())) {
+    return problem;
   }
   for (std::size_t k = 0; k < design.variations.size(); ++k) {
     if (const auto problem = find_problem(design.variations[k])) {

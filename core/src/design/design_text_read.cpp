@@ -365,7 +365,6 @@ Design read_root(const Field& root) {
   }
   if (root.has("result")) design.result = read_mark(root.at("result"));
   if (const auto problem = find_problem(design)) throw Refused{*problem};
-  if (const auto problem = find_symmetry_problem(design)) throw Refused{*problem};
   return design;
 }
 

@@ -53,6 +53,19 @@ Refusal find_continuation_problem(const EditTargets& targets) {
   return std::nullopt;
 }
 
+Refusal find_engine_problem(const HandleEditOptions& options, const EditTargets& targets,
+                            bool symmetric) {
+  Refusal problem;
+  const auto ask_for = [&](Beyond beyond, bool asked) {
+    if (asked && !problem) problem = find_problem(options.engine, beyond);
+  };
+  ask_for(Beyond::kContinuation, targets.continuation > 0);
+  ask_for(Beyond::kSupports, !targets.supports.empty());
+  ask_for(Beyond::kKeepOuts, !options.keep_outs.empty());
+  ask_for(Beyond::kSymmetry, symmetric);
+  return problem;
+}
+
 Refusal find_problem(const EditTargets& targets, const Mesh& mesh) {
   std::vector<int> seen;
   for (const Handle& handle : targets.handles) {

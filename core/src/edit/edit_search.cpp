@@ -95,6 +95,7 @@ ExactDesign EditSearch::solve_newton(const Progress& progress, SolveReport& repo
 ExactDesign EditSearch::solve_augmented_lagrangian(const Progress& progress, SolveReport& report) {
   field_.clear();
   AlmOptions options;
+  options.executor = model_.options().executor.get();
   if (model_.options().max_iterations > 0) options.max_outer = model_.options().max_iterations;
   std::vector<int> support;
   EngineOutcome outcome = solve_edit_by_alm(model_.problem(), options, field_, support, progress);

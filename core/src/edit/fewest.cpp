@@ -220,7 +220,7 @@ Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit
     return "within_handle must be more than 0 and less than 1: then handles move";
   }
   if (options.most_solves < 1) return "most_solves must be at least 1";
-  if (edit.engine != Engine::kNewton) return "fewest: the engine alm knows none; it needs newton";
+  if (auto problem = find_problem(edit.engine, Beyond::kFewest)) return problem;
   if (targets.handles.empty()) return "fewest needs a handle";
   return std::nullopt;
 }

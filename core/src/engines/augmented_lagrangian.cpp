@@ -17,7 +17,7 @@ EngineOutcome run_on_patch(Patch& patch, const AlmOptions& options, const Progre
   for (int k = 0; k < patch.free_count; ++k) {
     patch.displacement.col(k) = field.displacement(patch.vertices[at(k)]);
   }
-  EditSplitting splitting(patch);
+  EditSplitting splitting(patch, options.executor);
   EngineOutcome run = run_alm(splitting, options, progress);
   support.clear();
   for (const int k : splitting.support()) support.push_back(patch.vertices[at(k)]);

@@ -9,6 +9,7 @@
 
 #include "engines/displacement_field.hpp"
 #include "engines/engine_outcome.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/problem/problem.hpp"
 
 namespace planish {
@@ -22,6 +23,7 @@ struct AlmOptions {
   double primal_tolerance = 1e-5;  ///< ε_p on ‖h‖ / √(number of rows), > 0 [ALM-5]
   double dual_tolerance = 3e-4;    ///< ε_d on ‖r‖ / √(number of rows), > 0 [ALM-5]
   int max_outer = 400;             ///< dual updates ≥ 0; 0 returns the start point
+  Executor* executor = nullptr;    ///< of the parallel steps; null: the caller's thread [ALM-7]
 };
 
 /// What one pass of alternating minimisation measured.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "engines/coupling_graph.hpp"
 #include "planish/numeric/index.hpp"
@@ -33,8 +34,10 @@ void move_to_nearest(const RowAt& row_at, Eigen::Matrix3Xd& points) {
 
 }  // namespace
 
-EditSplitting::EditSplitting(Patch& patch) : patch_(patch), blocks_(patch.faces) {
+EditSplitting::EditSplitting(Patch& patch, Executor* executor)
+    : patch_(patch), executor_(executor), blocks_(patch.faces) {
   add_row_blocks();
+  find_corners();
   const auto corners = static_cast<Eigen::Index>(blocks_.values.size());
   const int n = patch.free_count;
   analysed_.analyze(graph(), 1);
@@ -43,33 +46,60 @@ EditSplitting::EditSplitting(Patch& patch) : patch_(patch), blocks_(patch.faces)
   y_ = patch.displacement.leftCols(n);
   y_multiplier_.setZero(3, n);
   mapped_.resize(3, corners);
-  corner_work_.resize(3, corners);
-  apply_map(patch.displacement, mapped_);
+  halo_mapped_.resize(3, corners);
+  Positions halo = patch.displacement;
+  halo.leftCols(n).setZero();
+  for (int block = 0; block < blocks_.size(); ++block) {
+    apply_map(patch.displacement, block, mapped_);
+    apply_map(halo, block, halo_mapped_);
+  }
   z_ = mapped_;
   z_multiplier_.setZero(3, corners);
   right_.resize(3, n);
-  previous_.resize(3, patch.local_count());
-  change_.resize(3, corners);
+  vertex_change_.resize(3, n);
+  pull_.resize(3, corners);
+  corner_change_.resize(3, corners);
+  taken_.resize(3, blocks_.size());
   halo_fairness_.setZero(3, n);
   patch.for_each_fairness_row([&](const FairnessRow& row) {
     const auto fixed_part = [&](int v) -> Eigen::Vector3d {
       if (v < n) return Eigen::Vector3d::Zero();
       return patch.displacement.col(v);
     };
-    const Eigen::Vector3d halo = row.sum(fixed_part);
+    const Eigen::Vector3d part = row.sum(fixed_part);
     for (std::size_t k = 0; k < row.vertices.size(); ++k) {
       const int v = row.vertices[k];
-      if (v < n) halo_fairness_.col(v) -= patch.fairness_weight * row.weights[k] * halo;
+      if (v < n) halo_fairness_.col(v) -= patch.fairness_weight * row.weights[k] * part;
     }
   });
 }
 
 /// Flatness has its faces; every row of another kind is a block of its own.
 void EditSplitting::add_row_blocks() {
-  for_each_row_beside_planarity([&](const auto& row) {
-    blocks_.values.insert(blocks_.values.end(), row.vertices.begin(), row.vertices.end());
-    blocks_.offsets.push_back(static_cast<int>(blocks_.values.size()));
+  for_each_kind_beside_planarity([&](const auto& rows) {
+    for (const auto& row : rows) {
+      blocks_.values.insert(blocks_.values.end(), row.vertices.begin(), row.vertices.end());
+      blocks_.offsets.push_back(static_cast<int>(blocks_.values.size()));
+    }
   });
+}
+
+void EditSplitting::find_corners() {
+  const int n = patch_.free_count;
+  corners_.offsets.assign(at(n) + 1, 0);
+  for (int block = 0; block < blocks_.size(); ++block) {
+    block_of_.insert(block_of_.end(), blocks_[block].size(), block);
+    for (const int v : blocks_[block]) {
+      if (v < n) ++corners_.offsets[at(v) + 1];
+    }
+  }
+  std::partial_sum(corners_.offsets.begin(), corners_.offsets.end(), corners_.offsets.begin());
+  corners_.values.resize(at(corners_.offsets.back()));
+  std::vector<int> next = corners_.offsets;
+  for (std::size_t place = 0; place < blocks_.values.size(); ++place) {
+    const int v = blocks_.values[place];
+    if (v < n) corners_.values[at(next[at(v)]++)] = static_cast<int>(place);
+  }
 }
 
 /// The pattern of AᵀA + EᵀE on the free vertices.
@@ -137,128 +167,135 @@ bool EditSplitting::set_penalty(double penalty) {
   return true;
 }
 
-/// M(p + d): each block's corners less their mean (or less the last corner).
-void EditSplitting::apply_map(const Positions& displacement, Positions& out) const {
-  for (int f = 0; f < blocks_.size(); ++f) {
-    const auto face = blocks_[f];
-    const Eigen::Index begin = blocks_.offsets[at(f)];
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Eigen::Vector3d here = patch_.points.col(face[k]) + displacement.col(face[k]);
-      out.col(begin + static_cast<Eigen::Index>(k)) = here;
-      origin += here;
-    }
-    origin /= static_cast<double>(face.size());
-    if (is_large(f)) origin = out.col(begin + static_cast<Eigen::Index>(face.size()) - 1);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      out.col(begin + static_cast<Eigen::Index>(k)) -= origin;
-    }
+/// M(p + d): a block's corners less their mean (or less the last corner).
+void EditSplitting::apply_map(const Positions& displacement, int block, Positions& out) const {
+  const auto face = blocks_[block];
+  const Eigen::Index begin = blocks_.offsets[at(block)];
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Eigen::Vector3d here = patch_.points.col(face[k]) + displacement.col(face[k]);
+    out.col(begin + static_cast<Eigen::Index>(k)) = here;
+    origin += here;
+  }
+  origin /= static_cast<double>(face.size());
+  if (is_large(block)) origin = out.col(begin + static_cast<Eigen::Index>(face.size()) - 1);
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    out.col(begin + static_cast<Eigen::Index>(k)) -= origin;
   }
 }
 
-/// out += Mᵀ corners, on the free vertices.
-void EditSplitting::add_transposed_map(const Positions& corners, Positions& out) const {
-  const int n = patch_.free_count;
-  for (int f = 0; f < blocks_.size(); ++f) {
-    const auto face = blocks_[f];
-    const Eigen::Index begin = blocks_.offsets[at(f)];
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      sum += corners.col(begin + static_cast<Eigen::Index>(k));
-    }
-    const Eigen::Vector3d mean = sum / static_cast<double>(face.size());
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      if (face[k] >= n) continue;
-      out.col(face[k]) += corners.col(begin + static_cast<Eigen::Index>(k));
-      if (!is_large(f)) out.col(face[k]) -= mean;
-    }
-    if (is_large(f) && face.back() < n) out.col(face.back()) -= sum;
+/// out += Mᵀ corners at a free vertex. Expects what each block takes off in taken_.
+void EditSplitting::add_transposed_map(const Positions& corners, int vertex, Positions& out) const {
+  Eigen::Vector3d sum = out.col(vertex);
+  for (const int place : corners_[vertex]) {
+    const int block = block_of_[at(place)];
+    sum += corners.col(place);
+    const bool is_last = place + 1 == blocks_.offsets[at(block) + 1];
+    if (is_last || !is_large(block)) sum -= taken_.col(block);
   }
+  out.col(vertex) = sum;
 }
 
 /// (13) and (14).
-void EditSplitting::shrink_vertices() {
-  for (int v = 0; v < patch_.free_count; ++v) {
-    const VertexTerm& term = patch_.terms[at(v)];
-    const Eigen::Vector3d a = patch_.displacement.col(v) - y_multiplier_.col(v) / penalty_;
-    // min q/2 ‖y − target‖² + w/2 ‖y‖ + μ/2 ‖y − a‖²: blend first, then shrink.
-    const double total = term.square_weight + penalty_;
-    const Eigen::Vector3d blend = (term.square_weight * term.target + penalty_ * a) / total;
-    const double threshold = 0.5 * term.norm_weight / total;
-    const double length = blend.norm();
-    if (length <= threshold) {
-      y_.col(v).setZero();
-    } else {
-      y_.col(v) = (1.0 - threshold / length) * blend;
-    }
+void EditSplitting::shrink(int vertex) {
+  const VertexTerm& term = patch_.terms[at(vertex)];
+  const Eigen::Vector3d a = patch_.displacement.col(vertex) - y_multiplier_.col(vertex) / penalty_;
+  // min q/2 ‖y − target‖² + w/2 ‖y‖ + μ/2 ‖y − a‖²: blend first, then shrink.
+  const double total = term.square_weight + penalty_;
+  const Eigen::Vector3d blend = (term.square_weight * term.target + penalty_ * a) / total;
+  const double threshold = 0.5 * term.norm_weight / total;
+  const double length = blend.norm();
+  if (length <= threshold) {
+    y_.col(vertex).setZero();
+  } else {
+    y_.col(vertex) = (1.0 - threshold / length) * blend;
   }
 }
 
 /// (15) and (16).
-void EditSplitting::project_faces() {
-  for (int f = 0; f < patch_.faces.size(); ++f) {
-    const Eigen::Index begin = blocks_.offsets[at(f)];
-    const auto size = static_cast<Eigen::Index>(blocks_[f].size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (Eigen::Index k = begin; k < begin + size; ++k) {
-      const Eigen::Vector3d c = mapped_.col(k) - z_multiplier_.col(k) / penalty_;
-      z_.col(k) = c;
-      covariance.noalias() += c * c.transpose();
-    }
-    normals_[at(f)] = smallest_direction(covariance, normals_[at(f)]);
-    const Eigen::Vector3d& normal = normals_[at(f)];
-    for (Eigen::Index k = begin; k < begin + size; ++k) z_.col(k) -= normal * normal.dot(z_.col(k));
+void EditSplitting::project_face(int face) {
+  const Eigen::Index begin = blocks_.offsets[at(face)];
+  const auto size = static_cast<Eigen::Index>(blocks_[face].size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (Eigen::Index k = begin; k < begin + size; ++k) {
+    const Eigen::Vector3d c = mapped_.col(k) - z_multiplier_.col(k) / penalty_;
+    z_.col(k) = c;
+    covariance.noalias() += c * c.transpose();
   }
+  normals_[at(face)] = smallest_direction(covariance, normals_[at(face)]);
+  const Eigen::Vector3d& normal = normals_[at(face)];
+  for (Eigen::Index k = begin; k < begin + size; ++k) z_.col(k) -= normal * normal.dot(z_.col(k));
 }
 
-/// The same for the other rows: z − (M(p + d) − λ/μ) along the row's gradient at z, and c(z) = 0.
-void EditSplitting::project_rows() {
-  int block = patch_.faces.size();
-  Eigen::Matrix3Xd points;
-  for_each_row_beside_planarity([&]<class Row>(const Row& row) {
-    const Eigen::Index begin = blocks_.offsets[at(block++)];
-    points = mapped_.middleCols(begin, Row::kArity) -
-             z_multiplier_.middleCols(begin, Row::kArity) / penalty_;
-    const auto row_at = [&row](const Eigen::Matrix3Xd& here, Eigen::Matrix3Xd& slope) {
-      const RowPoints<Row::kArity> fixed = here;
-      slope = gradient(row, fixed);
-      return residual(row, fixed);
-    };
-    move_to_nearest(row_at, points);
-    z_.middleCols(begin, Row::kArity) = points;
-  });
+/// The same for another row: z − (M(p + d) − λ/μ) along the row's gradient at z, and c(z) = 0.
+template <class Row>
+void EditSplitting::project_row(const Row& row, int block) {
+  const Eigen::Index begin = blocks_.offsets[at(block)];
+  Eigen::Matrix3Xd points = mapped_.middleCols(begin, Row::kArity) -
+                            z_multiplier_.middleCols(begin, Row::kArity) / penalty_;
+  const auto row_at = [&row](const Eigen::Matrix3Xd& here, Eigen::Matrix3Xd& slope) {
+    const RowPoints<Row::kArity> fixed = here;
+    slope = gradient(row, fixed);
+    return residual(row, fixed);
+  };
+  move_to_nearest(row_at, points);
+  z_.middleCols(begin, Row::kArity) = points;
 }
 
 void EditSplitting::update_auxiliaries() {
-  shrink_vertices();
-  project_faces();
-  project_rows();
+  for_each(patch_.free_count, [&](int v) { shrink(v); });
+  for_each(patch_.faces.size(), [&](int f) { project_face(f); });
+  int first = patch_.faces.size();
+  for_each_kind_beside_planarity([&](const auto& rows) {
+    for_each(static_cast<int>(rows.size()), [&](int r) { project_row(rows[at(r)], first + r); });
+    first += static_cast<int>(rows.size());
+  });
 }
 
+/// M d = M(p + d) − M p, and the halo's displacement is constant: solves for the free part of
+/// μ AᵀA d = μ Aᵀ(x − b + λ/μ) − ω_f EᵀE (halo), with b = M(p + halo).
 void EditSplitting::update_primal() {
   const int n = patch_.free_count;
-  previous_ = patch_.displacement;
-  // M d = M(p + d) − M p, and the halo's displacement is constant: solve for the free part of
-  // μ AᵀA d = μ Aᵀ(x − b + λ/μ) − ω_f EᵀE (halo), with b = M(p + halo).
-  previous_.leftCols(n).setZero();
-  apply_map(previous_, corner_work_);
-  corner_work_ = penalty_ * (z_ - corner_work_) + z_multiplier_;
-  right_ = penalty_ * y_ + y_multiplier_ + halo_fairness_;
-  add_transposed_map(corner_work_, right_);
-  factor_->solve_coordinates(right_);
-  const double vertex_change = (right_ - patch_.displacement.leftCols(n)).squaredNorm();
-  patch_.displacement.leftCols(n) = right_;
-  change_ = mapped_;
-  apply_map(patch_.displacement, mapped_);
-  change_ -= mapped_;
-  dual_residual_ = penalty_ * std::sqrt((vertex_change + change_.squaredNorm()) / rows_);
+  for_each(blocks_.size(), [&](int block) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = blocks_.offsets[at(block)]; k < blocks_.offsets[at(block) + 1]; ++k) {
+      pull_.col(k) = penalty_ * (z_.col(k) - halo_mapped_.col(k)) + z_multiplier_.col(k);
+      sum += pull_.col(k);
+    }
+    if (!is_large(block)) sum /= static_cast<double>(blocks_[block].size());
+    taken_.col(block) = sum;
+  });
+  for_each(n, [&](int v) {
+    right_.col(v) = penalty_ * y_.col(v) + y_multiplier_.col(v) + halo_fairness_.col(v);
+    add_transposed_map(pull_, v, right_);
+  });
+  factor_->solve_coordinates(right_, executor_);
+  for_each(n, [&](int v) {
+    vertex_change_.col(v) = right_.col(v) - patch_.displacement.col(v);
+    patch_.displacement.col(v) = right_.col(v);
+  });
+  for_each(blocks_.size(), [&](int block) {
+    const Eigen::Index begin = blocks_.offsets[at(block)];
+    const auto size = static_cast<Eigen::Index>(blocks_[block].size());
+    corner_change_.middleCols(begin, size) = mapped_.middleCols(begin, size);
+    apply_map(patch_.displacement, block, mapped_);
+    corner_change_.middleCols(begin, size) -= mapped_.middleCols(begin, size);
+  });
+  // One sum each, whatever the threads: stops must not depend on them.
+  const double square = vertex_change_.squaredNorm() + corner_change_.squaredNorm();
+  dual_residual_ = penalty_ * std::sqrt(square / rows_);
 }
 
 double EditSplitting::update_multipliers() {
-  const auto d = patch_.displacement.leftCols(patch_.free_count);
-  y_multiplier_ += penalty_ * (y_ - d);
-  z_multiplier_ += penalty_ * (z_ - mapped_);
-  return std::sqrt(((y_ - d).squaredNorm() + (z_ - mapped_).squaredNorm()) / rows_);
+  for_each(patch_.free_count, [&](int v) {
+    vertex_change_.col(v) = y_.col(v) - patch_.displacement.col(v);
+    y_multiplier_.col(v) += penalty_ * vertex_change_.col(v);
+  });
+  for_each(static_cast<int>(z_.cols()), [&](int k) {
+    corner_change_.col(k) = z_.col(k) - mapped_.col(k);
+    z_multiplier_.col(k) += penalty_ * corner_change_.col(k);
+  });
+  return std::sqrt((vertex_change_.squaredNorm() + corner_change_.squaredNorm()) / rows_);
 }
 
 double EditSplitting::objective() const { return planish::objective(patch_).total(); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engines/sparse_cholesky.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/problem/problem.hpp"
 
 namespace planish {
@@ -20,8 +21,9 @@ class EditSplitting {
  public:
   static constexpr int kLargeFace = 32;
 
-  /// Keeps a reference to `patch`; its displacement is the start point.
-  explicit EditSplitting(Patch& patch);
+  /// Keeps references to `patch`, whose displacement is the start point, and to `executor`.
+  /// @param executor of the parallel steps (Sec. 3.5); the bits are the same
+  explicit EditSplitting(Patch& patch, Executor* executor = nullptr);
 
   [[nodiscard]] bool set_penalty(double penalty);
   void update_auxiliaries();
@@ -35,40 +37,56 @@ class EditSplitting {
   [[nodiscard]] int factorizations() const { return static_cast<int>(factors_.size()); }
 
  private:
+  /// Calls visit(rows) for the rows of each kind.
   template <class Visit>
-  void for_each_row_beside_planarity(const Visit& visit) const {
+  void for_each_kind_beside_planarity(const Visit& visit) const {
     ConstraintKinds::for_each([&](auto tag) {
       using Kind = typename decltype(tag)::type;
-      if constexpr (!std::is_same_v<Kind, PlanarPolygon>) {
-        for (const auto& row : patch_.equations.of<Kind>()) visit(row);
-      }
+      if constexpr (!std::is_same_v<Kind, PlanarPolygon>) visit(patch_.equations.of<Kind>());
+    });
+  }
+  /// Calls visit(k) for all k < count, in parts.
+  template <class Visit>
+  void for_each(int count, const Visit& visit) const {
+    for_each_part(executor_, count, kPart, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) visit(k);
     });
   }
 
   void add_row_blocks();
+  void find_corners();
   [[nodiscard]] RaggedRows graph() const;
   void assemble(double penalty, SparseCholesky& factor) const;
-  void apply_map(const Positions& displacement, Positions& out) const;
-  void add_transposed_map(const Positions& corners, Positions& out) const;
-  void shrink_vertices();
-  void project_faces();
-  void project_rows();
+  void apply_map(const Positions& displacement, int block, Positions& out) const;
+  void add_transposed_map(const Positions& corners, int vertex, Positions& out) const;
+  void shrink(int vertex);
+  void project_face(int face);
+  template <class Row>
+  void project_row(const Row& row, int block);
   [[nodiscard]] bool is_large(int block) const {
     return static_cast<int>(blocks_[block].size()) > kLargeFace;
   }
 
+  static constexpr int kPart = 256;  ///< vertices or blocks that are worth a task
+
   Patch& patch_;
-  RaggedRows blocks_;  ///< local vertices: the patch's faces, then rows of other kinds
+  Executor* executor_;
+  RaggedRows blocks_;          ///< local vertices: the patch's faces, then rows of other kinds
+  RaggedRows corners_;         ///< of each free vertex, ascending: its places in blocks_.values
+  std::vector<int> block_of_;  ///< of each place
   std::map<double, SparseCholesky> factors_;  ///< by penalty, each made once (Sec. 3.5)
   SparseCholesky analysed_;
   SparseCholesky* factor_ = nullptr;
   double penalty_ = 0.0;
   double rows_ = 1.0;
-  Positions halo_fairness_;     ///< −ω_f Eᵀ E (halo part), 3 × free
-  Positions mapped_;            ///< M(p + d), 3 × corners
-  Positions y_, y_multiplier_;  ///< 3 × free
-  Positions z_, z_multiplier_;  ///< 3 × corners
-  Positions right_, previous_, change_, corner_work_;
+  Positions halo_fairness_;               ///< −ω_f Eᵀ E (halo part), 3 × free
+  Positions halo_mapped_;                 ///< M(p + halo part), 3 × corners
+  Positions mapped_;                      ///< M(p + d), 3 × corners
+  Positions y_, y_multiplier_;            ///< 3 × free
+  Positions z_, z_multiplier_;            ///< 3 × corners
+  Positions right_, vertex_change_;       ///< work space, 3 × free
+  Positions pull_, corner_change_;        ///< work space, 3 × corners
+  Positions taken_;                       ///< by Mᵀ off pull_: means, or sums; 3 × blocks
   std::vector<Eigen::Vector3d> normals_;  ///< last normals, a start for the next projection
   double dual_residual_ = 0.0;
 };

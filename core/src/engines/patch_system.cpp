@@ -301,15 +301,15 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
 }
 
 void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
-                       Eigen::Matrix3Xd& delta) {
+                       Eigen::Matrix3Xd& delta, Executor* executor) {
   delta = -gradient;
   jacobian_.add_transposed(-penalty_ * residuals, delta);
-  apply_inverse(delta);
+  apply_inverse(delta, executor);
 }
 
-void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x) {
+void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x, Executor* executor) {
   lagrangian_.slide(x);
-  cholesky_.solve(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()));
+  cholesky_.solve(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()), executor);
   lagrangian_.slide(x);
 }
 

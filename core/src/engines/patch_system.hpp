@@ -52,11 +52,12 @@ class PatchSystem {
   [[nodiscard]] const PatchLagrangian& lagrangian() const { return lagrangian_; }
 
   /// δ from the last factorization. @param gradient ∇F_ε + Jᵀλ; @param residuals c
+  /// @param executor see SparseCholesky::solve()
   void step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& residuals,
-            Eigen::Matrix3Xd& delta);
+            Eigen::Matrix3Xd& delta, Executor* executor = nullptr);
 
   /// x ← (H + μJᵀJ + νI)⁻¹ x with the last factorization. @param x 3 × free
-  void apply_inverse(Eigen::Matrix3Xd& x);
+  void apply_inverse(Eigen::Matrix3Xd& x, Executor* executor = nullptr);
 
   /// J δ with J of the last factorization.
   void apply_jacobian(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const;

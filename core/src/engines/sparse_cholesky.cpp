@@ -32,6 +32,7 @@ void add_blocks(const double* from, const int* map, int first, int last, Size bl
 void SparseCholesky::analyze(const RaggedRows& graph, int block_size, EliminationOrder order) {
   assert(block_size >= 1);
   block_ = block_size;
+  divided_ = false;
   order_nodes(graph, order);
   std::vector<int> parents = elimination_tree(graph);
   renumber_by_postorder(parents);
@@ -321,66 +322,6 @@ bool SparseCholesky::factorize() {
     if (!eliminate(supernodes_[s])) return false;
   }
   return true;
-}
-
-template <int kRight>
-void SparseCholesky::solve_in_order() {
-  using Rows = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, kRight,
-                                        kRight == 1 ? Eigen::ColMajor : Eigen::RowMajor>>;
-  const auto bundle = static_cast<std::ptrdiff_t>(block_) * kRight;  // numbers per node
-  const auto each = [&](const Supernode& node, bool forward) {
-    const Eigen::Index height = static_cast<Eigen::Index>(node.columns + node.below()) * block_;
-    const Eigen::Index pivot = static_cast<Eigen::Index>(node.columns) * block_;
-    const Panel panel(values_.data() + node.values, height, pivot, Eigen::OuterStride<>(height));
-    Rows own(ordered_.data() + node.first * bundle, pivot, kRight);
-    Rows below(gathered_.data(), height - pivot, kRight);
-    const int* const rows = rows_.data() + node.row_begin;
-    const auto triangle = panel.topRows(pivot).template triangularView<Eigen::Lower>();
-    if (forward) {
-      triangle.solveInPlace(own);
-      below.noalias() = panel.bottomRows(height - pivot) * own;
-      for (int k = 0; k < node.below(); ++k) {
-        double* const target = ordered_.data() + rows[k] * bundle;
-        for (std::ptrdiff_t e = 0; e < bundle; ++e)
-          target[e] -= gathered_[static_cast<std::size_t>(k * bundle + e)];
-      }
-    } else {
-      for (int k = 0; k < node.below(); ++k) {
-        const double* const source = ordered_.data() + rows[k] * bundle;
-        std::copy(source, source + bundle, gathered_.begin() + k * bundle);
-      }
-      own.noalias() -= panel.bottomRows(height - pivot).transpose() * below;
-      triangle.transpose().solveInPlace(own);
-    }
-  };
-  for (const Supernode& node : supernodes_) each(node, true);
-  for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) each(*node, false);
-}
-
-void SparseCholesky::solve(Eigen::Ref<Eigen::VectorXd> x) {
-  assert(x.size() == static_cast<Eigen::Index>(node_count()) * block_);
-  ordered_.resize(static_cast<std::size_t>(x.size()));
-  gathered_.resize(static_cast<std::size_t>(x.size()));
-  for (int k = 0; k < node_count(); ++k) {
-    std::copy_n(x.data() + node_at_[at(k)] * block_, block_, ordered_.begin() + k * block_);
-  }
-  solve_in_order<1>();
-  for (int k = 0; k < node_count(); ++k) {
-    std::copy_n(ordered_.begin() + k * block_, block_, x.data() + node_at_[at(k)] * block_);
-  }
-}
-
-void SparseCholesky::solve_coordinates(Eigen::Ref<Eigen::Matrix3Xd> x) {
-  assert(block_ == 1 && x.cols() == node_count());
-  ordered_.resize(static_cast<std::size_t>(x.size()));
-  gathered_.resize(static_cast<std::size_t>(x.size()));
-  for (int k = 0; k < node_count(); ++k) {
-    std::copy_n(x.col(node_at_[at(k)]).data(), 3, ordered_.begin() + 3 * k);
-  }
-  solve_in_order<3>();
-  for (int k = 0; k < node_count(); ++k) {
-    std::copy_n(ordered_.begin() + 3 * k, 3, x.col(node_at_[at(k)]).data());
-  }
 }
 
 }  // namespace planish

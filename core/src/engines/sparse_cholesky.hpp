@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planish/mesh/adjacency.hpp"
+#include "planish/numeric/executor.hpp"
 
 namespace planish {
 
@@ -49,9 +50,10 @@ class SparseCholesky {
   [[nodiscard]] bool factorize();
 
   /// x ← A⁻¹ x for one right-hand side. @param x b · node_count, node-major in the caller's order
-  void solve(Eigen::Ref<Eigen::VectorXd> x);
+  /// @param executor for subtrees of the elimination tree, if they are large; the bits are the same
+  void solve(Eigen::Ref<Eigen::VectorXd> x, Executor* executor = nullptr);
   /// The same for three at once, block size 1: a column of x per node. @param x 3 × node_count
-  void solve_coordinates(Eigen::Ref<Eigen::Matrix3Xd> x);
+  void solve_coordinates(Eigen::Ref<Eigen::Matrix3Xd> x, Executor* executor = nullptr);
 
   /// Entries of L, for reports and benchmarks.
   [[nodiscard]] std::ptrdiff_t factor_size() const {
@@ -80,8 +82,24 @@ class SparseCholesky {
   void connect_fronts();
   void gather_children(const Supernode& node, std::size_t index);
   [[nodiscard]] bool eliminate(const Supernode& node);
+
+  /// Consecutive supernodes with all that is eliminated into them: no other part has to do with
+  /// their unknowns until all parts have told what they give to the unknowns behind them.
+  struct SolvePart {
+    int first = 0, last = 0;    ///< supernodes first … last − 1
+    std::vector<double> below;  ///< work space: what one supernode gives
+    std::vector<double> given;  ///< what all give to unknowns behind the part, in order
+  };
+  void divide();
+  [[nodiscard]] int begin_of(int supernode) const;
   template <int kRight>
-  void solve_in_order();
+  void solve_in_parts(double* x, Executor* executor);
+  template <int kRight>
+  void eliminate_forward(const Supernode& node, int end, SolvePart& part);
+  template <int kRight>
+  void take_given(const SolvePart& part);
+  template <int kRight>
+  void substitute_back(const Supernode& node, SolvePart& part);
 
   int block_ = 1;
   std::vector<int> position_, node_at_;  ///< node → position and back
@@ -91,9 +109,12 @@ class SparseCholesky {
   std::vector<int> in_parent_;  ///< same layout as rows_: index in the parent's front, in nodes
   std::vector<int> children_begin_, children_;
   std::vector<double> values_;
-  std::vector<double> updates_;             ///< stack of update matrices
-  std::vector<std::ptrdiff_t> update_at_;   ///< supernode → its place on the stack
-  std::vector<double> ordered_, gathered_;  ///< work space of solve()
+  std::vector<double> updates_;            ///< stack of update matrices
+  std::vector<std::ptrdiff_t> update_at_;  ///< supernode → its place on the stack
+  bool divided_ = false;
+  std::vector<SolvePart> parts_;  ///< ascending, if divided_; between them is what they give to
+  SolvePart rest_;                ///< work space for that
+  std::vector<double> ordered_;   ///< x in the order of elimination
 };
 
 }  // namespace planish

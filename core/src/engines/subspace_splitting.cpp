@@ -7,8 +7,15 @@
 
 namespace planish {
 SubspaceSplitting::SubspaceSplitting(const Patch& patch, const Eigen::MatrixXd& basis,
-                                     const Eigen::Matrix3Xd& start)
-    : patch_(patch), basis_(basis), quadratic_(patch), t_(start), y_(start), q_(start), m_(start) {
+                                     const Eigen::Matrix3Xd& start, Executor* executor)
+    : patch_(patch),
+      basis_(basis),
+      executor_(executor),
+      quadratic_(patch),
+      t_(start),
+      y_(start),
+      q_(start),
+      m_(start) {
   for (VertexTerm& term : quadratic_.terms) term.norm_weight = 0.0;
   y_multiplier_.setZero(3, patch.free_count);
   q_multiplier_ = m_multiplier_ = y_multiplier_;
@@ -57,7 +64,7 @@ void SubspaceSplitting::update_primal() {
   const Eigen::Matrix3Xd pull =
       -(penalty_ * (y_ + q_ + m_) + y_multiplier_ + q_multiplier_ + m_multiplier_);
   const Eigen::VectorXd push = tangent_multiplier_ / penalty_;
-  system_->step(pull, push, t_);
+  system_->step(pull, push, t_, executor_);
   Eigen::VectorXd image;
   system_->apply_jacobian(t_ - before, image);
   dual_residual_ =

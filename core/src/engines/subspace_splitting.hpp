@@ -17,8 +17,9 @@ class SubspaceSplitting {
   /// @param patch undisplaced, at p⁺; norm weights C^i, square weights β_h; must outlive this
   /// @param basis 3·free × k, orthonormal
   /// @param start 3 × free, unit
-  SubspaceSplitting(const Patch& patch, const Eigen::MatrixXd& basis,
-                    const Eigen::Matrix3Xd& start);
+  /// @param executor of the solves, must outlive this; the bits are the same
+  SubspaceSplitting(const Patch& patch, const Eigen::MatrixXd& basis, const Eigen::Matrix3Xd& start,
+                    Executor* executor = nullptr);
 
   [[nodiscard]] bool set_penalty(double penalty);
   void update_auxiliaries();
@@ -32,6 +33,7 @@ class SubspaceSplitting {
  private:
   const Patch& patch_;
   const Eigen::MatrixXd& basis_;
+  Executor* executor_;
   std::map<double, std::unique_ptr<PatchSystem>> systems_;  ///< by penalty, each made once
   PatchSystem* system_ = nullptr;
   Patch quadratic_;  ///< the patch without its norm terms

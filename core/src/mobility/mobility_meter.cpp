@@ -87,7 +87,7 @@ HandleEditOptions MobilityOptions::default_edit() {
 
 Refusal find_problem(const MobilityOptions& options) {
   if (auto problem = find_problem(options.edit)) return problem;
-  if (options.edit.engine != Engine::kNewton) return "solver must be newton";
+  if (auto problem = find_problem(options.edit.engine, Beyond::kMobility)) return problem;
   if (!(std::isfinite(options.range) && options.range >= 0.0)) {
     return "range must be 0 (the mean edge) or greater";
   }

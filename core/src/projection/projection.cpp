@@ -112,8 +112,8 @@ Refusal find_problem(const ProjectionOptions& options) {
   }
   if (auto problem = find_problem(options.constraints)) return problem;
   if (auto problem = find_problem(options.supports)) return problem;
-  if (options.engine == Engine::kAugmentedLagrangian && hold_points(options.supports)) {
-    return "support: the solver alm knows none";
+  if (hold_points(options.supports)) {
+    if (auto problem = find_problem(options.engine, Beyond::kSupports)) return problem;
   }
   const bool on_surfaces =
       std::any_of(options.supports.begin(), options.supports.end(),

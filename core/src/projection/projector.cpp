@@ -156,6 +156,7 @@ void Projector::certify(const ExactDesign& design, PatchCutter& cutter) {
 
 void Projector::solve_augmented_lagrangian(const Progress& progress) {
   AlmOptions options;
+  options.executor = options_.executor.get();
   if (options_.max_iterations > 0) options.max_outer = options_.max_iterations;
   std::vector<int> support;
   const EngineOutcome outcome = solve_edit_by_alm(problem_, options, field_, support, progress);

@@ -123,6 +123,7 @@ ProjectionOptions exact_options(const HandleEditOptions& edit, double fairness_w
   options.fairness_weight = fairness_weight;
   options.fairness = edit.fairness;
   options.engine = edit.engine;
+  options.executor = edit.executor;
   options.tolerance = edit.tolerance;
   options.keep_shape = edit.keep_shape;
   options.constraints = edit.constraints;

@@ -51,7 +51,8 @@ struct Candidate {
 class SubspaceBuilder {
  public:
   SubspaceBuilder(const Mesh& base, const Positions& edited, const std::vector<int>& close,
-                  const KeptByVariations& keeps, const SubspaceOptions& options);
+                  const KeptByVariations& keeps, const SubspaceOptions& options,
+                  Executor* executor);
 
   Subspace build(const Progress& progress);
 
@@ -67,6 +68,7 @@ class SubspaceBuilder {
   void fill_result(const SubspaceVectorSolver& solver, Subspace& result) const;
 
   SubspaceOptions options_;
+  Executor* executor_;
   Mesh mesh_;  ///< faces of the base, positions p⁺
   MeshModel model_;
   Eigen::Matrix3Xd edit_;  ///< d, all vertices, solver units
@@ -89,8 +91,9 @@ Mesh with_positions(const Mesh& base, const Positions& positions) {
 
 SubspaceBuilder::SubspaceBuilder(const Mesh& base, const Positions& edited,
                                  const std::vector<int>& close, const KeptByVariations& keeps,
-                                 const SubspaceOptions& options)
+                                 const SubspaceOptions& options, Executor* executor)
     : options_(options),
+      executor_(executor),
       mesh_(with_positions(base, edited)),
       model_(mesh_, options.fairness, keeps.kinds),
       edit_((edited - base.positions) / model_.unit()),
@@ -210,7 +213,7 @@ bool SubspaceBuilder::add_alm_vector(SubspaceVectorSolver& solver) {
   for (Eigen::Matrix3Xd& start : starts()) {
     put_along_tracks(patch_, start);
     if (!solver.make_admissible(basis_, start)) continue;
-    SubspaceSplitting splitting(patch_, basis_, start);
+    SubspaceSplitting splitting(patch_, basis_, start, executor_);
     AlmOptions options;
     options.max_outer = 300;
     const EngineOutcome outcome = run_alm(splitting, options, {});
@@ -337,9 +340,9 @@ double correlation(const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& v) {
 
 Subspace compute_subspace(const Mesh& base, const Positions& edited, const std::vector<int>& close,
                           const SubspaceOptions& options, const KeptByVariations& keeps,
-                          const Progress& progress) {
+                          const Progress& progress, Executor* executor) {
   const Stopwatch watch;
-  Subspace result = SubspaceBuilder(base, edited, close, keeps, options).build(progress);
+  Subspace result = SubspaceBuilder(base, edited, close, keeps, options, executor).build(progress);
   result.report.solve_seconds = watch.seconds();
   return result;
 }

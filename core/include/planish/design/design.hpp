@@ -85,9 +85,6 @@ struct Design {
 /// The first rule that `design` breaks whatever its mesh is, naming the field; nullopt if none.
 [[nodiscard]] Refusal find_problem(const Design& design);
 
-/// The same of what its symmetry does not go with.
-[[nodiscard]] Refusal find_symmetry_problem(const Design& design);
-
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
 /// The same, of what moved alone.

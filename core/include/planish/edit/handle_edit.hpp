@@ -13,6 +13,7 @@
 #include "planish/constraints/stated_limit.hpp"
 #include "planish/measures/energies.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/obstacles/keep_out.hpp"
 #include "planish/problem/engine.hpp"
 #include "planish/problem/solve_report.hpp"
@@ -77,6 +78,8 @@ struct HandleEditOptions {
   /// `smoothness`. Higher: wider and gentler. [SOF-1]
   double softness = 0.0;
   Engine engine = Engine::kNewton;
+  /// Threads for the paper's engine; null: the caller's alone. The bits are the same. [ALM-7]
+  std::shared_ptr<Executor> executor = nullptr;
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
   double tolerance = PlanarPolygon::kTolerance;
@@ -98,6 +101,10 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 
 /// Why the steps of `targets` are none.
 [[nodiscard]] Refusal find_continuation_problem(const EditTargets& targets);
+
+/// What of an edit the engine of `options` does not solve: see Beyond.
+[[nodiscard]] Refusal find_engine_problem(const HandleEditOptions& options,
+                                          const EditTargets& targets, bool symmetric);
 
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] Refusal find_problem(const EditTargets& targets, const Mesh& mesh);

@@ -2,6 +2,7 @@
 /// Problem (8): the nearest mesh whose panels are all flat.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "planish/constraints/planar_polygon.hpp"
 #include "planish/measures/energies.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/problem/engine.hpp"
 #include "planish/problem/solve_report.hpp"
 #include "planish/supports/point_support.hpp"
@@ -23,6 +25,7 @@ struct ProjectionOptions {
   double distance_weight = 1.0;  ///< α_d > 0; higher: closer to the given mesh [PRO-2]
   FairnessKind fairness = FairnessKind::kSecondDifference;
   Engine engine = Engine::kNewton;
+  std::shared_ptr<Executor> executor = nullptr;  ///< as in HandleEditOptions
   /// No panel becomes concave, crossing, turned over or collapsed that was not [SHP-1]; where that
   /// and flatness cannot both be had, shape wins and the panels that are not flat are named; with a
   /// history, flatness wins.

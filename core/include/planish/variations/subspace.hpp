@@ -10,6 +10,7 @@
 #include "planish/edit/kept_by_variations.hpp"
 #include "planish/measures/energies.hpp"
 #include "planish/mesh/mesh.hpp"
+#include "planish/numeric/executor.hpp"
 #include "planish/problem/engine.hpp"
 #include "planish/problem/solve_report.hpp"
 #include "planish/text/refusal.hpp"
@@ -68,11 +69,13 @@ struct Subspace {
 
 /// Computes the basis at `edited` = p⁰ + d, for the displacement d from `base`.
 /// Both meshes share faces; `edited` keeps the kinds of `keeps`. `close` is Ψ, usually the handles.
+/// @param executor as in HandleEditOptions
 [[nodiscard]] Subspace compute_subspace(const Mesh& base, const Positions& edited,
                                         const std::vector<int>& close,
                                         const SubspaceOptions& options,
                                         const KeptByVariations& keeps = {},
-                                        const Progress& progress = {});
+                                        const Progress& progress = {},
+                                        Executor* executor = nullptr);
 
 /// Ψ where nothing else is asked for: the vertices of the handles.
 [[nodiscard]] std::vector<int> handle_vertices(const EditTargets& targets);
