@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whether "Panels allow … here" is true: on ten meshes, three places each, a drag along the normal that the
-// page's own search takes back (web/src/solver/edits.ts), against the longest target that one solve with the same
-// limit on folds meets, found by bisection. After `bash .tools/build.sh native wasm`:
+// Whether "Panels allow … here" is true: on ten meshes, three places each, a drag along the normal whose
+// end the page holds back (web/src/solver/edits.ts), let go at once and after frames, against the longest
+// target that one solve with the same limit on folds meets, found by bisection. After
+// `bash .tools/build.sh native wasm`:
 //   node .tools/how-far.mjs [FOLDER of meshes]
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -28,6 +29,9 @@ const DEGREES = 10;
 /** Of the way: as near to its target a handle has met it. */
 const MET = 0.05;
 const HALVINGS = 7;
+/** Of a drag, in equal steps; seconds that one may take, as in the page. */
+const FRAMES = 40;
+const FRAME_SECONDS = 0.016;
 
 const minus = (a, b) => a.map((x, k) => x - b[k]);
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
@@ -77,29 +81,50 @@ function wayOf(session, { points }, vertex, normal) {
 class Place {
   constructor(bench, session, mesh, vertex) {
     Object.assign(this, { ...bench, session, mesh, vertex, normal: normalAt(mesh, vertex) });
+    this.at = [vertex, ...mesh.points[vertex]];
   }
 
-  question(way, limits, limit) {
-    const to = this.mesh.points[this.vertex].map((x, axis) => x + way * this.normal[axis]);
+  target(way) {
+    return [this.vertex, ...this.mesh.points[this.vertex].map((x, k) => x + way * this.normal[k])];
+  }
+
+  ask(edits, way, mode, limits, limit) {
+    const targets = { handles: this.target(way), pins: [] };
     const settings = { ...this.settings, limits };
-    const targets = { handles: [this.vertex, ...to], pins: [] };
-    const mode = limit ? "release" : "solve";
-    return { kind: "edit", mode, targets, settings, budget: 10, limit, fairWay: null };
+    const budget = FRAME_SECONDS;
+    return edits.edit({ kind: "edit", mode, targets, settings, budget, limit, fairWay: null });
   }
 
-  /** What the page says that panels allow. */
-  said(asked) {
-    const edits = new this.Edits(this.module, this.session);
-    const from = [this.vertex, ...this.mesh.points[this.vertex]];
-    const limit = { degrees: DEGREES, short: Number.POSITIVE_INFINITY, from };
-    edits.edit(this.question(asked, [], limit));
+  reached() {
     return wayOf(this.session, this.mesh, this.vertex, this.normal);
+  }
+
+  /** What the page says that panels allow, its target then, steps of solves and seconds; where the last of
+   * so many frames before it ended. */
+  said(asked, frames) {
+    const edits = new this.Edits(this.module, this.session);
+    const limit = { degrees: DEGREES, short: 0, from: this.at, base: this.at };
+    for (let k = 1; k <= frames; ++k) this.ask(edits, (asked * k) / frames, "drag", [], limit);
+    const shown = frames > 0 ? this.reached() : 0;
+    let steps = 0;
+    this.session.onProgress(() => {
+      steps += 1;
+      return true;
+    });
+    const start = process.cpuUsage().user;
+    const { taken } = this.ask(edits, asked, "release", [], limit);
+    const seconds = (process.cpuUsage().user - start) / 1e6;
+    this.session.onProgress(() => true);
+    const target = taken
+      ? dot(minus(taken.slice(1), this.mesh.points[this.vertex]), this.normal)
+      : asked;
+    return { way: this.reached(), target, shown, steps, seconds };
   }
 
   /** Whether the solve with the limit gets there. */
   meets(way) {
     const edits = new this.Edits(this.module, this.session);
-    edits.edit(this.question(way, [`fold=+${DEGREES}`], null));
+    this.ask(edits, way, "solve", [`fold=+${DEGREES}`], null);
     const { handleError, status } = this.session.shapeReport();
     return status !== "infeasible_handles" && handleError <= MET * way;
   }
@@ -164,9 +189,10 @@ async function loadBench() {
 
 const bench = await loadBench();
 const scratch = mkdtempSync(join(tmpdir(), "how-far-"));
-const shares = [];
-console.log("| mesh | place | asked | the page says | the bounded solve meets | share |");
-console.log("| --- | --- | --- | --- | --- | --- |");
+const places = [];
+const columns = ["mesh", "place", "asked", "the page says", "after frames", "last frame"];
+columns.push("the bounded solve meets", "share", "of targets", "steps", "s", "after frames");
+console.log(`| ${columns.join(" | ")} |\n| ${columns.map(() => "---").join(" | ")} |`);
 for (const [name, path] of flatMeshes(process.argv[2] ?? "../shared/meshes", scratch)) {
   const bytes = readFileSync(path);
   const mesh = readObj(bytes.toString());
@@ -177,16 +203,35 @@ for (const [name, path] of flatMeshes(process.argv[2] ?? "../shared/meshes", scr
   for (let k = 0; k < PLACES; ++k) {
     const vertex = mesh.inner[Math.floor(((k + 0.5) / PLACES) * mesh.inner.length)];
     const place = new Place(bench, session, mesh, vertex);
-    const [said, bounded] = [place.said(asked), place.bounded(asked)];
-    shares.push(said / bounded);
-    const cells = [name, vertex, asked, said, bounded, said / bounded];
+    const [once, dragged, bounded] = [
+      place.said(asked, 0),
+      place.said(asked, FRAMES),
+      place.bounded(asked),
+    ];
+    const [share, targets] = [once.way / bounded, once.target / bounded];
+    places.push({ once, dragged, share, targets });
+    const ways = [asked, once.way, dragged.way, dragged.shown, bounded, share, targets];
+    const price = [once.steps, once.seconds, `${dragged.steps}, ${dragged.seconds.toFixed(1)} s`];
+    const cells = [name, vertex, ...ways, ...price];
     console.log(
       `| ${cells.map((x) => (typeof x === "number" && !Number.isInteger(x) ? x.toPrecision(3) : x)).join(" | ")} |`,
     );
   }
   session.delete();
 }
-const within = shares.filter((share) => Math.abs(share - 1) <= 0.05).length;
-const middle = shares.toSorted((a, b) => a - b)[shares.length >> 1];
-console.log(`\n${within} of ${shares.length} within 5 %; share, median ${middle.toFixed(2)}`);
+
+const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
+const near = (list) => list.filter((share) => Math.abs(share - 1) <= MET).length;
+/** Median and most, of the edits let go at once and of those after frames. */
+const both = (figure) =>
+  ["once", "dragged"]
+    .map((way) => places.map((place) => figure(place[way])))
+    .map((list) => `${median(list).toPrecision(3)}, at most ${Math.max(...list).toPrecision(3)}`)
+    .join("; after frames ");
+const [shares, targets] = [places.map(({ share }) => share), places.map((one) => one.targets)];
+console.log(`
+${near(shares)} of ${shares.length} within 5 %, median ${median(shares).toFixed(2)}; by targets ${near(targets)}, median ${median(targets).toFixed(2)}
+steps: ${both(({ steps }) => steps)}
+s: ${both(({ seconds }) => seconds)}
+after frames it gets less far than the last of them: ${places.filter(({ dragged }) => dragged.way < 0.99 * dragged.shown).length}`);
 rmSync(scratch, { recursive: true });

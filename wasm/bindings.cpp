@@ -162,8 +162,9 @@ val variation_displacements(const Session& s) {
   return copy(all);
 }
 val base_positions(const Session& s) { return copy(s.base().positions); }
-void keep_frame(Session& s) { s.keep_frame(); }
+void keep_edit(Session& s) { s.keep_edit(); }
 void go_back(Session& s) { s.go_back(); }
+void show_kept(Session& s) { s.show_kept(); }
 val before_planarising(const Session& s) { return copy(s.before_planarising()); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
@@ -197,8 +198,9 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("setCuts", &set_cuts)
       .function("tryCut", &try_cut)
       .function("edit", &edit)
-      .function("keepFrame", &keep_frame)
+      .function("keepEdit", &keep_edit)
       .function("goBack", &go_back)
+      .function("showKept", &show_kept)
       .function("restore", &restore)
       .function("replay", &replay)
       .function("replayed", &replayed)

@@ -47,9 +47,11 @@ export interface Session {
     continuation: number,
     budgetSeconds: number,
   ): string;
-  /** Marks where a drag stands; after goBack() its next frame follows that one again. */
-  keepFrame(): void;
+  /** Keeps the edit that is shown; after goBack() the next frame of a drag follows it again. */
+  keepEdit(): void;
   goBack(): void;
+  /** Shows the edit kept again, with its report. */
+  showKept(): void;
   restore(
     handles: Float64Array,
     pins: Int32Array,

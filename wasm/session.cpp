@@ -54,6 +54,7 @@ void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   symmetry_.reset();
   subspace_.reset();
   cut_.reset();
+  kept_.reset();
   supports_ = stated_supports_;
   base_ = std::move(mesh);
   before_planarising_.resize(3, 0);
@@ -108,14 +109,6 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
 HandleEditResult Session::solve(EditMode mode, EditTargets& targets, double budget_seconds) {
   if (mode == EditMode::kDrag) return solver_->drag(targets, budget_seconds);
   return mode == EditMode::kRelease ? release(targets) : solver_->solve(targets, progress_);
-}
-
-void Session::keep_frame() {
-  if (solver_) solver_->keep_frame();
-}
-
-void Session::go_back() {
-  if (solver_) solver_->go_back();
 }
 
 Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,

@@ -128,10 +128,12 @@ class Session {
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
   /// Of the last fewest().
   [[nodiscard]] const FewestFound& fewest_found() const { return fewest_found_; }
-  /// Marks where a drag stands; go_back() makes its next frame follow that one again. What is shown
-  /// stays.
-  void keep_frame();
+  /// Keeps the edit that is shown, and where a drag stands.
+  void keep_edit();
+  /// The next frame of the drag follows the one kept; what is shown stays.
   void go_back();
+  /// Shows the edit kept again, with its report; nothing where none was kept on this base.
+  void show_kept();
   /// Shows a design that was computed before: `moved` ascending, everything else at the base.
   /// @param keep_variations the design is one of the family found last, or its centre
   [[nodiscard]] Refusal restore(EditTargets targets, const std::vector<int>& moved,
@@ -203,6 +205,14 @@ class Session {
     double tolerance = 0.0;  ///< mm/m
   };
 
+  /// An edit that was shown.
+  struct KeptEdit {
+    EditTargets targets;
+    Shape shape;
+    ShapeReport report;
+    bool follows_path = false;
+  };
+
   void adopt(Mesh mesh, std::vector<std::string> warnings);
   [[nodiscard]] Mesh as_opened() const;
   [[nodiscard]] Refusal adopt_planarised(Positions flat);
@@ -262,6 +272,7 @@ class Session {
 
   HandleEditOptions options_;
   std::optional<HandleEditSolver> solver_;
+  std::optional<KeptEdit> kept_;
   EditTargets targets_;
   bool follows_path_ = false;   ///< a drag's frame is shown: others may belong to its targets
   bool lower_at_once_ = false;  ///< than along the path: the last edit's objective

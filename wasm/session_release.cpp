@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The end of a drag: a design that depends on its recipe alone, and that is what was shown.
+/// The end of a drag: a design that depends on its recipe alone, and that is what was shown; and
+/// edits that are kept while others are tried.
 #include <algorithm>
 
 #include "session.hpp"
@@ -67,6 +68,24 @@ HandleEditResult Session::release(EditTargets& targets) {
   }
   targets.continuation = 0;
   return at_once;
+}
+
+void Session::keep_edit() {
+  if (solver_) solver_->keep_frame();
+  kept_ = {targets_, {moved_, moved_positions()}, shape_report_, follows_path_};
+}
+
+void Session::go_back() {
+  if (solver_) solver_->go_back();
+}
+
+void Session::show_kept() {
+  if (!kept_) return;
+  go_back();
+  targets_ = kept_->targets;
+  show(kept_->shape.moved, kept_->shape.positions);
+  follows_path_ = kept_->follows_path;
+  shape_report_ = kept_->report;
 }
 
 }  // namespace planish

@@ -48,7 +48,7 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
       targets: { handles: [VERTEX, ...target], pins: [] },
       settings: FIRST_SETTINGS,
       budget: 10,
-      limit: { degrees: LIMIT, short: Number.POSITIVE_INFINITY, from },
+      limit: { degrees: LIMIT, short: 0, from, base: from },
       fairWay: null,
     });
     if (frame?.kind !== "shown") throw new Error(`frame ${k} was refused`);

@@ -90,6 +90,30 @@ TEST(SessionEdit, ReleaseKeepsWhatTheDragShowed) {
   EXPECT_LT(differs(), 0.01);
 }
 
+/// While others are tried, frames of a drag and solves.
+TEST(SessionEdit, AKeptEditIsShownAgainWithItsReport) {
+  Session session = open_vault();
+  session.show_kept();
+  EXPECT_EQ(session.current(), session.base().positions) << "nothing was kept";
+  for (const EditMode mode : {EditMode::kDrag, EditMode::kSolve}) {
+    ASSERT_EQ(session.edit(mode, lift(session, 0.1), 10.0), std::nullopt);
+    session.keep_edit();
+    const Positions kept = session.current();
+    const ShapeReport report = session.shape_report();
+    ASSERT_EQ(session.edit(mode, lift(session, 0.5), 10.0), std::nullopt);
+    ASSERT_NE(session.current(), kept);
+    (void)session.take_changes();
+    session.show_kept();
+    EXPECT_EQ(session.current(), kept);
+    EXPECT_EQ(session.shape_report().handle_error, report.handle_error);
+    EXPECT_EQ(session.shape_report().solve.objective.total(), report.solve.objective.total());
+    EXPECT_FALSE(session.take_changes().empty());
+  }
+  ASSERT_EQ(session.open_sample("vault", 9), std::nullopt);
+  session.show_kept();
+  EXPECT_EQ(session.current(), session.base().positions) << "it was an edit of another mesh";
+}
+
 TEST(SessionEdit, SupportsHoldInEveryEditFromThereOn) {
   Session session = open_vault();
   const int rim = 8;  // in the middle of a side

@@ -2,7 +2,7 @@
 // Which limit on folds an edit gets of itself: the least that costs its handles nothing.
 import { expect, it } from "vitest";
 import { NO_REPORT } from "../../web/src/design/design.ts";
-import { fairLimit, foldGrowth } from "../../web/src/solver/fair-folds.ts";
+import { fairLimit, foldGrowth, isFound, stepOf } from "../../web/src/solver/fair-folds.ts";
 import type { ShapeReport } from "../../web/src/solver/protocol.ts";
 
 const WAY = 2;
@@ -50,4 +50,11 @@ it("sees a crease in a smooth place, however sharp the folds elsewhere are", () 
   expect(foldGrowth(report(15, 0))).toBe(15);
   const old = { ...NO_REPORT, sharpestFold: { before: 3, after: 9 } };
   expect(foldGrowth(old)).toBe(6);
+});
+
+it("is a multiple of ten degrees, so that one that somebody states otherwise is none that was found", () => {
+  expect([0, 9.9, 10, 10.005, 10.1, 27].map(stepOf)).toEqual([10, 10, 10, 10, 20, 30]);
+  expect(isFound("fold=+20", [])).toBe(true);
+  expect(isFound("fold=+20", ["fold=+20"])).toBe(false);
+  for (const limit of ["fold=20", "fold=+15", "area=10"]) expect(isFound(limit, [])).toBe(false);
 });

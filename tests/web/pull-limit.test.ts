@@ -2,129 +2,185 @@
 import { describe, expect, it } from "vitest";
 import { NO_REPORT } from "../../web/src/design/design.ts";
 import type { HandleList } from "../../web/src/solver/protocol.ts";
-import { isWithin, PullHold } from "../../web/src/solver/pull-limit.ts";
+import {
+  arrivalOf,
+  arrives,
+  keepsOwn,
+  lags,
+  ownBound,
+  PullHold,
+} from "../../web/src/solver/pull-limit.ts";
 
 const FROM = [7, 0, 0, 1];
 const LIMIT = 15;
+const PATIENCE = 10_000;
 const raised = (z: number): HandleList => [7, 0, 0, 1 + z];
 
 /** Folds by ten degrees for every unit of height. */
 const steady = ([, , , z = 0]: HandleList): number => 10 * (z - 1);
 
-const within = (handles: HandleList): boolean => steady(handles) <= LIMIT;
-
-function tries(attempt: (handles: HandleList) => boolean) {
-  const seen: HandleList[] = [];
-  return {
-    seen,
-    attempt: (handles: HandleList): boolean => {
-      seen.push(handles);
-      return attempt(handles);
+/** Edits that arrive as `holds` says: what was asked for and how, and what is shown. */
+function frames(holds: (handles: HandleList, settled: boolean) => boolean) {
+  let kept: HandleList = [];
+  const made = {
+    seen: [] as HandleList[],
+    kinds: [] as boolean[],
+    shown: [] as HandleList,
+    edit: (handles: HandleList, settled: boolean): boolean => {
+      made.seen.push(handles);
+      made.kinds.push(settled);
+      made.shown = handles;
+      return holds(handles, settled);
+    },
+    keep: () => {
+      kept = made.shown;
+    },
+    back: () => {
+      made.shown = kept;
     },
   };
+  return made;
 }
+
+const within = () => frames((handles) => steady(handles) <= LIMIT);
 
 describe("the hold on a drag", () => {
   it("lets a pull within the limit through as it is, in one try", () => {
-    const { seen, attempt } = tries(within);
+    const made = within();
     const asked = raised(1.5);
-    expect(new PullHold().take(FROM, asked, attempt)).toBe(asked);
-    expect(seen).toEqual([asked]);
+    expect(new PullHold().take(FROM, asked, made, PATIENCE)).toBe(asked);
+    expect(made.seen).toEqual([asked]);
   });
 
-  it("ends every frame at handles that hold, and comes within a fiftieth of the limit", () => {
+  it("shows handles that hold after every frame, and comes within a fiftieth of the limit", () => {
     const hold = new PullHold();
+    const made = within();
     let taken: HandleList = [];
     for (let z = 0.1; z < 4; z += 0.1) {
-      const { seen, attempt } = tries(within);
-      taken = hold.take(FROM, raised(z), attempt);
+      const before = made.seen.length;
+      taken = hold.take(FROM, raised(z), made, PATIENCE);
       expect(steady(taken)).toBeLessThanOrEqual(15);
-      if (seen.length > 0) expect(seen.at(-1)).toEqual(taken);
-      expect(seen.length).toBeLessThanOrEqual(7);
+      expect(made.shown).toEqual(taken);
+      expect(made.seen.length - before).toBeLessThanOrEqual(7);
     }
     expect(taken[3]).toBeGreaterThan(2.5 - 0.02 * 4);
   });
 
   it("lets the other direction go, and the way back", () => {
     const hold = new PullHold();
-    hold.take(FROM, raised(4), within);
+    const made = within();
+    hold.take(FROM, raised(4), made, PATIENCE);
     const down = raised(-3);
-    expect(hold.take(FROM, down, within)).toBe(down);
+    expect(hold.take(FROM, down, made, PATIENCE)).toBe(down);
     const back = raised(1);
-    expect(hold.take(FROM, back, within)).toBe(back);
+    expect(hold.take(FROM, back, made, PATIENCE)).toBe(back);
   });
 
-  it("goes back further where what held before does not any more", () => {
+  it("stays at what held where nothing holds further on any more", () => {
     const hold = new PullHold();
-    hold.take(FROM, raised(1.4), within);
-    const taken = hold.take(FROM, raised(1.45), (handles) => steady(handles) + 3 <= LIMIT);
-    expect(steady(taken) + 3).toBeLessThanOrEqual(15);
-    expect(taken[3]).toBeGreaterThan(1.8);
+    const held = raised(1.4);
+    hold.take(FROM, held, within(), PATIENCE);
+    const made = frames(() => false);
+    made.shown = held;
+    made.keep();
+    expect(hold.take(FROM, raised(1.9), made, PATIENCE)).toEqual(held);
+    expect(made.shown).toEqual(held);
   });
 
-  it("asks for a settled edit where a frame folded, and for none while it stays", () => {
+  it("stays at what is shown where the longest that held does not come back", () => {
     const hold = new PullHold();
-    const kinds: boolean[] = [];
-    const lagging = (handles: HandleList, settled: boolean): boolean => {
-      kinds.push(settled);
-      return steady(handles) + (settled ? 0 : 20) <= LIMIT;
-    };
+    hold.take(FROM, raised(9), within(), PATIENCE);
+    const made = frames((handles) => steady(handles) <= 8);
+    expect(hold.take(FROM, raised(0.5), made, PATIENCE)).toEqual(raised(0.5));
+    const taken = hold.take(FROM, raised(9), made, PATIENCE);
+    expect(taken).toEqual(raised(0.5));
+    expect(made.shown).toEqual(taken);
+  });
+
+  it("asks for a settled edit where a frame did not hold, and for none while it stays", () => {
+    const hold = new PullHold();
+    const made = frames((handles, settled) => steady(handles) + (settled ? 0 : 20) <= LIMIT);
     const asked = raised(1.2);
-    expect(hold.take(FROM, asked, lagging)).toBe(asked);
-    expect(kinds).toEqual([false, true]);
-    hold.take(FROM, raised(9), lagging);
-    const tried = kinds.length;
-    for (let k = 0; k < 6; ++k) hold.take(FROM, raised(9 + k), lagging);
-    expect(kinds.length - tried).toBeLessThan(12);
-    const still = kinds.length;
-    hold.take(FROM, raised(15), lagging);
-    expect(kinds.length).toBe(still);
+    expect(hold.take(FROM, asked, made, PATIENCE)).toBe(asked);
+    expect(made.kinds).toEqual([false, true]);
+    hold.take(FROM, raised(9), made, PATIENCE);
+    const tried = made.kinds.length;
+    for (let k = 0; k < 6; ++k) hold.take(FROM, raised(9 + k), made, PATIENCE);
+    expect(made.kinds.length - tried).toBeLessThan(12);
+    const still = made.kinds.length;
+    hold.take(FROM, raised(15), made, PATIENCE);
+    expect(made.kinds.length).toBe(still);
   });
 
-  it("lets frames go on that would wait too long, but not the end of the drag", () => {
+  it("makes one frame each once a search took too long, and says what held last", () => {
     const hold = new PullHold();
-    const asked = raised(9);
-    expect(hold.take(FROM, asked, within, 0)).toBe(asked);
-    const { seen, attempt } = tries(within);
-    const next = raised(8);
-    expect(hold.take(FROM, next, attempt, 1000)).toBe(next);
-    expect(seen).toEqual([next]);
-    expect(steady(new PullHold().take(FROM, next, within))).toBeLessThanOrEqual(15);
+    const held = raised(1);
+    hold.take(FROM, held, within(), 0);
+    hold.take(FROM, raised(9), within(), 0);
+    const made = within();
+    expect(hold.take(FROM, raised(8), made, 1000)).toEqual(held);
+    expect(hold.take(FROM, raised(1.2), made, 1000)).toEqual(raised(1.2));
+    expect(made.seen).toEqual([raised(8), raised(1.2)]);
   });
 
   it("tries what held one way when the pull turns a little, and no more in that frame", () => {
     const hold = new PullHold();
-    const taken = hold.take(FROM, raised(9), within);
-    const kinds: boolean[] = [];
+    const taken = hold.take(FROM, raised(9), within(), PATIENCE);
+    const made = within();
     for (const sideways of [4, 0, -4, 4]) {
-      const turned = hold.take(FROM, [7, sideways, 0, 10], (handles, settled) => {
-        kinds.push(settled);
-        return within(handles);
-      });
+      const turned = hold.take(FROM, [7, sideways, 0, 10], made, PATIENCE);
       const length = Math.hypot(turned[1] ?? 0, (turned[3] ?? 0) - 1);
       expect(length).toBeCloseTo((taken[3] ?? 0) - 1, 9);
     }
-    expect(kinds).toEqual([false, false, false, false]);
+    expect(made.kinds).toEqual([false, false, false, false]);
   });
 });
 
-describe("an edit", () => {
-  const limit = { degrees: 10, short: 0.15, from: FROM };
-  const fold = { before: 5, after: 15 };
-  const edit = { ...NO_REPORT, movedVertices: 9, sharpestFold: fold, maxDisplacement: 2 };
+describe("an edit under a limit", () => {
+  const limit = { degrees: 10, short: 0, from: FROM, base: FROM };
+  const to = raised(2);
+  const edit = { ...NO_REPORT, movedVertices: 9, maxDisplacement: 2 };
+  const bound = { ...edit, bounds: { fold: [3] } };
 
-  it("is within the limit up to its degrees and as far as its handles follow", () => {
-    expect(isWithin(limit, edit)).toBe(true);
-    expect(isWithin(limit, { ...edit, sharpestFold: { before: 5, after: 15.1 } })).toBe(false);
-    expect(isWithin(limit, { ...edit, handleError: 0.29 })).toBe(true);
-    expect(isWithin(limit, { ...edit, handleError: 0.31 })).toBe(false);
-    expect(
-      isWithin({ ...limit, short: Number.POSITIVE_INFINITY }, { ...edit, handleError: 9 }),
-    ).toBe(true);
+  it("arrives within a twentieth of the way, or as far as nothing but panels lets it", () => {
+    expect(arrives(limit, to, { ...bound, handleError: 0.09 })).toBe(true);
+    expect(arrives(limit, to, { ...bound, handleError: 0.11 })).toBe(false);
+    expect(arrives(limit, to, { ...edit, bounds: { fold: [] }, handleError: 0.9 })).toBe(true);
   });
 
-  it("that found no way to move is not", () => {
+  it("may stay as short as the drag began", () => {
+    expect(arrives({ ...limit, short: 0.3 }, to, { ...bound, handleError: 0.59 })).toBe(true);
+    expect(arrives({ ...limit, short: 0.3 }, to, { ...bound, handleError: 0.61 })).toBe(false);
+  });
+
+  it("lags where nothing but time keeps its handles from arriving", () => {
+    const late = { ...edit, status: "iteration_limit", handleError: 0.5 };
+    expect(lags(limit, to, late)).toBe(true);
+    expect(lags(limit, to, { ...late, bounds: { fold: [3] } })).toBe(false);
+    expect(lags(limit, to, { ...late, status: "converged" })).toBe(false);
+    expect(lags(limit, to, { ...late, handleError: 0.05 })).toBe(false);
+  });
+
+  it("that found no way to move does not arrive", () => {
     const stuck = { ...edit, status: "iteration_limit", movedVertices: 0, sharpestFold: null };
-    expect(isWithin(limit, stuck)).toBe(false);
+    expect(arrives(limit, to, stuck)).toBe(false);
+    expect(arrives(limit, to, { ...edit, status: "infeasible_handles" })).toBe(false);
+  });
+
+  it("stops short by shares of its pull", () => {
+    const got = arrivalOf(limit, to, { ...bound, handleError: 0.5 }, 4);
+    expect(got.short).toBe(0.125);
+    expect(got.over).toBeCloseTo(0.1, 12);
+    expect(arrivalOf(limit, to, { ...edit, handleError: 0.5 }, 4).over).toBeLessThanOrEqual(0);
+    const refused = { ...edit, status: "infeasible_handles", handleError: 0.01 };
+    expect(arrivalOf(limit, to, refused, 4).over).toBeGreaterThan(0);
+  });
+
+  it("keeps the drag's own limit where no fold sharpens by more", () => {
+    const fold = (after: number) => ({ ...edit, sharpestFold: { before: 5, after } });
+    expect(keepsOwn(limit, fold(15))).toBe(true);
+    expect(keepsOwn(limit, fold(15.1))).toBe(false);
+    expect(ownBound(limit)).toBe("fold=+10");
+    expect(ownBound({ ...limit, degrees: Number.POSITIVE_INFINITY })).toBeNull();
   });
 });

@@ -54,20 +54,22 @@ describe("where a handle stops", () => {
 });
 
 describe("what stops it", () => {
+  const reason = (settings: Partial<EditSettings>, report: Partial<ShapeReport>) =>
+    reasonOf(design(settings, report), false, null);
+
   it("is a stated limit only where one acts", () => {
     const limits = ["fold=25"];
-    expect(reasonOf(design({ limits }, { bounds: { fold: [3] } }), false)).toBe("limits");
-    expect(reasonOf(design({ limits }, { bounds: { fold: [] } }), false)).toBe("panels");
-    expect(reasonOf(design({ limits }, { status: "infeasible_handles" }), false)).toBe("limits");
+    expect(reason({ limits }, { bounds: { fold: [3] } })).toBe("limits");
+    expect(reason({ limits }, { bounds: { fold: [] } })).toBe("panels");
+    expect(reason({ limits }, { status: "infeasible_handles" })).toBe("limits");
     const sliding = { bounds: { fold: [3], slide: [4] } };
-    expect(reasonOf(design({ limits: ["fold=25", "slide=0.1"] }, sliding), false)).toBe("slides");
+    expect(reason({ limits: ["fold=25", "slide=0.1"] }, sliding)).toBe("slides");
     expect(reasonWords("slides", null)).toContain("joints would slide");
-    expect(reasonOf(design({}, { status: "infeasible_handles" }), false)).toBe("panels");
-    expect(reasonOf(design({}), true)).toBe("fold");
+    expect(reason({}, { status: "infeasible_handles" })).toBe("panels");
     const keepOuts = ["above=3"];
     const held = { "keep-out": [212] };
-    expect(reasonOf(design({ keepOuts }, { bounds: held }), false)).toBe("keep-outs");
-    expect(reasonOf(design({ keepOuts }, { bounds: { "keep-out": [] } }), false)).toBe("panels");
+    expect(reason({ keepOuts }, { bounds: held })).toBe("keep-outs");
+    expect(reason({ keepOuts }, { bounds: { "keep-out": [] } })).toBe("panels");
     expect(reasonWords("keep-outs", null)).toBe(
       "Further, panels or points would enter a keep-out.",
     );
@@ -75,6 +77,14 @@ describe("what stops it", () => {
     expect(ways.map(({ change }) => change)).toEqual([{ keepOuts: [], clearance: 0 }]);
     expect(reasonWords("fold", 10)).toBe("Further, folds would be more than 10° sharper.");
     expect(reasonWords("limits", null)).toContain("would exceed a limit");
+  });
+
+  it("is the drag's own limit only where folds are at it, and no other limit is in their place", () => {
+    const held = (bounds: Record<string, number[]>, growth: number | null) =>
+      reasonOf(design({ limits: ["area=2", "fold=+10"] }, { bounds }), true, growth);
+    expect(held({ area: [], fold: [3] }, 10)).toBe("fold");
+    expect(held({ area: [3], fold: [] }, 10)).toBe("limits");
+    expect(held({ area: [], fold: [3] }, null)).toBe("limits");
   });
 });
 
@@ -88,7 +98,6 @@ describe("ways on", () => {
     expect(ways.map(({ label, growth }) => [label, growth])).toEqual([
       ["Reach 9 panels", 10],
       ["Softer", 10],
-      ["Spread the folds", null],
       ["Folds up to 26°", 20],
       ["Let the boundary move", 10],
       ["Meet it exactly", null],
@@ -96,7 +105,6 @@ describe("ways on", () => {
     expect(ways.map(({ change }) => change)).toEqual([
       { reach: 9, reachLength: 0 },
       { softness: 7 },
-      { limits: ["fold=+10"] },
       {},
       { keepBoundary: false },
       { hardHandles: true },
@@ -127,7 +135,6 @@ describe("ways on", () => {
   it("are only those that are not taken yet", () => {
     expect(labels(design({ reach: 12, softness: 10 }, fold), "fold", 10)).toEqual([
       "Reach without limit",
-      "Spread the folds",
       "Folds up to 26°",
       "Let the boundary move",
       "Meet it exactly",

@@ -30,8 +30,9 @@ export type HandleList = readonly number[];
 export interface PullLimit {
   /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
   readonly degrees: number;
-  /** By how much of the largest move handles may stop short; ∞: by any. */
+  /** By how much of the longest way handles may stop short in any case. */
   readonly short: number;
-  /** The handles at the start of the drag, in the order of its targets. */
+  /** The handles at the start of the drag, in the order of its targets, and where the base has them. */
   readonly from: HandleList;
+  readonly base: HandleList;
 }

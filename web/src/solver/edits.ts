@@ -2,6 +2,7 @@
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { fairLimit } from "./fair-folds.ts";
+import { furthest } from "./how-far.ts";
 import type {
   EditMode,
   EditSettings,
@@ -12,7 +13,17 @@ import type {
   SplitFinding,
   SplitStanding,
 } from "./protocol.ts";
-import { isWithin, PullHold } from "./pull-limit.ts";
+import {
+  arrivalOf,
+  arrives,
+  between,
+  isBound,
+  keepsOwn,
+  lags,
+  ownBound,
+  PullHold,
+  pullLength,
+} from "./pull-limit.ts";
 import { insist, Refused } from "./refused.ts";
 
 type EditRequest = Extract<Request, { kind: "edit" }>;
@@ -21,11 +32,22 @@ type FewestAnswer = Omit<Extract<Reply, { kind: "fewest" }>, "kind" | "job">;
 
 /** That a drag may wait for its limit. */
 const SEARCH_MS = 2000;
+/** Frames more that one takes where its time is over before anything holds it back: else a pointer that
+ * stands would say nothing. */
+const CATCHING_UP = 6;
+/** For the frame at the end of a drag, if it was not shown: longer than any takes. */
+const FRAME_SECONDS = 10;
+
+/** With the limit that acts on a drag alone as one that is stated. */
+function bounded(settings: EditSettings, limit: PullLimit): EditSettings {
+  const own = ownBound(limit);
+  return own === null ? settings : { ...settings, limits: [...settings.limits, own] };
+}
 
 export interface Edited {
   /** Where the handles were held back to; null where they are as asked. */
   readonly taken: HandleList | null;
-  /** The limit on folds that was stated for the edit; null for none. */
+  /** The limit on folds that the edit has beside those asked for; null for none. */
   readonly stated: string | null;
   /** The handles, where some are on a mirror plane or an axis and were to leave it; else null. */
   readonly placed: HandleList | null;
@@ -50,7 +72,6 @@ export class Edits {
   }
 
   edit(request: EditRequest): Edited {
-    this.#setOptions(request.settings);
     const placed = this.#onFixedPoints(request.targets.handles);
     if (!placed) return { ...this.#edit(request), placed };
     const targets = { ...request.targets, handles: placed };
@@ -58,9 +79,11 @@ export class Edits {
   }
 
   #edit(request: EditRequest): Omit<Edited, "placed"> {
-    const { mode, targets, limit } = request;
-    if (limit) return { taken: this.#within(limit, request), stated: null };
+    const { mode, settings, targets, limit } = request;
+    if (limit && mode === "drag") return { taken: this.#frame(limit, request), stated: null };
+    if (limit) return this.#rest(limit, request);
     this.#hold = new PullHold();
+    this.#setOptions(settings);
     const once = (): void => this.#attempt(request, targets.handles, mode);
     once();
     return { taken: null, stated: this.#unfold(request, once) };
@@ -112,20 +135,69 @@ export class Edits {
     insist(this.#session.edit(this.#module.EditMode[how], handles, pins, steps, budget));
   }
 
-  /** null where the handles reach what they are asked to. */
-  #within(limit: PullLimit, request: EditRequest): HandleList | null {
-    const { mode, targets } = request;
+  /** A frame of a drag; null where its handles arrive. */
+  #frame(limit: PullLimit, request: EditRequest): HandleList | null {
+    const to = request.targets.handles;
     const session = this.#session;
-    if (mode !== "drag") this.#hold = new PullHold();
-    const once = (handles: HandleList, settled: boolean): boolean => {
-      if (settled && mode === "drag") session.goBack();
-      this.#attempt(request, handles, settled && mode !== "drag" ? "solve" : mode);
-      return isWithin(limit, session.shapeReport());
+    this.#setOptions(bounded(request.settings, limit));
+    const frames = {
+      edit: (handles: HandleList, settled: boolean): boolean => {
+        if (settled) session.goBack();
+        this.#attempt(request, handles, "drag");
+        for (let k = 0; k < CATCHING_UP && lags(limit, handles, session.shapeReport()); ++k)
+          this.#attempt(request, handles, "drag");
+        return arrives(limit, handles, session.shapeReport());
+      },
+      keep: () => session.keepEdit(),
+      back: () => session.showKept(),
     };
-    const patience = mode === "drag" ? SEARCH_MS : Number.POSITIVE_INFINITY;
-    const taken = this.#hold.take(limit.from, targets.handles, once, patience);
-    if (mode === "drag") session.keepFrame();
-    return taken === targets.handles ? null : taken;
+    const taken = this.#hold.take(limit.from, to, frames, SEARCH_MS);
+    return taken === to ? null : taken;
+  }
+
+  /**
+   * The end of a drag, or targets that are given under its limit: as they are where nothing holds them
+   * back, else with the limit as a bound of the edit, as far as its handles get there.
+   */
+  #rest(limit: PullLimit, request: EditRequest): Omit<Edited, "placed"> {
+    const { settings, targets, mode } = request;
+    const own = ownBound(limit);
+    const last = this.#lastFrame(limit, request);
+    if (own !== null && (last === null || (last.arrives && !last.bound))) {
+      this.#setOptions(settings);
+      this.#attempt(request, targets.handles, mode);
+      if (keepsOwn(limit, this.#session.shapeReport())) return { taken: null, stated: null };
+    }
+    this.#setOptions(bounded(settings, limit));
+    return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), stated: own };
+  }
+
+  /** At the end of a drag, which its own last frame need not have shown; null without a drag. */
+  #lastFrame(limit: PullLimit, request: EditRequest): { arrives: boolean; bound: boolean } | null {
+    const dragged = this.#hold.goesOn(limit.from);
+    this.#hold = new PullHold();
+    if (!dragged) return null;
+    const { handles } = request.targets;
+    this.#attempt({ ...request, budget: FRAME_SECONDS }, handles, "drag");
+    const report = this.#session.shapeReport();
+    return { arrives: arrives(limit, handles, report), bound: isBound(report) };
+  }
+
+  /** null where the handles meet what they are asked to. */
+  #furthest(limit: PullLimit, request: EditRequest, first: EditMode): HandleList | null {
+    const to = request.targets.handles;
+    const session = this.#session;
+    const length = pullLength(limit.from, to);
+    const share = furthest({
+      edit: (at) => {
+        const handles = between(limit.from, to, at);
+        this.#attempt(request, handles, at === 1 ? first : "solve");
+        return arrivalOf(limit, handles, session.shapeReport(), length);
+      },
+      keep: () => session.keepEdit(),
+      back: () => session.showKept(),
+    });
+    return share === 1 ? null : between(limit.from, to, share);
   }
 
   /** Makes the edit again with the limit on folds that costs its handles nothing, if there is one. */

@@ -4,14 +4,24 @@ import type { ShapeReport } from "./protocol.ts";
 
 /** Degrees by which folds may sharpen: a limit is tried at each, the first that takes nothing stands. */
 export const FAIR_STEPS: readonly number[] = [10, 20];
-/** The limits that are tried. */
-export const FAIR_LIMITS: readonly string[] = FAIR_STEPS.map((degrees) => `fold=+${degrees}`);
+/** Of the limits that the page finds itself, all are multiples of it. */
+const STEP = 10;
 /** Share of the way to the targets that handles may lose by it. */
 const LOSS = 0.05;
 
 /** By how much the fold that sharpened most did, degrees. */
 export const foldGrowth = ({ sharpestFold: fold }: ShapeReport): number =>
   fold ? (fold.growth ?? fold.after - fold.before) : 0;
+
+/** Degrees: of the limits that the page finds the first that folds grown by as much keep. */
+export const stepOf = (growth: number): number => {
+  const ROUNDING = 0.01;
+  return STEP * Math.max(1, Math.ceil((growth - ROUNDING) / STEP));
+};
+
+/** Whether a limit is one that the page finds, where nobody stated it. */
+export const isFound = (limit: string, stated: readonly string[]): boolean =>
+  /^fold=\+\d*0$/.test(limit) && !stated.includes(limit);
 
 /** Makes the edit with one more limit. */
 export type LimitedEdit = (limit: string) => ShapeReport;

@@ -140,7 +140,7 @@ export type Request =
       targets: Targets;
       settings: EditSettings;
       budget: number;
-      /** Takes the handles back to where the edit is within it; null: never. */
+      /** Holds the handles back to where they get within it; null: no limit of a drag. */
       limit: PullLimit | null;
       /** Looks for a limit on folds, see fairLimit(), to which this is the way; null: for none. */
       fairWay: number | null;

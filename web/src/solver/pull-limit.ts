@@ -1,23 +1,63 @@
 // SPDX-License-Identifier: MIT
-// A drag is held back where panels would fold much sharper than those of the base do, and where limits
-// that are stated do not let its handles follow.
+// A drag is held back where its limits, bounds of every frame, do not let its handles follow.
+import { boundNames } from "./bounds.ts";
 import { foldGrowth } from "./fair-folds.ts";
+import { type Arrival, MET } from "./how-far.ts";
 import type { HandleList, PullLimit, ShapeReport } from "./protocol.ts";
 
-/** Whether an edit is within the limit; one that found no way to move is not. */
-export function isWithin({ degrees, short }: PullLimit, report: ShapeReport): boolean {
-  const { status, movedVertices, handleError, maxDisplacement } = report;
-  if (status === "iteration_limit" && movedVertices === 0) return false;
-  // ∞ · 0 is no number, and nothing exceeds that.
-  return foldGrowth(report) <= degrees && !(handleError > short * maxDisplacement);
+/** The limit on folds that acts on the drag alone; null: none. */
+export const ownBound = ({ degrees }: PullLimit): string | null =>
+  degrees < Number.POSITIVE_INFINITY ? `fold=+${degrees}` : null;
+
+export const isBound = (report: ShapeReport): boolean => boundNames(report).length > 0;
+
+/** Found no way to move, or only a part of the way. */
+const isStuck = ({ status, movedVertices }: ShapeReport): boolean =>
+  status === "infeasible_handles" || (status === "iteration_limit" && movedVertices === 0);
+
+/** From the base to where the handle goes that goes furthest. */
+function longestWay(base: HandleList, handles: HandleList): number {
+  let longest = 0;
+  for (let k = 0; k < handles.length; k += 4) {
+    const way = [1, 2, 3].map((axis) => (handles[k + axis] ?? 0) - (base[k + axis] ?? 0));
+    longest = Math.max(longest, Math.hypot(...way));
+  }
+  return longest;
 }
 
-/**
- * An edit of these handles; whether it is within the limit. A frame follows the edit before it; a
- * `settled` one follows what was taken last, so that an edit that is not leaves nothing behind.
- */
-export type Attempt = (handles: HandleList, settled: boolean) => boolean;
+/** Of the limit's `share`: where nothing binds, handles are as far as they get for other reasons. */
+const allowed = ({ short }: PullLimit): number => Math.max(MET, short);
 
+/** Whether the handles of an edit got as far as they were asked to, or are not kept from it by a limit. */
+export function arrives(limit: PullLimit, handles: HandleList, report: ShapeReport): boolean {
+  if (isStuck(report)) return false;
+  return !isBound(report) || report.handleError <= allowed(limit) * longestWay(limit.base, handles);
+}
+
+/** Whether handles are not there only because a frame's time was over. */
+export const lags = (limit: PullLimit, handles: HandleList, report: ShapeReport): boolean =>
+  report.status === "iteration_limit" &&
+  !isBound(report) &&
+  report.handleError > allowed(limit) * longestWay(limit.base, handles);
+
+/** The same as shares of a pull `length` long. */
+export function arrivalOf(
+  limit: PullLimit,
+  handles: HandleList,
+  report: ShapeReport,
+  length: number,
+): Arrival {
+  const over = report.handleError - allowed(limit) * longestWay(limit.base, handles);
+  const least = isStuck(report) || (isBound(report) && over > 0) ? Number.MIN_VALUE : 0;
+  return {
+    short: report.handleError / length,
+    over: least > 0 ? Math.max(least, over / length) : Math.min(0, over / length),
+  };
+}
+
+/** Whether an edit without the drag's own limit keeps it. */
+export const keepsOwn = ({ degrees }: PullLimit, report: ShapeReport): boolean =>
+  foldGrowth(report) <= degrees;
 /** Edits that one frame may try beyond the first. */
 const TRIES = 5;
 /** Share of the pull: finer is not seen. */
@@ -42,6 +82,19 @@ const wayOf = (from: HandleList, to: HandleList): number[] => to.map((x, k) => x
 const dot = (a: readonly number[], b: readonly number[]): number =>
   a.reduce((sum, x, k) => sum + x * (b[k] ?? 0), 0);
 
+/** Edits of a drag, which follow each other. */
+export interface Frames {
+  /** Whether the handles arrive. A `settled` one follows the edit kept last in place of the last one. */
+  edit(handles: HandleList, settled: boolean): boolean;
+  /** Keeps the last edit. */
+  keep(): void;
+  /** Shows the one kept. */
+  back(): void;
+}
+
+/** Of the handle that is pulled furthest. */
+export const pullLength = (from: HandleList, to: HandleList): number => longestWay(from, to);
+
 /** Remembers, from frame to frame of one drag, how far its pull may go. */
 export class PullHold {
   #from = "";
@@ -52,37 +105,45 @@ export class PullHold {
   /** To which a pull was taken back last, whichever way; 0 if the last one held. */
   #back = 0;
   #slow = false;
-  /** That of the last edit. */
+  /** Of the edit kept: the length of its pull, if that is this way, and its handles. */
   #at = Number.NaN;
+  #taken: HandleList = [];
+  /** Whether it is the one that is shown. */
+  #isShown = true;
+
+  /** Whether frames of the pull that starts there were made. */
+  goesOn(from: HandleList): boolean {
+    return this.#from === from.join();
+  }
 
   /**
-   * Edits as far towards `to` as the limit allows; the handles of the last edit. Once a search took
-   * more than `milliseconds`, frames are not held back any more, so that a drag on a fine mesh goes on;
-   * its end, which has no such limit, still is.
+   * Edits as far towards `to` as the limit allows; the handles of the edit that is shown then. Once a
+   * search took more than `milliseconds`, nothing is looked for any more, so that a drag on a fine mesh
+   * goes on: where a frame does not arrive, they are those of the last that did.
    */
-  take(
-    from: HandleList,
-    to: HandleList,
-    attempt: Attempt,
-    milliseconds = Number.POSITIVE_INFINITY,
-  ): HandleList {
+  take(from: HandleList, to: HandleList, frames: Frames, milliseconds: number): HandleList {
+    if (this.#slow) return frames.edit(to, false) ? to : this.#taken;
     const until = performance.now() + milliseconds;
     const over = (): boolean => performance.now() >= until;
-    if (this.#slow && milliseconds < Number.POSITIVE_INFINITY) {
-      attempt(to, false);
-      return to;
+    if (!this.goesOn(from)) {
+      frames.keep();
+      this.#taken = from;
     }
     const way = wayOf(from, to);
     const length = Math.sqrt(dot(way, way));
     const guess = this.#turn(from, way, length);
     const holds = (tried: number, settled: boolean): boolean => {
-      this.#at = tried;
-      return attempt(between(from, to, length > 0 ? tried / length : 1), settled);
+      const handles = tried === length ? to : between(from, to, tried / length);
+      this.#isShown = frames.edit(handles, settled);
+      if (!this.#isShown) return false;
+      frames.keep();
+      [this.#at, this.#taken] = [tried, handles];
+      return true;
     };
     // A frame that follows one which held is cheap; a search takes several.
     if (guess < length && holds(guess, false)) {
       this.#held = guess;
-      return between(from, to, guess / length);
+      return this.#taken;
     }
     this.#back = 0;
     if (length < this.#broke) {
@@ -93,23 +154,19 @@ export class PullHold {
       }
       this.#broke = length;
     }
-    const known = this.#held < this.#broke ? this.#held : 0;
-    this.#held = this.#search(known, length, over, holds);
-    if (over()) {
-      this.#slow = true;
-      attempt(to, false);
-      return to;
-    }
+    this.#search(length, over, holds);
+    if (!this.#isShown) frames.back();
+    this.#isShown = true;
+    this.#slow = over();
     this.#back = this.#held;
-    return between(from, to, this.#held / length);
+    return this.#taken;
   }
 
   /** Another drag, or another direction. What held a drag back before may hold it back here. */
   #turn(from: HandleList, way: readonly number[], length: number): number {
-    const key = from.join();
     const before = Math.sqrt(dot(this.#way, this.#way));
-    const cosine = key === this.#from ? dot(way, this.#way) / (length * before) : -1;
-    this.#from = key;
+    const cosine = this.goesOn(from) ? dot(way, this.#way) / (length * before) : -1;
+    this.#from = from.join();
     this.#way = way;
     if (cosine >= SAME_WAY) return Number.POSITIVE_INFINITY;
     const guess = this.#back > 0 && cosine >= SIMILAR_WAY ? this.#back : Number.POSITIVE_INFINITY;
@@ -117,23 +174,24 @@ export class PullHold {
     return guess;
   }
 
+  /** The longest that holds, between what held and what did not; nothing where none does. */
   #search(
-    known: number,
     length: number,
     over: () => boolean,
     holds: (tried: number, settled: boolean) => boolean,
-  ): number {
-    let low = known;
-    for (let k = 0; k < TRIES && this.#broke - low > FINE * length; ++k) {
-      if (over()) return low;
+  ): void {
+    let low = this.#held < this.#broke ? this.#held : 0;
+    for (let k = 0; k < TRIES && this.#broke - low > FINE * length && !over(); ++k) {
       // From below: edits that fold little are found soon, those that fold much late.
       const tried = low > 0 ? Math.min(LEAP * low, (low + this.#broke) / 2) : this.#broke / START;
       if (holds(tried, true)) low = tried;
       else this.#broke = tried;
     }
-    if (this.#at === low || over() || holds(low, true) || low === 0) return low;
-    // It held in a frame only, on the way there.
-    this.#broke = low;
-    return this.#search(0, length, over, holds);
+    // One that held before, of which the last frames came back, or the base of a pull that turned.
+    if (this.#at !== low && !over() && !holds(low, true) && low > 0) {
+      this.#broke = low;
+      low = Number.isNaN(this.#at) ? 0 : this.#at;
+    }
+    this.#held = low;
   }
 }

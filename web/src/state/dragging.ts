@@ -12,15 +12,18 @@ import {
   withTaken,
 } from "../design/design.ts";
 import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
+import { boundNames } from "../solver/bounds.ts";
 import type { Question } from "../solver/client.ts";
-import { foldGrowth } from "../solver/fair-folds.ts";
+import { foldGrowth, isFound, stepOf } from "../solver/fair-folds.ts";
 import type { EditSettings, HandleList, PullLimit } from "../solver/protocol.ts";
 import { client, frame } from "./connection.ts";
 import {
+  basePoint,
   commitEdit,
   editQuestion,
   freePins,
   handleOf,
+  longestWay,
   setPinned,
   shownPoint,
   speaking,
@@ -76,20 +79,33 @@ const ASIDE = {
 
 const isAside = (said: string | null): boolean => said === ASIDE.up || said === ASIDE.out;
 
-/** Degrees by which a drag may sharpen a fold. */
-const FOLD_GROWTH = 10;
-
 const HELD = "Held back: ";
 
-/** By its own limit on folds, or by limits that are stated. */
+/** By its own limit on folds, or by limits that are stated: those that panels are at. */
 function heldBack(page: Page, limit: PullLimit | null, byFinger: boolean): string {
-  const degrees = limit && limit.degrees < Number.POSITIVE_INFINITY ? limit.degrees : null;
-  const stated = (page.draft.value?.settings.limits.length ?? 0) > 0;
-  if (degrees === null) return `${HELD}further, panels would exceed a limit.`;
-  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${stated ? ", or exceed a limit" : ""}.${byFinger ? "" : " Shift goes through."}`;
+  const at = boundNames(page.figures.value);
+  const own = limit !== null && limit.degrees < Number.POSITIVE_INFINITY;
+  if (!own || (at.length > 0 && !at.includes("fold")))
+    return `${HELD}further, panels would exceed a limit.`;
+  const others = at.some((name) => name !== "fold") ? ", or exceed a limit" : "";
+  return `${HELD}further, panels would fold more than ${formatDegrees(limit.degrees)} sharper${others}.${byFinger ? "" : " Shift goes through."}`;
 }
 
 const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;
+
+/** Of the longest way of a handle that the design shown has: by how much handles stop short. */
+function shortShare(page: Page): number {
+  const way = longestWay(page, page.history.value?.present.handles ?? []);
+  return way > 0 ? page.figures.value.handleError / way : 0;
+}
+
+/** Without the limit on folds that the page found for an edit before: a drag has its own. */
+function unbound(page: Page, design: Design): Design {
+  const { limits } = design.settings;
+  const stated = limits.filter((limit) => !isFound(limit, page.statedLimits.value));
+  if (stated.length === limits.length) return design;
+  return { ...design, settings: { ...design.settings, limits: stated } };
+}
 
 /** Whether the drag's own limit on folds acts: not where the raw weights hold, or where one is stated. */
 const ownLimit = ({ softness, limits }: EditSettings): boolean =>
@@ -99,16 +115,15 @@ const ownLimit = ({ softness, limits }: EditSettings): boolean =>
  * What holds a drag back; null: nothing. One that starts with sharper folds, or with handles further
  * from their targets, may keep them.
  */
-function pullLimit(page: Page, grips: readonly Grip[]): PullLimit | null {
-  const settings = page.draft.value?.settings ?? DEFAULT_SETTINGS;
+function pullLimit(page: Page, settings: EditSettings, grips: readonly Grip[]): PullLimit | null {
   const [own, stated] = [ownLimit(settings), settings.limits.length > 0];
   if (!own && !stated) return null;
-  const { handleError, maxDisplacement } = page.figures.value;
-  const short = maxDisplacement > 0 ? handleError / maxDisplacement : 0;
+  const rows = withTargets(page, grips, [0, 0, 0]);
   return {
-    degrees: own ? Math.max(FOLD_GROWTH, foldGrowth(page.figures.value)) : Number.POSITIVE_INFINITY,
-    short: stated ? Math.max(NOTICEABLE, short) : Number.POSITIVE_INFINITY,
-    from: toTargets(withTargets(page, grips, [0, 0, 0])).handles,
+    degrees: own ? stepOf(foldGrowth(page.figures.value)) : Number.POSITIVE_INFINITY,
+    short: Math.max(settings.softness > 0 ? 0 : NOTICEABLE, shortShare(page)),
+    from: toTargets(rows).handles,
+    base: toTargets(rows.map((row) => ({ ...row, target: basePoint(page, row.vertex) }))).handles,
   };
 }
 
@@ -119,6 +134,7 @@ export class Drag {
   /** What the drag began with; a lock chosen while it lasts ends with it. */
   readonly #lock: Lock | null;
   readonly #limit: PullLimit | null;
+  readonly #isStated: boolean;
   /** Beside which no key is held. */
   byFinger = false;
   #through = false;
@@ -135,14 +151,16 @@ export class Drag {
     this.#grips = vertices.map((vertex, k) => {
       return { vertex, from: askedPoint(page, vertex), weight: weights[k] ?? 1 };
     });
-    this.#limit = pullLimit(this.#page, this.#grips);
+    const settings = page.draft.value ? unbound(page, page.draft.value).settings : DEFAULT_SETTINGS;
+    this.#isStated = settings.limits.length > 0;
+    this.#limit = pullLimit(page, settings, this.#grips);
     page.pull.value = { vertex: this.#grips.at(-1)?.vertex ?? -1, typed: "" };
   }
 
   /** `through` the limit on folds. */
   by(offset: Point, through = false): void {
-    const design = this.#page.draft.value;
-    if (!design) return;
+    if (!this.#page.draft.value) return;
+    const design = unbound(this.#page, this.#page.draft.value);
     this.#page.hintVertex.value = null;
     if (this.#page.notice.value === END_ON) this.#page.notice.value = null;
     this.#through = through;
@@ -159,14 +177,18 @@ export class Drag {
   /** Nothing goes through what was stated. */
   #limitFor(through: boolean): PullLimit | null {
     if (!through || !this.#limit) return this.#limit;
-    const stated = this.#limit.short < Number.POSITIVE_INFINITY;
-    return stated ? { ...this.#limit, degrees: Number.POSITIVE_INFINITY } : null;
+    return this.#isStated ? { ...this.#limit, degrees: Number.POSITIVE_INFINITY } : null;
   }
 
   #want(design: Design | null): void {
-    const degrees = this.#limit?.degrees ?? Number.POSITIVE_INFINITY;
+    const degrees = this.#limitFor(this.#through)?.degrees ?? Number.POSITIVE_INFINITY;
     const growth = Number.isFinite(degrees) ? degrees : null;
     wanted(this.#page).value = { handles: this.#asked, growth, design };
+  }
+
+  #sayHeld(): void {
+    const limit = this.#limitFor(this.#through);
+    this.#page.notice.value = heldBack(this.#page, limit, this.byFinger);
   }
 
   /** The targets go back to where the solver took them. */
@@ -182,7 +204,7 @@ export class Drag {
       };
       this.#want(null);
     } else this.#letGo();
-    if (taken) this.#page.notice.value = heldBack(this.#page, this.#limit, this.byFinger);
+    if (taken) this.#sayHeld();
     else if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
   }
 
@@ -224,16 +246,15 @@ export class Drag {
   end(): Outcome {
     this.#finish();
     return inTurn(this.#page, async () => {
-      const design = this.#page.draft.value;
-      if (!design || design === this.#page.history.value?.present) return;
-      const held = design.handles !== this.#asked;
+      const { value } = this.#page.draft;
+      if (!value || value === this.#page.history.value?.present) return;
+      const design = { ...value, handles: this.#asked };
       const limit = this.#limitFor(this.#through);
       const made = await commitEdit(this.#page, design, "release", null, limit);
-      const takenBack = made?.ok && made.value.handles !== design.handles;
       this.#letGo();
-      if (!held && !takenBack) return made;
-      this.#page.notice.value = heldBack(this.#page, this.#limit, this.byFinger);
-      if (made?.ok) this.#want(made.value);
+      if (!made?.ok || made.value.handles === design.handles) return made;
+      this.#sayHeld();
+      this.#want(made.value);
       // There it says why, and what goes further.
       shownTab(this.#page).value = "edit";
       return made;

@@ -62,10 +62,9 @@ function wantsFairFolds(page: Page, { settings }: Design): boolean {
   return softness > 0 && !hardHandles && !own && !sharp;
 }
 
-/** Of the handle that goes furthest, model units; null where folds are as they come. */
-function fairWayOf(page: Page, design: Design): number | null {
-  if (!wantsFairFolds(page, design)) return null;
-  const ways = design.handles
+/** Of the handle that goes furthest from the base, model units. */
+export function longestWay(page: Page, rows: readonly HandleRow[]): number {
+  const ways = rows
     .filter(({ pinned }) => !pinned)
     .map(({ vertex, target }) => {
       const from = basePoint(page, vertex);
@@ -73,6 +72,10 @@ function fairWayOf(page: Page, design: Design): number | null {
     });
   return Math.max(0, ...ways);
 }
+
+/** null where folds are as they come. */
+const fairWayOf = (page: Page, design: Design): number | null =>
+  wantsFairFolds(page, design) ? longestWay(page, design.handles) : null;
 
 interface Own {
   /** The last burst of keys on a slider and what it gave. */

@@ -15,7 +15,7 @@ import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
 import { counted } from "../quantity/counted.ts";
 import { done, GIVEN_UP, type Refusal, type Result } from "../result/result.ts";
-import { FAIR_LIMITS } from "../solver/fair-folds.ts";
+import { isFound } from "../solver/fair-folds.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { openQuestion, run } from "./connection.ts";
 import { commitEdit } from "./editing.ts";
@@ -28,7 +28,7 @@ import { inTurn, type Outcome } from "./turns.ts";
 function limitsFor(page: Page, source: Source, limits: readonly string[]): readonly string[] {
   if (page.draft.value?.source === source) return limits;
   const stated = page.statedLimits.value;
-  return limits.filter((limit) => stated.includes(limit) || !FAIR_LIMITS.includes(limit));
+  return limits.filter((limit) => !isFound(limit, stated));
 }
 
 /** The unedited mesh as a design. @param cuts what was made of it before it was opened so */

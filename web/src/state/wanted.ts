@@ -8,7 +8,7 @@ import { kept } from "./page.ts";
 export interface Wanted {
   /** With the targets that were asked for. */
   readonly handles: readonly HandleRow[];
-  /** Degrees by which folds might grow where a drag was held back by that; null: by a stated limit. */
+  /** Degrees by which folds might grow, by the drag's own limit; null: only stated limits act. */
   readonly growth: number | null;
   /** The design that the pull ended as; null while it lasts. */
   readonly design: Design | null;
@@ -31,14 +31,9 @@ export const beyond = kept((page) =>
 /** Panels that let an edit go no further, as far as its report names them. */
 export const panelsAtLimit = kept((page) =>
   computed((): readonly number[] => {
-    const { bounds, sharpestFold, movedVertices } = page.figures.value;
+    const { bounds, movedVertices } = page.figures.value;
     if (movedVertices === 0) return [];
-    if (page.limited.value) {
-      const { "keep-out": _points, ...panels } = bounds ?? {};
-      return [...new Set(Object.values(panels).flat())];
-    }
-    return beyond(page).value && sharpestFold?.panels
-      ? sharpestFold.panels.filter((f) => f >= 0)
-      : [];
+    const { "keep-out": _points, ...panels } = bounds ?? {};
+    return [...new Set(Object.values(panels).flat())];
   }),
 );

@@ -3,6 +3,7 @@
 
 import { computed } from "@preact/signals";
 import { type Design, type HandleRow, leftBehind, toTargets } from "../../design/design.ts";
+import type { EditSettings, PullLimit } from "../../solver/protocol.ts";
 import { basePoint, commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
@@ -34,9 +35,37 @@ export const stopped = kept((page) =>
     const pull = beyond(page).value?.design === design ? beyond(page).value : null;
     const stop = stopIn(page, design, pull?.handles ?? design.handles);
     const growth = pull?.growth ?? null;
-    return stop && { stop, reason: reasonOf(design, pull !== null), growth };
+    return stop && { stop, reason: reasonOf(design, pull !== null, growth), growth };
   }),
 );
+
+/** From where the points are whose targets are further on. */
+function limitOf(
+  page: Page,
+  design: Design,
+  asked: readonly HandleRow[],
+  degrees: number,
+): PullLimit {
+  const based = asked.map((row) => ({ ...row, target: basePoint(page, row.vertex) }));
+  const pulled = asked.filter(({ vertex, target }) => {
+    const now = design.handles.find((row) => row.vertex === vertex)?.target;
+    return target.some((x, axis) => x !== now?.[axis]);
+  });
+  const from = based.map((row, k) => (pulled.includes(asked[k] ?? row) ? row : (asked[k] ?? row)));
+  return {
+    degrees,
+    short: 0,
+    from: toTargets(from).handles,
+    base: toTargets(based).handles,
+  };
+}
+
+/** Without the limit on folds that the pull was held back by, if that is how the way goes on. */
+function settingsOn(design: Design, way: WayOn, growth: number | null): EditSettings {
+  const { limits } = design.settings;
+  const others = growth === null ? limits : limits.filter((limit) => limit !== `fold=+${growth}`);
+  return { ...design.settings, limits: others, ...way.change, continuation: 0 };
+}
 
 /** The same targets again; what that gives is said, also where it is no more than before. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
@@ -44,17 +73,9 @@ export const goOn = (page: Page, way: WayOn): Outcome =>
     const [design, before] = [page.history.value?.present, stopped(page).value];
     if (!design || !before) return;
     const handles = beyond(page).value?.handles ?? design.handles;
-    const settings = { ...design.settings, ...way.change, continuation: 0 };
-    const from = toTargets(design.handles).handles;
-    const limit =
-      way.growth === null ? null : { degrees: way.growth, short: Number.POSITIVE_INFINITY, from };
-    const made = await commitEdit(
-      page,
-      { ...design, handles, settings },
-      limit ? "release" : "solve",
-      null,
-      limit,
-    );
+    const next = { ...design, handles, settings: settingsOn(design, way, before.growth) };
+    const limit = way.growth === null ? null : limitOf(page, design, handles, way.growth);
+    const made = await commitEdit(page, next, limit ? "release" : "solve", null, limit);
     if (!made?.ok) return made;
     const done = made.value;
     const takenBack = done.handles !== handles;

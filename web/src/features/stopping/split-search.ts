@@ -54,14 +54,10 @@ export function searchNow(page: Page): Search | null {
   return search && search.of === page.history.value?.present ? search : null;
 }
 
-/** What is looked for: the targets that were asked for, where folds sharpen by no more than they may. */
+/** What is looked for: the targets that were asked for, within the limits of the design. */
 function asked(page: Page, design: Design): Design {
-  const pull = beyond(page).value;
-  const growth = pull?.growth ?? null;
-  const more = growth === null ? [] : [`fold=+${growth}`];
-  const limits = [...design.settings.limits, ...more];
-  const settings = { ...design.settings, limits, continuation: 0 };
-  return { ...design, handles: pull?.handles ?? design.handles, settings };
+  const settings = { ...design.settings, continuation: 0 };
+  return { ...design, handles: beyond(page).value?.handles ?? design.handles, settings };
 }
 
 /** Whether lines can be looked for: the paper's engine knows none. */

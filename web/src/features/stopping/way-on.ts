@@ -4,6 +4,7 @@
 import type { Design, HandleRow, Point } from "../../design/design.ts";
 import { limitHead, limitNumbers } from "../../design/stated-limit.ts";
 import { formatLength, type Unit } from "../../quantity/units.ts";
+import { boundNames } from "../../solver/bounds.ts";
 import type { EditSettings } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import { isNoticeable } from "../../state/stopping-short.ts";
@@ -59,14 +60,22 @@ export function stopOf(
   return worst;
 }
 
-/** `held`: a pull of the design was held back. */
-export function reasonOf({ report, settings }: Design, held: boolean): Reason {
-  if ((report.bounds?.["keep-out"] ?? []).length > 0) return "keep-outs";
-  if ((report.bounds?.slide ?? []).length > 0) return "slides";
-  const bound = Object.values(report.bounds ?? {}).some((panels) => panels.length > 0);
+/**
+ * `held`: a pull of the design was held back; `growth` as in Wanted. A limit is named where panels are at
+ * it, or where the pull was held back a little before.
+ */
+export function reasonOf(
+  { report, settings }: Design,
+  held: boolean,
+  growth: number | null,
+): Reason {
+  const at = boundNames(report);
+  if (at.includes("keep-out")) return "keep-outs";
+  if (at.includes("slide")) return "slides";
+  if (held && growth !== null && (at.includes("fold") || at.length === 0)) return "fold";
   const refused = report.status === "infeasible_handles";
-  if (settings.limits.length > 0 && (held || bound || refused)) return "limits";
-  return held ? "fold" : "panels";
+  if (settings.limits.length > 0 && (held || at.length > 0 || refused)) return "limits";
+  return "panels";
 }
 
 /** "216 of 300 mm". */
@@ -100,13 +109,6 @@ function softer({ softness: now }: EditSettings, growth: number): WayOn[] {
   const softness = Math.min(SOFTEST, now + SOFTER);
   const title = `Softness ${softness}: more panels share the fold`;
   return [{ label: "Softer", title, change: { softness }, growth }];
-}
-
-/** The same bend over more panels: what no fold may do, others have to. */
-function shared({ limits }: EditSettings, growth: number): WayOn {
-  const change = { limits: [...limits, `fold=+${growth}`] };
-  const title = "A limit on every fold: panels further away bend in their place";
-  return { label: "Spread the folds", title, change, growth: null };
 }
 
 function sharper({ report }: Design, growth: number): WayOn {
@@ -151,8 +153,7 @@ export function waysOn(design: Design, reason: Reason, growth: number | null): r
   if (reason === "keep-outs") return [without()];
   const kept = reason === "fold" ? growth : null;
   const ways = wider(settings, kept);
-  if (kept !== null)
-    ways.push(...softer(settings, kept), shared(settings, kept), sharper(design, kept));
+  if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
   if (reason === "slides") ways.push(slidingFurther(settings));
   if (reason === "limits") ways.push(looser(settings));
   if (settings.keepBoundary) {
