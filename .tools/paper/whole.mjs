@@ -124,8 +124,9 @@ const DIFFERENCES = `### Where we differ, and why
   what is made exact between them keeps the bounds (test \`tests/parity/slider-stops.test.ts\`).
 - **Figures 3 and 9.** Our edits are minima of a non-convex problem: with a larger ω_f, or on hexagons, the
   lowest one that is found is at times narrower. The rows above say in how many cases.
-- **Sec. 3.5, parallel steps.** x, y and z share one factor, as printed; they, and the projections of the
-  faces, run one after the other on one core. The paper's parallel steps are not done.
+- **Sec. 3.5, parallel steps.** x, y and z share one factor, as printed. The projections of the faces, the shrinkage of the
+  vertices and the solve run on threads natively (\`--threads N\`); in the solve subtrees of the elimination tree run side by
+  side, all three coordinates at once, in place of a thread for each coordinate. Factorizations run on one.
 - **Lengths and times.** The paper's meshes and parameters are not published: shapes agree in kind, not
   in number. Its times are of a quad core of 2013, ours of one core.`;
 
