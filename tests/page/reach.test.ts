@@ -216,10 +216,9 @@ it("where a drag is held back, it ends with its limit, and opens again as it was
   expect(await said.textContent()).toContain("fold more than 10° sharper. Shift goes through.");
   await page.mouse.up();
   await idle(page);
-  const why = page.getByRole("region", { name: "Why the target is not reached" });
-  expect(await why.textContent()).toContain("Further, folds would be more than 10° sharper.");
   const held = JSON.parse((await exportAs(page, "JSON")).toString());
   expect(held.options.bounds).toEqual(["fold=+10"]);
+  expect(await sharpening(page)).toBeLessThan(10.5);
   const [stop] = await handleRows(page);
   const edited = await exported(page);
   await openFile(page, "held.json", JSON.stringify(held));
@@ -229,30 +228,28 @@ it("where a drag is held back, it ends with its limit, and opens again as it was
   await page.context().close();
 });
 
-it("where a drag stops, one press each goes on towards the same target", async () => {
+it("where a drag stops, a press goes on towards the same target", async () => {
   const page = await site.open();
   const at = await hintedPoint(page);
-  await press(page, at, { x: at.x, y: at.y - 140 });
+  // Further than any edit within the reach gets, whichever way its frames went.
+  await press(page, at, { x: at.x, y: at.y - 240 });
   await page.getByText(/^Held back: /).waitFor();
   await expect.poll(() => page.locator(".pull.open").count()).toBe(1);
   await page.mouse.up();
   await idle(page);
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  expect(await why.textContent()).toContain("Further, folds would be more than 10° sharper.");
   const [got = Number.NaN, asked = Number.NaN] = await allowed(page);
-  // One solve with the limit lets it go so far: it does not stop where the drag did.
-  expect(got).toBeGreaterThan(0.6 * asked);
+  // One solve with the limit lets it go so far: it does not stop where the drag did, an eighth of the way.
+  expect(got).toBeGreaterThan(0.4 * asked);
   expect(got).toBeLessThan(0.85 * asked);
   expect(await sharpening(page)).toBeLessThan(10.5);
-  await page.getByRole("button", { name: "Softer", exact: true }).click();
-  await idle(page);
-  const [further, same] = await allowed(page);
-  expect(same).toBe(asked);
-  expect(further).toBeGreaterThan(got);
   await page.getByRole("button", { name: "Reach 9 panels", exact: true }).click();
   await idle(page);
   expect(await page.getByText(/^Panels allow/).count()).toBe(0);
   await expect.poll(() => page.locator(".pull.open").count()).toBe(0);
   expect(await sharpening(page)).toBeLessThan(10.5);
   const [there] = await handleRows(page);
-  expect(there?.target[2]).toBeGreaterThan(9.5);
+  expect(there?.target[2]).toBeGreaterThan(16);
   await page.context().close();
 });
