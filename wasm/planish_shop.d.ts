@@ -44,7 +44,7 @@ export interface DrawingOptions {
   readonly scale: number;
   /** a, b, c, d of each plane a·x + b·y + c·z = d, (a, b, c) of length 1; model units. */
   readonly sections: readonly number[];
-  /** As --axis says them, model units: "x=4.5:A". Without a level the lowest and the highest point's are drawn. */
+  /** As --axis says them, model units: "x=4.5:A". */
   readonly axes: readonly string[];
 }
 

@@ -80,23 +80,23 @@ ExitCode run_drawings(const Arguments& arguments) {
 }  // namespace
 
 Command drawings_command() {
-  return {
-      "drawings",
-      "MESH|DESIGN -o DRAWINGS.zip [--section x=V]... [--axis x=V:A]... [options] [--report "
-      "R.json]",
-      "plan, elevations and sections to scale, as SVG and DXF",
-      {{"-o", "DRAWINGS.zip", "where the drawings go (or -)"},
-       {"--section", "WHERE",
-        "x=V, y=V, z=V or plane=a,b,c,d (a·x + b·y + c·z = d), model "
-        "units; several are allowed"},
-       {"--axis", "WHERE",
-        "x=V:NAME or y=V:NAME, an axis, or z=V:NAME, a level (default: lowest and highest point), "
-        "model units; several are allowed, names may be left out"},
-       {"--scale", "N", "of the SVG, 1 : N; default the first usual one that fits A3"},
-       {"--unit", "UNIT", "of the DXF, full size: mm (default), cm, m, km, in or ft"},
-       {"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
-       kReportRow},
-      run_drawings};
+  return {"drawings",
+          "MESH|DESIGN -o DRAWINGS.zip [--section x=V]... [--axis x=V:A]... [options] [--report "
+          "R.json]",
+          "plan, elevations and sections to scale, as SVG and DXF",
+          {{"-o", "DRAWINGS.zip", "where the drawings go (or -)"},
+           {"--section", "WHERE",
+            "x=V, y=V, z=V or plane=a,b,c,d (a·x + b·y + c·z = d), model "
+            "units; several are allowed"},
+           {"--axis", "WHERE",
+            "x=V:NAME or y=V:NAME, an axis, or z=V:NAME, a level beside those of the lowest and "
+            "the highest point, "
+            "model units; several are allowed, names may be left out"},
+           {"--scale", "N", "of the SVG, 1 : N; default the first usual one that fits A3"},
+           {"--unit", "UNIT", "of the DXF, full size: mm (default), cm, m, km, in or ft"},
+           {"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
+           kReportRow},
+          run_drawings};
 }
 
 }  // namespace planish::cli

@@ -45,8 +45,8 @@ TEST(StructureDrawings, TakeTheFirstUsualScaleThatFits) {
   EXPECT_EQ(header_of(testing::quad_grid(10, 3), options)["scale"], 33.0);
 }
 
-/// Without a level those of the lowest and the highest point, in the unit of the drawing.
-TEST(StructureDrawings, ShowStatedAxesAndLevelsOrThoseOfTheStructure) {
+/// And the levels of the lowest and the highest point, in the unit of the drawing.
+TEST(StructureDrawings, ShowStatedAxesAndLevelsAndThoseOfTheStructure) {
   DrawingOptions options;
   const Mesh flat = testing::quad_grid(4, 3);
   EXPECT_EQ(header_of(flat, options)["axes"],
@@ -55,7 +55,10 @@ TEST(StructureDrawings, ShowStatedAxesAndLevelsOrThoseOfTheStructure) {
   options.unit = "cm";
   EXPECT_EQ(header_of(flat, options)["axes"],
             nlohmann::json::parse(R"([{"axis": "x", "at": 150.0, "name": "A"},
-                                      {"axis": "z", "at": -25.0, "name": "Eaves"}])"));
+                                      {"axis": "z", "at": -25.0, "name": "Eaves"},
+                                      {"axis": "z", "at": 0.0, "name": ""}])"));
+  options.axes = {*parse_drawing_axis("z=0:Floor")};
+  EXPECT_EQ(header_of(flat, options)["axes"].size(), 1U) << "a level stands there already";
 }
 
 TEST(DrawingAxis, IsReadFromACoordinateANumberAndAName) {

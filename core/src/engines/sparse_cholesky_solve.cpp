@@ -40,7 +40,6 @@ void SparseCholesky::divide() {
   if (total < kWorthIt) return;
   const double most = kShare * total;
   std::vector<double> weight(supernodes_.size(), 0.0);
-  const auto parent_of = [&](std::size_t s) { return supernodes_[s].parent; };
   for (std::size_t s = 0; s < weight.size(); ++s) {
     const Supernode& node = supernodes_[s];
     weight[s] +=
@@ -52,7 +51,8 @@ void SparseCholesky::divide() {
   for (std::size_t s = 0; s < weight.size(); ++s) {
     const int next = static_cast<int>(s) + 1;
     const bool inside = weight[s] <= most;
-    const bool is_root = parent_of(s) < 0 || weight[at(parent_of(s))] > most;
+    const int parent = supernodes_[s].parent;
+    const bool is_root = parent < 0 || !(weight[at(parent)] <= most);
     if (inside && !is_root) continue;
     if (inside) gathered += weight[s];
     const bool ends = !inside || gathered > 0.5 * most || at(next) == weight.size();

@@ -22,6 +22,7 @@ constexpr double kChain = 10.0;       // sizes from axis to axis
 constexpr double kWhole = 17.0;       // the size of the whole
 constexpr double kBubble = 27.0;      // circles with names of axes
 constexpr double kRadius = 4.0;       // of such a circle
+constexpr double kRow = 9.0;          // between two rows of them
 constexpr double kLevel = 12.0;       // where the height of a level begins
 constexpr double kTitle = 8.0;        // below all else
 constexpr double kTextHeight = 2.5;   // of capitals
@@ -63,12 +64,27 @@ std::optional<SeenLine> edge_on(const ViewAxes& view, const Eigen::Vector3d& nor
 class Notes {
  public:
   Notes(const PlanarBox& box, const ViewAxes& view, const DrawingNotes& notes, double paper)
-      : box_(box), view_(view), notes_(notes), paper_(paper) {}
+      : box_(box), frame_(box), view_(view), notes_(notes), paper_(paper) {
+    for (const DrawingAxis& axis : notes.axes) {
+      const auto seen = edge_on(view, Eigen::Vector3d::Unit(axis.coordinate), axis.at);
+      if (!seen) continue;
+      const int k = std::abs(seen->normal.x()) > 0.5 ? 0 : 1;
+      const double at = seen->offset * seen->normal[k];
+      frame_.low[k] = std::min(frame_.low[k], at);
+      frame_.high[k] = std::max(frame_.high[k], at);
+      if (axis.coordinate != 2)
+        axes_[static_cast<std::size_t>(k)].push_back({at, *seen, axis.name});
+    }
+    for (auto& axes : axes_) {
+      std::stable_sort(axes.begin(), axes.end(),
+                       [](const SeenAxis& a, const SeenAxis& b) { return a.at < b.at; });
+    }
+  }
 
   Drawing write() {
     if ((box_.high - box_.low).maxCoeff() > 0.0) {
-      for (const DrawingAxis& axis : notes_.axes) add_axis(axis);
-      for (std::size_t k = 0; k < notes_.sections.size(); ++k) add_section(k);
+      for (const auto& axes : axes_) add_axes(axes);
+      for (const SectionMark& mark : notes_.sections) add_section(mark);
       add_levels();
       for (int k = 0; k < 2; ++k) add_sizes(k);
     }
@@ -86,13 +102,21 @@ class Notes {
     drawing_.texts.push_back({position, height * paper_, degrees, std::move(text)});
   }
 
-  /// The stretch of `seen` beside the structure, `before` and `after` millimetres longer.
+  /// An axis by its place along x or y.
+  struct SeenAxis {
+    double at = 0.0;
+    SeenLine line;
+    std::string name;
+  };
+
+  /// The stretch of `seen` beside the structure and all axes and levels, `before` and `after`
+  /// millimetres longer.
   std::pair<Vector2d, Vector2d> stretch(const SeenLine& seen, double before, double after) const {
     const Vector2d foot = seen.offset * seen.normal;
     double low = 0.0, high = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
-      const Vector2d p((corner & 1) != 0 ? box_.high.x() : box_.low.x(),
-                       (corner & 2) != 0 ? box_.high.y() : box_.low.y());
+      const Vector2d p((corner & 1) != 0 ? frame_.high.x() : frame_.low.x(),
+                       (corner & 2) != 0 ? frame_.high.y() : frame_.low.y());
       const double at_corner = seen.along.dot(p);
       low = corner == 0 ? at_corner : std::min(low, at_corner);
       high = corner == 0 ? at_corner : std::max(high, at_corner);
@@ -101,24 +125,41 @@ class Notes {
             foot + (high + after * paper_) * seen.along};
   }
 
-  void add_axis(const DrawingAxis& axis) {
-    const auto seen = edge_on(view_, Eigen::Vector3d::Unit(axis.coordinate), axis.at);
-    if (!seen || axis.coordinate == 2) return;
-    const auto [begin, end] = stretch(*seen, kBubble - kRadius, kBeyond);
-    draw(DrawingLayer::kAxis, line(begin, end));
-    if (axis.name.empty()) return;
-    const Vector2d centre = begin - kRadius * paper_ * seen->along;
-    draw(DrawingLayer::kAxis, circle(centre, kRadius * paper_), true);
-    const double fits = 1.6 * kRadius / std::max(1.0, text_width(axis.name, 1.0));
-    write_text(centre, axis.name, std::min(kTextHeight, fits));
+  /// Circles that would touch stand in two rows.
+  void add_axes(const std::vector<SeenAxis>& axes) {
+    double before = -std::numeric_limits<double>::infinity();
+    bool second = false;
+    for (const SeenAxis& axis : axes) {
+      const bool close = axis.at - before < 2.2 * kRadius * paper_;
+      second = close && !second;
+      before = axis.at;
+      add_axis(axis, kBubble + (second ? kRow : 0.0));
+    }
   }
 
-  void add_section(std::size_t k) {
-    const SectionPlane& plane = notes_.sections[k];
-    const auto seen = edge_on(view_, plane.normal, plane.offset);
+  void add_axis(const SeenAxis& axis, double away) {
+    const auto [begin, end] = stretch(axis.line, away - kRadius, kBeyond);
+    draw(DrawingLayer::kAxis, line(begin, end));
+    if (axis.name.empty()) return;
+    const Vector2d outwards = -axis.line.along;
+    const Vector2d centre = begin + kRadius * paper_ * outwards;
+    draw(DrawingLayer::kAxis, circle(centre, kRadius * paper_), true);
+    constexpr double kLegible = 1.8;
+    const double fits = std::min(kTextHeight, 1.6 * kRadius / text_width(axis.name, 1.0));
+    if (fits >= kLegible) return write_text(centre, axis.name, fits);
+    const double half = std::abs(outwards.x()) * 0.5 * text_width(axis.name, kTextHeight);
+    write_text(centre + (kRadius + half + kTextHeight) * paper_ * outwards, axis.name);
+  }
+
+  void add_section(const SectionMark& mark) {
+    const auto seen = edge_on(view_, mark.plane.normal, mark.plane.offset);
     if (!seen) return;
     constexpr double kLength = 8.0, kArrow = 5.0, kHead = 1.2;
-    const auto [begin, end] = stretch(*seen, kWhole + kBeyond, kBeyond);  // beyond the sizes
+    // Beyond the sizes, and the circles of axes that run the same way.
+    const bool upright = std::abs(seen->normal.x()) > 0.5;
+    const bool circles = !axes_[upright ? 0 : 1].empty();
+    const double before = circles ? kBubble + kRow + kRadius : kWhole + kBeyond;
+    const auto [begin, end] = stretch(*seen, before, kBeyond);
     for (const auto& [at_end, outwards] :
          {std::pair(begin, Vector2d(-seen->along)), std::pair(end, seen->along)}) {
       const Vector2d far = at_end + kLength * paper_ * outwards;
@@ -129,7 +170,7 @@ class Notes {
       head << tip, tip + kHead * paper_ * (2.0 * seen->normal + outwards),
           tip + kHead * paper_ * (2.0 * seen->normal - outwards);
       draw(DrawingLayer::kPlane, std::move(head), true);
-      write_text(far + (kTextHeight + 1.0) * paper_ * outwards, std::to_string(k + 1));
+      write_text(far + (kTextHeight + 1.0) * paper_ * outwards, mark.number);
     }
   }
 
@@ -192,25 +233,49 @@ class Notes {
     return fixed(size, decimals);
   }
 
-  /// Along x below, along y on the left: from axis to axis, and the whole.
+  /// Along x below, along y on the left: from end to end by way of the axes, and the whole.
   void add_sizes(int k) {
-    std::vector<double> stops;
-    for (const DrawingAxis& axis : notes_.axes) {
-      const auto seen = edge_on(view_, Eigen::Vector3d::Unit(axis.coordinate), axis.at);
-      if (axis.coordinate != 2 && seen && std::abs(seen->normal[k]) > 0.5)
-        stops.push_back(axis.at * seen->normal[k]);
-    }
+    const double low = box_.low[k], high = box_.high[k];
+    if (!(high > low)) return;
+    std::vector<double> stops{low, high};
+    for (const SeenAxis& axis : axes_[static_cast<std::size_t>(k)]) stops.push_back(axis.at);
     std::sort(stops.begin(), stops.end());
-    for (std::size_t s = 1; s < stops.size(); ++s) {
-      add_size(k, stops[s - 1], stops[s], kChain);
+    const double least = 1e-9 * (high - low);
+    const auto same = [least](double a, double b) { return b - a <= least; };
+    stops.erase(std::unique(stops.begin(), stops.end(), same), stops.end());
+    bool below = false;
+    for (std::size_t s = 1; s < stops.size() && stops.size() > 2; ++s) {
+      const double size = stops[s] - stops[s - 1];
+      const bool narrow = text_width(size_text(size), kTextHeight) * paper_ > size;
+      below = narrow && !below;
+      add_size(k, stops[s - 1], stops[s], {kChain, below, 0.5});
     }
-    add_size(k, box_.low[k], box_.high[k], kWhole);
+    add_size(k, low, high, {kWhole, false, clear_share(k, low, high)});
   }
 
-  /// Along coordinate k, `away` millimetres from the structure.
-  void add_size(int k, double from, double to, double away) {
-    if (!(to > from)) return;
-    const double across = box_.low[1 - k] - away * paper_;
+  /// How far along a size its text stands, clear of the axes that cross it.
+  [[nodiscard]] double clear_share(int k, double low, double high) const {
+    const double half = 0.5 * text_width(size_text(high - low), kTextHeight) * paper_ + paper_;
+    for (const double share : {0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65, 0.3, 0.7, 0.25, 0.75}) {
+      const double middle = low + share * (high - low);
+      const auto& axes = axes_[static_cast<std::size_t>(k)];
+      const bool clear = std::none_of(axes.begin(), axes.end(), [&](const SeenAxis& axis) {
+        return std::abs(axis.at - middle) < half;
+      });
+      if (clear) return share;
+    }
+    return 0.5;
+  }
+
+  /// Where the line of a size runs, in millimetres from the structure, and its text.
+  struct SizeLine {
+    double away = 0.0;
+    bool below = false;  ///< the text: beyond the line
+    double share = 0.5;  ///< of the size, where the text stands
+  };
+
+  void add_size(int k, double from, double to, const SizeLine& how) {
+    const double across = frame_.low[1 - k] - how.away * paper_;
     const auto place = [&](double along, double out) {
       return k == 0 ? Vector2d(along, across + out * paper_)
                     : Vector2d(across + out * paper_, along);
@@ -221,10 +286,10 @@ class Notes {
       const Vector2d slash = paper_ * Vector2d(1.0, 1.0);
       draw(DrawingLayer::kSize, line(place(stop, 0.0) - slash, place(stop, 0.0) + slash));
     }
-    const double middle = 0.5 * (from + to);
+    const double middle = from + how.share * (to - from);
     // Read from below, or from the right.
-    write_text(place(middle, k == 0 ? 2.0 : -2.0), size_text(to - from), kTextHeight,
-               k == 0 ? 0.0 : 90.0);
+    const double out = (k == 0) == how.below ? -2.0 : 2.0;
+    write_text(place(middle, out), size_text(to - from), kTextHeight, k == 0 ? 0.0 : 90.0);
   }
 
   void add_title() {
@@ -236,7 +301,9 @@ class Notes {
                kTitleHeight);
   }
 
-  PlanarBox box_;
+  PlanarBox box_;                                ///< of the structure
+  PlanarBox frame_;                              ///< with axes and levels
+  std::array<std::vector<SeenAxis>, 2> axes_{};  ///< by place along x, along y
   const ViewAxes& view_;
   const DrawingNotes& notes_;
   double paper_;

@@ -12,12 +12,18 @@
 
 namespace planish {
 
+/// Where a section cuts.
+struct SectionMark {
+  SectionPlane plane;  ///< in the drawing's unit
+  std::string number;
+};
+
 struct DrawingNotes {
-  std::vector<DrawingAxis> axes;       ///< in the drawing's unit
-  std::vector<SectionPlane> sections;  ///< the same
-  std::string unit;                    ///< the drawing's: of sizes
-  double metres = 0.001;               ///< in one of it: levels are written in metres
-  std::string title;                   ///< the line below
+  std::vector<DrawingAxis> axes;  ///< in the drawing's unit
+  std::vector<SectionMark> sections;
+  std::string unit;       ///< the drawing's: of sizes
+  double metres = 0.001;  ///< in one of it: levels are written in metres
+  std::string title;      ///< the line below
 };
 
 /// Those of a view of what lies in `box`. What is seen edge-on is drawn: axes with their name in a

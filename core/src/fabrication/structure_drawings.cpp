@@ -41,6 +41,7 @@ std::array<NamedView, 5> all_views() {
 /// A drawing in the structure's own coordinates, with where it is seen from.
 struct NamedDrawing {
   std::string name;
+  std::string place;  ///< of a section, in words
   ViewAxes view;
   Drawing drawing;
 };
@@ -51,7 +52,7 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   panels.reserve(at(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) panels.push_back(see_panel(mesh, f, axes));
   sort_by_depth(panels);
-  NamedDrawing result{view.name, axes, {}};
+  NamedDrawing result{view.name, "", axes, {}};
   for (SeenPanel& panel : panels) {
     const bool shows_outside =
         panel_normal(mesh.positions, mesh.face(panel.face)).dot(view.towards) >= 0.0;
@@ -61,10 +62,21 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   return result;
 }
 
+/// " at x = 4.5 m" where one coordinate says it.
+std::string place_of(const SectionPlane& plane, double metres) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(plane.normal[k]) != 1.0) continue;
+    std::string place = std::string(" at ") + "xyz"[k] + " = ";
+    append_decimals(place, plane.normal[k] * plane.offset * metres);
+    return place + " m";
+  }
+  return "";
+}
+
 NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPlane& plane,
-                          std::string name) {
+                          std::string name, double metres) {
   const ViewAxes axes = view_from(plane.normal);
-  NamedDrawing result{std::move(name), axes, {}};
+  NamedDrawing result{std::move(name), place_of(plane, metres), axes, {}};
   for (const SectionLine& line : lines) {
     DrawnLoop loop{DrawingLayer::kSection, Outline(2, line.points.cols()), line.closed};
     for (Eigen::Index k = 0; k < line.points.cols(); ++k) {
@@ -94,11 +106,14 @@ std::string section_table(const PanelNames& names, const std::vector<SectionLine
 }
 
 /// "roof, plan, 1:50, sizes in mm, levels in m, mesh 1a2b3c4d".
-std::string title_of(const DrawingOptions& options, const std::string& view, double scale,
+std::string title_of(const DrawingOptions& options, const NamedDrawing& drawing, double scale,
                      const std::string& hash) {
-  std::string title = options.name + ", " + view + ", 1:";
+  std::string title = options.name + ", " + drawing.name + drawing.place + ", 1:";
   append_decimals(title, scale);
-  return title + ", sizes in " + options.unit + ", levels in m, mesh " + hash;
+  const std::string unit = options.unit == "in"   ? "inches"
+                           : options.unit == "ft" ? "feet"
+                                                  : options.unit;
+  return title + ", sizes in " + unit + ", levels in m, mesh " + hash;
 }
 
 /// What one set of drawings has in common, in the unit of its DXF.
@@ -111,7 +126,7 @@ struct DrawingSet {
   /// What stands round the drawing at 1 : `scale`.
   [[nodiscard]] Drawing notes_of(const NamedDrawing& d, double scale) const {
     DrawingNotes titled = notes;
-    titled.title = title_of(options, d.name, scale, hash);
+    titled.title = title_of(options, d, scale, hash);
     return notes_round(box_of(d.drawing), d.view, titled, scale / millimetres);
   }
 
@@ -169,17 +184,20 @@ std::string json_of(const std::vector<DrawingAxis>& axes) {
   return json.empty() ? "[]" : json + "]";
 }
 
-/// Those that are stated; without a level, the lowest and the highest point of the structure.
+/// Those that are stated, and the levels of the lowest and the highest point.
 std::vector<DrawingAxis> drawn_axes(const Mesh& mesh, const DrawingOptions& options,
                                     double factor) {
   std::vector<DrawingAxis> axes = options.axes;
   for (DrawingAxis& axis : axes) axis.at *= factor;
-  const bool levels = std::any_of(axes.begin(), axes.end(),
-                                  [](const DrawingAxis& axis) { return axis.coordinate == 2; });
-  if (levels || mesh.positions.cols() == 0) return axes;
+  if (mesh.positions.cols() == 0) return axes;
   const double low = mesh.positions.row(2).minCoeff(), high = mesh.positions.row(2).maxCoeff();
-  axes.push_back({2, low, ""});
-  if (high > low) axes.push_back({2, high, ""});
+  const double least = 1e-9 * std::max({1.0, std::abs(low), std::abs(high)});
+  for (const double level : {low, high}) {
+    const auto there = [&](const DrawingAxis& axis) {
+      return axis.coordinate == 2 && std::abs(axis.at - level) <= least;
+    };
+    if (std::none_of(axes.begin(), axes.end(), there)) axes.push_back({2, level, ""});
+  }
   return axes;
 }
 
@@ -219,12 +237,15 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
   for (std::size_t k = 0; k < options.sections.size(); ++k) {
     SectionPlane plane = options.sections[k];
     plane.offset *= factor;
-    set.notes.sections.push_back(plane);
     const std::vector<SectionLine> lines = cut_by(mesh, joints, plane);
-    if (lines.empty()) result.missed.push_back(static_cast<int>(k));
-    const std::string name = "section-" + std::to_string(k + 1);
+    const std::string number = std::to_string(k + 1), name = "section-" + number;
+    if (lines.empty()) {
+      result.missed.push_back(static_cast<int>(k));
+    } else {
+      set.notes.sections.push_back({plane, number});
+    }
     zip.add(name + "-" + options.unit + ".csv", section_table(options.names, lines));
-    drawings.push_back(draw_section(lines, plane, name));
+    drawings.push_back(draw_section(lines, plane, name, metres));
   }
   const double scale = options.scale > 0.0 ? options.scale : set.usual_scale(drawings);
   std::vector<std::string> names;

@@ -19,8 +19,8 @@ struct DrawingOptions {
   std::string unit = "mm";         ///< of DXF and of the section's points: the same words
   double scale = 0.0;  ///< of the SVG, 1 : scale; 0: the first usual one that fits A3, 420 × 297 mm
   std::vector<SectionPlane> sections;  ///< offsets in model units
-  std::vector<DrawingAxis> axes;  ///< without a level: the lowest and the highest point's are drawn
-  PanelNames names;               ///< of the mesh that is drawn
+  std::vector<DrawingAxis> axes;       ///< beside the levels of the lowest and the highest point
+  PanelNames names;                    ///< of the mesh that is drawn
 };
 
 /// The first rule that `options` breaks, naming its field; nullopt if none.

@@ -66,8 +66,7 @@ export function StructureDrawings() {
       <TextRow label="Axes and levels" value={axes} placeholder="x=4.5:A, z=3.2:Eaves" />
       <p class="quiet">
         Plan, four elevations and the section, each as SVG to scale and as DXF at full size, with
-        sizes and levels: the lowest and the highest point where none is stated. The front is at the
-        lowest y.
+        sizes, and the levels of the lowest and the highest point. The front is at the lowest y.
       </p>
     </ShopForm>
   );
