@@ -90,8 +90,7 @@ Command drawings_command() {
             "units; several are allowed"},
            {"--axis", "WHERE",
             "x=V:NAME or y=V:NAME, an axis, or z=V:NAME, a level beside those of the lowest and "
-            "the highest point, "
-            "model units; several are allowed, names may be left out"},
+            "the highest point, model units; several are allowed, names may be left out"},
            {"--scale", "N", "of the SVG, 1 : N; default the first usual one that fits A3"},
            {"--unit", "UNIT", "of the DXF, full size: mm (default), cm, m, km, in or ft"},
            {"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
