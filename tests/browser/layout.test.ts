@@ -194,7 +194,7 @@ it("no tab is more than one and a half screens, at rest or after a long drag", a
   await page.getByRole("button", { name: "Group points" }).waitFor();
   const at = await hintedPoint(page);
   await expectCalm(page, "at rest");
-  await press(page, at, { x: at.x, y: at.y - 200 });
+  await press(page, at, { x: at.x, y: at.y - 300 });
   await page.mouse.up();
   await page.getByRole("region", { name: "Why the target is not reached" }).waitFor();
   await idle(page);
