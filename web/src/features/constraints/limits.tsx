@@ -173,10 +173,12 @@ function foldReached(page: Page, name: string, { sharpestFold }: ShapeReport): s
   return ` (asked ${limitNumbers(asked)[0]}°, is ${sharpestFold.after.toFixed(2)}°)`;
 }
 
-/** What the limits cost comes before that they hold. */
+/** What the limits cost comes before that they hold, but where a drag found its own: the note has it. */
 function costWords(page: Page): string {
   const found = stopped(page).value;
-  return found ? `${gotWords(found.stop, page.unit.value)} reached: the` : "The";
+  return found && found.reason !== "fold"
+    ? `${gotWords(found.stop, page.unit.value)} reached: the`
+    : "The";
 }
 
 /** No panel is at its limit: either none is in the way, or no way within them was found. */
