@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "planish/problem/engine.hpp"
-
 #include <string_view>
+
+#include "planish/problem/engine.hpp"
 
 namespace planish {
 namespace {
