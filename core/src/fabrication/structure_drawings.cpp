@@ -44,6 +44,7 @@ struct NamedDrawing {
   std::string place;  ///< of a section, in words
   ViewAxes view;
   Drawing drawing;
+  PlanarBox box;  ///< of the drawing
 };
 
 NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
@@ -52,13 +53,14 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   panels.reserve(at(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) panels.push_back(see_panel(mesh, f, axes));
   sort_by_depth(panels);
-  NamedDrawing result{view.name, "", axes, {}};
+  NamedDrawing result{view.name, "", axes, {}, {}};
   for (SeenPanel& panel : panels) {
     const bool shows_outside =
         panel_normal(mesh.positions, mesh.face(panel.face)).dot(view.towards) >= 0.0;
     result.drawing.loops.push_back(
         {shows_outside ? DrawingLayer::kOutside : DrawingLayer::kInside, std::move(panel.outline)});
   }
+  result.box = box_of(result.drawing);
   return result;
 }
 
@@ -76,7 +78,7 @@ std::string place_of(const SectionPlane& plane, double metres) {
 NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPlane& plane,
                           std::string name, double metres) {
   const ViewAxes axes = view_from(plane.normal);
-  NamedDrawing result{std::move(name), place_of(plane, metres), axes, {}};
+  NamedDrawing result{std::move(name), place_of(plane, metres), axes, {}, {}};
   for (const SectionLine& line : lines) {
     DrawnLoop loop{DrawingLayer::kSection, Outline(2, line.points.cols()), line.closed};
     for (Eigen::Index k = 0; k < line.points.cols(); ++k) {
@@ -84,6 +86,7 @@ NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPl
     }
     result.drawing.loops.push_back(std::move(loop));
   }
+  result.box = box_of(result.drawing);
   return result;
 }
 
@@ -127,11 +130,12 @@ struct DrawingSet {
   [[nodiscard]] Drawing notes_of(const NamedDrawing& d, double scale) const {
     DrawingNotes titled = notes;
     titled.title = title_of(options, d, scale, hash);
-    return notes_round(box_of(d.drawing), d.view, titled, scale / millimetres);
+    return notes_round(d.box, d.view, titled, scale / millimetres);
   }
 
   [[nodiscard]] bool fits(const NamedDrawing& d, double scale) const {
-    const PlanarBox bare = box_of(d.drawing), round = box_of(notes_of(d, scale));
+    const PlanarBox& bare = d.box;
+    const PlanarBox round = box_of(notes_of(d, scale));
     const Eigen::Vector2d size =
         millimetres / scale * (round.high.cwiseMax(bare.high) - round.low.cwiseMin(bare.low));
     return size.x() <= kPaperWidth - 2.0 * kMargin && size.y() <= kPaperHeight - 2.0 * kMargin;
