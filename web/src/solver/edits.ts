@@ -20,9 +20,9 @@ import {
   isBound,
   keepsOwn,
   lags,
+  longestWay,
   ownBound,
   PullHold,
-  pullLength,
 } from "./pull-limit.ts";
 import { insist, Refused } from "./refused.ts";
 
@@ -187,7 +187,7 @@ export class Edits {
   #furthest(limit: PullLimit, request: EditRequest, first: EditMode): HandleList | null {
     const to = request.targets.handles;
     const session = this.#session;
-    const length = pullLength(limit.from, to);
+    const length = longestWay(limit.from, to);
     const share = furthest({
       edit: (at) => {
         const handles = between(limit.from, to, at);

@@ -60,14 +60,7 @@ export type {
   PanelTypes,
   ShopOrder,
 } from "@wasm/planish_documents.mjs";
-export type {
-  EditMode,
-  EditSettings,
-  Fairness,
-  HandleList,
-  PullLimit,
-  Targets,
-} from "./edit-asked.ts";
+export type * from "./edit-asked.ts";
 
 /** Of meshes that the core reads, as names of files end. */
 export const FILE_FORMATS = ["obj", "off", "ply", "glb"] as const;

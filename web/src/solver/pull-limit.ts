@@ -15,8 +15,8 @@ export const isBound = (report: ShapeReport): boolean => boundNames(report).leng
 const isStuck = ({ status, movedVertices }: ShapeReport): boolean =>
   status === "infeasible_handles" || (status === "iteration_limit" && movedVertices === 0);
 
-/** From the base to where the handle goes that goes furthest. */
-function longestWay(base: HandleList, handles: HandleList): number {
+/** From one place to the other of the handle that goes furthest. */
+export function longestWay(base: HandleList, handles: HandleList): number {
   let longest = 0;
   for (let k = 0; k < handles.length; k += 4) {
     const way = [1, 2, 3].map((axis) => (handles[k + axis] ?? 0) - (base[k + axis] ?? 0));
@@ -91,9 +91,6 @@ export interface Frames {
   /** Shows the one kept. */
   back(): void;
 }
-
-/** Of the handle that is pulled furthest. */
-export const pullLength = (from: HandleList, to: HandleList): number => longestWay(from, to);
 
 /** Remembers, from frame to frame of one drag, how far its pull may go. */
 export class PullHold {

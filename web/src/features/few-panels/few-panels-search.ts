@@ -8,7 +8,7 @@ import * as steps from "../../design/history.ts";
 import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
 import { type Ask, GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
-import { basePoint } from "../../state/editing.ts";
+import { basePoint, longestWay } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
@@ -191,7 +191,7 @@ class CurveSearch {
     const asked = { mode: "solve", targets, settings, budget: BUDGET } as const;
     const question = { kind: "edit", ...asked, limit: null, fairWay: null } as const;
     const { shape, report } = await ask(question, "shown", this.#step);
-    const near = WITHIN_HANDLE * this.#longestWay();
+    const near = WITHIN_HANDLE * longestWay(this.#page, this.#of.handles);
     if (!shape || report.handleError > near) return this.#shortOf(label);
     const design: Design = { ...this.#of, settings, shape, report, variation: null };
     return { label, design, panels: await this.#panelsOf(ask, shape), minimal: null };
@@ -200,16 +200,6 @@ class CurveSearch {
   #shortOf(label: string): null {
     this.#complain(new Error("the points do not arrive."), label);
     return null;
-  }
-
-  #longestWay(): number {
-    const ways = this.#of.handles
-      .filter(({ pinned }) => !pinned)
-      .map(({ vertex, target }) => {
-        const from = basePoint(this.#page, vertex);
-        return Math.hypot(...target.map((x, axis) => x - (from[axis] ?? 0)));
-      });
-    return Math.max(0, ...ways);
   }
 
   /** What is held are pins of the design, as on the command line. */
