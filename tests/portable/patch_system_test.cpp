@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 
 #include "support/scenes.hpp"
 
@@ -41,6 +42,36 @@ class SystemOn : public ::testing::TestWithParam<const char*> {
       column /= std::sqrt(column.squaredNorm() + kSmoothing * kSmoothing);
     }
     return w;
+  }
+
+  /// Limits on three sides of a panel: the first presses, the second would.
+  /// @returns the number of the first
+  Eigen::Index add_limits() {
+    const std::vector<int> panel(patch.faces[0].begin(), patch.faces[0].end());
+    for (std::size_t k = 0; k < 3; ++k) {
+      EdgeRow row;
+      row.vertices = {panel[k], panel[k + 1]};
+      const double share = k == 2 ? 0.9 : -0.2;
+      row.scale = {0.7, 0.0};
+      row.scale.offset =
+          share - row.scale.share(value(row, corners_at(patch, state.displacement, row)));
+      patch.inequalities.of<EdgeLimit>().push_back(row);
+    }
+    system.attach(patch);
+    const auto first = static_cast<Eigen::Index>(patch.inequalities.of<ShapeBound>().size() +
+                                                 patch.inequalities.of<FoldLimit>().size() +
+                                                 patch.inequalities.of<AngleLimit>().size());
+    state.limit_multipliers.setZero(static_cast<Eigen::Index>(patch.inequalities.size()));
+    state.limit_multipliers[first] = 0.7;
+    system.evaluate_limits(state.displacement);
+    return first;
+  }
+
+  [[nodiscard]] std::vector<char> with_limits(Eigen::Index first,
+                                              const std::array<char, 3>& active) const {
+    std::vector<char> all(patch.inequalities.size(), 0);
+    std::copy(active.begin(), active.end(), all.begin() + first);
+    return all;
   }
 
   [[nodiscard]] double lagrangian(const Eigen::Matrix3Xd& d) const {
@@ -186,30 +217,9 @@ TEST_P(SystemOn, KnowsKeepOuts) {
 /// neither.
 TEST_P(SystemOn, KnowsLimits) {
   const double bare = lagrangian(state.displacement);
-  const std::vector<int> panel(patch.faces[0].begin(), patch.faces[0].end());
-  ASSERT_GE(panel.size(), 4u);
-  std::vector<EdgeRow>& edges = patch.inequalities.of<EdgeLimit>();
-  for (std::size_t k = 0; k < 3; ++k) {
-    EdgeRow row;
-    row.vertices = {panel[k], panel[k + 1]};
-    const double share = k == 2 ? 0.9 : -0.2;
-    row.scale = {0.7, 0.0};
-    row.scale.offset =
-        share - row.scale.share(value(row, corners_at(patch, state.displacement, row)));
-    edges.push_back(row);
-  }
-  system.attach(patch);
+  const Eigen::Index first = add_limits();
   EXPECT_TRUE(system.has_limits());
-  const auto first = static_cast<Eigen::Index>(patch.inequalities.of<ShapeBound>().size() +
-                                               patch.inequalities.of<FoldLimit>().size() +
-                                               patch.inequalities.of<AngleLimit>().size());
-  const auto rows = static_cast<Eigen::Index>(patch.inequalities.size());
-  state.limit_multipliers.setZero(rows);
-  state.limit_multipliers[first] = 0.7;
-  std::vector<char> active(static_cast<std::size_t>(rows), 0);
-  active[static_cast<std::size_t>(first)] = active[static_cast<std::size_t>(first + 1)] = 1;
-  system.evaluate_limits(state.displacement);
-  system.activate(active, kLimitPenalty);
+  system.activate(with_limits(first, {1, 1, 0}), kLimitPenalty);
   EXPECT_GT(lagrangian(state.displacement), bare);
   const Eigen::VectorXd expected = differences([&](const Eigen::Matrix3Xd& d) {
                                      return Eigen::VectorXd::Constant(1, lagrangian(d));
@@ -222,6 +232,62 @@ TEST_P(SystemOn, KnowsLimits) {
     return out;
   });
   expect_step_solves_the_kkt_system(shares.middleRows(first, 2));
+}
+
+/// [LIM-2]: by solves the system has the same rows as by another factorization.
+TEST_P(SystemOn, ChangesItsLimitsBySolves) {
+  const Eigen::Index first = add_limits();
+  using Active = std::array<char, 3>;
+  constexpr std::array<Active, 4> kSets{Active{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}};
+  const auto factorized = [&](const Active& active) {
+    system.activate(with_limits(first, active), kLimitPenalty);
+    return system.factorize(state, kSmoothing, kPenalty, kShift);
+  };
+  for (const Active& from : kSets) {
+    for (const Active& to : kSets) {
+      ASSERT_TRUE(factorized(to));
+      const Eigen::Matrix3Xd pulls = testing::random_points(7, patch.free_count);
+      Eigen::Matrix3Xd expected = pulls, actual = pulls;
+      system.apply_inverse(expected);
+      ASSERT_TRUE(factorized(from));
+      system.activate(with_limits(first, to), kLimitPenalty);
+      const int before = system.factorizations();
+      ASSERT_TRUE(system.update());
+      EXPECT_EQ(system.factorizations(), before);
+      system.apply_inverse(actual);
+      EXPECT_LT((actual - expected).norm(), 1e-9 * expected.norm());
+    }
+  }
+}
+
+/// [LIM-2]: a row stays without which there is no minimum; what was asked for before stands.
+TEST_P(SystemOn, KeepsALimitThatItsDefinitenessHangsOn) {
+  const Eigen::Index first = add_limits();
+  const RowJacobian& rows = system.limit_jacobian();
+  const auto gradient_of = [&](Eigen::Index row) {
+    const Eigen::Matrix3Xd g = rows.transposed(static_cast<int>(row));
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
+  };
+  const Eigen::VectorXd bent = gradient_of(first), other = gradient_of(first + 1);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(bent.size(), bent.size());
+  matrix += (kLimitPenalty - 2.0 / bent.squaredNorm()) * bent * bent.transpose();
+  const Eigen::MatrixXd inverse = matrix.inverse();
+  const auto solve = [&](Eigen::Matrix3Xd& x) {
+    Eigen::Map<Eigen::VectorXd> flat(x.data(), x.size());
+    flat = (inverse * flat).eval();
+  };
+  RowUpdate update;
+  update.begin(with_limits(first, {1, 0, 0}));
+  ASSERT_TRUE(update.set(with_limits(first, {1, 1, 0}), kLimitPenalty, rows, solve));
+  EXPECT_FALSE(update.set(with_limits(first, {0, 1, 0}), kLimitPenalty, rows, solve));
+  const Eigen::Matrix3Xd pulls = testing::random_points(7, patch.free_count);
+  Eigen::Matrix3Xd expected = pulls, actual = pulls;
+  solve(actual);
+  update.apply(rows, actual);
+  matrix += kLimitPenalty * other * other.transpose();
+  Eigen::Map<Eigen::VectorXd> flat(expected.data(), expected.size());
+  flat = matrix.ldlt().solve(flat.eval());
+  EXPECT_LT((actual - expected).norm(), 1e-9 * expected.norm());
 }
 
 /// [SUP-2]: the same system in coordinates along what every vertex may do.

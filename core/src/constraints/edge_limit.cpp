@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "planish/constraints/edge_limit.hpp"
 
+#include "constraints/face_across.hpp"
+
 namespace planish {
 namespace {
 
@@ -35,6 +37,8 @@ void EdgeLimit::append_rows(const LimitBase& base, int face, const StatedLimit& 
   for (std::size_t k = 0; k < panel.size(); ++k) {
     EdgeRow row;
     row.vertices = {panel[k], panel[(k + 1) % panel.size()]};
+    row.panels = {face, face_across(base, face, row.vertices[0], row.vertices[1]).face};
+    if (row.panels[1] >= 0 && row.panels[1] < face) continue;
     const double now =
         (base.points.col(row.vertices[1]) - base.points.col(row.vertices[0])).squaredNorm();
     const double allowed = kAllowedSquare * (now > 0.0 ? now : most * most);

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "constraints/face_across.hpp"
 #include "numeric/trigonometry.hpp"
 #include "planish/constraints/vector_pair.hpp"
 #include "planish/mesh/area_vector.hpp"
@@ -85,33 +85,6 @@ int widest(const Positions& points, std::span<const int> face, int a, int b) {
   return best;
 }
 
-/// Whether `face` has a side between a and b, and which way it runs.
-std::optional<bool> side_of(std::span<const int> face, int a, int b) {
-  for (std::size_t k = 0; k < face.size(); ++k) {
-    const int from = face[k], to = face[(k + 1) % face.size()];
-    if (from == a && to == b) return true;
-    if (from == b && to == a) return false;
-  }
-  return std::nullopt;
-}
-
-struct Neighbour {
-  int face = -1;         ///< −1: none, or more than one
-  bool forward = false;  ///< its side runs from a to b
-};
-
-Neighbour across(const LimitBase& base, int face, int a, int b) {
-  Neighbour found;
-  for (const int f : base.adjacency.faces[a]) {
-    if (f == face) continue;
-    const auto forward = side_of(base.mesh.face(f), a, b);
-    if (!forward) continue;
-    if (found.face >= 0) return {};
-    found = {f, *forward};
-  }
-  return found;
-}
-
 /// +1 where the triangle (a, b, v) runs round like its face, −1 where against it.
 double sense(const Positions& points, std::span<const int> face, int a, int b, int v) {
   const Eigen::Vector3d origin = points.col(a);
@@ -153,7 +126,7 @@ void FoldLimit::append_rows(const LimitBase& base, int face, const StatedLimit& 
   const auto panel = base.mesh.face(face);
   for (std::size_t k = 0; k < panel.size(); ++k) {
     const int a = panel[k], b = panel[(k + 1) % panel.size()];
-    const Neighbour other = across(base, face, a, b);
+    const FaceAcross other = face_across(base, face, a, b);
     if (other.face <= face) continue;
     const auto there = base.mesh.face(other.face);
     FoldRow row;

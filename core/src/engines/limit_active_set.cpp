@@ -24,6 +24,7 @@ double complementarity(const Eigen::VectorXd& shares, const Eigen::VectorXd& mul
 void LimitActiveSet::attach(PatchSystem& system) {
   system_ = &system;
   empty_ = !system.has_limits();
+  active_.clear();
   estimate_.resize(0);
 }
 
@@ -55,22 +56,33 @@ void LimitActiveSet::activate() {
   if (empty_) return;
   active_.resize(at(static_cast<int>(shares_.size())));
   for (Eigen::Index i = 0; i < shares_.size(); ++i) {
-    active_[static_cast<std::size_t>(i)] = pressure(estimate_[i], shares_[i]) > 0.0 ? 1 : 0;
+    if (pressure(estimate_[i], shares_[i]) > 0.0) active_[static_cast<std::size_t>(i)] = 1;
   }
   system_->activate(active_, penalty_);
 }
 
+void LimitActiveSet::activate_pressing() {
+  active_.clear();
+  activate();
+}
+
 bool LimitActiveSet::activate_along(double share) {
-  if (empty_) return false;
-  bool other = false;
-  for (Eigen::Index i = 0; i < shares_.size(); ++i) {
+  bool differs = false;
+  before_ = active_;
+  for (Eigen::Index i = 0; i < along_.size(); ++i) {
     char& active = active_[static_cast<std::size_t>(i)];
-    if (active != 0 || pressure(estimate_[i], shares_[i] + share * along_[i]) == 0.0) continue;
-    active = 1;
-    other = true;
+    const double way = active != 0 ? 1.0 : share;
+    const char next = pressure(estimate_[i], shares_[i] + way * along_[i]) > 0.0 ? 1 : 0;
+    differs = differs || next != active;
+    active = next;
   }
-  if (other) system_->activate(active_, penalty_);
-  return other;
+  if (differs) system_->activate(active_, penalty_);
+  return differs;
+}
+
+void LimitActiveSet::keep_what_goes() {
+  for (std::size_t i = 0; i < active_.size(); ++i) active_[i] |= before_[i];
+  system_->activate(active_, penalty_);
 }
 
 void LimitActiveSet::add_without_pressure(const PatchState& state, Eigen::Matrix3Xd& out) const {

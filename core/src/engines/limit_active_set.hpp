@@ -35,10 +35,16 @@ class LimitActiveSet {
   /// @see complementarity()
   [[nodiscard]] double violation(const PatchState& state) const;
 
-  /// Those that are active at the state that begin() saw, for the next factorization.
+  /// For the next factorization: those that press at the state that begin() saw, and those that
+  /// the last step on this patch ended with.
   void activate();
-  /// And those that a share of the direction makes active. @returns whether there are any
+  /// Those alone that press at the state.
+  void activate_pressing();
+  /// Those that a share of the direction makes active come, those that press no more at its end go.
+  /// @returns whether any does
   bool activate_along(double share);
+  /// Those that the last activate_along() let go are active after all.
+  void keep_what_goes();
 
   /// out += Gᵀ z: the gradient without what presses.
   void add_without_pressure(const PatchState& state, Eigen::Matrix3Xd& out) const;
@@ -65,7 +71,7 @@ class LimitActiveSet {
   PatchSystem* system_ = nullptr;
   bool empty_ = true;
   double penalty_ = 1.0;
-  std::vector<char> active_;
+  std::vector<char> active_, before_;             ///< before the last activate_along()
   Eigen::VectorXd estimate_;                      ///< zₑ
   Eigen::VectorXd shares_, along_, multipliers_;  ///< s; G δ; z⁺
   Eigen::VectorXd trial_shares_, trial_multipliers_, work_;

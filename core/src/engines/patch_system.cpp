@@ -292,6 +292,7 @@ bool PatchSystem::factorize(const PatchState& state, double smoothing, double pe
                             double shift) {
   penalty_ = penalty;
   ++factorizations_;
+  row_update_.begin(active_);
   std::copy(constant_.begin(), constant_.end(), cholesky_.values().begin());
   add_norms(state, smoothing, shift);
   add_equations(state, penalty);
@@ -307,10 +308,20 @@ void PatchSystem::step(const Eigen::Matrix3Xd& gradient, const Eigen::VectorXd& 
   apply_inverse(delta, executor);
 }
 
-void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x, Executor* executor) {
+void PatchSystem::solve(Eigen::Matrix3Xd& x, Executor* executor) {
   lagrangian_.slide(x);
   cholesky_.solve(Eigen::Map<Eigen::VectorXd>(x.data(), x.size()), executor);
   lagrangian_.slide(x);
+}
+
+void PatchSystem::apply_inverse(Eigen::Matrix3Xd& x, Executor* executor) {
+  solve(x, executor);
+  row_update_.apply(limit_jacobian_, x);
+}
+
+bool PatchSystem::update() {
+  return row_update_.set(active_, limit_penalty_, limit_jacobian_,
+                         [&](Eigen::Matrix3Xd& x) { solve(x, nullptr); });
 }
 
 void PatchSystem::add_pulls(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const {

@@ -15,6 +15,7 @@
 
 #include "engines/patch_lagrangian.hpp"
 #include "engines/row_jacobian.hpp"
+#include "engines/row_update.hpp"
 #include "engines/sparse_cholesky.hpp"
 #include "planish/problem/problem.hpp"
 
@@ -36,12 +37,15 @@ class PatchSystem {
   [[nodiscard]] bool factorize(const PatchState& state, double smoothing, double penalty,
                                double shift);
 
-  /// Which inequalities are rows of the next factorizations, and their penalty > 0. Expects
-  /// evaluate_limits() at the state of these. [LIM-2]
+  /// Which inequalities are rows of the next factorizations, or of the last one from update() on,
+  /// and their penalty > 0. Expects evaluate_limits() at the state of these. [LIM-2]
   void activate(const std::vector<char>& active, double penalty) {
     active_ = active;
     limit_penalty_ = penalty;
   }
+  /// The last factorization with the rows that are active now, by solves. @returns false, and it
+  /// stands as it was, where too many rows differ or it would not be positive definite
+  [[nodiscard]] bool update();
   /// Whether there are inequalities with multipliers.
   [[nodiscard]] bool has_limits() const { return has_limits_; }
   /// The gradients of their shares.
@@ -86,6 +90,8 @@ class PatchSystem {
   void add_equations(const PatchState& state, double penalty);
   void add_inequalities(const PatchState& state);
   void slide_blocks();
+  /// x ← the factor's inverse of it, along what vertices with supports may do.
+  void solve(Eigen::Matrix3Xd& x, Executor* executor);
   void add_norms(const PatchState& state, double smoothing, double shift);
 
   const Patch* patch_ = nullptr;
@@ -103,6 +109,7 @@ class PatchSystem {
   RowJacobian limit_jacobian_;    ///< of the shares, at the last evaluate_limits(), if has_limits_
   bool has_limits_ = false;
   std::vector<char> active_;  ///< by inequality; empty: none
+  RowUpdate row_update_;      ///< from what was active in the factorization
   double limit_penalty_ = 0.0;
   double penalty_ = 0.0;
   int factorizations_ = 0;

@@ -102,19 +102,27 @@ void PrimalDualStep::find_direction(const PatchState& state) {
               limits_.decrease(state);
 }
 
-/// The direction that keeps the limits it leads to, linearised: by a second factorization, with
-/// those that the first one would break. One that presses no more leaves with its multiplier: left
-/// out at once, it came back and went with every other step. [LIM-2]
+/// The direction that is the minimum of the step's own model, limits linearised: which of them are
+/// active is found with one factor, by solves. Where it is not found the direction is the one of
+/// the rows that press at the state, along which the merit falls. [LIM-2]
 bool PrimalDualStep::find_step(const PatchState& state) {
+  constexpr int kMostChanges = 8;
   limits_.activate();
   if (!factorize(state)) return false;
   find_direction(state);
-  const double reach = longest_column(delta_);
-  if (!limits_.activate_along(std::min(1.0, options_.trust / std::max(reach, 1e-300)))) return true;
-  if (!factorize(state)) return false;
-  find_direction(state);
+  if (limits_.empty()) return true;
+  for (int change = 0; change < kMostChanges; ++change) {
+    const double reach = longest_column(delta_);
+    if (!limits_.activate_along(std::min(1.0, options_.trust / std::max(reach, 1e-300)))) break;
+    if (!system_->update()) {
+      // Without those that go it would bend the wrong way.
+      limits_.keep_what_goes();
+      if (!system_->update() && !factorize(state)) return false;
+    }
+    find_direction(state);
+  }
   if (decrease_ > 0.0) return true;
-  limits_.activate();
+  limits_.activate_pressing();
   if (!factorize(state)) return false;
   find_direction(state);
   return true;

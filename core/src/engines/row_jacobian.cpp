@@ -32,14 +32,27 @@ void RowJacobian::evaluate(const Patch& patch, const Eigen::Matrix3Xd& displacem
   slide();
 }
 
-void RowJacobian::apply(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
-  out.setZero(size());
-  for (int e = 0; e < size(); ++e) {
-    for (int k = vertices_.offsets[at(e)]; k < vertices_.offsets[at(e) + 1]; ++k) {
-      const int v = vertices_.values[at(k)];
-      if (v < free_count_) out[e] += gradients_.col(k).dot(delta.col(v));
-    }
+double RowJacobian::apply(int row, const Eigen::Matrix3Xd& delta) const {
+  double sum = 0.0;
+  for (int k = vertices_.offsets[at(row)]; k < vertices_.offsets[at(row) + 1]; ++k) {
+    const int v = vertices_.values[at(k)];
+    if (v < free_count_) sum += gradients_.col(k).dot(delta.col(v));
   }
+  return sum;
+}
+
+void RowJacobian::apply(const Eigen::Matrix3Xd& delta, Eigen::VectorXd& out) const {
+  out.resize(size());
+  for (int e = 0; e < size(); ++e) out[e] = apply(e, delta);
+}
+
+Eigen::Matrix3Xd RowJacobian::transposed(int row) const {
+  Eigen::Matrix3Xd out = Eigen::Matrix3Xd::Zero(3, free_count_);
+  for (int k = vertices_.offsets[at(row)]; k < vertices_.offsets[at(row) + 1]; ++k) {
+    const int v = vertices_.values[at(k)];
+    if (v < free_count_) out.col(v) += gradients_.col(k);
+  }
+  return out;
 }
 
 void RowJacobian::add_transposed(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const {

@@ -49,6 +49,11 @@ class RowJacobian {
   /// out += Jᵀ y. @param out 3 × free
   void add_transposed(const Eigen::VectorXd& y, Eigen::Matrix3Xd& out) const;
 
+  /// ∇c · δ of one row. @param delta 3 × free
+  [[nodiscard]] double apply(int row, const Eigen::Matrix3Xd& delta) const;
+  /// ∇c of one row over the free vertices: 3 × free.
+  [[nodiscard]] Eigen::Matrix3Xd transposed(int row) const;
+
   /// `start` + ⟨∇c, ∇c'⟩ of two rows over the free vertices they share: an entry of ρI + J Jᵀ.
   [[nodiscard]] double product(int row, int other, double start = 0.0) const;
 

@@ -78,11 +78,14 @@ EngineOutcome WorkingSetNewton::run_around(const EditProblem& problem, std::span
   return run(problem, scale, options, field, progress);
 }
 
+bool WorkingSetNewton::is_working_set_at_once(const EditProblem& problem) {
+  return !problem.region.empty() && problem.region.size() <= kWholeRegion;
+}
+
 void WorkingSetNewton::choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                                           double relative_smoothing, DisplacementField& field) {
   std::vector<int> next;
-  const bool at_once = !problem.region.empty() && problem.region.size() <= kWholeRegion;
-  if (at_once || (!seeks_support_ && !problem.region.empty())) {
+  if (is_working_set_at_once(problem) || (!seeks_support_ && !problem.region.empty())) {
     next = problem.region;
   } else if (!seeks_support_) {
     next.resize(at(model_.vertex_count()));

@@ -118,6 +118,8 @@ class WorkingSetNewton {
                     DisplacementField& field, const Progress& progress);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
                           double relative_smoothing, DisplacementField& field);
+  /// Whether the problem's region is.
+  [[nodiscard]] static bool is_working_set_at_once(const EditProblem& problem);
   void find_support(double smoothing);
   void set_out(const EditProblem& problem);
   void lay_open(const EditProblem& problem, DisplacementField& field);

@@ -38,13 +38,15 @@ constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
 
 }  // namespace
 
-/// The first working set: the support, and the neighbours of handles that are fixed, whose rows
-/// belong to no free vertex of the support; everything where no support is sought.
+/// The first working set: a small region as a whole; elsewhere the support, and the neighbours of
+/// handles that are fixed, whose rows belong to no free vertex of the support; everything where no
+/// support is sought.
 void WorkingSetNewton::set_out(const EditProblem& problem) {
   std::vector<int> fixed;
   std::copy_if(problem.handles.begin(), problem.handles.end(), std::back_inserter(fixed),
                [&](int v) { return problem.terms[at(v)].fixed; });
   working_ = set_union(support_, grower_.grow(fixed, 1));
+  if (is_working_set_at_once(problem)) working_ = set_union(working_, problem.region);
   if (seeks_support_) return;
   working_.resize(at(model_.vertex_count()));
   std::iota(working_.begin(), working_.end(), 0);

@@ -14,6 +14,7 @@ struct EdgeRow {
   static constexpr int kArity = 2;
   std::array<int, 2> vertices{};
   LimitScale scale;
+  std::array<int, 2> panels{};  ///< this and the other, −1 where there is none
 };
 
 [[nodiscard]] double value(const EdgeRow& row, const RowPoints<2>& points);
@@ -25,7 +26,7 @@ struct EdgeLimit {
   static constexpr std::string_view kName = "edge";
   static constexpr std::string_view kForm = "MIN:MAX";
   using Row = EdgeRow;
-  /// The sides of `face`; a side that two panels share has rows in both.
+  /// The sides of `face`, of those that it shares with one other where its number is the lower.
   static void append_rows(const LimitBase& base, int face, const StatedLimit& limit,
                           std::vector<Row>& out);
 };
