@@ -115,9 +115,9 @@ bool PrimalDualStep::find_step(const PatchState& state) {
     const double reach = longest_column(delta_);
     if (!limits_.activate_along(std::min(1.0, options_.trust / std::max(reach, 1e-300)))) break;
     if (!system_->update()) {
-      // Without those that go it would bend the wrong way.
-      limits_.keep_what_goes();
-      if (!system_->update() && !factorize(state)) return false;
+      if (options_.limits_may_stay) limits_.keep_what_goes();
+      const bool updated = options_.limits_may_stay && system_->update();
+      if (!updated && !factorize(state)) return false;
     }
     find_direction(state);
   }

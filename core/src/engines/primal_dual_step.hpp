@@ -22,6 +22,9 @@ struct StepOptions {
   /// μ > 0 of the inequalities, whose shares are no lengths. Small: their multipliers come slowly;
   /// large: a step that meets many new ones is cut short.
   double limit_penalty = 10.0;
+  /// Limits that press no more stay for a step whose model has no minimum without them; otherwise
+  /// the shift grows until it has one. Cheaper on the way, but at a minimum none may stay.
+  bool limits_may_stay = true;
   /// Largest movement of a vertex in one step, > 0. Large: leaps to other minima.
   double trust = 0.5;
   /// A step that the merit cuts to less than this share raises the shift, as Levenberg and

@@ -133,6 +133,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   const double scale = handle_scale(problem);
   seeks_support_ = problem.seeks_support;
   NewtonOptions exact = options;
+  exact.step.limits_may_stay = false;
   set_out(problem);
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
@@ -198,6 +199,7 @@ EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonO
   EngineOutcome outcome;
   const int before = system_.factorizations();
   StepOptions step = options.step;
+  step.limits_may_stay = false;
   step.limit_penalty = kLateLimitPenalty;
   if (problem.seeks_support) step.penalty = std::max(step.penalty, kMostPenalty);
   state_.displacement = settled_;
