@@ -4,22 +4,27 @@
 arguments swapped), makes one at a time in a copy of the tree and runs checks on it until one fails.
 
     mutations.py web --count 40 --seed 1 lint types unit page browser
-    mutations.py core --count 40 --seed 1 native sanitize
+    mutations.py core --count 40 --seed 1 parity
 
-Prints a line for each: what was changed, and by which check it was caught; ends with the count. The copy
-lies in build/mutations/ with a build of its own; core/src needs some minutes of two cores a mutation.
+Prints a line for each: its number, what was changed, and what caught it; ends with the count. A mutation of
+the core is given to the compiler, then to the C++ tests, without sanitizers, the quickest first, each as long as
+the last `checks.py native sanitize` in this tree says, until one fails; only what they leave goes to the checks
+named. --tests 150 ends with the quickest that take 150 s together, --only 3,17 goes on with these. The copy lies in
+build/mutations/ with a build of its own.
 """
 
 import argparse
+import os
 import pathlib
 import random
 import re
-import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
 COPY = TREE / "build/mutations/tree"
+PROGRAMS = {"native": "planish_tests", "sanitize": "planish_quick_tests"}
 FOLDERS = {"web": ("web/src", (".ts", ".tsx")), "core": ("core/src", (".cpp",))}
 COMPARISONS = {" < ": " >= ", " > ": " <= ", " <= ": " > ", " >= ": " < ", " == ": " != ", " != ": " == ",
                " === ": " !== ", " !== ": " === ", " && ": " || ", " || ": " && "}
@@ -70,12 +75,75 @@ def drawn(which, count, seed):
     return [kinds[names[k % len(names)]].pop() for k in range(count)]
 
 
+def said(*command, **options):
+    return subprocess.run(command, cwd=COPY, capture_output=True, text=True, check=False, **options)
+
+
 def caught_by(checks):
     for check in checks:
-        run = subprocess.run(["python3", ".tools/checks.py", check], cwd=COPY, capture_output=True, check=False)
-        if run.returncode != 0:
+        if said("python3", ".tools/checks.py", check).returncode != 0:
             return check
     return None
+
+
+def compiled():
+    """The command and all C++ tests, without sanitizers."""
+    if not (COPY / "build/native/build.ninja").exists():
+        said("cmake", "--preset", "native")
+    targets = ["planish", *PROGRAMS.values()]
+    return said("cmake", "--build", "--preset", "native", "-j", os.environ.get("PLANISH_JOBS", "2"), "--target", *targets).returncode == 0
+
+
+def recorded_tests():
+    """The C++ tests that the last checks of this tree passed: seconds, program, name, the quickest first."""
+    for check, program in PROGRAMS.items():
+        for file in (TREE / "build/checks" / check).glob("*.xml"):
+            for case in ElementTree.parse(file).iter("testcase"):
+                if case.get("status") == "run" and case.find("skipped") is None and case.find("failure") is None:
+                    yield float(case.get("time")), program, f"{case.get('classname')}.{case.get('name')}"
+
+
+def portions(most):
+    """Tests that one process runs: of some seconds at first, then more."""
+    longest, tests, left = 5.0, {}, most
+    for seconds, program, name in sorted(recorded_tests()):
+        left -= seconds
+        if left < 0:
+            break
+        spent, names = tests.setdefault(program, [0.0, []])
+        tests[program][0] = spent + seconds
+        names.append(name)
+        if tests[program][0] > longest:
+            yield program, *tests.pop(program)
+            longest *= 1.2
+    for program, (seconds, names) in tests.items():
+        yield program, seconds, names
+
+
+def caught_by_test(most):
+    """What the compiler or a test says first; None where all pass."""
+    if not compiled():
+        return "compiler"
+    for program, seconds, names in portions(most):
+        options = COPY / "build/flags"
+        options.write_text(f"--gtest_filter={':'.join(names)}\n--gtest_fail_fast\n--gtest_brief=1\n", encoding="utf-8")
+        try:
+            run = said(f"build/native/tests/{program}", f"--gtest_flagfile={options}", timeout=120 + 20 * seconds)
+        except subprocess.TimeoutExpired:
+            return f"{names[0]} or after it: no end"
+        if run.returncode != 0:
+            failed = re.findall(r"\[  FAILED  \] ([\w./]+)", run.stdout)
+            return failed[0] if failed else f"{names[0]} or after it: status {run.returncode}"
+    return None
+
+
+def copied():
+    """The last commit of this tree, elsewhere."""
+    if not COPY.exists():
+        subprocess.run(["git", "clone", "-q", TREE, COPY], check=True)
+        os.symlink(TREE / "node_modules", COPY / "node_modules")
+    subprocess.run(["git", "fetch", "-q", "origin"], cwd=COPY, check=True)
+    subprocess.run(["git", "reset", "-q", "--hard", "FETCH_HEAD"], cwd=COPY, check=True)
 
 
 def main():
@@ -83,28 +151,36 @@ def main():
     words.add_argument("which", choices=FOLDERS)
     words.add_argument("--count", type=int, default=40)
     words.add_argument("--seed", type=int, default=1)
-    words.add_argument("checks", nargs="+")
+    words.add_argument("--tests", type=float, default=float("inf"))
+    words.add_argument("--only", type=lambda text: {int(word) for word in text.split(",")})
+    words.add_argument("checks", nargs="*")
     asked = words.parse_args()
-    if not COPY.exists():
-        subprocess.run(["git", "clone", "-q", TREE, COPY], check=True)
-        shutil.copytree(TREE / "node_modules", COPY / "node_modules", symlinks=True)
-    subprocess.run(["git", "fetch", "-q", "origin"], cwd=COPY, check=True)
-    subprocess.run(["git", "reset", "-q", "--hard", "FETCH_HEAD"], cwd=COPY, check=True)
-    if check := caught_by(asked.checks):
+    copied()
+
+    def caught():
+        return (caught_by_test(asked.tests) if asked.which == "core" else None) or caught_by(asked.checks)
+
+    if asked.which == "core" and not any(recorded_tests()):
+        sys.exit("mutations: run `checks.py native sanitize` first")
+    if check := caught():
         sys.exit(f"mutations: {check} fails without any")
-    caught = 0
-    for path, number, kind, new in drawn(asked.which, asked.count, asked.seed):
+    count = of = 0
+    for place, (path, number, kind, new) in enumerate(drawn(asked.which, asked.count, asked.seed), 1):
+        if asked.only and place not in asked.only:
+            continue
         file = COPY / path
         text = file.read_text(encoding="utf-8")
         lines = text.splitlines(keepends=True)
         old = lines[number].strip()
         lines[number] = new + "\n"
         file.write_text("".join(lines), encoding="utf-8")
-        check = caught_by(asked.checks)
+        check = caught()
         file.write_text(text, encoding="utf-8")
-        caught += check is not None
-        print(f"{check or 'NOT CAUGHT':12} {kind:10} {path}:{number + 1}: {old[:90]}", flush=True)
-    print(f"{caught} of {asked.count} caught")
+        count += check is not None
+        of += 1
+        changed = f" -> {new.strip()[:90]}" if new.strip() else ""
+        print(f"{place:3} {check or 'NOT CAUGHT'}: {kind} {path}:{number + 1}: {old[:90]}{changed}", flush=True)
+    print(f"{count} of {of} caught")
 
 
 main()
