@@ -80,33 +80,38 @@ const isChecked = (element: Element): boolean =>
 
 function hasRole(element: Element, role: string, options: RoleOptions): boolean {
   if (roleOf(element) !== role) return false;
-  if (!options.includeHidden && !isTold(element)) return false;
   const { name, exact, pressed, checked, expanded, selected, disabled } = options;
   if (pressed !== undefined && stated(element, "pressed") !== pressed) return false;
   if (checked !== undefined && isChecked(element) !== checked) return false;
   if (expanded !== undefined && stated(element, "expanded") !== expanded) return false;
   if (selected !== undefined && stated(element, "selected") !== selected) return false;
   if (disabled !== undefined && isDisabled(element) !== disabled) return false;
-  return name === undefined || matches(nameOf(element), name, exact);
+  if (name !== undefined && !matches(nameOf(element), name, exact)) return false;
+  return options.includeHidden || isTold(element);
 }
 
 const isSkipped = ({ tagName }: Element): boolean => /^(SCRIPT|STYLE|NOSCRIPT)$/.test(tagName);
 
-/** The innermost elements whose text is so. */
-function withText(roots: readonly Element[], words: Words, exact: boolean): Element[] {
+/** The innermost elements whose text is so. A DOM puts the text of each together from all that it holds:
+ * here that of the parts, whose texts are known. */
+function withText(root: Element, words: Words, exact: boolean): Element[] {
   const found: Element[] = [];
-  const walk = (element: Element): boolean => {
-    if (isSkipped(element) || !matches(element.textContent ?? "", words, false)) {
-      // What the whole says need not be what a part says: "^" and "$" stand in many patterns.
-      if (!(words instanceof RegExp) || isSkipped(element)) return false;
+  const walk = (node: Node): { text: string; inside: boolean } => {
+    if (!(node instanceof Element)) {
+      return {
+        text: node.nodeType === Node.TEXT_NODE ? (node.textContent ?? "") : "",
+        inside: false,
+      };
     }
-    const inner = [...element.children].map(walk).some(Boolean);
-    if (inner) return true;
-    const mine = matches(element.textContent ?? "", words, exact);
-    if (mine) found.push(element);
-    return mine;
+    if (isSkipped(node)) return { text: node.textContent ?? "", inside: false };
+    const parts = [...node.childNodes].map(walk);
+    const text = parts.map((part) => part.text).join("");
+    if (parts.some((part) => part.inside)) return { text, inside: true };
+    const inside = matches(text, words, exact);
+    if (inside) found.push(node);
+    return { text, inside };
   };
-  for (const root of roots) walk(root);
+  walk(root);
   return found;
 }
 
@@ -138,10 +143,11 @@ export class LocatorHere {
   }
 
   #below(name: string, find: (root: Element) => readonly Element[]): LocatorHere {
-    return new LocatorHere(
-      () => unique(this.#query().flatMap((root) => [...find(root)])),
-      `${this.#name} ${name}`,
-    );
+    return new LocatorHere(() => {
+      const roots = this.#query();
+      const found = roots.flatMap((root) => [...find(root)]);
+      return roots.length === 1 ? found : unique(found);
+    }, `${this.#name} ${name}`);
   }
 
   #which(name: string, choose: (all: Element[]) => Element[]): LocatorHere {
@@ -155,7 +161,7 @@ export class LocatorHere {
   }
 
   getByText(words: Words, { exact = false } = {}): LocatorHere {
-    return this.#below(`text ${String(words)}`, (root) => withText([root], words, exact));
+    return this.#below(`text ${String(words)}`, (root) => withText(root, words, exact));
   }
 
   getByLabel(words: Words, { exact = false } = {}): LocatorHere {
