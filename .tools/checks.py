@@ -35,12 +35,13 @@ LONGEST_OF_REST = 60.0 * SLOWER  # a browser with storage, workers and a solver 
 
 @dataclasses.dataclass(frozen=True)
 class Check:
-    """A node of the graph. `command` is run by bash with $OUT, a folder of its own, and $CORES."""
+    """A node of the graph. `command` is run by bash with $OUT, a folder of its own, and $CORES; once for each of
+    its `parts` with $PART from 0, as cores become free."""
 
     command: str
     needs: tuple = ()
     cores: int = 1
-    environment: dict = dataclasses.field(default_factory=dict)
+    parts: int = 1
 
 
 def compiled(preset, *targets):
@@ -52,12 +53,12 @@ def compiled(preset, *targets):
     )
 
 
-def sharded(command):
-    """GoogleTest's program, its tests dealt out to four processes a core: no core waits long for the last."""
-    return (
-        "seq 0 $((4 * CORES - 1)) | GTEST_TOTAL_SHARDS=$((4 * CORES)) xargs -P $CORES -I @ "
-        f"env GTEST_SHARD_INDEX=@ {command} --gtest_brief=1 --gtest_output=xml:$OUT/@.xml"
-    )
+def dealt(command, *needs, parts=4 * CORES):
+    """GoogleTest's program, its tests dealt out to processes that fill what other checks leave of the cores."""
+    return Check(
+        f"GTEST_TOTAL_SHARDS={parts} GTEST_SHARD_INDEX=$PART {command} --gtest_brief=1 "
+        "--gtest_output=xml:$OUT/$PART.xml",
+        needs, parts=parts)
 
 
 def vitest(folder, options="", config="web/vitest.config.ts"):
@@ -87,7 +88,7 @@ GRAPH = {
     "unit": Check(vitest("web"), ("build-wasm",)),
     "page": Check(vitest("page", config="web/vitest.page.config.ts"), ("build-wasm",)),
     "parity": Check(vitest("parity"), ("build-native", "build-wasm")),
-    "native": Check(sharded("build/native/tests/planish_tests"), ("build-native",), cores=CORES),
+    "native": dealt("build/native/tests/planish_tests", "build-native", parts=8 * CORES),
     "browser": Check(vitest("browser", config="web/vitest.browser.config.ts"), ("build-site",), cores=CORES),
     # The second engine draws only on a screen, even one that nobody looks at.
     "firefox": Check(
@@ -100,16 +101,16 @@ GRAPH = {
         ("build-wheel",)),
     # One set of recipes through all of them, and what leads from one to another.
     "doors": Check(vitest("doors", config="web/vitest.browser.config.ts"), ("build-wheel", "build-package", "build-site")),
-    "sanitize": Check(sharded("build/sanitize/tests/planish_quick_tests"), ("build-sanitize",), cores=CORES),
-    "wasm": Check(sharded(WASM_TEST.format("planish_wasm_tests")), ("build-wasm-tests",), cores=CORES),
+    "sanitize": dealt("build/sanitize/tests/planish_quick_tests", "build-sanitize"),
+    "wasm": dealt(WASM_TEST.format("planish_wasm_tests"), "build-wasm-tests", parts=CORES),
     "tidy": Check("python3 .tools/tidy.py", cores=CORES),
     "cppcheck": Check("bash .tools/cppcheck.sh"),
     "fuzz": Check("bash .tools/fuzz.sh", ("build-fuzz",), cores=CORES),
     # Nightly: the long forms of the same.
     "build-wasm-all": compiled("wasm", "planish_all_tests"),
     "build-sanitize-all": compiled("sanitize", "planish", "planish_all_tests"),
-    "wasm-all": Check(sharded(WASM_TEST.format("planish_all_tests")), ("build-wasm-all",), cores=CORES),
-    "sanitize-all": Check(sharded("build/sanitize/tests/planish_all_tests"), ("build-sanitize-all",), cores=CORES),
+    "wasm-all": dealt(WASM_TEST.format("planish_all_tests"), "build-wasm-all", parts=8 * CORES),
+    "sanitize-all": dealt("build/sanitize/tests/planish_all_tests", "build-sanitize-all", parts=16 * CORES),
     "tidy-all": Check("python3 .tools/tidy.py --all --record", cores=CORES),
     "fuzz-long": Check("bash .tools/fuzz.sh --long", ("build-fuzz",), cores=CORES),
 }
@@ -130,10 +131,14 @@ class Test:
 
 @dataclasses.dataclass
 class Run:
+    """From when to when, in seconds since all began, and how much of a processor's time it took."""
+
     name: str
     status: int
-    seconds: float
     tests: list
+    start: float = 0.0
+    end: float = 0.0
+    processor: float = 0.0
 
 
 def tests_of(check, folder):
@@ -148,38 +153,44 @@ def tests_of(check, folder):
             yield Test(check, name, float(case.get("time") or 0), outcome, said)
 
 
-def run(name, check, nightly):
-    """Runs one check; a failure without a test that failed is a failed test of the check's own name."""
+def stop(command, log, minutes):
+    """SIGABRT first: Python, asked by faulthandler, says where it stands."""
+    log.write(f"checks: stopped after {minutes} minutes\n".encode())
+    os.killpg(command.pid, signal.SIGABRT)
+    time.sleep(5)
+    os.killpg(command.pid, signal.SIGKILL)
+
+
+def run_part(name, part, nightly):
+    """Runs a part of a check: its status, and the processor time of all that it started."""
     folder = OUT / name
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    environment = {**os.environ, "OUT": str(folder), "CORES": str(CORES), **(NIGHTLY if nightly else {})}
-    start = time.monotonic()
-    with open(folder / "log", "wb") as log:
-        # A session of its own, so that it can be stopped with all that it started. SIGABRT first: Python,
-        # asked by faulthandler, says where it stands.
-        command = subprocess.Popen(["bash", "-c", f"set -o pipefail; {check.command}"], cwd=TREE, env=environment,
+    environment = {**os.environ, "OUT": str(folder), "CORES": str(CORES), "PART": str(part), **(NIGHTLY if nightly else {})}
+    with open(folder / "log", "ab") as log:
+        # A session of its own, so that it can be stopped with all that it started.
+        command = subprocess.Popen(["bash", "-c", f"set -o pipefail; {GRAPH[name].command}"], cwd=TREE, env=environment,
                                    stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
         minutes = MOST_MINUTES_NIGHTLY if nightly else MOST_MINUTES
-        try:
-            status = command.wait(minutes * 60)
-        except subprocess.TimeoutExpired:
-            os.killpg(command.pid, signal.SIGABRT)
-            time.sleep(5)
-            os.killpg(command.pid, signal.SIGKILL)
-            status = command.wait()
-            log.write(f"checks: stopped after {minutes} minutes\n".encode())
-    seconds = time.monotonic() - start
-    tests = list(tests_of(name, folder))
+        too_late = threading.Timer(minutes * 60, stop, (command, log, minutes))
+        too_late.start()
+        _, status, used = os.wait4(command.pid, 0)
+        command.returncode = os.waitstatus_to_exitcode(status)
+        too_late.cancel()
+    return command.returncode, used.ru_utime + used.ru_stime
+
+
+def ended(done, nightly):
+    """What a check that has run says; a failure without a test that failed is a failed test of its own name."""
+    done.tests = list(tests_of(done.name, OUT / done.name))
     if not nightly:
-        for test in tests:
-            longest = LONGEST if name in BEFORE_SHOWING else LONGEST_OF_REST
+        longest = LONGEST if done.name in BEFORE_SHOWING else LONGEST_OF_REST
+        for test in done.tests:
             if test.outcome == "passed" and test.seconds > longest and not any(long in test.name for long in LONG_TESTS):
                 test.outcome, test.said = "failed", f"took {test.seconds:.1f} s, more than {longest:.0f}"
-    wrong = status != 0 and not any(test.outcome == "failed" for test in tests)
-    if wrong or not tests and not name.startswith("build-"):
-        tests.append(Test(name, name, seconds if not tests else 0, "failed" if wrong else "passed"))
-    return Run(name, status, seconds, tests)
+    wrong = done.status != 0 and not any(test.outcome == "failed" for test in done.tests)
+    if wrong or not done.tests and not done.name.startswith("build-"):
+        seconds = done.end - done.start if not done.tests else 0
+        done.tests.append(Test(done.name, done.name, seconds, "failed" if wrong else "passed"))
+    return done
 
 
 def report(done):
@@ -187,7 +198,8 @@ def report(done):
     failed = [test for test in done.tests if test.outcome == "failed"]
     count = sum(test.outcome == "passed" for test in done.tests)
     word = "FAIL" if failed else "ok"
-    print(f"  {word:5} {done.name:17} {count:5} passed {done.seconds:5.0f} s", flush=True)
+    print(f"  {word:5} {done.name:17} {count:5} passed {done.start:5.0f} to {done.end:4.0f} s, "
+          f"{done.processor:4.0f} s of a processor", flush=True)
     for test in failed[:20]:
         print(f"        {test.name}")
         for line in test.said.strip().splitlines()[:12]:
@@ -208,34 +220,74 @@ def with_needs(names):
     return [name for name in GRAPH if name in wanted]
 
 
-def run_all(names, nightly):
-    """As many beside each other as there are cores; what needs something that failed has failed."""
-    waiting, running, runs = with_needs(names), {}, {}
-    changed = threading.Condition()
+class Schedule:
+    """As many beside each other as there are cores, in the order of the graph; what needs something that
+    failed has failed."""
 
-    def work(name):
-        done = run(name, GRAPH[name], nightly)
-        with changed:
-            runs[name] = done
-            del running[name]
-            report(done)
-            changed.notify()
+    def __init__(self, names, nightly):
+        self.nightly = nightly
+        self.began = time.monotonic()
+        self.waiting = [(name, part) for name in with_needs(names) for part in range(GRAPH[name].parts)]
+        self.running = []
+        self.runs = {}
+        self.left = {name: GRAPH[name].parts for name, _ in self.waiting}
+        self.changed = threading.Condition()
 
-    with changed:
-        while waiting or running:
-            for name in list(waiting):
-                needs = GRAPH[name].needs
-                if any(runs[need].status != 0 for need in needs if need in runs):
-                    waiting.remove(name)
-                    runs[name] = Run(name, 1, 0.0, [Test(name, f"{name}: what it needs was not built", 0.0, "failed")])
-                    report(runs[name])
-                elif all(need in runs for need in needs) and GRAPH[name].cores + sum(running.values()) <= CORES:
-                    waiting.remove(name)
-                    running[name] = GRAPH[name].cores
-                    threading.Thread(target=work, args=(name,)).start()
-            if running:
-                changed.wait()
-    return list(runs.values())
+    def now(self):
+        return time.monotonic() - self.began
+
+    def begin(self, name, part):
+        if name not in self.runs:
+            shutil.rmtree(OUT / name, ignore_errors=True)
+            (OUT / name).mkdir(parents=True)
+            self.runs[name] = Run(name, 0, [], self.now())
+        self.running.append((name, part))
+        threading.Thread(target=self.work, args=(name, part)).start()
+
+    def work(self, name, part):
+        status, processor = run_part(name, part, self.nightly)
+        with self.changed:
+            done = self.runs[name]
+            done.status, done.end = done.status or status, self.now()
+            done.processor += processor
+            self.left[name] -= 1
+            self.running.remove((name, part))
+            if self.left[name] == 0:
+                report(ended(done, self.nightly))
+            self.changed.notify()
+
+    def give_up(self, name):
+        self.waiting = [each for each in self.waiting if each[0] != name]
+        self.left[name] = 0
+        said = f"{name}: what it needs was not built"
+        self.runs[name] = Run(name, 1, [Test(name, said, 0.0, "failed")], self.now(), self.now())
+        report(self.runs[name])
+
+    def begin_what_can(self):
+        for name, part in list(self.waiting):
+            needs = [need for need in GRAPH[name].needs if self.left[need] == 0]
+            if self.left[name] and any(self.runs[need].status != 0 for need in needs):
+                self.give_up(name)
+            used = sum(GRAPH[other].cores for other, _ in self.running)
+            if (name, part) in self.waiting and len(needs) == len(GRAPH[name].needs) and GRAPH[name].cores + used <= CORES:
+                self.waiting.remove((name, part))
+                self.begin(name, part)
+
+    def run(self):
+        with self.changed:
+            while self.waiting or self.running:
+                self.begin_what_can()
+                if self.running:
+                    self.changed.wait()
+        return list(self.runs.values())
+
+
+def draw(runs):
+    """When each ran, over the whole time."""
+    whole = max(done.end for done in runs) or 1.0
+    for done in runs:
+        first, last = (round(60 * at / whole) for at in (done.start, done.end))
+        print(f"  {done.name:17} {' ' * first}{'=' * max(last - first, 1)}")
 
 
 def main():
@@ -244,18 +296,19 @@ def main():
     names = SETS.get(words[0], words) if words else BEFORE_SHOWING
     if unknown := [name for name in names if name not in GRAPH]:
         sys.exit(f"checks: unknown check '{unknown[0]}' (rest, nightly, {', '.join(GRAPH)})")
-    start = time.monotonic()
-    runs = run_all(names, nightly)
+    runs = Schedule(names, nightly).run()
     tests = [test for done in runs for test in done.tests]
     slowest = sorted(tests, key=lambda test: -test.seconds)[:10]
     print("\nThe ten slowest tests:")
     for test in slowest:
         print(f"  {test.seconds:6.1f} s  {test.check}: {test.name[:110]}")
+    print()
+    draw(runs)
     OUT.joinpath("times.json").write_text(json.dumps(
-        {"checks": {done.name: round(done.seconds, 1) for done in runs},
+        {"checks": {done.name: [round(at, 1) for at in (done.start, done.end, done.processor)] for done in runs},
          "tests": [[test.check, test.name, test.seconds, test.outcome] for test in tests]}, indent=0))
     count = {word: sum(test.outcome == word for test in tests) for word in ("passed", "failed", "skipped")}
-    print(f"\n{time.monotonic() - start:.0f} s")
+    print(f"\n{max(done.end for done in runs):.0f} s, {sum(done.processor for done in runs):.0f} s of a processor")
     print(f"{count['passed']} passed, {count['failed']} failed, {count['skipped']} skipped")
     sys.exit(count["failed"] > 0)
 

@@ -9,7 +9,7 @@ arguments swapped), makes one at a time in a copy of the tree and runs checks on
 Prints a line for each: its number, what was changed, and what caught it; ends with the count. A mutation of
 the core is given to the compiler, then to the C++ tests, without sanitizers, the quickest first, each as long as
 the last `checks.py native sanitize` in this tree says, until one fails; only what they leave goes to the checks
-named. --tests 150 ends with the quickest that take 150 s together, --only 3,17 goes on with these. The copy lies in
+named. --tests 80 ends with the quickest that take so many seconds together, --only 3,17 goes on with these. The copy lies in
 build/mutations/ with a build of its own.
 """
 
