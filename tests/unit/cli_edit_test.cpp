@@ -95,15 +95,15 @@ TEST_F(Cli, EditMovesTheHandleAndReports) {
   const Mesh before = load("a.obj"), after = load("b.obj");
   EXPECT_GT(after.positions(2, 65), before.positions(2, 65) + 0.3);
   EXPECT_EQ(after.positions.col(11), before.positions.col(11));
-  const auto json = nlohmann::json::parse(contents(directory_ / "r.json"));
-  EXPECT_EQ(json["solver"], "newton");
-  EXPECT_LE(json["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
+  const auto told = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(told["solver"], "newton");
+  EXPECT_LE(told["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
   int moved = 0;
   for (int v = 0; v < before.vertex_count(); ++v) {
     moved += before.positions.col(v) != after.positions.col(v) ? 1 : 0;
   }
-  EXPECT_EQ(json["moved_vertices"], moved);
-  EXPECT_FALSE(json.contains("planarised_first"));
+  EXPECT_EQ(told["moved_vertices"], moved);
+  EXPECT_FALSE(told.contains("planarised_first"));
 }
 
 /// Vertex 65 of 12 × 12 is at column 5, row 5; a millimetre is the unit of the second model.
@@ -172,13 +172,13 @@ TEST_F(Cli, WeightsAndSoftnessTogetherAreRefusedByName) {
 }
 
 TEST_F(Cli, KeepsPanelsCircularAndReplaysIt) {
-  const auto json = [&](const char* name) {
+  const auto read = [&](const char* name) {
     return nlohmann::json::parse(contents(directory_ / name));
   };
   const std::string edit =
       "edit sample:dome:12 --handle 66+=0,0,0.3 --constraint circular --report r.json ";
   ASSERT_EQ(run(edit + "-o edited.glb --design d.json"), 0) << err();
-  const auto violations = json("r.json")["violations"];
+  const auto violations = read("r.json")["violations"];
   ASSERT_EQ(violations.size(), 2u);
   EXPECT_EQ(violations[0]["kind"], "planar");
   EXPECT_EQ(violations[0]["unit"], "mm/m");
@@ -188,22 +188,22 @@ TEST_F(Cli, KeepsPanelsCircularAndReplaysIt) {
   EXPECT_LE(violations[1]["after_max"].get<double>(), 1e-9);
   for (const std::string design : {"d.json", "edited.glb"}) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
-    EXPECT_EQ(json("again.json")["violations"], violations);
+    EXPECT_EQ(read("again.json")["verified"], true);
+    EXPECT_EQ(read("again.json")["violations"], violations);
   }
 }
 
 TEST_F(Cli, KeepsALimitAndReplaysIt) {
-  const auto json = [&](const char* name) {
+  const auto read = [&](const char* name) {
     return nlohmann::json::parse(contents(directory_ / name));
   };
   const std::string edit =
       "edit sample:vault:24 --handle 300+=0,0,1 --reach 4 --softness 5 --report r.json ";
   ASSERT_EQ(run(edit), 0) << err();
-  const double sharp = json("r.json")["sharpest_fold"]["after"];
+  const double sharp = read("r.json")["sharpest_fold"]["after"];
   ASSERT_GT(sharp, 15.0);
   ASSERT_EQ(run(edit + "--bound fold=15 --bound area=2 -o edited.glb --design d.json"), 0) << err();
-  const auto report = json("r.json");
+  const auto report = read("r.json");
   EXPECT_LE(report["sharpest_fold"]["after"].get<double>(), 15.0);
   ASSERT_EQ(report["bounds"].size(), 2u);
   EXPECT_EQ(report["bounds"][0]["name"], "fold");
@@ -211,7 +211,7 @@ TEST_F(Cli, KeepsALimitAndReplaysIt) {
   EXPECT_EQ(report["bounds"][1]["name"], "area");
   for (const std::string design : {"d.json", "edited.glb"}) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
+    EXPECT_EQ(read("again.json")["verified"], true);
   }
 }
 
@@ -355,19 +355,19 @@ TEST_F(Cli, AnEditOfAMeshThatIsNotFlatSaysSo) {
   save("bent.obj", write_mesh(bent, MeshFormat::kObj));
   ASSERT_EQ(run("edit bent.obj --handle 55+=0,0,0.4 -o b.obj --report -"), 0) << err();
   EXPECT_NE(err().find("bent.obj: not flat; planarised first, which moved "), std::string::npos);
-  const auto json = nlohmann::json::parse(out());
-  EXPECT_GT(json["planarised_first"]["max_move"].get<double>(), 0.0);
-  EXPECT_GT(json["planarity_mm_per_m"]["before_max"].get<double>(), 1.0);
-  EXPECT_LE(json["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
+  const auto told = nlohmann::json::parse(out());
+  EXPECT_GT(told["planarised_first"]["max_move"].get<double>(), 0.0);
+  EXPECT_GT(told["planarity_mm_per_m"]["before_max"].get<double>(), 1.0);
+  EXPECT_LE(told["planarity_mm_per_m"]["after_max"].get<double>(), 1e-6);
 }
 
 TEST_F(Cli, ExploreReportsItsSubspace) {
   ASSERT_EQ(run("sample vault --size 12 -o a.obj"), 0);
   ASSERT_EQ(run("explore a.obj --handle 65+=0,0,0.5 --dimension 2 -o b.glb --report r.json"), 0)
       << err();
-  const auto json = nlohmann::json::parse(contents(directory_ / "r.json"));
-  EXPECT_EQ(json["subspace"]["dimension"], 2);
-  EXPECT_LE(json["subspace"]["orthonormality_error"].get<double>(), 1e-8);
+  const auto told = nlohmann::json::parse(contents(directory_ / "r.json"));
+  EXPECT_EQ(told["subspace"]["dimension"], 2);
+  EXPECT_LE(told["subspace"]["orthonormality_error"].get<double>(), 1e-8);
   EXPECT_EQ(load("b.glb").face_count(), 121);
 }
 

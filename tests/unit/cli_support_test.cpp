@@ -19,7 +19,7 @@ using testing::Cli;
 using testing::contents;
 
 TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
-  const auto json = [&](const std::string& name) {
+  const auto read = [&](const std::string& name) {
     return nlohmann::json::parse(contents(directory_ / name));
   };
   const std::string edit = "edit sample:vault:12 --handle 66+=0.2,0,0.6 --report r.json ";
@@ -27,17 +27,17 @@ TEST_F(Cli, SupportsAreKeptReportedAndReplayed) {
                        "--design d.json"),
             0)
       << err();
-  const auto supports = json("r.json")["supports"];
+  const auto supports = read("r.json")["supports"];
   ASSERT_EQ(supports.size(), 2u);
   EXPECT_EQ(supports[0]["name"], "outline:boundary");
   EXPECT_LE(supports[0]["distance_max"].get<double>(), 1e-9);
   EXPECT_EQ(supports[1], (nlohmann::json{{"name", "level=x:65,67"}, {"distance_max", 0.0}}));
-  EXPECT_EQ(json("d.json")["supports"], (nlohmann::json{"outline:boundary", "level=x:65,67"}));
+  EXPECT_EQ(read("d.json")["supports"], (nlohmann::json{"outline:boundary", "level=x:65,67"}));
   for (const std::string design : {"d.json", "edited.glb"}) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
-    EXPECT_EQ(json("again.json")["supports"], supports);
-    EXPECT_EQ(json("again.json")["spoilt_faces"], json("r.json")["spoilt_faces"]);
+    EXPECT_EQ(read("again.json")["verified"], true);
+    EXPECT_EQ(read("again.json")["supports"], supports);
+    EXPECT_EQ(read("again.json")["spoilt_faces"], read("r.json")["spoilt_faces"]);
   }
 }
 

@@ -91,20 +91,20 @@ TEST_F(Cli, ASymmetryThatIsNoneIsRefusedInWords) {
 }
 
 TEST_F(Cli, VariationsKeepASymmetryAndAreReplayed) {
-  const auto json = [&](const std::string& name) {
+  const auto read = [&](const std::string& name) {
     return nlohmann::json::parse(contents(directory_ / name));
   };
   ASSERT_EQ(run("explore sample:vault:13 --handle 20+=0.05,0,0.3 --pin 60 --dimension 2 "
                 "--symmetry x --coefficients 0.6,-0.4 --exact --report r.json --design d.json"),
             0)
       << err();
-  EXPECT_EQ(json("r.json")["symmetry"]["images"], 2);
-  EXPECT_LE(json("r.json")["symmetry"]["asymmetry_mean_edges"].get<double>(), 1e-9);
-  EXPECT_EQ(json("r.json")["exact"]["status"], "converged");
-  EXPECT_EQ(json("d.json")["symmetry"], (nlohmann::json{"x"}));
-  EXPECT_EQ(json("d.json")["pins"], (nlohmann::json{60})) << "without its image";
+  EXPECT_EQ(read("r.json")["symmetry"]["images"], 2);
+  EXPECT_LE(read("r.json")["symmetry"]["asymmetry_mean_edges"].get<double>(), 1e-9);
+  EXPECT_EQ(read("r.json")["exact"]["status"], "converged");
+  EXPECT_EQ(read("d.json")["symmetry"], (nlohmann::json{"x"}));
+  EXPECT_EQ(read("d.json")["pins"], (nlohmann::json{60})) << "without its image";
   ASSERT_EQ(run("replay d.json --report again.json"), 0) << err();
-  EXPECT_EQ(json("again.json")["verified"], true);
+  EXPECT_EQ(read("again.json")["verified"], true);
 }
 
 }  // namespace

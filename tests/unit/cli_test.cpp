@@ -151,12 +151,12 @@ TEST_F(Cli, OnePanelIsOnePanel) {
 TEST_F(Cli, InfoPrintsJson) {
   ASSERT_EQ(run("sample vault --size 5 -o a.obj"), 0);
   ASSERT_EQ(run("info a.obj"), 0) << err();
-  const auto json = nlohmann::json::parse(out());
-  EXPECT_EQ(json["mesh"]["vertices"], 25);
-  EXPECT_EQ(json["mesh"]["face_sizes"]["4"], 16);
-  EXPECT_EQ(json["mesh"]["boundary_loops"], 1);
-  EXPECT_EQ(json["symmetry"]["elements"], (nlohmann::json{"x", "y", "axis:z:2"}));
-  EXPECT_EQ(json["symmetry"]["images"], 4);
+  const auto told = nlohmann::json::parse(out());
+  EXPECT_EQ(told["mesh"]["vertices"], 25);
+  EXPECT_EQ(told["mesh"]["face_sizes"]["4"], 16);
+  EXPECT_EQ(told["mesh"]["boundary_loops"], 1);
+  EXPECT_EQ(told["symmetry"]["elements"], (nlohmann::json{"x", "y", "axis:z:2"}));
+  EXPECT_EQ(told["symmetry"]["images"], 4);
   ASSERT_EQ(run("sample freeform --size 5 -o b.obj"), 0);
   ASSERT_EQ(run("info b.obj"), 0) << err();
   EXPECT_EQ(nlohmann::json::parse(out())["symmetry"]["elements"], nlohmann::json::array());

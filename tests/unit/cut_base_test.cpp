@@ -57,7 +57,8 @@ TEST(SupportsAfterCuts, OutlinesTakeNoPointInside) {
   for (const AddedPoint& point : cut.added) {
     const std::string ends = std::to_string(point.from) + "," + std::to_string(point.to);
     const bool on_boundary = point.from % 4 == 0 || point.from % 4 == 3;
-    const std::string more = on_boundary ? "," + std::to_string(point.vertex) : "";
+    std::string more;
+    if (on_boundary) more.append(",").append(std::to_string(point.vertex));
     EXPECT_EQ(carried("outline:" + ends, cut), "outline:" + ends + more);
   }
 }
