@@ -46,7 +46,7 @@ TEST(SessionSplitting, FindsLinesWhoseEditIsTheOneThatTheyPromise) {
   ASSERT_FALSE(cuts.empty());
   EXPECT_TRUE(session.moved().empty());
   std::string lines;
-  for (const Cut& cut : cuts) lines += (lines.empty() ? "" : "\n") + cut_text(cut);
+  for (const Cut& cut : cuts) lines.append(lines.empty() ? "" : "\n").append(cut_text(cut));
   ASSERT_EQ(session.set_cuts(lines, kEvened), std::nullopt);
   EXPECT_TRUE(testing::same_bits(session.base(), mesh));
   ASSERT_EQ(session.edit(EditMode::kSolve, pull_of(session), 0.0), std::nullopt);
@@ -68,7 +68,7 @@ TEST(SessionSplitting, CutsImagesUnderASymmetry) {
   ASSERT_FALSE(split.cuts.empty());
   EXPECT_EQ(split.cuts.size(), 2U * static_cast<std::size_t>(split.curve.back().lines));
   std::string lines;
-  for (const Cut& cut : split.cuts) lines += (lines.empty() ? "" : "\n") + cut_text(cut);
+  for (const Cut& cut : split.cuts) lines.append(lines.empty() ? "" : "\n").append(cut_text(cut));
   ASSERT_EQ(session.set_cuts(lines, kEvened), std::nullopt);
   EXPECT_TRUE(testing::same_bits(session.base(), split.mesh));
   ASSERT_EQ(session.edit(EditMode::kSolve, pull_of(session), 0.0), std::nullopt);
