@@ -5,14 +5,17 @@ meshes pulled one to two edges along the normal, softness 3, folds at most 8 deg
 that stop more than 5 % short there, `--split-where-needed 4` is measured with folds up to 30 degrees sharper
 (and with 8 for the first SHARP of a mesh): the curve falls strictly, and every tenth design replays to the bit.
 Writes a line an edit, then the shares. A NAME is a sample:size, a shared mesh, or the path of one made flat
-already; what is drawn depends on the name and SEED alone, so meshes may be measured in pieces.
+already; what is drawn depends on the name and SEED alone, so meshes may be measured in pieces. An edit that
+takes more than LIMIT seconds of processor time is ended there and counts by what it found.
 
-Usage: /usr/bin/python3 .tools/splits.py [--edits N] [--sharp N] [--seed N] [--planish FILE] [NAME...]"""
+Usage: /usr/bin/python3 .tools/splits.py [--edits N] [--sharp N] [--seed N] [--limit SECONDS] [--planish FILE] [NAME...]"""
 
 import argparse
 import collections
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -36,6 +39,7 @@ def said(*words, folder):
 
 
 said.planish = PLANISH
+said.limit = float("inf")
 
 
 def flat_mesh(name, folder):
@@ -69,12 +73,27 @@ def normal_at(v, points, panels):
     return total / np.linalg.norm(total)
 
 
+def processor_time(pid):
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def edited(folder, handle, fold, *more):
-    run = said("edit", "m.obj", f"--handle={handle}", *PAGE, f"--bound=fold=+{fold}", *more, "--report", "e.json",
-               "-o", "e.obj", "--design", "e.design.json", folder=folder)
-    if run.returncode not in (0, 4):
-        raise RuntimeError(run.stderr)
-    return json.loads((folder / "e.json").read_text())
+    """The report, and whether the edit was ended early, as by Ctrl-C, which keeps what it found."""
+    words = ["edit", "m.obj", f"--handle={handle}", *PAGE, f"--bound=fold=+{fold}", *more, "--report", "e.json",
+             "-o", "e.obj", "--design", "e.design.json"]
+    (folder / "e.json").unlink(missing_ok=True)
+    ended = False
+    with (folder / "said.txt").open("w") as spoken, subprocess.Popen(
+            [said.planish, *words], cwd=folder, stdout=spoken, stderr=spoken) as run:
+        while run.poll() is None:
+            if not ended and processor_time(run.pid) > said.limit:
+                run.send_signal(signal.SIGINT)
+                ended = True
+            time.sleep(0.02)
+    if not (folder / "e.json").exists():
+        raise RuntimeError((folder / "said.txt").read_text())
+    return json.loads((folder / "e.json").read_text()), ended
 
 
 def replays(folder):
@@ -84,16 +103,16 @@ def replays(folder):
 
 def measure_split(folder, handle, fold, way):
     begin = time.monotonic()
-    report = edited(folder, handle, fold, "--split-where-needed=4")
+    report, ended = edited(folder, handle, fold, "--split-where-needed=4")
     curve = report["splits"]["curve"]
     errors = [standing["handle_error"] / way for standing in curve]
     falls = all(after < before for before, after in zip(errors, errors[1:], strict=False))
     steps = " ".join(f"{s['cuts']}:{100 * e:.0f}%({s['remade_panels']},{s['sharpest_fold']:.0f})"
                      for s, e in zip(curve, errors, strict=True))
     print(f"   fold=+{fold} {time.monotonic() - begin:.1f} s, {report['splits']['tried']} tried, "
-          f"{report['splits']['factorizations']} factorizations: {steps}", flush=True)
+          f"{report['splits']['factorizations']} factorizations: {steps}{' ended' * ended}", flush=True)
     agrees = abs(report["handle_error"] / way - errors[-1]) < 1e-12
-    return errors[-1] <= WITHIN, curve[-1]["cuts"], falls and agrees
+    return errors[-1] <= WITHIN, curve[-1]["cuts"], falls and agrees, ended
 
 
 def asked():
@@ -102,6 +121,7 @@ def asked():
     parser.add_argument("--edits", type=int, default=200, help="over all meshes")
     parser.add_argument("--sharp", type=int, default=0, help="of a mesh, at +8 as well")
     parser.add_argument("--seed", type=int, default=38)
+    parser.add_argument("--limit", type=float, default=float("inf"), metavar="SECONDS")
     parser.add_argument("--planish", type=pathlib.Path, default=PLANISH)
     parser.add_argument("names", nargs="*", default=[*SAMPLES, *shared], metavar="NAME")
     return parser.parse_args()
@@ -110,7 +130,7 @@ def asked():
 def main():
     given = asked()
     names, edits = given.names, given.edits
-    said.planish = given.planish.resolve()
+    said.planish, said.limit = given.planish.resolve(), given.limit
     found = []
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
@@ -130,7 +150,7 @@ def main():
                 way = edge * rng.uniform(1.0, 2.0)
                 move = normal_at(v, points, panels) * way * rng.choice([-1.0, 1.0])
                 handle = f"{v}+=" + ",".join(map(repr, move.tolist()))
-                if edited(folder, handle, 8)["handle_error"] <= WITHIN * way:
+                if edited(folder, handle, 8)[0]["handle_error"] <= WITHIN * way:
                     continue
                 share -= 1
                 print(f"{name} {handle}", flush=True)
@@ -142,6 +162,7 @@ def main():
     print(f"{len(found)} edits stop short at +8")
     for cuts in range(5):
         print(f"  at +30 with at most {cuts} cuts {sum(f[0][0] and f[0][1] <= cuts for f in found)} arrive")
+    print(f"  {sum(f[0][3] for f in found)} are ended")
     at_8 = [f[2] for f in found if f[2]]
     print(f"  at +8 with at most 4 cuts {sum(f[0] for f in at_8)} of {len(at_8)}")
     bad = sum(not f[0][2] or not f[1] or bool(f[2] and not f[2][2]) for f in found)
