@@ -36,6 +36,7 @@ class EditSearch {
   [[nodiscard]] Optimality optimality(const ExactDesign& design);
 
   [[nodiscard]] WorkingSetNewton& newton() { return newton_; }
+  [[nodiscard]] const WorkingSetNewton& newton() const { return newton_; }
 
  private:
   /// What an edit within a reach is worth: steps of its searches and of its settling.

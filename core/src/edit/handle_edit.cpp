@@ -57,6 +57,8 @@ class HandleEditSolver::State {
     return drag_->frame(budget_seconds);
   }
 
+  std::vector<CornerForce> corner_forces() const { return search_->newton().corner_forces(); }
+
   void keep_frame() { drag_->keep_frame(); }
   void go_back() { drag_->go_back(); }
 
@@ -104,6 +106,8 @@ HandleEditResult HandleEditSolver::solve_symmetric(const EditTargets& targets,
                                                    const Progress& progress) {
   return state_->solve_symmetric(targets, symmetry, progress);
 }
+
+std::vector<CornerForce> HandleEditSolver::corner_forces() const { return state_->corner_forces(); }
 
 HandleEditResult HandleEditSolver::drag(const EditTargets& targets, double budget_seconds) {
   return state_->drag(targets, budget_seconds);

@@ -41,6 +41,24 @@ std::vector<TrackForce> WorkingSetNewton::track_forces() {
   return forces;
 }
 
+std::vector<CornerForce> WorkingSetNewton::corner_forces() const {
+  std::vector<CornerForce> forces;
+  const auto& offsets = model_.element_offsets[ConstraintKinds::index_of<PlanarPolygon>()];
+  const auto& rows = patch_.equations.of<PlanarPolygon>();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double multiplier = state_.multipliers[static_cast<Eigen::Index>(k)];
+    if (multiplier == 0.0) continue;
+    const auto panel = std::upper_bound(offsets.begin(), offsets.end(), patch_.equation_ids[k]);
+    const FourPoints slope = gradient(rows[k], corners_at(patch_, state_.displacement, rows[k]));
+    for (std::size_t c = 0; c < rows[k].vertices.size(); ++c) {
+      forces.push_back({static_cast<int>(panel - offsets.begin()) - 1,
+                        patch_.vertices[at(rows[k].vertices[c])],
+                        multiplier * slope.col(static_cast<Eigen::Index>(c))});
+    }
+  }
+  return forces;
+}
+
 void WorkingSetNewton::judge_rests(const EditProblem& problem, double rest, Optimality& result) {
   judge(patch_, *problem.slides, track_forces(), rest, result);
 }

@@ -11,6 +11,7 @@
 #include "engines/patch_system.hpp"
 #include "engines/primal_dual_step.hpp"
 #include "engines/working_set.hpp"
+#include "planish/problem/corner_force.hpp"
 #include "planish/problem/problem.hpp"
 
 namespace planish {
@@ -99,6 +100,10 @@ class WorkingSetNewton {
   /// @param vertices ascending; @param displacement 3 × |vertices|, all other vertices at rest
   [[nodiscard]] Optimality optimality(const EditProblem& problem, std::span<const int> vertices,
                                       const Eigen::Matrix3Xd& displacement);
+
+  /// How the flatness of the panels pulls at their corners, panel by panel, at the state that the
+  /// last run or settle() left. Panels without a pull are left out.
+  [[nodiscard]] std::vector<CornerForce> corner_forces() const;
 
   /// What pulls at the vertices with tracks, at the state that the last run or settle() left.
   [[nodiscard]] std::vector<TrackForce> track_forces();

@@ -12,6 +12,7 @@
 #include "planish/measures/folds.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/numeric/index.hpp"
+#include "splitting/line_moment.hpp"
 #include "splitting/split_lines.hpp"
 
 namespace planish {
@@ -19,8 +20,11 @@ namespace {
 
 /// So many sets of cuts of one size are gone on from.
 constexpr std::size_t kBeam = 3;
-/// So many lines, the best of them alone, are tried beside others.
+/// So many lines at most are tried beside others.
 constexpr std::size_t kMostLines = 16;
+/// Lines are tried that let go of this share at least of what the one that holds most would, and
+/// of what handles off their targets cost per radian.
+constexpr double kLeastMoment = 1e-2, kLeastGain = 1e-3;
 /// So many panels at most are asked for that are near no handle, and that a limit holds.
 constexpr std::size_t kMostHeld = 6;
 
@@ -33,6 +37,7 @@ struct Tried {
   std::vector<Cut> cuts;
   Mesh mesh;
   HandleEditResult result;
+  std::vector<CornerForce> forces;  ///< of the result
 
   [[nodiscard]] double error() const { return result.report.handle_error; }
 };
@@ -61,16 +66,12 @@ class SplitSearch {
     tell(uncut);
     keep(uncut);
     lines_ = lines_for(uncut.result.report);
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-      ranked_.push_back(static_cast<int>(line));
-    }
     std::vector<Tried> beam;
     beam.push_back(std::move(uncut));
     for (int cuts = 1; cuts <= options_.most_cuts && may_go_on(); ++cuts) {
       beam = with_one_more(beam, cuts);
       if (beam.empty()) break;
       if (is_better(beam.front())) keep(beam.front());
-      if (cuts == 1) rank_lines(beam);
       if (beam.size() > kBeam) beam.erase(at_beam(beam, kBeam), beam.end());
     }
     best_.reached = arrives(best_.result);
@@ -91,7 +92,8 @@ class SplitSearch {
                                   : solver.solve(targets_, progress_);
     stopped_ = stopped_ || result.report.status == SolveStatus::kCancelled;
     best_.cost += result.report.cost;
-    return {std::move(lines), std::move(cuts), std::move(mesh), std::move(result)};
+    return {std::move(lines), std::move(cuts), std::move(mesh), std::move(result),
+            solver.corner_forces()};
   }
 
   [[nodiscard]] static bool is_sound(const HandleEditResult& result) {
@@ -169,33 +171,57 @@ class SplitSearch {
     return lines_with_images(mesh_, adjacency, split_lines(mesh_, panels, handles_), symmetry_);
   }
 
-  /// Each of `beam` with each line that it has not, the best first; with those of other panels only
+  /// Each of `beam` with each line that holds it, the best first; with those of other panels only
   /// where none of a panel at a handle lets the handles arrive.
   std::vector<Tried> with_one_more(const std::vector<Tried>& beam, int cuts) {
     std::vector<Tried> found;
-    add_each(beam, true, found);
+    seen_.clear();
+    for (const Tried& parent : beam) add_each(parent, true, found);
     add_freed(cuts, found);
-    if (found.empty() || !arrives(found.front().result)) add_each(beam, false, found);
+    if (!found.empty() && arrives(found.front().result)) return found;
+    for (const Tried& parent : beam) add_each(parent, false, found);
     return found;
   }
 
-  void add_each(const std::vector<Tried>& beam, bool at_handles, std::vector<Tried>& found) {
-    std::set<LineSet> seen;
-    for (const Tried& parent : beam) {
-      for (const int line : ranked_) {
-        if (stopped_ || best_.solves >= options_.most_solves) break;
-        if (is_at_handle(lines_[at(line)].front()) != at_handles) continue;
-        LineSet lines = parent.lines;
-        const auto place = std::lower_bound(lines.begin(), lines.end(), line);
-        if (place != lines.end() && *place == line) continue;
-        lines.insert(place, line);
-        if (!seen.insert(lines).second) continue;
-        std::vector<Cut> cuts = parent.cuts;
-        Mesh mesh = parent.mesh;
-        if (!cut_along(lines_[at(line)], mesh, cuts)) continue;
-        add(solve(std::move(lines), std::move(cuts), std::move(mesh)), found);
-      }
+  void add_each(const Tried& parent, bool at_handles, std::vector<Tried>& found) {
+    for (const int line : lines_that_hold(parent)) {
+      if (stopped_ || best_.solves >= options_.most_solves) break;
+      if (is_at_handle(lines_[at(line)].front()) != at_handles) continue;
+      LineSet lines = parent.lines;
+      lines.insert(std::lower_bound(lines.begin(), lines.end(), line), line);
+      if (!seen_.insert(lines).second) continue;
+      std::vector<Cut> cuts = parent.cuts;
+      Mesh mesh = parent.mesh;
+      if (!cut_along(lines_[at(line)], mesh, cuts)) continue;
+      add(solve(std::move(lines), std::move(cuts), std::move(mesh)), found);
     }
+  }
+
+  /// Those that it has not across which panels would bend, most first; all where forces are
+  /// unknown.
+  [[nodiscard]] LineSet lines_that_hold(const Tried& tried) const {
+    const Positions shape = apply(tried.mesh, tried.result);
+    std::vector<std::pair<double, int>> by_moment;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const int line = static_cast<int>(k);
+      if (std::binary_search(tried.lines.begin(), tried.lines.end(), line)) continue;
+      double moment = 0.0;
+      for (const SplitLine& image : lines_[k]) {
+        const SplitCut cut = split_along(tried.mesh, image, mesh_.face_count());
+        if (cut.panel < 0) continue;
+        moment = std::max(moment, moment_across(tried.mesh, shape, tried.forces, cut));
+      }
+      by_moment.emplace_back(-moment, line);
+    }
+    std::sort(by_moment.begin(), by_moment.end());
+    LineSet lines;
+    const double cost = kLeastGain * tried.result.report.objective.handle;
+    for (const auto& [moment, line] : by_moment) {
+      if (moment > kLeastMoment * by_moment.front().first) break;
+      if (-moment < cost && !tried.forces.empty()) break;
+      if (tried.lines.empty() || lines.size() < kMostLines) lines.push_back(line);
+    }
+    return lines;
   }
 
   /// Keeps `found` in its order, the best first.
@@ -226,6 +252,7 @@ class SplitSearch {
   void add_freed(int cuts, std::vector<Tried>& found) {
     const LineSet freeing = freeing_lines();
     if (static_cast<int>(freeing.size()) != cuts || cuts < 2 || stopped_) return;
+    if (!seen_.insert(freeing).second) return;
     std::vector<Cut> made;
     Mesh mesh = mesh_;
     for (const int line : freeing) {
@@ -263,14 +290,6 @@ class SplitSearch {
     return false;
   }
 
-  /// Lines that help most alone are those tried together.
-  void rank_lines(const std::vector<Tried>& alone) {
-    ranked_.clear();
-    for (const Tried& tried : alone) {
-      if (ranked_.size() < kMostLines) ranked_.push_back(tried.lines.front());
-    }
-  }
-
   const Mesh& mesh_;
   const EditTargets& targets_;
   const HandleEditOptions& edit_;
@@ -280,7 +299,7 @@ class SplitSearch {
   std::vector<int> handles_;
   double near_ = 0.0;  ///< within which handles arrive
   std::vector<LineImages> lines_;
-  LineSet ranked_;  ///< the lines that are tried, in this order
+  std::set<LineSet> seen_;  ///< those tried of one size
   SplitEdit best_;
   bool stopped_ = false;
 };

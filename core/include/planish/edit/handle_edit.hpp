@@ -15,6 +15,7 @@
 #include "planish/mesh/mesh.hpp"
 #include "planish/numeric/executor.hpp"
 #include "planish/obstacles/keep_out.hpp"
+#include "planish/problem/corner_force.hpp"
 #include "planish/problem/engine.hpp"
 #include "planish/problem/solve_report.hpp"
 #include "planish/supports/point_support.hpp"
@@ -147,6 +148,10 @@ class HandleEditSolver {
   [[nodiscard]] HandleEditResult solve_symmetric(const EditTargets& targets,
                                                  const MeshSymmetry& symmetry,
                                                  const Progress& progress = {});
+
+  /// What holds panels flat where the last solve ended; nothing of panels that hold nothing, and
+  /// nothing at all under the paper's engine.
+  [[nodiscard]] std::vector<CornerForce> corner_forces() const;
 
   /// From the last result: for a drag frame. Exact like solve(), but may follow the path.
   /// Stops early, with the last exact state, once `budget_seconds` is spent.
