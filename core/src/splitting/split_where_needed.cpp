@@ -23,7 +23,7 @@ constexpr std::size_t kBeam = 3;
 /// So many lines at most are tried beside others.
 constexpr std::size_t kMostLines = 16;
 /// Lines are tried that let go of this share at least of what the one that holds most would, and
-/// of what handles off their targets cost per radian.
+/// where the result is certified, of what handles off their targets cost, per radian.
 constexpr double kLeastMoment = 1e-2, kLeastGain = 1e-3;
 /// So many panels at most are asked for that are near no handle, and that a limit holds.
 constexpr std::size_t kMostHeld = 6;
@@ -215,10 +215,12 @@ class SplitSearch {
     }
     std::sort(by_moment.begin(), by_moment.end());
     LineSet lines;
-    const double cost = kLeastGain * tried.result.report.objective.handle;
+    const SolveReport& report = tried.result.report;
+    const bool certified = report.optimality && report.optimality->met();
+    const double least = certified ? kLeastGain * report.objective.handle : 0.0;
     for (const auto& [moment, line] : by_moment) {
       if (moment > kLeastMoment * by_moment.front().first) break;
-      if (-moment < cost && !tried.forces.empty()) break;
+      if (-moment < least && !tried.forces.empty()) break;
       if (tried.lines.empty() || lines.size() < kMostLines) lines.push_back(line);
     }
     return lines;
