@@ -10,6 +10,7 @@
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "fewer_run.hpp"
+#include "lengths.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh_hash.hpp"
 #include "shop_input.hpp"

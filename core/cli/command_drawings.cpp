@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "commands.hpp"
+#include "lengths.hpp"
 #include "planish/fabrication/structure_drawings.hpp"
 #include "report.hpp"
 #include "shop_input.hpp"
@@ -16,7 +18,7 @@ namespace {
 }
 
 /// "x=1.5" is seen from the right, "y=…" from the front, "z=…" from above.
-SectionPlane parse_section(const std::string& text) {
+SectionPlane parse_section(const std::string& text, const std::string& unit) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse_section(text);
   const std::string name = text.substr(0, equals);
@@ -27,14 +29,20 @@ SectionPlane parse_section(const std::string& text) {
       normal[k] = parse_finite(words[static_cast<std::size_t>(k)], "--section");
     const double length = normal.stableNorm();
     if (!(length > 0.0)) throw UsageError("--section: a plane needs a direction");
-    return {normal / length, parse_finite(words[3], "--section") / length};
+    return {normal / length, parse_length(words[3], "--section", unit) / length};
   }
   if (words.size() != 1) refuse_section(text);
-  const double value = parse_finite(words[0], "--section");
+  const double value = parse_length(words[0], "--section", unit);
   if (name == "x") return {Eigen::Vector3d::UnitX(), value};
   if (name == "y") return {{0.0, -1.0, 0.0}, -value};
   if (name == "z") return {Eigen::Vector3d::UnitZ(), value};
   refuse_section(text);
+}
+
+/// "x=500mm:A" with its place as a number, its name as it is.
+std::string plain_place(const std::string& text, const std::string& unit) {
+  const std::size_t end = std::min(text.find(':'), text.size());
+  return plain_lengths(std::string_view(text).substr(0, end), unit) + text.substr(end);
 }
 
 DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& input) {
@@ -48,10 +56,10 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
     if (!(options.scale > 0.0)) throw UsageError("--scale must be greater than 0");
   }
   for (const std::string& text : arguments.texts("--section")) {
-    options.sections.push_back(parse_section(text));
+    options.sections.push_back(parse_section(text, options.model_unit));
   }
   for (const std::string& text : arguments.texts("--axis")) {
-    const auto axis = parse_drawing_axis(text);
+    const auto axis = parse_drawing_axis(plain_place(text, options.model_unit));
     if (!axis) {
       throw UsageError("--axis: \"" + text + "\" is not " + std::string(kDrawingAxisForm));
     }

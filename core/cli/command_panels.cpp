@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "lengths.hpp"
 #include "link_code.hpp"
 #include "planish/fabrication/cutting_package.hpp"
 #include "planish/fabrication/ifc.hpp"
@@ -21,8 +22,8 @@ namespace {
 void set_sheet(const std::string& text, CuttingOptions& options) {
   const std::size_t by = text.find('x');
   if (by == std::string::npos) throw UsageError("--sheet: \"" + text + "\" is not WxH");
-  options.sheet_width = parse_finite(std::string_view(text).substr(0, by), "--sheet");
-  options.sheet_height = parse_finite(std::string_view(text).substr(by + 1), "--sheet");
+  options.sheet_width = parse_length(text.substr(0, by), "--sheet", options.unit);
+  options.sheet_height = parse_length(text.substr(by + 1), "--sheet", options.unit);
   if (!(options.sheet_width > 0.0 && options.sheet_height > 0.0)) {
     throw UsageError("--sheet needs two lengths greater than 0");
   }
@@ -70,9 +71,9 @@ CuttingOptions cutting_options(const Arguments& arguments, const ShopInput& inpu
   options.model_unit = input.model_unit;
   options.names = input.names;
   if (const auto text = arguments.value("--unit")) options.unit = *text;
-  arguments.read("--gap", options.gap);
-  arguments.read("--thickness", options.thickness);
-  arguments.read("--text-height", options.text_height);
+  read_length(arguments, "--gap", options.unit, options.gap);
+  read_length(arguments, "--thickness", options.unit, options.thickness);
+  read_length(arguments, "--text-height", options.unit, options.text_height);
   if (const auto text = arguments.value("--sheet")) set_sheet(*text, options);
   if (const auto text = arguments.value("--scope")) set_scope(*text, options);
   if (const auto text = arguments.value("--by")) set_by(arguments, *text, options);

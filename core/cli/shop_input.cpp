@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "design_input.hpp"
-#include "edit_options.hpp"
+#include "lengths.hpp"
 #include "planish/io/gltf.hpp"
 #include "terminal.hpp"
 

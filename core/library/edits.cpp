@@ -9,6 +9,7 @@
 #include "design_output.hpp"
 #include "edit_options.hpp"
 #include "edit_sentences.hpp"
+#include "lengths.hpp"
 #include "mesh_files.hpp"
 #include "offset_run.hpp"
 #include "planish/design/design_text.hpp"

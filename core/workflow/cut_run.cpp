@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "lengths.hpp"
 #include "planish/fabrication/cutting_plan.hpp"
 #include "planish/mesh/mesh_check.hpp"
 #include "planish/numeric/index.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr std::string_view kCollar = "--collar";
 
-Cut parsed_cut(const std::string& text) {
-  auto cut = parse_cut(text);
+Cut parsed_cut(const std::string& text, const std::string& unit) {
+  auto cut = parse_cut(text.starts_with("trim=") ? plain_lengths(text, unit) : text);
   if (const auto* problem = std::get_if<std::string>(&cut)) throw UsageError(*problem);
   return std::get<Cut>(std::move(cut));
 }
@@ -48,6 +49,7 @@ std::vector<OptionRow> cut_option_rows() {
 }
 
 std::vector<Cut> asked_cuts(const Request& request) {
+  const std::string unit = model_unit(request);
   std::vector<Cut> cuts;
   for (const auto& [option, value] : request.options()) {
     if (option == kCollar) {
@@ -55,7 +57,8 @@ std::vector<Cut> asked_cuts(const Request& request) {
       continue;
     }
     for (const OptionRow& row : cut_option_rows()) {
-      if (row.name == option) cuts.push_back(parsed_cut(option.substr(2) + "=" + text_of(value)));
+      if (row.name != option) continue;
+      cuts.push_back(parsed_cut(option.substr(2) + "=" + text_of(value), unit));
     }
   }
   if (cuts.empty()) throw UsageError("a cut is missing: there are " + std::string(known_cuts()));
@@ -63,8 +66,9 @@ std::vector<Cut> asked_cuts(const Request& request) {
 }
 
 std::vector<Cut> cuts_before_edit(const Request& request) {
+  const std::string unit = model_unit(request);
   std::vector<Cut> cuts;
-  for (const std::string& text : request.texts("--cut")) cuts.push_back(parsed_cut(text));
+  for (const std::string& text : request.texts("--cut")) cuts.push_back(parsed_cut(text, unit));
   return cuts;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "lengths.hpp"
 #include "mesh_files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
 #include "planish/design/cut_base.hpp"
@@ -18,6 +19,8 @@
 
 namespace planish::workflow {
 namespace {
+
+constexpr std::string_view kClearance = "--clearance";
 
 /// {"angle": [60, 120]} as a design says it.
 std::string bound_text(const Json& stated) {
@@ -34,12 +37,22 @@ std::string bound_text(const Json& stated) {
   return text;
 }
 
+/// Lengths and areas that have a unit as plain numbers.
+std::string in_model_units(const std::string& text, const std::string& unit) {
+  if (text.starts_with("area=")) return plain_areas(text, unit);
+  for (const std::string_view name : {"edge=", "sheet=", "slide="}) {
+    if (text.starts_with(name)) return plain_lengths(text, unit);
+  }
+  return text;
+}
+
 }  // namespace
 
 Bounds parse_bounds(const Request& request) {
+  const std::string unit = model_unit(request);
   Bounds bounds;
   for (const Json& stated : request.values("--bound")) {
-    const std::string text = bound_text(stated);
+    const std::string text = in_model_units(bound_text(stated), unit);
     if (text == "shape=on" || text == "shape=off") {
       bounds.keep_shape = text == "shape=on";
     } else if (text.starts_with("flat=")) {
@@ -87,14 +100,14 @@ std::vector<OptionRow> edit_option_rows() {
            "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "
            "mesh=FILE: through none of\nits panels; self: through no other panel;\n"
            "what is there in MESH goes no deeper (repeatable)"},
-          {"--clearance", "D", "kept from every --keep-out (units of the mesh)"},
+          {kClearance, "D", "kept from every --keep-out (units of the mesh)"},
           kConstraintRow,
           {"--locality", "W", "weight ω_s, default 1: higher moves fewer vertices"},
           {"--smoothness", "W", "weight ω_f, default 1: higher bends more softly"},
           {"--softness", "S", "1 … 10, in place of these two weights: higher is wider and gentler"},
           {"--reach", "R", "nothing moves beyond R face rings, or a length such as 1.5m"},
           {"--keep-boundary", "", "boundary points stay, handles excepted"},
-          {"--model-unit", "UNIT", "of the coordinates: mm, cm, m, km, in or ft; default m"},
+          kModelUnitRow,
           {"--attraction", "W", "weight ω_h, default 1000: higher meets the handles closer"},
           {"--fairness", "KIND", "laplacian, second or third; default second"},
           {"--sparsity", "KIND", "l21, l2 or none; default l21"},
@@ -129,20 +142,14 @@ namespace {
 /// ω_h of an edit whose handles are to arrive, where none is asked for.
 constexpr double kArrivingAttraction = 1e5;
 
-constexpr Words<double, 6> kUnits = {
-    {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}}};
-
 /// "4" (face rings) or "1.5m" (a length).
-void set_reach(std::string_view text, std::string_view model_unit, HandleEditOptions& options) {
-  const std::size_t unit = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
-  if (unit == text.size()) {
+void set_reach(std::string_view text, const std::string& unit, HandleEditOptions& options) {
+  if (text.empty() || text.back() < 'a' || text.back() > 'z') {
     options.reach = parse_whole(text, "--reach");
     if (options.reach < 1) throw UsageError("--reach must be at least 1 face ring");
     return;
   }
-  const double metres = parse_word(text.substr(unit), "--reach", kUnits) *
-                        parse_finite(text.substr(0, unit), "--reach");
-  options.reach_length = metres / parse_word(model_unit, "--model-unit", kUnits);
+  options.reach_length = parse_length(text, "--reach", unit);
   if (!(options.reach_length > 0.0)) throw UsageError("--reach must be longer than 0");
 }
 
@@ -182,12 +189,6 @@ std::vector<KeptConstraint> parse_constraints(const Request& request, double& pl
   return constraints;
 }
 
-std::string model_unit(const Request& request) {
-  const std::string unit = request.value("--model-unit").value_or("m");
-  static_cast<void>(parse_word(unit, "--model-unit", kUnits));
-  return unit;
-}
-
 namespace {
 
 ContextMesh to_context(const Mesh& mesh) {
@@ -203,10 +204,13 @@ ContextMesh to_context(const Mesh& mesh) {
 }
 
 /// As designs say it; a model may also be a file.
-KeepOut to_keep_out(const std::string& text) {
+KeepOut to_keep_out(const std::string& text, const std::string& unit) {
   constexpr std::string_view kMesh = "mesh=";
-  if (auto keep_out = parse_keep_out(text)) return std::move(*keep_out);
-  if (text.starts_with(kMesh)) {
+  const bool is_mesh = text.starts_with(kMesh);
+  if (auto keep_out = parse_keep_out(is_mesh ? text : plain_lengths(text, unit))) {
+    return std::move(*keep_out);
+  }
+  if (is_mesh) {
     const LoadedSource model = open_source(text.substr(kMesh.size()));
     return {.kind = KeepOut::Kind::kMesh, .mesh = to_context(model.mesh)};
   }
@@ -214,10 +218,11 @@ KeepOut to_keep_out(const std::string& text) {
 }
 
 void set_keep_outs(const Request& request, HandleEditOptions& options) {
+  const std::string unit = model_unit(request);
   for (const std::string& text : request.texts("--keep-out")) {
-    options.keep_outs.push_back(to_keep_out(text));
+    options.keep_outs.push_back(to_keep_out(text, unit));
   }
-  if (request.has("--clearance") && options.keep_outs.empty()) {
+  if (request.has(kClearance) && options.keep_outs.empty()) {
     throw UsageError("--clearance is from a --keep-out: there is none");
   }
 }
@@ -231,6 +236,7 @@ void read_table(const Request& request, HandleEditOptions& options) {
     if constexpr (std::is_same_v<Value, bool>) {
       value = value || request.has(name);
     } else if constexpr (std::is_same_v<Value, double>) {
+      if (name == kClearance) return read_length(request, name, model_unit(request), value);
       request.read(name, value);
     } else if constexpr (requires { words_for(value); }) {
       read_word(request, name, value);
@@ -292,9 +298,10 @@ void check_vertices(const std::vector<int>& vertices, std::string_view option, c
 namespace {
 
 /// As designs say it; a surface may also be a file.
-std::optional<PointSupport> to_support(const std::string& text) {
+std::optional<PointSupport> to_support(const std::string& text, const std::string& unit) {
   constexpr std::string_view kSurface = "surface=";
-  if (auto support = parse_point_support(text)) return support;
+  const bool placed = text.starts_with("plane=") || text.starts_with("line=");
+  if (auto support = parse_point_support(placed ? plain_lengths(text, unit) : text)) return support;
   const std::size_t colon = text.rfind(':');
   if (!text.starts_with(kSurface) || colon == std::string::npos) return std::nullopt;
   auto support = parse_point_support("surface" + text.substr(colon));
@@ -307,9 +314,10 @@ std::optional<PointSupport> to_support(const std::string& text) {
 }  // namespace
 
 std::vector<PointSupport> parse_supports(const Request& request) {
+  const std::string unit = model_unit(request);
   std::vector<PointSupport> supports;
   for (const std::string& text : request.texts("--support")) {
-    auto support = to_support(text);
+    auto support = to_support(text, unit);
     if (!support) {
       throw UsageError("--support: \"" + text + "\" is none of " + std::string(known_supports()));
     }

@@ -26,9 +26,6 @@ void set_within_handle(const Request& request, double& share);
 
 [[nodiscard]] HandleEditOptions edit_options(const Request& request);
 
-/// Of the coordinates, m unless --model-unit says otherwise. Throws RequestError for another word.
-[[nodiscard]] std::string model_unit(const Request& request);
-
 /// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
 /// @param planar mm/m; set by "planar:TOL"
 [[nodiscard]] std::vector<KeptConstraint> parse_constraints(const Request& request, double& planar);

@@ -5,6 +5,7 @@
 
 #include "cut_run.hpp"
 #include "edit_options.hpp"
+#include "lengths.hpp"
 #include "planish/design/cut_base.hpp"
 #include "split_run.hpp"
 #include "thread_pool.hpp"
@@ -27,7 +28,7 @@ Json parts_of_handle(const std::string& text) {
 }
 
 /// With whether its target is a way from the base.
-std::pair<Handle, bool> parse_handle(const Json& stated) {
+std::pair<Handle, bool> parse_handle(const Json& stated, const std::string& unit) {
   const Json parts = stated.is_object() ? stated : parts_of_handle(text_of(stated));
   const bool relative = parts.contains("by");
   const Json vertex = parts.value("vertex", Json());
@@ -40,7 +41,7 @@ std::pair<Handle, bool> parse_handle(const Json& stated) {
                      "\" needs 3 coordinates");
   }
   for (int c = 0; c < 3; ++c) {
-    handle.target[c] = parse_finite(numbers[static_cast<std::size_t>(c)], "--handle");
+    handle.target[c] = parse_length(numbers[static_cast<std::size_t>(c)], "--handle", unit);
   }
   return {handle, relative};
 }
@@ -84,7 +85,7 @@ EditRequest edit_request(const Request& request) {
   asked.splits = split_options(request);
   asked.types = type_counting(request);
   for (const Json& stated : request.values("--handle")) {
-    const auto [handle, relative] = parse_handle(stated);
+    const auto [handle, relative] = parse_handle(stated, asked.unit);
     asked.targets.handles.push_back(handle);
     asked.relative.push_back(relative);
   }

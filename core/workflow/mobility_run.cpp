@@ -13,6 +13,7 @@
 
 #include "design_input.hpp"
 #include "edit_options.hpp"
+#include "lengths.hpp"
 #include "mesh_files.hpp"
 #include "planish/text/number.hpp"
 #include "thread_pool.hpp"
@@ -112,7 +113,7 @@ MobilityOptions mobility_options(const Request& request) {
     if (!is_stated) options.edit.bounds.push_back(limit);
   }
   if (request.has("--range")) {
-    request.read("--range", options.range);
+    read_length(request, "--range", model_unit(request), options.range);
     if (options.range <= 0.0) throw UsageError("--range must be greater than 0");
   }
   request.read("--steps", options.steps);

@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "lengths.hpp"
 #include "planish/measures/metrics.hpp"
 
 namespace planish::workflow {
 
 std::vector<OptionRow> offset_option_rows() {
   return {{"--distance", "D", "model units; positive is outside"},
+          kModelUnitRow,
           {"--kind", "KIND",
            "face (the planes at the distance), vertex (the points) or parallel\n"
            "(the edges, axes nearest to the normals); default the first there is"}};
@@ -17,7 +19,7 @@ std::vector<OptionRow> offset_option_rows() {
 OffsetOptions offset_options(const Request& request) {
   OffsetOptions options;
   if (!request.has("--distance")) throw UsageError("--distance D is missing");
-  request.read("--distance", options.distance);
+  read_length(request, "--distance", model_unit(request), options.distance);
   if (const auto word = request.value("--kind")) {
     options.kind = offset_kind(*word);
     if (!options.kind) throw UsageError("--kind must be face, vertex or parallel");

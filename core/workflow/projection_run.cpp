@@ -6,6 +6,7 @@
 #include <string>
 
 #include "edit_options.hpp"
+#include "lengths.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/projection/planarising.hpp"
 #include "planish/text/number.hpp"
@@ -27,6 +28,7 @@ std::vector<OptionRow> projection_option_rows() {
       {"--within", "D",
        "no vertex moves farther (units of the mesh); where the flat mesh\n"
        "does, the result is as flat as that allows; with --move see there"},
+      kModelUnitRow,
       {"--reference", "BASE", "vertices that sit where BASE has them prefer to stay"},
       {"--pin", "V,V,...", "vertices that stay where they are"},
       {"--keep-boundary", "", "boundary points stay"},
@@ -55,7 +57,7 @@ ProjectionOptions projection_options(const Request& request) {
     if (within != nullptr && within->ends_with('%')) {
       throw UsageError("--within: a share of the mean edge is for --move; else it is a length");
     }
-    request.read("--within", options.within);
+    read_length(request, "--within", model_unit(request), options.within);
     if (options.within <= 0.0) throw UsageError("--within must be greater than 0");
   }
   const Bounds bounds = parse_bounds(request);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "edit_options.hpp"
+#include "lengths.hpp"
 #include "planish/constraints/fold_limit.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/stopwatch.hpp"
@@ -49,13 +50,14 @@ FewerTypesOptions fewer_types_options(const Mesh& mesh, const Request& request,
     throw UsageError("--move: give either --types K or --within D");
   }
   FewerTypesOptions options;
-  options.move = parse_length(*move, kMove, mean_edge);
+  const std::string unit = model_unit(request);
+  options.move = parse_length(*move, kMove, unit, mean_edge);
   options.mirrored = request.has("--mirrored");
   options.tolerance = projection.tolerance;
   options.supports = projection.supports;
   options.bounds = limits_of(request);
   if (within != nullptr) {
-    options.within = parse_length(*within, "--within", mean_edge);
+    options.within = parse_length(*within, "--within", unit, mean_edge);
   } else {
     request.read(kTypes, options.most_types);
     if (options.most_types < 1) throw UsageError("--types must be at least 1");

@@ -124,12 +124,6 @@ double parse_finite(const Json& value, std::string_view what) {
   return *number;
 }
 
-double parse_length(const Json& value, std::string_view what, double whole) {
-  const std::string text = text_of(value);
-  if (!text.ends_with('%')) return parse_finite(value, what);
-  return 0.01 * parse_finite(text.substr(0, text.size() - 1), what) * whole;
-}
-
 int parse_whole(const Json& value, std::string_view what) {
   const std::string text = text_of(value);
   int number = 0;

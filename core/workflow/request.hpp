@@ -89,9 +89,6 @@ class Request {
 /// A finite decimal number, which may be a text; throws UsageError naming `what` otherwise.
 [[nodiscard]] double parse_finite(const Json& value, std::string_view what);
 
-/// A length, or a share of `whole` with % behind it. Throws UsageError naming `what`.
-[[nodiscard]] double parse_length(const Json& value, std::string_view what, double whole);
-
 /// A whole number that fits an int; throws UsageError naming `what` otherwise.
 [[nodiscard]] int parse_whole(const Json& value, std::string_view what);
 

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "lengths.hpp"
 #include "planish/fabrication/flat_panel.hpp"
 #include "planish/fabrication/joints.hpp"
 #include "planish/fabrication/panel_types.hpp"
@@ -51,7 +52,7 @@ std::optional<TypeCounting> type_counting(const Request& request) {
   counting.within =
       counting.is_share
           ? 0.01 * parse_finite(std::string_view(text).substr(0, text.size() - 1), "--count-types")
-          : parse_finite(*within, "--count-types");
+          : parse_length(*within, "--count-types", model_unit(request));
   if (!(counting.within > 0.0)) throw UsageError("--count-types must be greater than 0");
   counting.mirrored = request.has("--mirrored");
   return counting;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "edit_options.hpp"
+#include "lengths.hpp"
 #include "mesh_files.hpp"
 #include "planish/fabrication/type_table.hpp"
 #include "planish/measures/metrics.hpp"
@@ -19,15 +19,15 @@ namespace {
 constexpr double kDefaultShare = 0.001;
 
 /// "MIN:MAX", or [MIN, MAX].
-JointRange parsed_joint(const Json& stated) {
+JointRange parsed_joint(const Json& stated, const std::string& unit) {
   if (stated.is_array() && stated.size() == 2) {
-    return {parse_finite(stated[0], "--joint"), parse_finite(stated[1], "--joint")};
+    return {parse_length(stated[0], "--joint", unit), parse_length(stated[1], "--joint", unit)};
   }
   const std::string text = text_of(stated);
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) throw UsageError("--joint: \"" + text + "\" is not MIN:MAX");
-  return {parse_finite(text.substr(0, colon), "--joint"),
-          parse_finite(text.substr(colon + 1), "--joint")};
+  return {parse_length(text.substr(0, colon), "--joint", unit),
+          parse_length(text.substr(colon + 1), "--joint", unit)};
 }
 
 Json sizes_json(const std::vector<PanelType>& types) {
@@ -101,8 +101,8 @@ TypeOptions type_options(const Request& request, const Mesh& mesh, const std::st
   if (joint != nullptr && within != nullptr) {
     throw UsageError("--joint and --within: give one, either says the other");
   }
-  if (joint != nullptr) options.joint = parsed_joint(*joint);
-  if (within != nullptr) options.within = parse_length(*within, "--within", mean_edge);
+  if (joint != nullptr) options.joint = parsed_joint(*joint, unit);
+  if (within != nullptr) options.within = parse_length(*within, "--within", unit, mean_edge);
   request.read("--angle", options.degrees);
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
   return options;

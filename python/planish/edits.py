@@ -76,7 +76,7 @@ def edit(
     hard: bool | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
     keep_outs: Iterable[str] | None = None,
-    clearance: float | None = None,
+    clearance: float | str | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
     locality: float | None = None,
     smoothness: float | None = None,
@@ -115,7 +115,8 @@ def edit(
             the texts of the command line, ["fold=+5"].
         keep_outs: where nothing may go, ["below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3",
             "mesh=core.obj"].
-        clearance: kept from every one of them; model units.
+        clearance: kept from every one of them; model units, or a length with its unit such as "50mm", as
+            all lengths here may be.
         constraints: ["circular"] or {"circular": 1e-9}.
         reach: face rings, or a length with its unit such as "1.5m".
         progress: called after every step; False stops with the last valid state and the status

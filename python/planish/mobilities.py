@@ -57,7 +57,7 @@ def mobility(
     mesh: Mesh,
     *,
     vertices: Iterable[int] | None = None,
-    range: float | None = None,
+    range: float | str | None = None,
     steps: int | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,

@@ -74,8 +74,8 @@ def project(
     return Projection(_core.project(mesh._core, request(options), other, progress))
 
 
-def offset(mesh: Mesh, distance: float, *, kind: str | None = None, **more: Any) -> Offset:
-    """The mesh at a distance: `planish offset`. Positive is outside."""
+def offset(mesh: Mesh, distance: float | str, *, kind: str | None = None, **more: Any) -> Offset:
+    """The mesh at a distance: `planish offset`. Positive is outside; model units, or "25mm"."""
     asked = request({"distance": distance, "kind": kind, **more})
     return Offset(_core.offset(mesh._core, asked))
 

@@ -237,7 +237,7 @@ TEST_F(Cli, OffsetsThatAMeshHasNotAreRefused) {
   EXPECT_EQ(run("offset sample:vault:9 --distance 0.1 --kind vertex -o no.obj"), 3);
   EXPECT_NE(err().find("planish project --constraint circular"), std::string::npos);
   EXPECT_FALSE(fs::exists(directory_ / "no.obj"));
-  for (const std::string words : {"", "--distance nan", "--distance 1e101", "--distance 1m",
+  for (const std::string words : {"", "--distance nan", "--distance 1e101", "--distance 1q",
                                   "--distance 1 --kind edge", "--distance 1 -o out.stl"}) {
     EXPECT_EQ(run("offset sample:vault:9 " + words), 2) << words;
     EXPECT_FALSE(err().empty()) << words;

@@ -37,8 +37,8 @@ export interface EditOptions {
   readonly bounds?: Bounds | readonly string[];
   /** Where nothing may go: "below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3", ... */
   readonly keepOuts?: readonly string[];
-  /** Kept from every one of them, model units. */
-  readonly clearance?: number;
+  /** Kept from every one of them, model units or with a unit, "50mm". */
+  readonly clearance?: number | string;
   readonly constraints?: Constraints;
   readonly locality?: number;
   readonly smoothness?: number;

@@ -2,18 +2,18 @@
 // Options as the core reads them: a JSON object, by the core's names. Every option is known to the
 // core alone, with its default, its range and its errors; what is undefined is not asked for.
 
-/** Limits of the edit, in degrees and model units. */
+/** Limits of the edit, in degrees and model units; lengths may have their unit, "50mm". */
 export interface Bounds {
   /** Keep every panel's shape; on unless it is false. */
   readonly shape?: boolean;
   /** Most degrees between neighbours; "+5": at most that much sharper than before. */
   readonly fold?: number | string;
   readonly angle?: readonly [least: number, most: number];
-  readonly edge?: readonly [least: number, most: number];
-  readonly area?: number;
-  readonly sheet?: readonly [width: number, height: number];
+  readonly edge?: readonly [least: number | string, most: number | string];
+  readonly area?: number | string;
+  readonly sheet?: readonly [width: number | string, height: number | string];
   /** How far any point may go across the mean normal of the panels around it. */
-  readonly slide?: number;
+  readonly slide?: number | string;
 }
 
 /** One point and where it goes: by a displacement or to a place. */
