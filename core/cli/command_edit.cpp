@@ -18,6 +18,7 @@ ExitCode run_edit(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
+  print_sentence(motion_sentence(run, json));
   print_sentence(broken_limits_sentence(run));
   print_sentence(sliding_target_sentence(run));
   print_sentence(fewest_sentence(run, json));
@@ -25,7 +26,7 @@ ExitCode run_edit(const Arguments& arguments) {
   print_sentence(shortfall_sentence(run));
   if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));
   save_report(arguments, json);
-  return exit_code(run.report);
+  return exit_code(run);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ ExitCode run_explore(const Arguments& arguments) {
     variation = make_exact(run, family, std::move(variation), progress_line());
   }
   clear_progress_line();
-  ExitCode code = exit_code(run.report);
+  ExitCode code = exit_code(run);
   if (code == kDone && variation.exact) code = exit_code(variation.exact->report);
   const Design design = variation_design(run, family, variation);
   save_design(arguments, design);
@@ -37,8 +37,10 @@ ExitCode run_explore(const Arguments& arguments) {
   print_sentence(damage_sentence(json["spoilt_faces"]));
   print_sentence(fold_sentence(json["sharpest_fold"]));
   print_sentence(outcome_sentence(run.report));
+  print_sentence(motion_sentence(run, json));
   print_sentence(broken_limits_sentence(run));
   print_sentence(sliding_target_sentence(run));
+  print_sentence(shortfall_sentence(run));
   print_sentence(not_exact_sentence(run, variation));
   if (variation.exact) print_sentence(confined_sentence(*variation.exact));
   print_sentence(exact_outcome_sentence(variation));

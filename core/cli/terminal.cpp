@@ -107,6 +107,10 @@ void save_report(const Arguments& arguments, const Json& json) {
 
 ExitCode exit_code(const SolveReport& report) { return report.usable() ? kDone : kToleranceNotMet; }
 
+ExitCode exit_code(const EditRun& run) {
+  return misses_hard_handle(run) ? kToleranceNotMet : exit_code(run.report);
+}
+
 Progress progress_line() {
   if (isatty(STDERR_FILENO) == 0) return {};
   return [step = 0](const IterationRecord& record) mutable {

@@ -36,6 +36,7 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
   add(messages, evened_sentence(run));
   add(messages, damage_sentence(report["spoilt_faces"]));
   add(messages, outcome_sentence(run.report));
+  add(messages, motion_sentence(run, report));
   add(messages, broken_limits_sentence(run));
   add(messages, sliding_target_sentence(run));
   add(messages, fewest_sentence(run, report));

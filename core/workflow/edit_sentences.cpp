@@ -52,6 +52,23 @@ std::optional<std::string> moved_support_sentence(const EditRun& run) {
 
 namespace {
 
+double pull_of(const EditRun& run, const Handle& handle) {
+  return (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
+}
+
+double left_of(const EditRun& run, const Handle& handle) {
+  return (handle.target - run.edited.col(handle.vertex)).norm();
+}
+
+/// How far from their targets handles of --hard are by rounding.
+double hard_slack(const EditRun& run) {
+  constexpr double kRounding = 1e-6;  // of the longest pull
+  double longest = 0.0;
+  for (const Handle& handle : run.targets.handles)
+    longest = std::max(longest, pull_of(run, handle));
+  return kRounding * longest;
+}
+
 /// What keeps a handle from its target, as far as it is known.
 std::string held_by(const EditRun& run, int vertex) {
   for (const PointSupport& support : run.supports) {
@@ -64,20 +81,30 @@ std::string held_by(const EditRun& run, int vertex) {
   for (const BoundStanding& bound : run.report.bounds) {
     if (!bound.binding.empty()) bounds += (bounds.empty() ? "" : ", ") + std::string(bound.name);
   }
-  return bounds.empty() ? "--attraction pulls harder, --hard holds it there" : "held by " + bounds;
+  if (!bounds.empty()) return "held by " + bounds;
+  return run.asked.options.hard_handles ? "flat panels were not found any nearer"
+                                        : "--attraction pulls harder, --hard holds it there";
 }
 
 }  // namespace
 
+bool misses_hard_handle(const EditRun& run) {
+  if (!run.asked.options.hard_handles) return false;
+  const auto& handles = run.targets.handles;
+  return std::any_of(handles.begin(), handles.end(),
+                     [&](const Handle& handle) { return left_of(run, handle) > hard_slack(run); });
+}
+
 std::optional<std::string> shortfall_sentence(const EditRun& run) {
   constexpr double kNoticeable = 0.15;  // of the pull, as the page has it
   if (run.report.status != SolveStatus::kConverged) return std::nullopt;
+  const bool hard = run.asked.options.hard_handles;
   const Handle* worst = nullptr;
   double most = 0.0;
   for (const Handle& handle : run.targets.handles) {
-    const double pull = (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
-    const double left = (handle.target - run.edited.col(handle.vertex)).norm();
-    if (left <= kNoticeable * pull || left <= most) continue;
+    const double left = left_of(run, handle);
+    const double may = hard ? hard_slack(run) : kNoticeable * pull_of(run, handle);
+    if (left <= may || left <= most) continue;
     most = left;
     worst = &handle;
   }
@@ -162,6 +189,20 @@ std::optional<std::string> sliding_target_sentence(const EditRun& run) {
   return "the target of handle " + std::to_string(vertex) + " is " + three_digits(most) +
          " along the surface (units of the mesh), where --bound " + stated_limit_text(*least) +
          " stops it";
+}
+
+std::optional<std::string> motion_sentence(const EditRun& run, const Json& report) {
+  constexpr double kNoticeable = 0.5;  // of the shape's, as the page has it
+  const double shape = report["motion"]["shape_max"].get<double>();
+  const double slide = report["motion"]["slide_max"].get<double>();
+  const auto& bounds = run.asked.options.bounds;
+  const bool limited = std::any_of(bounds.begin(), bounds.end(), [](const StatedLimit& limit) {
+    return limit.name == SlideLimit::kName;
+  });
+  if (!limited && slide <= kNoticeable * shape) return std::nullopt;
+  return "the surface moves by up to " + three_digits(shape) + ", joints slide along it by up to " +
+         three_digits(slide) + " (units of the mesh)" +
+         (limited ? "" : ": --bound slide=MAX limits it");
 }
 
 std::optional<std::string> fewest_sentence(const EditRun& run, const Json& report) {

@@ -21,9 +21,17 @@ namespace planish::workflow {
 /// it did not.
 [[nodiscard]] std::optional<std::string> moved_support_sentence(const EditRun& run);
 
-/// A handle that gets noticeably less far than it is pulled, the worst of them, and what holds it;
-/// nullopt if none does, or where outcome_sentence() has more to say.
+/// A handle that gets noticeably less far than it is pulled, with --hard any less far, the worst of
+/// them, and what holds it; nullopt if none does, or where outcome_sentence() has more to say.
 [[nodiscard]] std::optional<std::string> shortfall_sentence(const EditRun& run);
+
+/// Whether --hard was asked for and a handle is not at its target.
+[[nodiscard]] bool misses_hard_handle(const EditRun& run);
+
+/// How far the surface moves and how far joints slide along it, where that is noticeably further or
+/// has a limit; nullopt otherwise.
+/// @param report of edit_json() or exploration_json()
+[[nodiscard]] std::optional<std::string> motion_sentence(const EditRun& run, const Json& report);
 
 /// Which limits of --bound panels of the base break already, and how many do, where that holds an
 /// edit back that stops short of what was asked for; nullopt otherwise.
