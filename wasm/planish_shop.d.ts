@@ -103,6 +103,8 @@ export interface CuttingHeader {
 export interface DrawnHeader {
   /** 1 : scale. */
   readonly scale: number;
+  /** The same of each of the drawings. */
+  readonly scales: readonly number[];
   /** Sections, from 0, that do not meet the structure. */
   readonly missed: readonly number[];
 }

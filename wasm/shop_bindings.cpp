@@ -101,7 +101,7 @@ val write_views(const ShopDesign& design, const val& order, const ByteSink& sink
   DrawingOptions options = to_drawing_options(order["options"]);
   options.names = design.names;
   const Refusal unread = add_axes(options, order["options"]["axes"]);
-  if (const Refusal problem = unread ? unread : find_problem(options)) {
+  if (const Refusal problem = unread ? unread : find_problem(options, design.mesh)) {
     return refused("The drawings were refused: " + *problem + ".");
   }
   const auto drawings = planish::write_drawings(design.mesh, options);

@@ -51,7 +51,9 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
   options.model_unit = input.model_unit;
   options.names = input.names;
   if (const auto text = arguments.value("--unit")) options.unit = *text;
-  if (const auto text = arguments.value("--scale")) {
+  if (const auto text = arguments.value("--scale"); text == "each") {
+    options.own_scales = true;
+  } else if (text) {
     options.scale = parse_finite(*text, "--scale");
     if (!(options.scale > 0.0)) throw UsageError("--scale must be greater than 0");
   }
@@ -65,7 +67,7 @@ DrawingOptions drawing_options(const Arguments& arguments, const ShopInput& inpu
     }
     options.axes.push_back(*axis);
   }
-  if (const auto problem = find_problem(options)) throw UsageError(*problem);
+  if (const auto problem = find_problem(options, input.mesh)) throw UsageError(*problem);
   return options;
 }
 
@@ -99,7 +101,9 @@ Command drawings_command() {
            {"--axis", "WHERE",
             "x=V:NAME or y=V:NAME, an axis, or z=V:NAME, a level beside those of the lowest and "
             "the highest point, model units; several are allowed, names may be left out"},
-           {"--scale", "N", "of the SVG, 1 : N; default the first usual one that fits A3"},
+           {"--scale", "N|each",
+            "of the SVG, 1 : N; default the first usual one at which all fit A3; each: every\n"
+            "drawing the first at which it does"},
            {"--unit", "UNIT", "of the DXF, full size: mm (default), cm, m, km, in or ft"},
            {"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
            kReportRow},

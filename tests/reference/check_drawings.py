@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Reads drawings of a structure with ezdxf, and holds them against its OBJ file.
 
-Usage: check_drawings.py MESH.obj DRAWINGS.zip   The mesh is in metres, the first section x=V.
+Usage: check_drawings.py MESH.obj DRAWINGS.zip   The first section is x=V.
 Exit 1 names the first fault; 77 without ezdxf.
 """
 
@@ -70,6 +70,10 @@ def coordinate_seen(name, axis):
     return None
 
 
+def level_unit(header):
+    return "ft" if header["model_unit"] in ("in", "ft") else "m"
+
+
 def check_notes(name, layers, texts, header):
     """Axes, levels and sizes are where they are said to be, and say what they are."""
     low, high = ([end(p[k] for line in structure(layers) for p in line) for k in (0, 1)] for end in (min, max))
@@ -86,12 +90,13 @@ def check_notes(name, layers, texts, header):
         assert there == (seen is not None), f"{name}: {axis}"
         if seen is None:
             continue
-        height = axis["at"] * IN_MM[header["unit"]] / 1000.0
+        height = axis["at"] * IN_MM[header["unit"]] / IN_MM[level_unit(header)]
         words = f"{height:+.3f}" if height else "0.000"
         wanted = f"{words} {axis['name']}".strip() if layer == "LEVEL" else axis["name"]
         assert not wanted or wanted in texts, f"{name}: no {wanted} in {texts}"
     title = f"{header['name']}, {name}, 1:{header['scale']:g}, "
-    assert any(text.startswith(title) and header["mesh_hash"] in text for text in texts), f"{name}: {texts}"
+    end_of_title = f"levels in {level_unit(header)}, mesh {header['mesh_hash']}"
+    assert any(text.startswith(title) and text.endswith(end_of_title) for text in texts), f"{name}: {texts}"
 
 
 def extent(lines):
@@ -117,7 +122,7 @@ def check(mesh, path):
     header = json.loads(archive.read("drawings.json"))
     unit, scale = header["unit"], header["scale"]
     points, faces = read_obj(mesh)
-    to_unit = 1000.0 / IN_MM[unit]
+    to_unit = IN_MM[header["model_unit"]] / IN_MM[unit]
     for name, seen in VIEWS.items():
         layers, texts = by_layer(archive, f"{name}-{unit}.dxf")
         lines = structure(layers)

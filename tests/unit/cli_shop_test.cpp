@@ -84,8 +84,10 @@ TEST_F(Cli, AReaderOfDxfAgreesWithTheMeshOnPlanElevationsAndSection) {
                 "--axis x=5.25:B --axis y=3 --axis z=0.5:Träger --axis z=0:"),
             0)
       << err();
+  ASSERT_EQ(run("drawings m.obj -o c.zip --section x=3.3 --model-unit in --axis z=0.5:Eaves"), 0)
+      << err();
   const std::string check = testing::in_tree("tests/reference/check_drawings.py");
-  for (const char* zip : {"a.zip", "b.zip"}) {
+  for (const char* zip : {"a.zip", "b.zip", "c.zip"}) {
     const std::string line = "cd '" + directory_.string() + "' && /usr/bin/python3 '" + check +
                              "' m.obj " + zip + " 2>err";
     const int status = std::system(line.c_str());

@@ -76,6 +76,20 @@ TEST(WriteSvg, HasTheSheetInItsUnitWithTheOriginBelow) {
   EXPECT_NE(write_svg(drawing, 20, 10, "ft").find("width=\"20\""), std::string::npos);
 }
 
+/// In pixels of the screen, whatever the scale is: the cut is heavier than what lies behind it.
+TEST(WriteSvg, DrawsSectionsHeavierThanPanelsAndThoseHeavierThanSizes) {
+  const auto width = [](DrawingLayer layer) {
+    Drawing drawing;
+    drawing.loops.push_back({layer, outline_of({{0, 0}, {2, 0}, {1, 3}})});
+    const std::string svg = write_svg(drawing, 20, 10, "mm"), key = "stroke-width:";
+    return std::stod(svg.substr(svg.find(key) + key.size()));
+  };
+  EXPECT_GT(width(DrawingLayer::kSection), width(DrawingLayer::kOutside));
+  EXPECT_GT(width(DrawingLayer::kOutside), width(DrawingLayer::kInside));
+  EXPECT_GT(width(DrawingLayer::kInside), width(DrawingLayer::kSize));
+  EXPECT_EQ(width(DrawingLayer::kSize), width(DrawingLayer::kAxis));
+}
+
 TEST(PlanarMotion, TurnsAndShiftsOutlinesAndTexts) {
   Drawing part;
   part.loops.push_back({DrawingLayer::kCut, outline_of({{1, 0}, {2, 0}, {1, 1}})});

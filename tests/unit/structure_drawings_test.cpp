@@ -45,6 +45,24 @@ TEST(StructureDrawings, TakeTheFirstUsualScaleThatFits) {
   EXPECT_EQ(header_of(testing::quad_grid(10, 3), options)["scale"], 33.0);
 }
 
+/// A tall structure's plan need not be as small as its elevations.
+TEST(StructureDrawings, MayEachHaveTheFirstScaleAtWhichItFits) {
+  Mesh tall = testing::quad_grid(4, 3);  // 3 × 2
+  for (Eigen::Index v = 0; v < tall.positions.cols(); ++v) {
+    tall.positions(2, v) = 20.0 * tall.positions(0, v);
+  }
+  DrawingOptions options;
+  const auto common = header_of(tall, options);
+  EXPECT_EQ(common["scales"], nlohmann::json(std::vector<double>(5, common["scale"])));
+  options.own_scales = true;
+  const auto own = header_of(tall, options);
+  EXPECT_TRUE(own["scale"].is_null());
+  ASSERT_EQ(own["scales"].size(), own["drawings"].size());
+  EXPECT_EQ(own["scales"][0], 10.0);
+  EXPECT_EQ(own["scales"][1], common["scale"]);
+  EXPECT_GT(common["scale"], 100.0);
+}
+
 /// And the levels of the lowest and the highest point, in the unit of the drawing.
 TEST(StructureDrawings, ShowStatedAxesAndLevelsAndThoseOfTheStructure) {
   DrawingOptions options;
@@ -70,6 +88,23 @@ TEST(DrawingAxis, IsReadFromACoordinateANumberAndAName) {
   EXPECT_EQ(parse_drawing_axis("z=3:")->name, "");
   for (const char* text : {"", "x", "x=", "x=:A", "w=1", "x=nan", "x=inf:A", "x =1", "xy=1"}) {
     EXPECT_FALSE(parse_drawing_axis(text)) << text;
+  }
+}
+
+/// Millimetres that were meant for a mesh in metres would leave a dot of it.
+TEST(DrawingOptions, AreRefusedWithAnAxisFarOffTheStructure) {
+  const Mesh flat = testing::quad_grid(4, 3);  // 3 × 2
+  DrawingOptions options;
+  for (const char* near : {"x=33", "x=-30", "z=30", "y=2"}) {
+    options.axes = {*parse_drawing_axis(near)};
+    EXPECT_FALSE(find_problem(options, flat)) << near;
+  }
+  for (const char* far : {"x=1500:A", "y=-30.1", "z=3200"}) {
+    options.axes = {*parse_drawing_axis("x=1"), *parse_drawing_axis(far)};
+    const auto problem = find_problem(options, flat);
+    ASSERT_TRUE(problem) << far;
+    EXPECT_EQ(problem->find("axis " + std::string(far).substr(0, 2)), 0U) << *problem;
+    EXPECT_NE(problem->find("in the unit of the model, m"), std::string::npos) << *problem;
   }
 }
 

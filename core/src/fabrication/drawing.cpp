@@ -18,21 +18,22 @@ struct LayerStyle {
   int colour;               ///< AutoCAD colour index
   std::string_view stroke;  ///< in SVG
   std::string_view fill;    ///< the same
+  std::string_view width;   ///< the same, pixels at any zoom: 0.26 mm each on paper
 };
 
 /// In the order of DrawingLayer.
-constexpr std::array<LayerStyle, 12> kLayers = {{{"CUT", 7, "#111", "none"},
-                                                 {"MARK", 1, "#c22", "none"},
-                                                 {"TEXT", 3, "#272", "none"},
-                                                 {"GAP", 8, "#999", "none"},
-                                                 {"SHEET", 5, "#36c", "none"},
-                                                 {"OUTSIDE", 7, "#222", "#fff"},
-                                                 {"INSIDE", 9, "#999", "#eee"},
-                                                 {"SECTION", 1, "#c22", "none"},
-                                                 {"AXIS", 8, "#777", "none"},
-                                                 {"LEVEL", 5, "#36c", "none"},
-                                                 {"PLANE", 1, "#c22", "none"},
-                                                 {"SIZE", 3, "#272", "none"}}};
+constexpr std::array<LayerStyle, 12> kLayers = {{{"CUT", 7, "#111", "none", "1"},
+                                                 {"MARK", 1, "#c22", "none", "1"},
+                                                 {"TEXT", 3, "#272", "none", "1"},
+                                                 {"GAP", 8, "#999", "none", "0.7"},
+                                                 {"SHEET", 5, "#36c", "none", "1"},
+                                                 {"OUTSIDE", 7, "#222", "#fff", "1"},
+                                                 {"INSIDE", 9, "#999", "#eee", "0.7"},
+                                                 {"SECTION", 1, "#c22", "none", "2"},
+                                                 {"AXIS", 8, "#777", "none", "0.5"},
+                                                 {"LEVEL", 5, "#36c", "none", "0.7"},
+                                                 {"PLANE", 1, "#c22", "none", "2"},
+                                                 {"SIZE", 3, "#272", "none", "0.5"}}};
 
 const LayerStyle& style_of(DrawingLayer layer) { return kLayers[static_cast<std::size_t>(layer)]; }
 
@@ -256,10 +257,11 @@ std::string write_svg(const Drawing& drawing, double width, double height,
   append_decimals(svg, width);
   svg += ' ';
   append_decimals(svg, height);
-  svg += "\">\n<style>polygon,polyline{stroke-width:1px;vector-effect:non-scaling-stroke}";
+  svg += "\">\n<style>polygon,polyline{vector-effect:non-scaling-stroke}";
   svg += "text{font-family:sans-serif;text-anchor:middle;fill:#272}";
   for (const LayerStyle& layer : used_layers(drawing)) {
     svg.append(".").append(layer.name).append("{stroke:").append(layer.stroke);
+    svg.append(";stroke-width:").append(layer.width).append("px");
     svg.append(";fill:").append(layer.fill).append("}");
   }
   svg += "</style>\n";

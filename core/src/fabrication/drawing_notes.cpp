@@ -174,7 +174,7 @@ class Notes {
     }
   }
 
-  /// Heights in metres, from below upwards, each clear of the one below it.
+  /// Heights, from below upwards, each clear of the one below it.
   void add_levels() {
     std::vector<DrawingAxis> levels;
     for (const DrawingAxis& axis : notes_.axes) {
@@ -202,7 +202,7 @@ class Notes {
   }
 
   [[nodiscard]] std::string height_text(double at) const {
-    std::string text = fixed(at * notes_.metres, 3);
+    std::string text = fixed(at * notes_.levels, 3);
     return text.front() == '-' || at == 0.0 ? text : '+' + text;
   }
 

@@ -22,7 +22,7 @@ struct DrawingNotes {
   std::vector<DrawingAxis> axes;  ///< in the drawing's unit
   std::vector<SectionMark> sections;
   std::string unit;       ///< the drawing's: of sizes
-  double metres = 0.001;  ///< in one of it: levels are written in metres
+  double levels = 0.001;  ///< units of levels (metres, feet) in one of it
   std::string title;      ///< the line below
 };
 

@@ -64,21 +64,27 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   return result;
 }
 
+/// In which levels and places of sections are said: feet of a model in inches or feet, else metres.
+std::string level_unit(const DrawingOptions& options) {
+  return options.model_unit == "in" || options.model_unit == "ft" ? "ft" : "m";
+}
+
 /// " at x = 4.5 m" where one coordinate says it.
-std::string place_of(const SectionPlane& plane, double metres) {
+/// @param levels `unit`s in one of the plane's unit
+std::string place_of(const SectionPlane& plane, double levels, const std::string& unit) {
   for (int k = 0; k < 3; ++k) {
     if (std::abs(plane.normal[k]) != 1.0) continue;
     std::string place = std::string(" at ") + "xyz"[k] + " = ";
-    append_decimals(place, plane.normal[k] * plane.offset * metres);
-    return place + " m";
+    append_decimals(place, plane.normal[k] * plane.offset * levels);
+    return place + ' ' + unit;
   }
   return "";
 }
 
 NamedDrawing draw_section(const std::vector<SectionLine>& lines, const SectionPlane& plane,
-                          std::string name, double metres) {
+                          std::string name, std::string place) {
   const ViewAxes axes = view_from(plane.normal);
-  NamedDrawing result{std::move(name), place_of(plane, metres), axes, {}, {}};
+  NamedDrawing result{std::move(name), std::move(place), axes, {}, {}};
   for (const SectionLine& line : lines) {
     DrawnLoop loop{DrawingLayer::kSection, Outline(2, line.points.cols()), line.closed};
     for (Eigen::Index k = 0; k < line.points.cols(); ++k) {
@@ -116,7 +122,7 @@ std::string title_of(const DrawingOptions& options, const NamedDrawing& drawing,
   const std::string unit = options.unit == "in"   ? "inches"
                            : options.unit == "ft" ? "feet"
                                                   : options.unit;
-  return title + ", sizes in " + unit + ", levels in m, mesh " + hash;
+  return title + ", sizes in " + unit + ", levels in " + level_unit(options) + ", mesh " + hash;
 }
 
 /// What one set of drawings has in common, in the unit of its DXF.
@@ -175,6 +181,21 @@ std::string paper_svg(const Drawing& drawing, double factor) {
   return write_svg(paper, size.x(), size.y(), "mm");
 }
 
+std::string exact_text(double number) {
+  std::string text;
+  append_exact(text, number);
+  return text;
+}
+
+std::string json_of(const std::vector<double>& numbers) {
+  std::string json;
+  for (const double number : numbers) {
+    json += json.empty() ? '[' : ',';
+    append_exact(json, number);
+  }
+  return json + ']';
+}
+
 std::string json_of(const std::vector<DrawingAxis>& axes) {
   std::string json;
   for (const DrawingAxis& axis : axes) {
@@ -224,15 +245,37 @@ Refusal find_problem(const DrawingOptions& options) {
   return std::nullopt;
 }
 
+Refusal find_problem(const DrawingOptions& options, const Mesh& mesh) {
+  constexpr double kFarthest = 10.0;  // sizes of the structure: its drawing would be a dot
+  if (const Refusal problem = find_problem(options)) return problem;
+  if (mesh.positions.cols() == 0) return std::nullopt;
+  const Eigen::Vector3d low = mesh.positions.rowwise().minCoeff();
+  const Eigen::Vector3d high = mesh.positions.rowwise().maxCoeff();
+  const double size = (high - low).maxCoeff();
+  for (const DrawingAxis& axis : options.axes) {
+    const double nearest = std::clamp(axis.at, low[axis.coordinate], high[axis.coordinate]);
+    const double off = std::abs(axis.at - nearest);
+    if (off <= kFarthest * size) continue;
+    std::string problem = std::string("axis ") + "xyz"[axis.coordinate] + "=";
+    append_decimals(problem, axis.at);
+    return problem + " is " + three_digits(off / size) +
+           " times the structure's size away from it: places are in the unit of the model, " +
+           options.model_unit;
+  }
+  return std::nullopt;
+}
+
 StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& options) {
   const double metres = metres_in(options.unit).value();
   const double factor = metres_in(options.model_unit).value() / metres;
+  const std::string level = level_unit(options);
+  const double levels = metres / metres_in(level).value();
   Mesh mesh = given;
   mesh.positions *= factor;
   std::vector<NamedDrawing> drawings;
   for (const NamedView& view : all_views()) drawings.push_back(draw_view(mesh, view));
   DrawingSet set{options,
-                 {drawn_axes(mesh, options, factor), {}, options.unit, metres, ""},
+                 {drawn_axes(mesh, options, factor), {}, options.unit, levels, ""},
                  1000.0 * metres,
                  hash_text(mesh_hash(given))};
   const JointTable joints = joint_table(mesh);
@@ -249,12 +292,16 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
       set.notes.sections.push_back({plane, number});
     }
     zip.add(name + "-" + options.unit + ".csv", section_table(options.names, lines));
-    drawings.push_back(draw_section(lines, plane, name, metres));
+    drawings.push_back(draw_section(lines, plane, name, place_of(plane, levels, level)));
   }
-  const double scale = options.scale > 0.0 ? options.scale : set.usual_scale(drawings);
+  const bool own = options.own_scales && options.scale == 0.0;
+  const double common = own ? 0.0 : options.scale > 0.0 ? options.scale : set.usual_scale(drawings);
   std::vector<std::string> names;
+  std::vector<double> scales;
   for (const NamedDrawing& d : drawings) {
     names.push_back(d.name);
+    const double scale = own ? set.usual_scale({d}) : common;
+    scales.push_back(scale);
     Drawing drawing = d.drawing;
     add_moved(drawing, set.notes_of(d, scale), {});
     zip.add(d.name + ".svg", paper_svg(drawing, set.millimetres / scale));
@@ -267,7 +314,8 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
                       .add("unit", options.unit)
                       .add("model_unit", options.model_unit)
                       .add("mesh_hash", set.hash)
-                      .add("scale", scale)
+                      .raw("scale", own ? "null" : exact_text(common))
+                      .raw("scales", json_of(scales))
                       .raw("axes", json_of(set.notes.axes))
                       .add("drawings", names)
                       .add("missed", result.missed)
