@@ -108,7 +108,8 @@ void save_report(const Arguments& arguments, const Json& json) {
 ExitCode exit_code(const SolveReport& report) { return report.usable() ? kDone : kToleranceNotMet; }
 
 ExitCode exit_code(const EditRun& run) {
-  return misses_hard_handle(run) ? kToleranceNotMet : exit_code(run.report);
+  return misses_hard_handle(run) || misses_most_panels(run) ? kToleranceNotMet
+                                                            : exit_code(run.report);
 }
 
 Progress progress_line() {

@@ -122,9 +122,10 @@ std::vector<OptionRow> edit_command_rows() {
                   "before the edit, in the order given: split=F:A,B, strip=V-W[@T],\n"
                   "corner=F:V[@T], refine=F,F,...[:collar], trim=a,b,c,d, as planish cut\n"
                   "has them; handles may name the points that these add (repeatable)"});
-  rows.push_back({"--fewest", "panels|points",
+  rows.push_back({"--fewest", "panels|points|N",
                   "few to make again: holds points as long as the handles arrive, until\n"
-                  "none can be held any more; they are pins of the design"});
+                  "none can be held any more, or N panels at most are left to make\n"
+                  "again; they are pins of the design"});
   rows.push_back({"--within-handle", "P%",
                   "of the longest way of a handle, within which handles have arrived for\n"
                   "--fewest and --split-where-needed; default 5%"});

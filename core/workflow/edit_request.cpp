@@ -7,6 +7,7 @@
 #include "edit_options.hpp"
 #include "lengths.hpp"
 #include "planish/design/cut_base.hpp"
+#include "planish/text/number.hpp"
 #include "split_run.hpp"
 #include "thread_pool.hpp"
 
@@ -56,7 +57,12 @@ std::optional<FewestOptions> fewest_options(const Request& request) {
     return std::nullopt;
   }
   FewestOptions options;
-  options.of = parse_word(*of, "--fewest", kFewestWords);
+  if (parse_number(*of)) {
+    options.most_panels = parse_whole(*of, "--fewest");
+    if (options.most_panels < 1) throw UsageError("--fewest must be at least 1 panel");
+  } else {
+    options.of = parse_word(*of, "--fewest", kFewestWords);
+  }
   set_within_handle(request, options.within_handle);
   return options;
 }

@@ -215,7 +215,9 @@ std::vector<int> new_slivers(const EditRun& run) {
 
 Json fewest_json(const EditRun& run) {
   const FewestEdit& found = *run.fewest;
+  const int most = run.asked.fewest->most_panels;
   return {{"of", run.asked.fewest->of == FewestOf::kPanels ? "panels" : "points"},
+          {"most_panels", most > 0 ? Json(most) : Json()},
           {"within_handle", run.asked.fewest->within_handle},
           {"panels", found.panels},
           {"panels_before", found.panels_before},

@@ -88,6 +88,11 @@ std::string held_by(const EditRun& run, int vertex) {
 
 }  // namespace
 
+bool misses_most_panels(const EditRun& run) {
+  if (!run.fewest || run.asked.fewest->most_panels == 0) return false;
+  return run.fewest->panels > run.asked.fewest->most_panels;
+}
+
 bool misses_hard_handle(const EditRun& run) {
   if (!run.asked.options.hard_handles) return false;
   const auto& handles = run.targets.handles;
@@ -215,7 +220,11 @@ std::optional<std::string> fewest_sentence(const EditRun& run, const Json& repor
   std::string sentence = "--fewest: " + std::to_string(found.panels) +
                          (found.panels == 1 ? " panel" : " panels") + " cut again in place of " +
                          std::to_string(found.panels_before);
-  if (!found.minimal) {
+  const int most = run.asked.fewest->most_panels;
+  if (most > 0 && found.panels > most) {
+    sentence += ", not the " + std::to_string(most) + " that were asked for";
+  }
+  if (!found.minimal && (most == 0 || found.panels > most)) {
     return sentence + "; stopped after " + std::to_string(found.solves) + " solves, fewer may do";
   }
   const std::size_t slivers = report["fewest"]["slivers"].size();

@@ -28,6 +28,9 @@ namespace planish::workflow {
 /// Whether --hard was asked for and a handle is not at its target.
 [[nodiscard]] bool misses_hard_handle(const EditRun& run);
 
+/// Whether more panels are to be made again than --fewest N allows.
+[[nodiscard]] bool misses_most_panels(const EditRun& run);
+
 /// How far the surface moves and how far joints slide along it, where that is noticeably further or
 /// has a limit; nullopt otherwise.
 /// @param report of edit_json() or exploration_json()

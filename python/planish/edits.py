@@ -65,7 +65,7 @@ def edit(
     *,
     relative: bool = True,
     cuts: Iterable[str] | None = None,
-    fewest: str | None = None,
+    fewest: str | int | None = None,
     split_where_needed: int | None = None,
     count_types: float | str | None = None,
     mirrored: bool | None = None,
@@ -103,7 +103,8 @@ def edit(
         cuts: made before the edit, in this order, ["strip=12-13@0.4", "corner=40:57"]; handles may
             name the points that they add.
         pins: vertices that stay.
-        fewest: "panels" or "points": few to make again, as long as the handles arrive.
+        fewest: "panels" or "points": few to make again, as long as the handles arrive; a number: at most so
+            many panels.
         split_where_needed: at most so many panels are parted where the handles stop short.
         count_types: how many types of panels there are before and after, in the report: alike within a
             length in units of the mesh or a share of the mean edge, "0.5%".

@@ -75,6 +75,31 @@ TEST_F(Cli, FewestHoldsPointsWithTheirImagesUnderASymmetry) {
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
 }
 
+TEST_F(Cli, FewestStopsAtSoManyPanelsAndFoldsMoreGently) {
+  const std::string edit = kEdit.substr(0, kEdit.find("--bound")) + "--report r.json -o a.obj ";
+  const auto report = [&] { return json::parse(contents(directory_ / "r.json")); };
+  ASSERT_EQ(run(edit + "--fewest panels"), 0) << err();
+  const json fewest = report();
+  EXPECT_EQ(fewest["fewest"]["most_panels"], json());
+  const int before = fewest["fewest"]["panels_before"], least = fewest["fewest"]["panels"];
+  const int most = (before + least) / 2;
+  ASSERT_EQ(run(edit + "--design d.json --fewest " + std::to_string(most)), 0) << err();
+  const json few = report();
+  EXPECT_EQ(few["fewest"]["most_panels"], most);
+  EXPECT_EQ(few["fewest"]["panels"], few["remake"]["outline"]);
+  EXPECT_LE(few["fewest"]["panels"], most);
+  EXPECT_GT(few["fewest"]["panels"], least);
+  EXPECT_LT(few["fewest"]["solves"], fewest["fewest"]["solves"]);
+  EXPECT_LT(few["sharpest_fold"]["growth"], fewest["sharpest_fold"]["growth"]);
+  EXPECT_EQ(err().find("stopped after"), std::string::npos) << err();
+  ASSERT_EQ(run("replay d.json -o b.obj"), 0) << err();
+  EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
+  // Fewer than can be had: those that can, and a word.
+  EXPECT_EQ(run(edit + "--fewest 1"), 4) << err();
+  EXPECT_NE(err().find(", not the 1 that were asked for"), std::string::npos) << err();
+  EXPECT_EQ(report()["fewest"]["panels"], least);
+}
+
 TEST_F(Cli, FewestSaysWhereTheHandlesDoNotArriveAnyway) {
   run("edit sample:vault:16 --handle 136+=0,0,9 --reach 2 --fewest panels --report a.json");
   EXPECT_NE(err().find("--fewest: with nothing held a handle stops"), std::string::npos) << err();
@@ -87,7 +112,7 @@ TEST_F(Cli, FewestRefusesInOneSentence) {
   for (const char* words :
        {"--fewest stones", "--within-handle 5%", "--fewest panels --within-handle 5",
         "--fewest panels --within-handle 0%", "--fewest panels --within-handle 150%",
-        "--fewest panels --solver alm"}) {
+        "--fewest panels --solver alm", "--fewest 0", "--fewest -3", "--fewest 2.5"}) {
     EXPECT_EQ(run(kEdit + words), 2) << words;
     const std::string message = err();
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << words << message;

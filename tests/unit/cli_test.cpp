@@ -213,7 +213,7 @@ TEST_F(Cli, WrongUsageIsExitCodeTwoAndOneLine) {
 TEST_F(Cli, AForgottenValueIsMissedAtItsOption) {
   const std::string edit = "edit sample:vault:6 --handle 14+=0,0,0.1 ";
   EXPECT_EQ(run(edit + "--fewest -o x.obj"), 2);
-  EXPECT_EQ(err(), "planish: --fewest needs a value: panels|points\n");
+  EXPECT_EQ(err(), "planish: --fewest needs a value: panels|points|N\n");
   EXPECT_EQ(run(edit + "--softness --hard"), 2);
   EXPECT_EQ(err(), "planish: --softness needs a value: S\n");
   EXPECT_EQ(run(edit + "--attraction -1"), 2) << "a number may be less than 0, and is refused";

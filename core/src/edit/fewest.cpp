@@ -74,7 +74,16 @@ class FewestSearch {
            result.report.handle_error <= near_;
   }
 
-  [[nodiscard]] bool may_go_on() const { return !stopped_ && best_.solves < options_.most_solves; }
+  [[nodiscard]] bool may_go_on() const {
+    const bool enough = options_.most_panels > 0 && best_.panels <= options_.most_panels;
+    return !stopped_ && !enough && best_.solves < options_.most_solves;
+  }
+
+  /// How many of `movers` are worth holding at once.
+  [[nodiscard]] std::size_t worth_holding(const std::vector<Mover>& movers) const {
+    if (options_.most_panels == 0) return movers.size();
+    return std::min(movers.size(), at(std::max(0, best_.panels - options_.most_panels)));
+  }
 
   [[nodiscard]] std::vector<int> with_their_images(const std::vector<int>& points) const {
     if (symmetry_ == nullptr) return points;
@@ -164,10 +173,10 @@ class FewestSearch {
   /// As many as can be held at once, by halves: most of what moves moves for the sake of fairness.
   void hold_most() {
     std::vector<Mover> movers = moving_panels();
-    for (std::size_t count = movers.size(); count > 1 && may_go_on();) {
+    for (std::size_t count = worth_holding(movers); count > 1 && may_go_on();) {
       if (hold(points_of_first(movers, count))) {
         movers = moving_panels();
-        count = std::min(count, movers.size());
+        count = std::min(count, worth_holding(movers));
       } else {
         count /= 2;
       }
@@ -219,6 +228,10 @@ Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit
   if (!(options.within_handle > 0.0 && options.within_handle < 1.0)) {
     return "within_handle must be more than 0 and less than 1: then handles move";
   }
+  if (options.most_panels < 0) return "most_panels must be at least 1";
+  if (options.most_panels > 0 && options.of == FewestOf::kPoints) {
+    return "most_panels is for panels";
+  }
   if (options.most_solves < 1) return "most_solves must be at least 1";
   if (auto problem = find_problem(edit.engine, Beyond::kFewest)) return problem;
   if (targets.handles.empty()) return "fewest needs a handle";
@@ -244,7 +257,18 @@ std::vector<StatedLimit> buildable_limits(const Mesh& mesh,
 FewestEdit find_fewest(const Mesh& mesh, HandleEditSolver& solver, const EditTargets& targets,
                        const FewestOptions& options, const MeshSymmetry* symmetry,
                        const Progress& progress) {
-  return FewestSearch(mesh, solver, targets, options, symmetry, progress).run();
+  const auto search = [&](const FewestOptions& asked) {
+    return FewestSearch(mesh, solver, targets, asked, symmetry, progress).run();
+  };
+  FewestEdit found = search(options);
+  const bool missed = options.most_panels > 0 && found.panels > options.most_panels;
+  if (!missed || !found.reached) return found;
+  // Held in another order, fewer may do.
+  FewestOptions all = options;
+  all.most_panels = 0;
+  FewestEdit fewest = search(all);
+  fewest.solves += found.solves;
+  return fewest.reached && fewest.panels < found.panels ? std::move(fewest) : std::move(found);
 }
 
 BuildableFewest find_buildable_fewest(const Mesh& mesh, const HandleEditOptions& options,

@@ -14,8 +14,9 @@ export interface EditOptions {
   readonly handles: readonly HandleTarget[];
   /** Before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
   readonly cuts?: readonly string[];
-  /** Few to make again: points are held as long as the handles arrive; they are pins of the design. */
-  readonly fewest?: "panels" | "points";
+  /** Few to make again: points are held as long as the handles arrive; they are pins of the design.
+   * A number: until at most so many panels are made again. */
+  readonly fewest?: "panels" | "points" | number;
   /** Where handles stop short at most so many panels are parted, as few as let them arrive; `cuts` of the design. */
   readonly splitWhereNeeded?: number;
   /** Of the longest way of a handle, within which handles have arrived for these two: "5%". */

@@ -20,6 +20,9 @@ struct FewestOptions {
   /// 0 … 1, ends excluded: how far handles may be from their targets, as a share of the longest way
   /// of a handle.
   double within_handle = 0.05;
+  /// With kPanels: no more points are held once at most so many panels have a corner that moves, so
+  /// that folds stay gentle; 0: as few as can be.
+  int most_panels = 0;
   int most_solves = 1000;  ///< ≥ 1: then the best so far is given, not minimal
 };
 
