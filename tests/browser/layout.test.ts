@@ -199,8 +199,14 @@ it("no tab is more than one and a half screens, at rest or after a long drag", a
   await page.getByRole("region", { name: "Why the target is not reached" }).waitFor();
   await idle(page);
   await expectCalm(page, "after a long drag");
+  // With the figures of the ways on, which are tried while they are seen.
+  await showTab(page, "Edit");
+  const ways = page.getByRole("group", { name: "Get further" });
+  await expect.poll(() => ways.getAttribute("aria-busy")).toBe("true");
+  await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 150_000 }).toBe("false");
+  await expectCalm(page, "with what each way on gains");
   await page.context().close();
-});
+}, 200_000);
 
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
 

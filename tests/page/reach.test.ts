@@ -253,3 +253,43 @@ it("where a drag stops, a press goes on towards the same target", async () => {
   expect(there?.target[2]).toBeGreaterThan(16);
   await page.context().close();
 });
+
+it("each way on says how far it gets, the furthest first, and a press gets there", async () => {
+  const page = await site.open();
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 240 });
+  await page.getByText(/^Held back: /).waitFor();
+  await page.mouse.up();
+  await idle(page);
+  const moved = await movedCount(page);
+  const edited = await exported(page);
+  const ways = page.getByRole("group", { name: "Get further" });
+  const figures = ways.locator(".way-on .quiet");
+  await expect.poll(() => figures.count(), { timeout: 60_000 }).toBeGreaterThan(0);
+  await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 60_000 }).toBe("false");
+  expect(await movedCount(page)).toBe(moved); // nothing was changed by trying
+  expect((await exported(page)).lines).toEqual(edited.lines);
+  const texts = await ways.locator(".way-on").allTextContents();
+  expect(texts.length).toBeGreaterThan(1);
+  const got = texts.map((text) => {
+    const [, far] = /(all the way|no further|[\d.]+ m?m)(?:, [\d.]+°)?$/.exec(text) ?? [];
+    if (far === "all the way") return Number.POSITIVE_INFINITY;
+    return far === "no further"
+      ? 0
+      : Number.parseFloat(far ?? "") * (far?.endsWith("mm") ? 1 : 1000);
+  });
+  expect(
+    got.every((far) => far >= 0),
+    texts.join("\n"),
+  ).toBe(true);
+  expect(got).toEqual([...got].sort((a, b) => b - a));
+  expect(got[0]).toBe(Number.POSITIVE_INFINITY);
+  const first =
+    /^(Reach 9 panels|Softer|Folds up to \d+°|Let the boundary move|Meet it exactly)/.exec(
+      texts[0] ?? "",
+    )?.[1];
+  await page.getByRole("button", { name: first ?? "", exact: true }).click();
+  await idle(page);
+  expect(await page.getByText(/^Panels allow/).count()).toBe(0);
+  await page.context().close();
+});

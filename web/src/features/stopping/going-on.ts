@@ -8,7 +8,15 @@ import { basePoint, commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { beyond, wanted } from "../../state/wanted.ts";
-import { gotWords, type Reason, reasonOf, type Stop, stopOf, type WayOn } from "./way-on.ts";
+import {
+  gotWords,
+  isNoFurther,
+  type Reason,
+  reasonOf,
+  type Stop,
+  stopOf,
+  type WayOn,
+} from "./way-on.ts";
 
 export interface Stopped {
   readonly stop: Stop;
@@ -17,7 +25,7 @@ export interface Stopped {
   readonly growth: number | null;
 }
 
-function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): Stop | null {
+export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): Stop | null {
   const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return stopOf(
     rows,
@@ -67,21 +75,34 @@ function settingsOn(design: Design, way: WayOn, growth: number | null): EditSett
   return { ...design.settings, limits: others, ...way.change, continuation: 0 };
 }
 
+/** The edit that a way on makes of `design`, whose pull is held back by `growth` as in Wanted. */
+export function askedBy(
+  page: Page,
+  design: Design,
+  way: WayOn,
+  growth: number | null,
+): { readonly next: Design; readonly limit: PullLimit | null } {
+  const handles = beyond(page).value?.handles ?? design.handles;
+  return {
+    next: { ...design, handles, settings: settingsOn(design, way, growth), variation: null },
+    limit: way.growth === null ? null : limitOf(page, design, handles, way.growth),
+  };
+}
+
 /** The same targets again; what that gives is said, also where it is no more than before. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
   inTurn(page, async () => {
     const [design, before] = [page.history.value?.present, stopped(page).value];
     if (!design || !before) return;
-    const handles = beyond(page).value?.handles ?? design.handles;
-    const next = { ...design, handles, settings: settingsOn(design, way, before.growth) };
-    const limit = way.growth === null ? null : limitOf(page, design, handles, way.growth);
+    const { next, limit } = askedBy(page, design, way, before.growth);
+    const { handles } = next;
     const made = await commitEdit(page, next, limit ? "release" : "solve", null, limit);
     if (!made?.ok) return made;
     const done = made.value;
     const takenBack = done.handles !== handles;
     wanted(page).value = takenBack ? { handles, growth: way.growth, design: done } : null;
     const stop = stopIn(page, done, handles);
-    if (stop && stop.got <= 1.01 * before.stop.got)
+    if (stop && isNoFurther(stop.got, before.stop))
       page.notice.value = `${way.label} gets no further: ${gotWords(stop, page.unit.value)}.`;
     return made;
   });

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 
+import { useEffect } from "preact/hooks";
+import type { Design } from "../../design/design.ts";
 import { formatGap } from "../../quantity/units.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { settled, shortfalls, varied } from "../../state/shortfall.ts";
 import { usePage } from "../../ui/page-context.ts";
-import { goOn, stopped } from "./going-on.ts";
+import { goOn, type Stopped, stopped } from "./going-on.ts";
 import { SplitWay } from "./split-way.tsx";
-import { gotWords, type Reason, reasonWords, waysOn } from "./way-on.ts";
+import { endTries, gainsNow, tryWays } from "./way-gains.ts";
+import { byGain, gainWords, gotWords, type Reason, reasonWords, waysOn } from "./way-on.ts";
 
 /** More would not help to decide what to change. */
 const MOST = 4;
@@ -45,6 +48,49 @@ const WORTH_SAYING = 1e-6;
 const allowing = (reason: Reason): string =>
   reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels";
 
+/** The figures are tried once nothing else is about to be. */
+const TRIED_AFTER_MS = 400;
+
+/** Sorted by what they gain once all of it is known, so that no button goes from under the pointer. */
+function WaysOn({ design, found }: { design: Design; found: Stopped }) {
+  const page = usePage();
+  const { stop, reason, growth } = found;
+  const quiet = page.ready.value && settled(page).value;
+  const ways = waysOn(design, reason, growth);
+  useEffect(() => {
+    if (!quiet) return;
+    const timer = setTimeout(() => void tryWays(page, ways), TRIED_AFTER_MS);
+    return () => clearTimeout(timer);
+  }, [page, design, quiet]);
+  useEffect(() => () => endTries(page), [page, design]);
+  const gains = gainsNow(page);
+  return (
+    <fieldset class="ways-on" aria-label="Get further" aria-busy={gains?.done === false}>
+      {(gains?.done ? byGain(ways, gains.known, stop) : ways).map((way) => {
+        const gain = gains?.known.get(way.label);
+        return (
+          <span key={way.label} class="way-on">
+            <button
+              type="button"
+              class="button small"
+              title={way.title}
+              disabled={!quiet}
+              onClick={() => void goOn(page, way)}
+            >
+              {way.label}
+            </button>
+            {gain && (
+              <span class="quiet small" title="How far it gets, and the sharpest fold there">
+                {gainWords(gain, stop, page.unit.value)}
+              </span>
+            )}
+          </span>
+        );
+      })}
+    </fieldset>
+  );
+}
+
 /** Where a point stops on its way to its target, why, and one press for each way on. */
 export function StoppedNote() {
   const page = usePage();
@@ -64,20 +110,7 @@ export function StoppedNote() {
       {status === "infeasible_handles" && left !== undefined && left > WORTH_SAYING && (
         <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, page.unit.value)} out of flat.`}</p>
       )}
-      <fieldset class="ways-on" aria-label="Get further">
-        {waysOn(design, reason, growth).map((way) => (
-          <button
-            key={way.label}
-            type="button"
-            class="button small"
-            title={way.title}
-            disabled={!page.ready.value || !settled(page).value}
-            onClick={() => void goOn(page, way)}
-          >
-            {way.label}
-          </button>
-        ))}
-      </fieldset>
+      <WaysOn design={design} found={found} />
       <SplitWay design={design} />
     </section>
   );

@@ -147,6 +147,45 @@ const without = (): WayOn => ({
   growth: null,
 });
 
+/** What a way on gives. */
+export interface Gain {
+  /** As of a stop; null where every handle is as good as at its target. */
+  readonly got: number | null;
+  /** The sharpest fold then, degrees; null where nothing moves. */
+  readonly fold: number | null;
+}
+
+/** Less is no gain. */
+const GAINED = 1.01;
+
+export const isNoFurther = (got: number, before: Stop): boolean => got <= GAINED * before.got;
+
+/** "2168 mm, 16°": how far, and the sharpest fold there. */
+export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string {
+  if (got !== null && isNoFurther(got, before)) return "no further";
+  const far = got === null ? "all the way" : formatLength(got, unit);
+  return fold === null ? far : `${far}, ${formatDegrees(fold)}`;
+}
+
+/** Those that gain something, the furthest first, of those that go as far the one that folds least; where none
+ * does, all. A way whose gain is not known stays behind those. */
+export function byGain(
+  ways: readonly WayOn[],
+  gains: ReadonlyMap<string, Gain>,
+  before: Stop,
+): readonly WayOn[] {
+  const got = ({ label }: WayOn): number => {
+    const gain = gains.get(label);
+    return gain ? (gain.got ?? Number.POSITIVE_INFINITY) : Number.NEGATIVE_INFINITY;
+  };
+  const fold = ({ label }: WayOn): number => gains.get(label)?.fold ?? 0;
+  const further = ways.filter((way) => !gains.has(way.label) || !isNoFurther(got(way), before));
+  return [...(further.length > 0 ? further : ways)].sort((a, b) => {
+    const [first, second] = [got(a), got(b)];
+    return first === second ? fold(a) - fold(b) : second - first;
+  });
+}
+
 /** One press each. Those that do not loosen the limit on a drag's folds keep it. */
 export function waysOn(design: Design, reason: Reason, growth: number | null): readonly WayOn[] {
   const { settings } = design;
