@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { besidePoint, OFFER } from "../../web/src/features/touch/beside-point.ts";
+import { clearOfPoint, OFFER } from "../../web/src/features/touch/clear-of-point.ts";
 import { beginDrag } from "../../web/src/state/dragging.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
 import {
@@ -82,11 +82,12 @@ it("what is offered lies inside the view, clear of the point and of the tools, w
   const view = { width: 390, height: 430 };
   for (let x = 0; x <= view.width; x += 13)
     for (let y = 60; y <= 400; y += 10) {
-      const at = besidePoint({ x, y }, OFFER, view);
+      const at = clearOfPoint({ x, y }, OFFER, view);
       expect(at.x).toBeGreaterThanOrEqual(0);
       expect(at.x + OFFER.width).toBeLessThanOrEqual(view.width);
       expect(at.y).toBeGreaterThanOrEqual(52);
       expect(at.y + OFFER.height).toBeLessThanOrEqual(view.height);
-      expect(at.y - y >= 24 || y - (at.y + OFFER.height) >= 24).toBe(true);
+      // With the bump that it raised.
+      expect(at.y - y >= 72 || y - (at.y + OFFER.height) >= 72).toBe(true);
     }
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { besideFinger, covered } from "../../web/src/features/touch/loupe.ts";
+import { besideFinger, followed } from "../../web/src/features/touch/loupe.ts";
 
 const WIDTH = 390;
 /** Half of it, pixels; a finger covers about 25 around its middle. */
@@ -22,10 +22,12 @@ it("lies above the finger where there is room", () => {
   expect(besideFinger({ x: 200, y: 400 }, WIDTH)).toEqual({ x: 200, y: 300 });
 });
 
-it("shows the point that the finger hides, or what is under it where that has run away", () => {
+it("shows the point that follows the finger, also where that has run away from it", () => {
   const finger = { x: 100, y: 100 };
   const near = { x: 110, y: 130 };
-  expect(covered(finger, [{ x: 60, y: 100 }, near, { x: 300, y: 100 }])).toBe(near);
-  expect(covered(finger, [{ x: 100, y: 170 }])).toBeNull();
-  expect(covered(finger, [])).toBeNull();
+  expect(followed(finger, [{ x: 60, y: 100 }, near, { x: 300, y: 100 }])).toBe(near);
+  // Held back: under the finger is the sky.
+  const held = { x: 100, y: 370 };
+  expect(followed(finger, [held])).toBe(held);
+  expect(followed(finger, [])).toBeNull();
 });

@@ -24,7 +24,7 @@ export const fingerDrag = kept((page) => {
   return drag;
 });
 
-/** Where its buttons are, pixels of the view; null where its point is out of sight. */
+/** Where its buttons are, pixels of the view; null before that is known. */
 export const offerPlace = kept(() =>
   signal<{ readonly x: number; readonly y: number } | null>(null),
 );

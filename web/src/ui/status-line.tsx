@@ -80,6 +80,8 @@ function MotionNote() {
   );
 }
 
+const TIME = /^\d+ ms$/;
+
 /** Breaks between figures, never within one or before a dot. */
 function Numbers() {
   const page = usePage();
@@ -89,7 +91,9 @@ function Numbers() {
       {parts.map((part, k) => (
         <Fragment key={part}>
           {k > 0 && " "}
-          <span class="figure">{k + 1 < parts.length ? `${part} ·` : part}</span>
+          <span class={TIME.test(part) ? "figure time" : "figure"}>
+            {k + 1 < parts.length ? `${part} ·` : part}
+          </span>
         </Fragment>
       ))}
     </>

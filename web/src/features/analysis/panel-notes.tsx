@@ -5,6 +5,7 @@ import { flatnessWords, isFlat } from "../../design/flatness.ts";
 import { damage, damageWords, spoiltPanels } from "../../state/damage.ts";
 import { goToTab } from "../../state/inspector.ts";
 import { countHealth } from "../../state/panel-rows.ts";
+import { remakeWords } from "../../state/remaking.ts";
 import { showNextPanel } from "../../state/selection.ts";
 import { usePage } from "../../ui/page-context.ts";
 
@@ -36,10 +37,8 @@ export function DamageNote() {
 /** How many panels the shop makes again after a finished edit, and the way to see which. */
 export function RemakeNote() {
   const page = usePage();
-  // Measured together: while there is no word on the damage, health is that of an earlier design.
-  const health = damage(page).value && page.panelHealth.value;
-  const { changed } = health ? countHealth(health) : { changed: 0 };
-  if (changed === 0) return null;
+  const words = remakeWords(page);
+  if (!words) return null;
   return (
     <button
       type="button"
@@ -50,7 +49,7 @@ export function RemakeNote() {
         page.colourBy.value = "remake";
       }}
     >
-      {`${changed} ${changed === 1 ? "panel" : "panels"} to make again`}
+      {words}
     </button>
   );
 }

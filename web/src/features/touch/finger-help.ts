@@ -4,14 +4,21 @@
 
 import { type Place, project } from "../../scene/picking.ts";
 import type { Sight } from "../../scene/sight.ts";
-import { fingerDrag, offerPlace, offerToTakeBack } from "../../state/finger-drag.ts";
+import {
+  type FingerDrag,
+  fingerDrag,
+  offerPlace,
+  offerToTakeBack,
+} from "../../state/finger-drag.ts";
 import type { Outcome } from "../../state/turns.ts";
-import { besidePoint, OFFER, type Size } from "./beside-point.ts";
+import { clearOfPoint, OFFER, type Size } from "./clear-of-point.ts";
 import { Loupe } from "./loupe.ts";
 
 export class FingerHelp {
   readonly #sight: Sight;
   readonly #loupe: Loupe;
+  /** The drag whose buttons have their place. */
+  #offered: FingerDrag | null = null;
 
   constructor(sight: Sight) {
     this.#sight = sight;
@@ -43,12 +50,13 @@ export class FingerHelp {
     this.#placeOffer(at, view);
   }
 
-  /** Its buttons follow the point while the camera turns. */
+  /** Its buttons stay where they are while the camera turns. */
   #placeOffer(at: (vertex: number) => Place | null, view: Size): void {
-    const [drag, place] = [fingerDrag(this.#sight.page).value, offerPlace(this.#sight.page)];
-    const point = drag && at(drag.vertex);
-    const next = point && besidePoint(point, OFFER, view);
-    if (next?.x !== place.value?.x || next?.y !== place.value?.y) place.value = next;
+    const drag = fingerDrag(this.#sight.page).value;
+    if (drag === this.#offered) return;
+    this.#offered = drag;
+    const point = drag && (at(drag.vertex) ?? { x: 0, y: 0 });
+    offerPlace(this.#sight.page).value = point && clearOfPoint(point, OFFER, view);
   }
 
   dispose(): void {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Keep or take back, beside the point that a finger dragged.
+// Keep or take back what a finger dragged, with the panels that it costs.
 import check from "lucide-static/icons/check.svg?raw";
 import { fingerDrag, keepDrag, offerPlace, takeBackDrag } from "../../state/finger-drag.ts";
 import type { Page } from "../../state/page.ts";
+import { remakeWords } from "../../state/remaking.ts";
 import { Drawing, Icon } from "../../ui/icon.tsx";
 import { usePage } from "../../ui/page-context.ts";
-import { OFFER } from "./beside-point.ts";
+import { OFFER } from "./clear-of-point.ts";
 import "./finger-offer.css";
 
 /** The focus does not go with the buttons. */
@@ -31,6 +32,7 @@ export function FingerOffer() {
         height: `${OFFER.height}px`,
       }}
     >
+      <p class="quiet small">{remakeWords(page) || "Measuring the panels…"}</p>
       <button type="button" class="button" onClick={() => decide(page, keepDrag)}>
         <Drawing markup={check} />
         Keep

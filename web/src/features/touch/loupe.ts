@@ -8,8 +8,6 @@ const SIZE = 112;
 const ZOOM = 2;
 /** Pixels between the middle of the loupe and the finger. */
 const AWAY = 100;
-/** Pixels from its middle that a finger hides, or its hand. */
-const COVER = 60;
 /** Pixels at the top of the view that the tools cover. */
 const TOOLS = 52;
 /** Pixels: the radius of a point's mark, and of its rim. */
@@ -23,9 +21,9 @@ export function besideFinger({ x, y }: Place, width: number): Place {
   return { x: x < width / 2 ? x + AWAY : x - AWAY, y: Math.max(y, TOOLS + half) };
 }
 
-/** The mark nearest to the finger, if it is about there: a drag is held back, or to a line. */
-export function covered(finger: Place, marks: readonly Place[]): Place | null {
-  let [found, nearest]: [Place | null, number] = [null, COVER];
+/** The mark nearest to the finger, however far that has gone on: a drag is held back, or to a line. */
+export function followed(finger: Place, marks: readonly Place[]): Place | null {
+  let [found, nearest]: [Place | null, number] = [null, Number.POSITIVE_INFINITY];
   for (const mark of marks) {
     const gap = Math.hypot(mark.x - finger.x, mark.y - finger.y);
     if (gap < nearest) [found, nearest] = [mark, gap];
@@ -52,7 +50,7 @@ export class Loupe {
 
   /**
    * Right after the view was drawn: later its picture is gone. `marks`: where selected points are; the
-   * one that the finger covers is in the middle.
+   * one that follows the finger is in the middle.
    */
   draw(finger: Place, marks: readonly Place[]): void {
     const { width, height } = this.#view.getBoundingClientRect();
@@ -65,7 +63,7 @@ export class Loupe {
     const context = this.#glass.getContext("2d");
     if (!context) return;
     context.scale(ratio * ZOOM, ratio * ZOOM);
-    const middle = covered(finger, marks) ?? finger;
+    const middle = followed(finger, marks) ?? finger;
     context.translate(SIZE / (2 * ZOOM) - middle.x, SIZE / (2 * ZOOM) - middle.y);
     context.drawImage(this.#view, 0, 0, width, height);
     this.#mark(context, marks);
