@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { downloaded, obj, typeTarget } from "../browser/support/page.ts";
+import { downloaded, idle, obj, showTab, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -79,6 +79,44 @@ it("says how an edit and its variations change the number of types, once they we
   await expect
     .poll(async () => (await tiles.first().textContent()) ?? "", { timeout: 20_000 })
     .toMatch(new RegExp(`\\d+ to make again ?\\d+ types? \\(${before.types} before\\)`));
+  await page.context().close();
+});
+
+it("compares snapshots by their types, once they were asked for", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const before = await byCommand(page, "--within 0.5%");
+  const snapshot = async (): Promise<void> => {
+    await showTab(page, "Explore");
+    await page.getByRole("button", { name: "Take snapshot" }).click();
+    await idle(page);
+  };
+  await snapshot();
+  await typeTarget(page, "+40cm");
+  await snapshot();
+  const after = await byCommand(page, "--within 0.5%");
+  expect(after.types).not.toBe(before.types);
+  const table = page.getByRole("table", { name: "Comparison" });
+  const types = table.getByRole("columnheader", { name: "Types" });
+  const compare = async (): Promise<void> => {
+    await showTab(page, "Explore");
+    await page.getByRole("button", { name: "Compare", exact: true }).click();
+    await table.waitFor();
+  };
+  await compare();
+  expect(await types.count()).toBe(0);
+  await page.keyboard.press("Escape");
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
+  await expect.poll(() => count(page)).toBe(after.types);
+  await compare();
+  await types.waitFor();
+  const heads = await table.locator("thead th").allTextContents();
+  const place = heads.indexOf("Types");
+  const cells = (): Promise<(string | undefined)[]> =>
+    table
+      .locator("tbody tr")
+      .evaluateAll((rows, k) => rows.map((row) => row.children[k]?.textContent ?? ""), place);
+  const words = [before, after].map(({ types }) => `${types} types (${before.types} before)`);
+  await expect.poll(cells, { timeout: 20_000 }).toEqual(words);
   await page.context().close();
 });
 
