@@ -15,10 +15,12 @@ using emscripten::val;
 using planish::copy;
 using planish::Session;
 
-std::string fewest(Session& s, const val& handles, const val& pins, double within_handle) {
+std::string fewest(Session& s, const val& handles, const val& pins, double within_handle,
+                   int most_panels) {
   try {
     planish::FewestOptions asked;
     asked.within_handle = within_handle;
+    asked.most_panels = most_panels;
     const planish::EditTargets targets{.handles = planish::to_handles(handles),
                                        .pins = planish::to_indices(pins),
                                        .supports = {},

@@ -23,8 +23,15 @@ export interface FewestFound {
 /** What looks for other edits in place of one: with panels split, or with few to make again. */
 export interface EditWays extends SplitModule {
   /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
-   * to their targets handles have arrived. What it holds are pins from here on, its limits options. */
-  fewest(session: Session, handles: Float64Array, pins: Int32Array, withinHandle: number): string;
+   * to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. What it
+   * holds are pins from here on, its limits options. */
+  fewest(
+    session: Session,
+    handles: Float64Array,
+    pins: Int32Array,
+    withinHandle: number,
+    mostPanels: number,
+  ): string;
   /** Of the last one. */
   fewestFound(session: Session): FewestFound;
 }

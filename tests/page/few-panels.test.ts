@@ -147,3 +147,18 @@ it("can be stopped, keeps what it has, and is let go where the edit is another",
   await part(page).getByRole("button", { name: "Find edits with fewer panels" }).waitFor();
   await page.context().close();
 });
+
+it("stops at a number of panels, which folds more gently than the fewest do", async () => {
+  const page = await edited();
+  const gentle = await price(page);
+  const most = Math.round(0.6 * gentle);
+  await part(page).getByRole("spinbutton", { name: "At most" }).fill(String(most));
+  await find(page);
+  await point(page, new RegExp(`^At most ${most} panels:`)).click();
+  await idle(page);
+  const panels = await price(page);
+  expect(panels).toBeLessThanOrEqual(most);
+  expect(panels).toBeGreaterThan(0.5 * most);
+  expect((await written(page)).pins.length).toBeGreaterThan(0);
+  await page.context().close();
+});

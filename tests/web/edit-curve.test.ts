@@ -29,7 +29,7 @@ const point = (label: string, panels: number, growth: number): CurvePoint => ({
 
 describe("the ways of an edit", () => {
   it("pull so that handles arrive, at once, within limits on folds from one to none", () => {
-    const ways = waysOf(design(["fold=+10", "angle=30:150"]), []);
+    const ways = waysOf(design(["fold=+10", "angle=30:150"]), [], 0);
     expect(ways.map(({ kind }) => kind)).toEqual(["edit", "edit", ...Array(4).fill("fewest")]);
     for (const { settings } of ways) {
       expect(settings.attraction).toBe(1e5);
@@ -43,9 +43,15 @@ describe("the ways of an edit", () => {
   });
 
   it("keep a limit on folds that someone stated", () => {
-    const ways = waysOf(design(["fold=+10"]), ["fold=+10"]);
+    const ways = waysOf(design(["fold=+10"]), ["fold=+10"], 0);
     expect(ways.map(({ kind }) => kind)).toEqual(["edit", "edit", "fewest"]);
     for (const { settings } of ways) expect(settings.limits).toEqual(["fold=+10"]);
+  });
+
+  it("are one where a number of panels is enough", () => {
+    const ways = waysOf(design(["fold=+10", "angle=30:150"]), [], 60);
+    expect(ways.map(({ label, most }) => [label, most])).toEqual([["At most 60 panels", 60]]);
+    expect(ways[0]?.settings).toMatchObject({ attraction: 1e5, limits: ["angle=30:150"] });
   });
 });
 

@@ -118,12 +118,17 @@ export class Edits {
   }
 
   /** Few panels to make again: from here on the session has what that holds, and its limits. */
-  fewest({ targets, settings, withinHandle }: Extract<Request, { kind: "fewest" }>): FewestAnswer {
+  fewest({
+    targets,
+    settings,
+    withinHandle,
+    mostPanels,
+  }: Extract<Request, { kind: "fewest" }>): FewestAnswer {
     this.#hold = new PullHold();
     this.#setOptions(settings);
     const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
     const session = this.#session;
-    insist(this.#module.fewest(session, handles, pins, withinHandle));
+    insist(this.#module.fewest(session, handles, pins, withinHandle, mostPanels));
     this.#settings = null;
     const shape = { moved: session.moved(), positions: session.movedPositions() };
     return { shape, report: session.shapeReport(), found: this.#module.fewestFound(session) };

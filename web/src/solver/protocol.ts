@@ -139,13 +139,14 @@ export type Request =
       fairWay: number | null;
     } // → shown
   /** The edit that makes few panels again, at once. `withinHandle`: of the longest way of a handle, so
-   * near to their targets handles have arrived. */
+   * near to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. */
   | {
       kind: "fewest";
       job: number;
       targets: Targets;
       settings: EditSettings;
       withinHandle: number;
+      mostPanels: number;
     } // → fewest
   /** `keep`: the design is one of the family that was found last, or its centre. */
   | {

@@ -26,31 +26,41 @@ export interface Way {
   readonly label: string;
   readonly kind: "edit" | "fewest";
   readonly settings: EditSettings;
+  /** Of the fewest: enough of them; 0 for as few as can be. */
+  readonly most: number;
 }
 
 const isFold = (limit: string): boolean => limit.startsWith("fold=");
 
 function fewestWays(settings: EditSettings): Way[] {
-  const kind = "fewest";
-  if (settings.limits.some(isFold)) return [{ label: "Fewest within your limit", kind, settings }];
+  const fewest = { kind: "fewest", most: 0 } as const;
+  if (settings.limits.some(isFold))
+    return [{ label: "Fewest within your limit", ...fewest, settings }];
   const within = (degrees: number): Way => ({
     label: `Fewest, folds up to ${degrees}° sharper`,
-    kind,
+    ...fewest,
     settings: { ...settings, limits: [...settings.limits, `fold=+${degrees}`] },
   });
   const [first, second, ...closer] = GROWTHS.map(within);
-  const any: Way = { label: "Fewest, however sharp the folds", kind, settings };
+  const any: Way = { label: "Fewest, however sharp the folds", ...fewest, settings };
   return [first, second, any, ...closer].filter((way) => way !== undefined);
 }
 
-/** @param stated limits of the design that the page did not find itself */
-export function waysOf({ settings }: Design, stated: readonly string[]): readonly Way[] {
+/** @param stated limits of the design that the page did not find itself
+ * @param most panels, for the one way to make so many again; 0 for all ways */
+export function waysOf(
+  { settings }: Design,
+  stated: readonly string[],
+  most: number,
+): readonly Way[] {
   const limits = settings.limits.filter((limit) => !isFold(limit) || stated.includes(limit));
   const attraction = Math.max(settings.attraction, ARRIVING);
   const arriving = { ...settings, attraction, limits, continuation: 0 };
+  if (most > 0)
+    return [{ label: `At most ${most} panels`, kind: "fewest", settings: arriving, most }];
   const sparse = SPARSITIES.map(([locality, label]): Way => {
     const weights = { softness: 0, locality, smoothness: 1 };
-    return { label, kind: "edit", settings: { ...arriving, ...weights } };
+    return { label, kind: "edit", most: 0, settings: { ...arriving, ...weights } };
   });
   return [...sparse, ...fewestWays(arriving)];
 }

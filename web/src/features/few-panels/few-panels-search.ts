@@ -65,12 +65,12 @@ export function stopWhereLeft(page: Page): void {
   if (known?.doing && design && !isOn(known, design)) stopSearch(page);
 }
 
-/** Finds the points of the present edit one by one. */
-export async function findCurve(page: Page): Promise<void> {
+/** Finds the points of the present edit one by one. `most`: of panels, that one alone; 0: all. */
+export async function findCurve(page: Page, most = 0): Promise<void> {
   stopSearch(page);
   const [of, mesh] = [page.history.peek()?.present, page.mesh.peek()];
   if (!of || !mesh) return;
-  const search = new CurveSearch(page, of, mesh);
+  const search = new CurveSearch(page, of, mesh, most);
   own(page).stop = () => search.stop();
   await search.run();
 }
@@ -81,12 +81,14 @@ class CurveSearch {
   readonly #of: Design;
   readonly #mesh: OpenedMesh;
   readonly #solver: SecondSolver;
+  readonly #most: number;
   #going = true;
 
-  constructor(page: Page, of: Design, mesh: OpenedMesh) {
+  constructor(page: Page, of: Design, mesh: OpenedMesh, most: number) {
     this.#page = page;
     this.#of = of;
     this.#mesh = mesh;
+    this.#most = most;
     this.#solver = new SecondSolver(page.spawn);
   }
 
@@ -98,7 +100,7 @@ class CurveSearch {
   }
 
   async run(): Promise<void> {
-    const ways = waysOf(this.#of, this.#page.statedLimits.peek());
+    const ways = waysOf(this.#of, this.#page.statedLimits.peek(), this.#most);
     found(this.#page).value = {
       of: this.#of,
       points: [],
@@ -168,13 +170,15 @@ class CurveSearch {
     return way.kind === "fewest" ? this.#fewest(ask, way) : this.#edit(ask, way);
   }
 
-  async #fewest(ask: Ask, { label, settings }: Way): Promise<CurvePoint | null> {
+  async #fewest(ask: Ask, { label, settings, most }: Way): Promise<CurvePoint | null> {
     const targets = toTargets(this.#of.handles);
-    const asked = { targets, settings, withinHandle: WITHIN_HANDLE };
+    const asked = { targets, settings, withinHandle: WITHIN_HANDLE, mostPanels: most };
     const question = { kind: "fewest", ...asked } as const;
     const answer = await ask(question, "fewest", this.#step);
     const { shape, report, found: few } = answer;
     if (!few.reached) return this.#shortOf(label);
+    if (most > 0 && few.panels > most)
+      this.#complain(new Error(`${few.panels} are the fewest that were found.`), label);
     const design: Design = {
       ...this.#of,
       handles: [...this.#of.handles, ...this.#pinsAt([...few.held])],

@@ -158,6 +158,43 @@ function Problems({ found }: { found: EditCurve }) {
   );
 }
 
+/** All edits of the curve, or the one alone that stops at so many panels. */
+function Find() {
+  const page = usePage();
+  const typed = useSignal("");
+  const most = Math.max(0, Math.round(Number(typed.value)));
+  return (
+    <form
+      class="few-panels-find"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void findCurve(page, most);
+      }}
+    >
+      <button
+        type="submit"
+        class="button small"
+        title="The same edit with fewer panels to cut again, for sharper folds: computed beside what you do"
+        disabled={!page.ready.value}
+      >
+        Find edits with fewer panels
+      </button>
+      <input
+        type="number"
+        aria-label="At most"
+        placeholder="at most"
+        title="So many panels are enough: that edit alone is computed, which folds more gently"
+        min={1}
+        step={1}
+        value={typed.value}
+        onInput={({ currentTarget }) => {
+          typed.value = currentTarget.value;
+        }}
+      />
+    </form>
+  );
+}
+
 /** The present edit with fewer panels made again, for sharper folds. */
 export function FewPanels() {
   const page = usePage();
@@ -172,17 +209,7 @@ export function FewPanels() {
       {found && <Doing found={found} />}
       {found && <Problems found={found} />}
       {!found && <p class="quiet small">{presentPrice(page, design)}</p>}
-      {!found && (
-        <button
-          type="button"
-          class="button small"
-          title="The same edit with fewer panels to cut again, for sharper folds: computed beside what you do"
-          disabled={!page.ready.value}
-          onClick={() => void findCurve(page)}
-        >
-          Find edits with fewer panels
-        </button>
-      )}
+      {found?.doing == null && <Find />}
     </section>
   );
 }
