@@ -80,7 +80,7 @@ EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
 EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& progress) {
   constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
   constexpr double kWarm = 0.015;
-  constexpr double kLimitPenalty = 30.0;  // μ of the limits once their multipliers are about known
+  constexpr double kLimitPenalty = 60.0;  // μ of the limits once their multipliers are about known
   const HandleEditOptions& asked = model_.options();
   NewtonOptions step = options;
   step.last_smoothing = kCoarse;  // settle() goes on from its own first ε

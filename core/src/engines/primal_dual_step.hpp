@@ -21,7 +21,7 @@ struct StepOptions {
   double penalty = 1e6;
   /// μ > 0 of the inequalities, whose shares are no lengths. Small: their multipliers come slowly;
   /// large: a step that meets many new ones is cut short.
-  double limit_penalty = 10.0;
+  double limit_penalty = 20.0;
   /// Limits that press no more stay for a step whose model has no minimum without them; otherwise
   /// the shift grows until it has one. Cheaper on the way, but at a minimum none may stay.
   bool limits_may_stay = true;
