@@ -12,14 +12,15 @@ namespace {
 constexpr std::string_view kKnown = "mm, cm, m, km, in, ft";
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
 
-/// A number and the word behind it.
+/// A number and the word behind it, spaces between the two or not.
 struct Measured {
   std::string_view number, unit;
 };
 
 Measured measured(std::string_view text) {
   const std::size_t end = text.find_last_not_of(kLetters) + 1;
-  return {text.substr(0, end), text.substr(end)};
+  const std::string_view number = text.substr(0, end);
+  return {number.substr(0, number.find_last_not_of(' ') + 1), text.substr(end)};
 }
 
 /// From one unit to another. Divides by how many make one where they are smaller: 700 mm are 0.7 m.
