@@ -2,10 +2,7 @@
 // What fewest_bindings.cpp lists, by hand.
 
 import type { Session } from "./planish.d.ts";
-import type { AlikeModule } from "./planish_alike.d.ts";
 import type { SplitModule } from "./planish_cuts.d.ts";
-
-export type * from "./planish_alike.d.ts";
 
 /** The edit that makes few panels again, beside its shape. */
 export interface FewestFound {
@@ -23,9 +20,8 @@ export interface FewestFound {
   readonly limits: readonly string[];
 }
 
-/** What looks for other edits in place of one, with panels split or few to make again, and for meshes with
- * more panels alike. */
-export interface EditWays extends SplitModule, AlikeModule {
+/** What looks for other edits in place of one: with panels split, or with few to make again. */
+export interface EditWays extends SplitModule {
   /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
    * to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. What it
    * holds are pins from here on, its limits options. */

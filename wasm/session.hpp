@@ -70,21 +70,6 @@ struct FewestFound {
   std::vector<StatedLimit> limits;  ///< those of the edit, with those found needed
 };
 
-/// How panels of the mesh shown become alike; shares are of its mean edge.
-struct AlikeAsked {
-  double within = 0.005;  ///< of a corner from its template's
-  double move = 0.2;      ///< of any point
-  bool mirrored = false;  ///< a panel may be its template turned over
-  bool keep_boundary = true;
-};
-
-/// The mesh with panels more alike.
-struct AlikeMesh {
-  int before = 0, after = 0;  ///< types
-  double max_move = 0.0;      ///< model units
-  std::string obj;            ///< all bits of it
-};
-
 // As --constraint, --bound and --keep-out say it. What cannot be read breaks a rule of
 // find_problem().
 [[nodiscard]] KeptConstraint read_constraint(std::string_view text);
@@ -143,8 +128,6 @@ class Session {
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
   /// Of the last fewest().
   [[nodiscard]] const FewestFound& fewest_found() const { return fewest_found_; }
-  /// See find_fewer_types(), with folds at most 5° sharper; the mesh shown stays.
-  [[nodiscard]] std::variant<AlikeMesh, std::string> alike(const AlikeAsked& asked) const;
   /// Keeps the edit that is shown, and where a drag stands.
   void keep_edit();
   /// The next frame of the drag follows the one kept; what is shown stays.

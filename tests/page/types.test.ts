@@ -8,7 +8,6 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { readObj } from "../browser/support/obj.ts";
 import { downloaded, idle, obj, showTab, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
@@ -147,39 +146,5 @@ it("cuts one template a type with the bytes of the command line", async () => {
   const given = ["panels", "Roof.obj", "-o", "cli.zip", ...options.split(" ")];
   execFileSync(CLI, given, { cwd: folder });
   expect(bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
-  await page.context().close();
-});
-
-it("makes panels alike as the command line does, as one step of the history", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
-  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
-  const before = await byCommand(page, "--within 0.5%");
-  await expect.poll(() => count(page)).toBe(before.types);
-  const given = await obj(page);
-  writeFileSync(join(folder, "given.obj"), given);
-  const alike = legend(page).getByRole("group", { name: "Make panels alike" });
-  await alike.getByRole("combobox", { name: "Points may move by" }).selectOption("20 % of an edge");
-  await alike.getByRole("checkbox", { name: "The boundary stays" }).uncheck();
-  await alike.getByRole("button", { name: "Make more alike" }).click();
-  await idle(page);
-  const options = "--within 0.5% --move 20% -o alike.obj --report alike.json";
-  execFileSync(CLI, ["project", "given.obj", ...options.split(" ")], { cwd: folder });
-  const { types } = JSON.parse(await readFile(join(folder, "alike.json"), "utf8"));
-  expect(types.after).toBeLessThan(types.before);
-  await page.getByText(`${types.after} types in place of ${types.before};`).waitFor();
-  // The legend counts with the mean edge of the new mesh.
-  const now = await byCommand(page, "--within 0.5%");
-  expect(now.types).toBeLessThan(0.5 * before.types);
-  await expect.poll(() => count(page)).toBe(now.types);
-  const [here, there] = [await obj(page), await readFile(join(folder, "alike.obj"), "utf8")].map(
-    (text) => readObj(text).points,
-  );
-  expect(here?.length).toBe(there?.length);
-  for (const [k, p] of (here ?? []).entries())
-    for (const axis of [0, 1, 2] as const)
-      expect(Math.abs((p[axis] ?? 0) - (there?.[k]?.[axis] ?? Number.NaN))).toBeLessThan(1e-8);
-  await page.getByRole("button", { name: "Undo" }).click();
-  await idle(page);
-  expect(await obj(page)).toBe(given);
   await page.context().close();
 });

@@ -60,11 +60,6 @@ it("declares every field of every report", async () => {
   expect(fields(shape.motion)).toEqual(declared("MotionRange", reports));
   const few = declared("FewestFound", read("planish_fewest"));
   expect(fields(module.fewestFound(session))).toEqual(few);
-  const asked = { within: 0.01, move: 0.05, mirrored: false, keepBoundary: true };
-  const alike = module.alike(session, asked);
-  expect(fields(alike)).toEqual(declared("AlikeMesh", read("planish_alike")));
-  expect(alike.after).toBeLessThanOrEqual(alike.before);
-  expect(module.alike(session, { ...asked, within: 0 }).problem).toMatch(/^More alike: within/);
   expect(fields(shape.optimality)).toEqual(declared("Optimality", reports));
   expect(fields(shape.bounds)).toEqual(["fold"]);
   expect(shape.movedVertices).toBe(session.moved().length);

@@ -3,7 +3,6 @@
 
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { turnedObj } from "../mesh/up-axis.ts";
-import { makeAlike } from "./alike.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { DesignFiles } from "./design-files.ts";
 import { type Edited, Edits } from "./edits.ts";
@@ -34,7 +33,6 @@ type Waited =
   | "read"
   | "join"
   | "turn"
-  | "alike"
   | "readDesign"
   | "export"
   | "shop"
@@ -95,7 +93,6 @@ export class Dispatcher {
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "join") await this.#join(request);
       else if (request.kind === "turn") this.#turn(request);
-      else if (request.kind === "alike") this.#postAlike(request);
       else if (request.kind === "export") await this.#export(request);
       else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
@@ -363,12 +360,6 @@ export class Dispatcher {
     const [support, moves] = [session.variationSupport(), session.variationDisplacements()];
     this.#family = { centre, support, moves };
     return leadsOf(this.#family);
-  }
-
-  #postAlike(request: Extract<Request, { kind: "alike" }>): void {
-    const { reply, transfer } = makeAlike(this.#module, this.#session, request);
-    if (reply.opened) this.#analysis.forget();
-    this.#post(reply, transfer);
   }
 
   #postStops(job: number, coefficients: readonly number[]): void {

@@ -117,8 +117,6 @@ export type Request =
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** The mesh shown, mended in one of these ways, as a file of this name. */
   | { kind: "join"; job: number; name: string; way: Mending } // → opened
-  /** The mesh shown with panels more alike, as a file of this name where that gives fewer types. */
-  | { kind: "alike"; job: number; name: string; asked: Reports.AlikeAsked } // → alike
   /** The mesh shown, which was turned for another axis to go up, as a file of this name. */
   | { kind: "turn"; job: number; name: string; from: UpAxis; to: UpAxis } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */
@@ -338,15 +336,6 @@ export type Reply =
       deviation: number;
     }
   | { kind: "fewest"; job: number; shape: Shape; report: ShapeReport; found: Reports.FewestFound }
-  /** `opened`: the mesh, which is open now; null where its types are as many as before. */
-  | {
-      kind: "alike";
-      job: number;
-      before: number;
-      after: number;
-      maxMove: number;
-      opened: { readonly source: Source; readonly mesh: OpenedMesh } | null;
-    }
   | { kind: "tried"; job: number; trial: Reports.CutTrial }
   /** On the way to `split`: the best with so many lines so far. */
   | { kind: "standing"; job: number; standing: Reports.SplitStanding }

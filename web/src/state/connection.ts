@@ -149,7 +149,6 @@ function account(page: Page, question: Question, answer: Answer | null): void {
     case "fewest":
     case "replay":
     case "read":
-    case "alike":
     case "join":
     case "turn":
       if (done) solver.centre = null;
@@ -163,18 +162,12 @@ function openedBase(question: Extract<Question, { kind: "open" }>, answer: Answe
   return { source, planarised, symmetry: symmetry && { ...symmetry, elements }, cuts };
 }
 
-/** Of a mesh that the solver made or read for the first time, and has open now. */
-function newSource(answer: Answer): Source | null {
-  if (answer.kind === "alike") return answer.opened?.source ?? null;
-  return answer.kind === "opened" ? answer.source : null;
-}
-
 async function ask(page: Page, question: Question): Promise<Answer> {
   try {
     const answer = await client(page).ask(question);
     account(page, question, answer);
-    const source = newSource(answer);
-    if (source) held(page).base = { source, planarised: null, symmetry: null, cuts: [] };
+    if (answer.kind === "opened" && answer.source)
+      held(page).base = { source: answer.source, planarised: null, symmetry: null, cuts: [] };
     return answer;
   } catch (error) {
     account(page, question, null);

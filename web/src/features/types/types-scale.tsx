@@ -5,7 +5,6 @@ import type { ShownTypes } from "../../state/page-state.ts";
 import { NamedPanelsList } from "../../ui/named-panels.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "../../ui/legend-scales.css";
-import { MoreAlike } from "./more-alike.tsx";
 import { colouredTypes, followTypes } from "./types.ts";
 
 /** Shares of the mean edge: what rounding leaves, and what a joint takes up. */
@@ -78,7 +77,6 @@ export function TypesScale() {
       <Choice />
       <Count types={types} unit={page.unit.value} />
       <NamedPanelsList all={coloured} />
-      <MoreAlike />
       {coloured.length < types.sizes.length && (
         <p class="legend-note">{`${types.sizes.length - coloured.length} more without a colour`}</p>
       )}
