@@ -270,7 +270,7 @@ TEST_P(SystemOn, KeepsALimitThatItsDefinitenessHangsOn) {
   };
   const Eigen::VectorXd bent = gradient_of(first), other = gradient_of(first + 1);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(bent.size(), bent.size());
-  matrix += (kLimitPenalty - 20.0 / bent.squaredNorm()) * bent * bent.transpose();
+  matrix += (kLimitPenalty - 100.0 / bent.squaredNorm()) * bent * bent.transpose();
   const Eigen::MatrixXd inverse = matrix.inverse();
   const auto solve = [&](Eigen::Matrix3Xd& x) {
     Eigen::Map<Eigen::VectorXd> flat(x.data(), x.size());
