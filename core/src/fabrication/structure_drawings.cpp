@@ -76,7 +76,9 @@ std::string place_of(const SectionPlane& plane, double levels, const std::string
     if (std::abs(plane.normal[k]) != 1.0) continue;
     std::string place = std::string(" at ") + "xyz"[k] + " = ";
     append_decimals(place, plane.normal[k] * plane.offset * levels);
-    return place + ' ' + unit;
+    place += ' ';
+    place += unit;
+    return place;
   }
   return "";
 }
