@@ -59,3 +59,9 @@ export const damage = kept((page) =>
     page.draft.value === page.history.value?.present ? page.panelDamage.value : null,
   ),
 );
+
+/** The core's figures of each panel, measured together with the damage: those of the design shown, or null
+ * (`panelHealth` itself is an earlier design's until the next is measured). */
+export const healthShown = kept((page) =>
+  computed(() => (damage(page).value === null ? null : page.panelHealth.value)),
+);

@@ -3,6 +3,7 @@
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { type Design, leftBehind, toTargets } from "../../design/design.ts";
 import { foldGrowth } from "../../solver/fair-folds.ts";
+import { healthShown } from "../../state/damage.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
@@ -28,7 +29,7 @@ import "./few-panels.css";
 
 /** What the design shown costs; "" while it is not measured. */
 function presentPrice(page: Page, design: Design): string {
-  const health = page.panelHealth.value;
+  const health = healthShown(page).value;
   if (!health) return "";
   return priceWords(cutAgain(health), Math.max(0, foldGrowth(design.report)));
 }
