@@ -279,7 +279,7 @@ TEST_P(SystemOn, KeepsALimitThatItsDefinitenessHangsOn) {
   RowUpdate update;
   update.begin(with_limits(first, {1, 0, 0}));
   ASSERT_TRUE(update.set(with_limits(first, {1, 1, 0}), kLimitPenalty, rows, solve));
-  EXPECT_FALSE(update.set(with_limits(first, {0, 1, 0}), kLimitPenalty, rows, solve));
+  EXPECT_FALSE(update.set(with_limits(first, {0, 0, 0}), kLimitPenalty, rows, solve));
   const Eigen::Matrix3Xd pulls = testing::random_points(7, patch.free_count);
   Eigen::Matrix3Xd expected = pulls, actual = pulls;
   solve(actual);
