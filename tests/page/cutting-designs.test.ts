@@ -122,7 +122,7 @@ it("what the core refuses is its own sentence, and nothing is cut", async () => 
   await kind(page, "Split");
   await field(page).fill("900:1,2");
   await strip(page)
-    .getByText("split=900:1,2: there is no panel 900: panels are 0 to 399.")
+    .getByText("split=900:1,2: there is no panel 900: panels are 0 to 195.")
     .waitFor();
   await field(page).press("Enter");
   await idle(page);

@@ -82,7 +82,7 @@ it("shows exact designs in a gallery; Enter adopts one as one step", async () =>
     await page.keyboard.press("Enter");
     await idle(page);
     expect(await tile.getAttribute("aria-pressed")).toBe("true");
-    expect(await status(page)).toContain(`${points} of 441 points move · largest ${length}`);
+    expect(await status(page)).toContain(`${points} of 225 points move · largest ${length}`);
     expect(worstFlatness(readObj(await obj(page)))).toBeLessThan(1e-6);
     await press(page, "Undo");
     expect(await obj(page)).toBe(centre);

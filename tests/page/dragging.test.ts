@@ -216,7 +216,7 @@ describe("several points", () => {
     const page = await openPage(ROOMY);
     const { x, y } = await hintedPoint(page);
     await page.getByRole("button", { name: "Select in a box" }).click();
-    await press(page, { x: x - 44, y: y - 38 }, { x: x + 44, y: y + 38 });
+    await press(page, { x: x - 66, y: y - 56 }, { x: x + 66, y: y + 56 });
     await page.mouse.up();
     expect(await movedCount(page)).toBe(0);
     await page.getByRole("button", { name: "Lock to Z" }).click();

@@ -145,7 +145,7 @@ describe("a mesh opens", () => {
     expect(await page.getByRole("alert").textContent()).toMatch(
       /line \d+: the edge between vertices 1 and 2 is shared by 3 faces, among them \d+ and \d+ \(from 1\)/,
     );
-    expect(await status(page)).toMatch(/0 of 441 points/);
+    expect(await status(page)).toMatch(/0 of 225 points/);
     await page.context().close();
   });
 });

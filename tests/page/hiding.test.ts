@@ -54,7 +54,7 @@ it("by keys and by buttons; what is hidden is not hit, and all of it comes back"
   await page.keyboard.press("Control+ArrowRight");
   const strip = page.getByRole("toolbar", { name: "Selected points" });
   await strip.getByRole("button", { name: "Isolate" }).click();
-  expect(await note(page).textContent()).toContain("394 panels hidden in the view");
+  expect(await note(page).textContent()).toContain("190 panels hidden in the view");
   await page.getByRole("button", { name: "Select in a box" }).click();
   await press(page, { x: above.x - 200, y: above.y - 200 }, { x: above.x + 200, y: above.y + 200 });
   await page.mouse.up();
@@ -72,7 +72,7 @@ it("an edit moves what is hidden, too, and another mesh is shown whole", async (
   await page.mouse.click(at.x, at.y);
   await tool(page, "Show only the selected panels").click();
   await note(page).waitFor();
-  expect(await note(page).textContent()).toContain("396 panels hidden in the view");
+  expect(await note(page).textContent()).toContain("192 panels hidden in the view");
   await press(page, at, { x: at.x, y: at.y - 40 });
   await page.mouse.up();
   await idle(page);

@@ -43,7 +43,7 @@ function holds(at: Place, size: number, { x, y }: Place): boolean {
 }
 
 it("selects what it goes round, and not what lies in its bay; the tool is let go", async () => {
-  const page = await site.openVault(ROOMY);
+  const page = await site.openVault({ ...ROOMY, size: 21 });
   const at = await hintedPoint(page);
   await tool(page).click();
   expect(await tool(page).getAttribute("aria-pressed")).toBe("true");
@@ -72,7 +72,7 @@ it("selects what it goes round, and not what lies in its bay; the tool is let go
 });
 
 it("with Shift and Alt a drag draws one at once, and adds what it holds", async () => {
-  const page = await site.openVault(ROOMY);
+  const page = await site.openVault({ ...ROOMY, size: 21 });
   const at = await hintedPoint(page);
   await page.mouse.click(at.x, at.y);
   await expect.poll(async () => (await marked(page)).length).toBe(1);
@@ -90,7 +90,7 @@ it("with Shift and Alt a drag draws one at once, and adds what it holds", async 
 });
 
 it("Escape gives it up", async () => {
-  const page = await site.openVault(ROOMY);
+  const page = await site.openVault({ ...ROOMY, size: 21 });
   const at = await hintedPoint(page);
   await tool(page).click();
   const [first = at, ...rest] = around(at, 70);

@@ -86,7 +86,7 @@ describe("the pointer on a point", () => {
   });
 
   it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
-    const page = await site.openVault();
+    const page = await site.openVault({ size: 21 });
     const at = await hintedPoint(page);
     await press(page, at, { x: at.x, y: at.y - 50 });
     const largest = async (): Promise<string> =>

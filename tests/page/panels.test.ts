@@ -73,7 +73,7 @@ it("speaks of millimetres, and of flat panels only where they are flat", async (
     const id = await view.getAttribute("aria-describedby");
     return (await page.locator(`#${id}`).textContent()) ?? "";
   };
-  expect(await summary()).toContain("400 flat panels");
+  expect(await summary()).toContain("196 flat panels");
   await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
   // The door shows what planarising would make of it, and the file is still as it was.
   await expect
@@ -100,12 +100,12 @@ it("says how many panels must be made again after the edit", async () => {
   const [cut, bevel] = [await countOf("cut again"), await countOf("new bevel only")];
   expect(bevel).toBeGreaterThan(0);
   expect(cut + bevel).toBe(total);
-  expect(await countOf("unchanged")).toBe(400 - total);
+  expect(await countOf("unchanged")).toBe(196 - total);
   await legend.getByRole("button", { name: /^new bevel only/ }).click();
   await page.getByText(/^Panel \d+ 4 corners/).waitFor();
   await page.getByRole("button", { name: "Undo" }).click();
   await expect.poll(() => note.count()).toBe(0);
-  await expect.poll(() => countOf("unchanged")).toBe(400);
+  await expect.poll(() => countOf("unchanged")).toBe(196);
   await page.context().close();
 });
 

@@ -68,7 +68,7 @@ it("the table of panels is saved with a line for every panel", async () => {
   const [head, ...lines] = text.trimEnd().split("\r\n");
   const columns = head?.split(",") ?? [];
   expect(columns).toContain("must_be_made_again");
-  expect(lines.length).toBe(400);
+  expect(lines.length).toBe(196);
   expect(lines.every((line) => line.split(",").length === columns.length)).toBe(true);
   const ending = (word: string): number => lines.filter((line) => line.endsWith(`,${word}`)).length;
   const [outline, bevel] = [ending("yes"), ending("bevel")];

@@ -48,7 +48,7 @@ async function selectEdge(page: Page): Promise<Place> {
 }
 
 it("a double click on an edge selects its line, with Alt its strip; the strip's buttons too", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ size: 21 });
   const middle = await selectEdge(page);
   await page.mouse.dblclick(middle.x, middle.y);
   await expectSelected(page, SIDE);
@@ -67,7 +67,7 @@ it("a double click on an edge selects its line, with Alt its strip; the strip's 
 });
 
 it("a selection grows, shrinks and is turned round", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ size: 21 });
   await selectEdge(page);
   await press(page, "Grow");
   await expectSelected(page, 8);
@@ -85,7 +85,7 @@ it("a selection grows, shrinks and is turned round", async () => {
 });
 
 it("the boundary is pinned and a line raised by an amount, in twelve actions; both are let go", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ size: 21 });
   const base = readObj(await obj(page));
   const middle = await selectEdge(page);
   await page.keyboard.press("Escape");
@@ -136,7 +136,7 @@ it("the boundary is pinned and a line raised by an amount, in twelve actions; bo
 });
 
 it("a point is moved by an amount in eight keys, along the axis of the lock", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ size: 21 });
   const base = readObj(await obj(page));
   await page.getByLabel("3D view").focus();
   const keys = async (...pressed: readonly string[]): Promise<void> => {
@@ -165,7 +165,7 @@ it("a point is moved by an amount in eight keys, along the axis of the lock", as
 });
 
 it("the boundary is pinned and a line raised by keys alone, in forty", async () => {
-  const page = await site.openVault();
+  const page = await site.openVault({ size: 21 });
   const base = readObj(await obj(page));
   await page.getByLabel("3D view").focus();
   let pressed = 0;
@@ -212,7 +212,7 @@ async function raised(page: Page, base: readonly (readonly number[])[]): Promise
 }
 
 it("with a fall-off a line rises as a bump, by a typed amount and by a drag; a link has its targets", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ size: 21, viewport: { width: 1440, height: 900 } });
   const { points } = readObj(await obj(page));
   await selectEdge(page);
   await press(page, "Line");

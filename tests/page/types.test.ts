@@ -23,7 +23,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 const legend = (page: Page) => page.getByRole("group", { name: "Legend", exact: true });
 
-/** "61 types of 400 panels" → 61 */
+/** "61 types of 196 panels" → 61 */
 const count = async (page: Page): Promise<number> =>
   Number.parseInt(
     (await legend(page)
