@@ -17,6 +17,8 @@ export default mergeConfig(
       ],
       // What drives the browser is read once a process, not for each of fifty files.
       isolate: false,
+      // Each time it asks three processes.
+      expect: { poll: { interval: 100 } },
       fileParallelism: true,
       maxWorkers: Math.min(2, availableParallelism()),
     },

@@ -71,7 +71,7 @@ describe("the solver", () => {
   });
 
   it("out of memory says so and keeps the design", async () => {
-    const page = await site.openVault({ serviceWorkers: "block" }, insideSolver(NO_MORE_MEMORY));
+    const page = await site.openVault({}, insideSolver(NO_MORE_MEMORY));
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     // More than the memory that the solver starts with, together with its copy.
@@ -93,7 +93,7 @@ describe("a slow file", () => {
   const slow = insideSolver(SLOW_DISK);
 
   it("shows how far it is, Cancel keeps the design, and another one arrives whole", async () => {
-    const page = await site.openVault({ serviceWorkers: "block" }, slow);
+    const page = await site.openVault({}, slow);
     await typeTarget(page, "+60cm");
     const before = await obj(page);
     const slowly = { text: flatRoof(20), filler: "# slow\n", bytes: 12_000_000 };

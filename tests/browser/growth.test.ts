@@ -98,7 +98,7 @@ async function editMany(hands: Hands, count: number): Promise<void> {
 
 it("edits do not grow the page, the solver or the graphics", async () => {
   const viewport = { width: 600, height: 480 };
-  const page = await site.open({ viewport, serviceWorkers: "block" }, "", async (context) => {
+  const page = await site.open({ viewport }, "", async (context) => {
     await insideSolver(SHOW_MEMORY)(context);
     await holdSolvers(context);
     await catchExports(context);

@@ -4,6 +4,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { expectClean } from "./support/axe.ts";
+import { KEEPING } from "./support/open.ts";
 import { site } from "./support/site.ts";
 
 interface Served {
@@ -68,7 +69,7 @@ it("fits a phone, in the dark too", async () => {
 });
 
 it("stays without a network once it was read", async () => {
-  const page = await site.open();
+  const page = await site.open(KEEPING);
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.reload();
   await page.goto(`${site.url}guide/index.html`);

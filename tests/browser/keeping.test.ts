@@ -17,7 +17,7 @@ async function visit(page: Page, search = ""): Promise<void> {
 }
 
 it("storage that answers late costs neither the page nor what is kept", async () => {
-  const page = await site.open({ serviceWorkers: "block" }, "", slowStorage(9_000));
+  const page = await site.open({}, "", slowStorage(9_000));
   await typeTarget(page, "+60cm");
   const before = await obj(page);
   await kept(page);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: network.
 import { expect, it } from "vitest";
+import { KEEPING } from "./support/open.ts";
 import { exportAs, idle, openRule, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
 it("works without a network after the first visit", async () => {
-  const page = await site.open();
+  const page = await site.open(KEEPING);
   await page.evaluate("navigator.serviceWorker.ready");
   await page.context().setOffline(true);
   await page.reload();

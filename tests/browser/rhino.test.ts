@@ -5,6 +5,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { unitSystem } from "../../web/src/rhino/model.ts";
 import { loadRhino } from "../parity/support/rhino.ts";
+import { KEEPING } from "./support/open.ts";
 import { exportAs, movedCount, obj, openFile, status, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 
@@ -17,7 +18,7 @@ const kept = (page: Page): Promise<number> =>
   });
 
 it("opens again as the design, to the last bit; its library comes when asked for", async () => {
-  const page = await site.open({ draws: true });
+  const page = await site.open({ ...KEEPING, draws: true });
   await page.evaluate("navigator.serviceWorker.ready");
   await expect
     .poll(() => page.evaluate(() => navigator.serviceWorker.controller !== null))

@@ -18,7 +18,7 @@ it("is at most 1 MB for everything that a drag needs", async () => {
   const sizes: (readonly [string, Promise<number>])[] = [];
   const packed = async (answer: Response): Promise<number> =>
     gzipSync(await answer.body(), { level: 9 }).length;
-  const page = await site.open({ serviceWorkers: "block" }, "", async (context) => {
+  const page = await site.open({}, "", async (context) => {
     // Held back for ever, so that the drag below shows that it does without.
     await context.route(LATER, () => {});
     context.on("response", (answer) => {
@@ -45,7 +45,7 @@ it("is at most 1 MB for everything that a drag needs", async () => {
 
 it("comes in a few files until the page is at rest, the controls in one", async () => {
   const scripts: string[] = [];
-  const page = await site.open({ serviceWorkers: "block" }, "", async (context) => {
+  const page = await site.open({}, "", async (context) => {
     context.on("request", (request) => {
       const name = new URL(request.url()).pathname.split("/").at(-1) ?? "";
       if (name.endsWith(".js")) scripts.push(name);

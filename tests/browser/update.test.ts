@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { holdSolvers, killNow } from "./support/faults.ts";
-import { openSite, type Site } from "./support/open.ts";
+import { KEEPING, openSite, type Site } from "./support/open.ts";
 import { exportAs, idle, showTab, typeTarget, usable } from "./support/page.ts";
 import { SITE } from "./support/server.ts";
 
@@ -31,7 +31,7 @@ async function publish(name: string): Promise<void> {
 }
 
 it("is offered during an edit, waits for the user, and loses nothing", async () => {
-  const page = await site.open({}, "", holdSolvers);
+  const page = await site.open(KEEPING, "", holdSolvers);
   await page.evaluate("navigator.serviceWorker.ready");
   await page.reload();
   await usable(page);
@@ -74,7 +74,7 @@ it("is offered during an edit, waits for the user, and loses nothing", async () 
 });
 
 it("does not reload another tab, which goes on with its own version", async () => {
-  const first = await site.open({}, "", holdSolvers);
+  const first = await site.open(KEEPING, "", holdSolvers);
   await first.evaluate("navigator.serviceWorker.ready");
   await first.reload();
   await usable(first);
