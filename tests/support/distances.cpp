@@ -72,11 +72,23 @@ bool share_a_point(const Mesh& mesh, int f, int g) {
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
-/// Along the axis where boxes around the two are farthest apart.
-double boxes_apart(const Positions& a, const Positions& b) {
-  const auto low = [](const Positions& p) -> Eigen::Vector3d { return p.rowwise().minCoeff(); };
-  const auto high = [](const Positions& p) -> Eigen::Vector3d { return p.rowwise().maxCoeff(); };
-  return (low(b) - high(a)).cwiseMax(low(a) - high(b)).maxCoeff();
+/// Around a panel.
+struct Bounds {
+  Eigen::Vector3d low, high;
+};
+
+std::vector<Bounds> bounds_of_panels(const Mesh& mesh, const Positions& points) {
+  std::vector<Bounds> all;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const Positions here = shape(mesh, points, f);
+    all.push_back({here.rowwise().minCoeff(), here.rowwise().maxCoeff()});
+  }
+  return all;
+}
+
+/// Along the axis where the two are farthest apart.
+double apart(const Bounds& a, const Bounds& b) {
+  return (b.low - a.high).cwiseMax(a.low - b.high).maxCoeff();
 }
 
 }  // namespace
@@ -94,15 +106,17 @@ double panel_distance(const Positions& a, const Positions& b) {
 
 double least_panel_distance(const Mesh& base, const Positions& after, double within,
                             double clearance) {
+  const std::vector<Bounds> bounds = bounds_of_panels(base, after);
   double least = INFINITY;
-  for (int f = 0; f < base.face_count(); ++f) {
-    const Positions here = shape(base, after, f), was = shape(base, base.positions, f);
+  for (std::size_t f = 0; f < bounds.size(); ++f) {
+    const int face = static_cast<int>(f);
+    const Positions here = shape(base, after, face), was = shape(base, base.positions, face);
     if (here == was) continue;
-    for (int g = 0; g < base.face_count(); ++g) {
-      const Positions there = shape(base, after, g);
-      if (share_a_point(base, f, g) || boxes_apart(here, there) > within) continue;
-      if (panel_distance(was, shape(base, base.positions, g)) < clearance) continue;
-      least = std::min(least, panel_distance(here, there));
+    for (std::size_t g = 0; g < bounds.size(); ++g) {
+      const int other = static_cast<int>(g);
+      if (apart(bounds[f], bounds[g]) > within || share_a_point(base, face, other)) continue;
+      if (panel_distance(was, shape(base, base.positions, other)) < clearance) continue;
+      least = std::min(least, panel_distance(here, shape(base, after, other)));
     }
   }
   return least / mean_edge_length(base);
