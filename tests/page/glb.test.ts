@@ -87,7 +87,7 @@ async function slide(page: Page, name: string, value: string): Promise<void> {
 describe("a GLB from the page", () => {
   it("is valid and holds the panels: no edit, an edit, variations", async () => {
     const page = await site.openVault();
-    for (const sample of ["Dome", "Hexagonal shell"]) {
+    for (const sample of ["Hexagonal shell", "Dome"]) {
       await chooseSample(page, sample);
       const plain = await exportAs(page, "GLB");
       await expectValid(plain);
