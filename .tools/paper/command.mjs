@@ -11,8 +11,11 @@ const TESTS = join(ROOT, "build/native/tests/planish_tests");
 /** Standard output of a mesh with a few thousand vertices, with room to spare. */
 const LARGEST = 64 * 1024 * 1024;
 
+/** Tests run whole sets, as at night. */
+const env = { ...process.env, PLANISH_NIGHTLY: "1" };
+
 const run = (program, words) =>
-  execFileSync(program, words, { encoding: "utf8", maxBuffer: LARGEST });
+  execFileSync(program, words, { encoding: "utf8", maxBuffer: LARGEST, env });
 
 /** Runs `use` with an empty directory that is gone afterwards. */
 function withDirectory(use) {

@@ -95,13 +95,20 @@ TEST(PaperClaim, TheReferenceAlgorithmConvergesToFabricationTolerance) {
   }
 }
 
+/// Lifts of a claim that takes long: the first at every commit, the others at night and where
+/// docs/paper.md is made.
+std::vector<double> lifts_of(std::vector<double> all) {
+  if (!testing::is_night()) all.resize(1);
+  return all;
+}
+
 /// Sec. 3.6: one inner step (ADMM) "may fail to converge" where several do, with the same number of
 /// inner steps in all.
 TEST(PaperClaim, SeveralInnerStepsConvergeWhereAdmmDoesNot) {
   constexpr int kBudget = 4500;
   int several = 0, one = 0, scenes = 0;
   for (const char* name : {"vault", "dome"}) {
-    for (const double lift : {0.75, 1.5, 2.25}) {
+    for (const double lift : lifts_of({1.5, 0.75, 2.25})) {
       const EditTask task = lifted(name, lift);
       several += edit_by_alternation(task, kInnerLimit, kBudget).finished ? 1 : 0;
       one += edit_by_alternation(task, 1, kBudget).finished ? 1 : 0;
@@ -127,7 +134,8 @@ double share_outside(const Subspace& subspace, const std::vector<int>& edit) {
 /// Sec. 4: without it "the system proposed many local edits that are not in the region of the
 /// original deformation". The reach is wide, or no vector could leave.
 TEST(PaperClaim, WithoutTheCorrelationTermVectorsLeaveTheEdit) {
-  for (const char* name : {"vault", "dome"}) {
+  for (const char* name : {"dome", "vault"}) {
+    if (name == std::string("vault") && !testing::is_night()) continue;
     const EditTask task = lifted(name, 1.5);
     const HandleEditResult edit = solve_handle_edit(task.mesh, task.targets);
     const Positions edited = apply(task.mesh, edit);
@@ -213,6 +221,7 @@ TEST(PaperClaim, EditsBesideTheFairnessWeight) {
 TEST(PaperClaim, RegionsOfHexagonsBesideTriHex) {
   int cases = 0, holding = 0;
   for (const int size : {12, 16, 20, 24}) {
+    if (size > 12 && !testing::is_night()) continue;
     const Mesh trihex = testing::sample("trihex", size);
     const Mesh hex = testing::sample("hex", size);
     for (const double lift : {0.3, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5}) {
@@ -224,7 +233,7 @@ TEST(PaperClaim, RegionsOfHexagonsBesideTriHex) {
       holding += many > few ? 1 : 0;
     }
   }
-  EXPECT_EQ(cases, 28);
+  EXPECT_EQ(cases, testing::by_night(28, 7));
   record("cases", cases);
   record("holding", holding);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,10 +45,11 @@ struct EditAndVariation {
   double reported = 0.0;  ///< ξ(d̄, t), as the family's report has it
 };
 
-/// The edits of five samples with six variations each.
+/// The edits of five samples with six variations each, at every commit of two.
 std::vector<EditAndVariation> edits_and_variations() {
   std::vector<EditAndVariation> result;
-  for (const char* name : {"vault", "dome", "freeform", "trihex", "hex"}) {
+  for (const std::string name : {"vault", "dome", "freeform", "trihex", "hex"}) {
+    if (!testing::is_night() && name != "dome" && name != "hex") continue;
     const Mesh mesh = testing::sample(name, 16);
     const int handle = testing::middle_vertex(mesh);
     const Positions edited =
@@ -162,7 +164,7 @@ TEST(PaperClaim, TheIdentityOfAppendixA) {
   for (const EditAndVariation& one : variations) {
     largest = std::max(largest, std::abs(correlation_by_appendix_a(one.pair) / one.reported - 1.0));
   }
-  EXPECT_EQ(variations.size(), 30U);
+  EXPECT_EQ(variations.size(), testing::is_night() ? 30U : 12U);
   EXPECT_LE(largest, 1e-5);
   record("variations", static_cast<double>(variations.size()));
   record("largest_difference", largest);

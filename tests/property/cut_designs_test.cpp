@@ -100,7 +100,9 @@ TEST_P(CutDesigns, ReplayToTheBit) {
   const Mesh& base = std::get<Replay>(flat).base;
   testing::RandomCuts random(static_cast<std::uint64_t>(base.vertex_count()));
   int moved = 0;
+  const bool all = testing::is_night() || std::holds_alternative<SampleSource>(design.source);
   for (int way = 0; way < 4; ++way) {
+    if (!all && way != base.vertex_count() % 4) continue;  // samples go all ways
     SCOPED_TRACE(way);
     design.cuts.clear();
     const auto count = static_cast<std::size_t>(1 + way);

@@ -121,7 +121,8 @@ TEST(Cuts, MoveNothingOnTheSamples) {
   }
 }
 
-/// Four of the shared meshes have no flat and sound one nearby.
+/// Four of the shared meshes have no flat and sound one nearby; to look for that of quad_pillow
+/// takes most of the time: every night.
 std::vector<std::string> meshes_to_cut() {
   const std::filesystem::path folder = testing::in_shared_meshes("");
   if (!std::filesystem::exists(folder)) return {""};
@@ -129,7 +130,8 @@ std::vector<std::string> meshes_to_cut() {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".obj" || name == "quad_heart" || name == "quad_wein99" ||
-        name == "quad_helical_minimal" || name == "hex_minsurface_messy") {
+        name == "quad_helical_minimal" || name == "hex_minsurface_messy" ||
+        (name == "quad_pillow" && !testing::is_night())) {
       continue;
     }
     names.push_back(name);

@@ -50,11 +50,13 @@ class EditShape : public ::testing::TestWithParam<const char*> {
  protected:
   EditShape() : mesh(testing::sample(GetParam(), 16)) {}
 
-  /// The middle, a point beside it and one near a corner, up and sideways.
+  /// The middle, a point beside it and one near a corner, up and sideways; not so far every night
+  /// alone.
   [[nodiscard]] std::vector<EditTargets> edits() const {
     std::vector<EditTargets> targets;
     for (const int vertex : {testing::middle_vertex(mesh), mesh.vertex_count() / 3, 20}) {
       for (const double lift : {0.5, 1.0, 2.0}) {
+        if (lift == 0.5 && !testing::is_night()) continue;
         targets.push_back(testing::pull(mesh, vertex, {0.0, 0.0, lift}));
         targets.push_back(testing::pull(mesh, vertex, {lift, 0.3 * lift, 0.0}));
       }
@@ -111,8 +113,11 @@ TEST_P(EditShape, IsKeptByTheReferenceEngine) {
   HandleEditOptions options;
   options.engine = Engine::kAugmentedLagrangian;
   HandleEditSolver solver(mesh, options);
-  const std::vector<EditTargets> all = edits();
-  for (const std::size_t k : {2u, 4u}) EXPECT_EQ(spoilt_panels(mesh, solver.solve(all[k])), 0);
+  for (const double lift : {1.0, 2.0}) {
+    if (lift == 1.0 && !testing::is_night()) continue;
+    const auto targets = testing::pull(mesh, testing::middle_vertex(mesh), {0.0, 0.0, lift});
+    EXPECT_EQ(spoilt_panels(mesh, solver.solve(targets)), 0);
+  }
 }
 
 TEST_P(EditShape, IsKeptByEveryFrameOfADrag) {

@@ -157,6 +157,8 @@ TEST_P(EditOn, LargeMovesStayExact) {
   for (const double length : {3.0, 10.0}) {
     for (const Eigen::Vector3d& direction :
          {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.5, 0.5, -1)}) {
+      const bool slants = direction.z() < 0.0;
+      if (slants != (length == 10.0) && !testing::is_night()) continue;
       const Eigen::Vector3d move = length * edge * direction.normalized();
       SCOPED_TRACE(::testing::Message() << move.transpose());
       const HandleEditResult result = solve_handle_edit(mesh, testing::pull(mesh, middle, move));

@@ -88,6 +88,7 @@ TEST(FewerTypesOf, MeshesAreFlatSoundNearAndWithinTheirTemplates) {
     EXPECT_LE(longest_move(mesh, fewer), options.move);
     EXPECT_LE(fold_growth(mesh, fewer), kSharper + kAllowed);
     EXPECT_LE(worst_fit_of(mesh, fewer), options.within * (1.0 + 1e-6));
+    if (!testing::is_night() && name != "hex" && name != "pq_vase_small.obj") continue;
     EXPECT_TRUE(testing::same_bits(find_fewer_types(mesh, options, {}).positions, fewer.positions));
   }
 }
@@ -107,10 +108,15 @@ TEST_P(FewerTypesOfShared, MeshesAreHalfAsMany) {
   EXPECT_LE(planarity_summary(mesh, fewer.positions).max_excess, testing::kPromise);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, FewerTypesOfShared,
-                         ::testing::Values("pq_octtorus.obj", "pq_six_planarized.obj",
-                                           "quad_chebyshev_sphere.obj", "quad_eight_genus2.obj",
-                                           "quad_six_unplanarized.obj", "pq_conical_saddle.obj"));
+/// The quick ones first: every night all, at a commit two.
+std::vector<const char*> meshes_of_many_types() {
+  const std::vector<const char*> all{"pq_octtorus.obj",       "quad_chebyshev_sphere.obj",
+                                     "quad_eight_genus2.obj", "quad_six_unplanarized.obj",
+                                     "pq_conical_saddle.obj", "pq_six_planarized.obj"};
+  return {all.begin(), all.begin() + testing::by_night(6, 2)};
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, FewerTypesOfShared, ::testing::ValuesIn(meshes_of_many_types()));
 
 TEST(FewerTypesOf, MeshesLeavePinsAndSupportsAsTheyAre) {
   for (const auto& [name, mesh] : flat_meshes({})) {

@@ -86,7 +86,7 @@ TEST(HostileGeometry, GivesARightAnswerOrAnHonestStatus) {
       HandleEditResult result;
       std::cout << " " << status_name(edit(base, scene.handle, edges, &result)) << " ("
                 << result.moved.size() << " moved)";
-      explore(base, apply(base, result), scene.handle);
+      if (edges < 1.0 || testing::is_night()) explore(base, apply(base, result), scene.handle);
     }
     std::cout << ", " << clock.seconds() << " s\n";
   }
@@ -122,12 +122,15 @@ TEST_P(RealMeshes, CanBePlanarisedAndEdited) {
   }
   mesh.positions = testing::apply(mesh, flat);
   const int handle = mesh.face(mesh.face_count() / 2)[0];
-  const SolveStatus small = edit(mesh, handle, 0.5);
-  const SolveStatus large = edit(mesh, handle, 3.0);
   std::cout << "  " << name << ": " << status_name(flat.report.status) << " "
             << flat.report.planarity_before << " -> " << flat.report.planarity_after << ", edits "
-            << status_name(small) << ", " << status_name(large) << ", " << clock.seconds()
-            << " s\n";
+            << status_name(edit(mesh, handle, 0.5));
+  // Far ones take long on large meshes: at a commit on the others.
+  constexpr int kLarge = 500;
+  if (mesh.face_count() < kLarge || testing::is_night()) {
+    std::cout << ", " << status_name(edit(mesh, handle, 3.0));
+  }
+  std::cout << ", " << clock.seconds() << " s\n";
   EXPECT_LT(clock.seconds(), 3 * kPatience);
 }
 

@@ -46,23 +46,46 @@ class SplitEdits : public ::testing::Test {
     return options;
   }
 
-  [[nodiscard]] SplitEdit split(int cuts) const {
-    return split_where_needed(mesh_, targets_, edit_, at_most(cuts));
-  }
+  void expect_edit_of_cut_mesh(const SplitEdit& found) const;
 
   const Mesh mesh_ = testing::sample("vault", 12);
   const EditTargets targets_ = testing::pull(mesh_, 26, {0.0, 0.0, 0.9});
   const HandleEditOptions edit_ = sharp_options();
 };
 
+/// What it was told while it was looked for ends with the curve.
+void expect_curve(const SplitEdit& found, const std::vector<SplitStanding>& told) {
+  EXPECT_GT(told.size(), found.curve.size());
+  for (std::size_t k = 1; k < told.size(); ++k) {
+    ASSERT_GE(told[k].lines, told[k - 1].lines);
+    if (told[k].lines == told[k - 1].lines) {
+      EXPECT_LT(told[k].handle_error, told[k - 1].handle_error);
+    }
+  }
+  for (const SplitStanding& standing : found.curve) {
+    const auto last = std::find_if(told.rbegin(), told.rend(), [&](const SplitStanding& one) {
+      return one.lines == standing.lines;
+    });
+    ASSERT_NE(last, told.rend());
+    EXPECT_EQ(last->cuts, standing.cuts);
+    EXPECT_EQ(last->handle_error, standing.handle_error);
+  }
+}
+
+/// Up to two lines, every night three.
 TEST_F(SplitEdits, ComeNearerWithEveryLineAndNeverEndWorseWithMore) {
   double error = solve_handle_edit(mesh_, targets_, edit_).report.handle_error;
   const double uncut = error;
-  for (int cuts = 1; cuts <= 3; ++cuts) {
-    const SplitEdit found = split(cuts);
+  for (int cuts = 1; cuts <= testing::by_night(3, 2); ++cuts) {
+    std::vector<SplitStanding> told;
+    SplitOptions options = at_most(cuts);
+    options.found = [&](const SplitStanding& standing) { told.push_back(standing); };
+    const SplitEdit found = split_where_needed(mesh_, targets_, edit_, options);
+    expect_curve(found, told);
+    expect_edit_of_cut_mesh(found);
     EXPECT_LE(found.result.report.handle_error, error) << cuts;
     error = found.result.report.handle_error;
-    ASSERT_FALSE(found.curve.empty());
+    ASSERT_GE(found.curve.size(), std::min<std::size_t>(static_cast<std::size_t>(cuts), 2) + 1);
     EXPECT_TRUE(found.curve.front().cuts.empty());
     EXPECT_EQ(found.curve.front().handle_error, uncut);
     for (std::size_t k = 1; k < found.curve.size(); ++k) {
@@ -74,11 +97,10 @@ TEST_F(SplitEdits, ComeNearerWithEveryLineAndNeverEndWorseWithMore) {
     EXPECT_EQ(found.curve.back().handle_error, error);
     EXPECT_EQ(found.curve.back().moved_vertices, found.result.report.moved_vertices);
   }
-  EXPECT_LT(error, 0.5 * uncut);
+  EXPECT_LT(error, (testing::is_night() ? 0.5 : 0.51) * uncut) << "of three lines, or two";
 }
 
-TEST_F(SplitEdits, AreEditsOfTheCutMeshWithinTheirLimits) {
-  const SplitEdit found = split(2);
+void SplitEdits::expect_edit_of_cut_mesh(const SplitEdit& found) const {
   ASSERT_FALSE(found.cuts.empty());
   const auto cut = std::get<CutMesh>(cut_mesh(mesh_, found.cuts));
   EXPECT_TRUE(cut.added.empty());
@@ -98,30 +120,7 @@ TEST_F(SplitEdits, AreEditsOfTheCutMeshWithinTheirLimits) {
             kFold + 1e-6);
 }
 
-TEST_F(SplitEdits, TellTheirCurveWhileTheyLookForIt) {
-  std::vector<SplitStanding> told;
-  SplitOptions options = at_most(2);
-  options.found = [&](const SplitStanding& standing) { told.push_back(standing); };
-  const SplitEdit found = split_where_needed(mesh_, targets_, edit_, options);
-  ASSERT_EQ(found.curve.size(), 3U);
-  EXPECT_GT(told.size(), found.curve.size());
-  for (std::size_t k = 1; k < told.size(); ++k) {
-    ASSERT_GE(told[k].lines, told[k - 1].lines);
-    if (told[k].lines == told[k - 1].lines) {
-      EXPECT_LT(told[k].handle_error, told[k - 1].handle_error);
-    }
-  }
-  for (const SplitStanding& standing : found.curve) {
-    const auto last = std::find_if(told.rbegin(), told.rend(), [&](const SplitStanding& one) {
-      return one.lines == standing.lines;
-    });
-    ASSERT_NE(last, told.rend());
-    EXPECT_EQ(last->cuts, standing.cuts);
-    EXPECT_EQ(last->handle_error, standing.handle_error);
-  }
-}
-
-/// Of both handles on a vault, and of all four on a surface of revolution.
+/// Of both handles on a vault, and every night of all four on a surface of revolution.
 TEST_F(SplitEdits, UnderASymmetryCutImagesAndStaySymmetric) {
   const auto expect_symmetric = [&](Mesh mesh, const EditTargets& targets, const char* text) {
     SCOPED_TRACE(text);
@@ -144,6 +143,7 @@ TEST_F(SplitEdits, UnderASymmetryCutImagesAndStaySymmetric) {
     EXPECT_EQ(again.moved_positions, found.result.moved_positions);
   };
   expect_symmetric(mesh_, targets_, "x");
+  if (!testing::is_night()) return;
   const Mesh turned = testing::turned_surface(12, 8);
   Eigen::Vector3d outwards = turned.positions.col(13);
   outwards.z() = 0.0;

@@ -31,6 +31,13 @@ std::vector<unsigned> seeds() {
   return list;
 }
 
+bool is_night() {
+  const char* text = std::getenv("PLANISH_NIGHTLY");
+  return text != nullptr && std::string(text) == "1";
+}
+
+int by_night(int all, int few) { return is_night() ? all : few; }
+
 int action_count() {
   constexpr int kModerate = 12;
   const char* text = std::getenv("PLANISH_ACTIONS");

@@ -19,6 +19,11 @@ inline constexpr double kPromise = 1e-6;  ///< mm/m out of flat, what every exac
 /// The fixed seeds of every randomised test, and PLANISH_SEED from the environment if set.
 [[nodiscard]] std::vector<unsigned> seeds();
 
+/// Whether a set is run whole: every night (PLANISH_NIGHTLY=1), and in part at every commit.
+[[nodiscard]] bool is_night();
+/// So many of a set: all of them every night, a few at every commit.
+[[nodiscard]] int by_night(int all, int few);
+
 /// Random actions per sequence: a moderate number, or PLANISH_ACTIONS from the environment.
 [[nodiscard]] int action_count();
 

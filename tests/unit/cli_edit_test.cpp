@@ -22,10 +22,10 @@ using testing::Cli;
 using testing::contents;
 
 TEST_F(Cli, ADesignIsReplayedFromJsonAndFromGlb) {
-  ASSERT_EQ(run("sample vault --size 13 -o v.obj"), 0);
+  ASSERT_EQ(run("sample vault --size 9 -o v.obj"), 0);
   const std::string explore =
-      " --handle 84+=0,0,0.6 --dimension 2 --coefficients 0.4,0.1 --eigen --exact --locality 0.7";
-  for (const std::string mesh : {"v.obj", "sample:vault:13"}) {
+      " --handle 40+=0,0,0.6 --dimension 2 --coefficients 0.4,0.1 --eigen --exact --locality 0.7";
+  for (const std::string mesh : {"v.obj", "sample:vault:9"}) {
     ASSERT_EQ(run("explore " + mesh + explore + " --design d.json -o d.glb"), 0) << err();
     ASSERT_EQ(run("replay d.json -o again.obj --report r.json"), 0) << err();
     EXPECT_TRUE(nlohmann::json::parse(contents(directory_ / "r.json"))["verified"].get<bool>());
@@ -289,7 +289,7 @@ TEST_F(Cli, SaysHowFarJointsSlideWhereThatIsFar) {
 }
 
 TEST_F(Cli, ThreadsOfThePapersSolverChangeNoByte) {
-  const std::string edit = "edit sample:hex:16 --handle 200+=0,0,0.3 --solver alm -o ";
+  const std::string edit = "edit sample:hex:12 --handle 120+=0,0,0.3 --solver alm -o ";
   ASSERT_EQ(run(edit + "one.obj"), 0) << err();
   ASSERT_EQ(run(edit + "three.obj --threads 3"), 0) << err();
   EXPECT_EQ(contents(directory_ / "one.obj"), contents(directory_ / "three.obj"));
