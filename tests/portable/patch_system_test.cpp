@@ -268,18 +268,31 @@ TEST_P(SystemOn, KeepsALimitThatItsDefinitenessHangsOn) {
     const Eigen::Matrix3Xd g = rows.transposed(static_cast<int>(row));
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
   };
-  const Eigen::VectorXd bent = gradient_of(first), other = gradient_of(first + 1);
+  // A side between points that stay is no row: two of the others.
+  const Eigen::Index one = gradient_of(first).norm() > 0.0 ? first : first + 1;
+  const auto active = [&](char one_is, char next_is) {
+    std::vector<char> all(patch.inequalities.size(), 0);
+    all[static_cast<std::size_t>(one)] = one_is;
+    all[static_cast<std::size_t>(one) + 1] = next_is;
+    return all;
+  };
+  const Eigen::VectorXd bent = gradient_of(one), other = gradient_of(one + 1);
+  // Without `bent` negative along what is across `other`, by so little that `bent` makes up for it.
+  const Eigen::VectorXd across = bent - other.dot(bent) / other.squaredNorm() * other;
+  const double share = across.squaredNorm() / bent.squaredNorm();
+  ASSERT_GT(kLimitPenalty * bent.squaredNorm(), 1.0);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(bent.size(), bent.size());
-  matrix += (kLimitPenalty - 100.0 / bent.squaredNorm()) * bent * bent.transpose();
+  matrix -= (1.0 + 0.5 * share) / across.squaredNorm() * across * across.transpose();
+  matrix += kLimitPenalty * bent * bent.transpose();
   const Eigen::MatrixXd inverse = matrix.inverse();
   const auto solve = [&](Eigen::Matrix3Xd& x) {
     Eigen::Map<Eigen::VectorXd> flat(x.data(), x.size());
     flat = (inverse * flat).eval();
   };
   RowUpdate update;
-  update.begin(with_limits(first, {1, 0, 0}));
-  ASSERT_TRUE(update.set(with_limits(first, {1, 1, 0}), kLimitPenalty, rows, solve));
-  EXPECT_FALSE(update.set(with_limits(first, {0, 0, 0}), kLimitPenalty, rows, solve));
+  update.begin(active(1, 0));
+  ASSERT_TRUE(update.set(active(1, 1), kLimitPenalty, rows, solve));
+  EXPECT_FALSE(update.set(active(0, 1), kLimitPenalty, rows, solve));
   const Eigen::Matrix3Xd pulls = testing::random_points(7, patch.free_count);
   Eigen::Matrix3Xd expected = pulls, actual = pulls;
   solve(actual);
