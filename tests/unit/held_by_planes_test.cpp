@@ -12,9 +12,9 @@ namespace planish {
 namespace {
 
 /// Three planes through a point, none along an axis or across another.
-class RestingPoints : public ::testing::Test {
+class HeldByPlanes : public ::testing::Test {
  protected:
-  RestingPoints() {
+  HeldByPlanes() {
     normals << 0.2, 0.1, 0.9, 0.8, -0.3, 0.4, -0.1, 0.7, 0.5;
     normals.rowwise().normalize();
     std::vector<RestingPoint> resting;
@@ -35,7 +35,7 @@ class RestingPoints : public ::testing::Test {
   VertexSlides slides{mesh, {}, 1.0};
 };
 
-TEST_F(RestingPoints, SlideOnOnePlaneAlongTwoAndStayInThree) {
+TEST_F(HeldByPlanes, SlideOnOnePlaneAlongTwoAndStayInThree) {
   EXPECT_FALSE(go({1.0, 1.0, 1.0}));
   EXPECT_EQ(along(), Eigen::Matrix3d::Identity());
   ASSERT_TRUE(go({-1.0, 1.0, 1.0}));
@@ -48,7 +48,7 @@ TEST_F(RestingPoints, SlideOnOnePlaneAlongTwoAndStayInThree) {
   EXPECT_EQ(along(), Eigen::Matrix3d::Zero()) << "to the last bit";
 }
 
-TEST_F(RestingPoints, AreFreeAgainOnceOpened) {
+TEST_F(HeldByPlanes, AreFreeAgainOnceOpened) {
   ASSERT_TRUE(go({-1.0, -1.0, 1.0}));
   slides.open();
   EXPECT_EQ(along(), Eigen::Matrix3d::Identity());
