@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Panel types in the page: colours that lead to their panels, counted as the command line counts them, and
-// packages with one drawing a type.
+// Panel types in the page: colours that lead to their panels, counted as the command line counts them, panels
+// made more alike as it does, and packages with one drawing a type.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
@@ -8,7 +8,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { downloaded, idle, obj, showTab, typeTarget } from "../browser/support/page.ts";
+import { readObj } from "../browser/support/obj.ts";
+import { downloaded, idle, obj, openFile, showTab, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
@@ -146,5 +147,68 @@ it("cuts one template a type with the bytes of the command line", async () => {
   const given = ["panels", "Roof.obj", "-o", "cli.zip", ...options.split(" ")];
   execFileSync(CLI, given, { cwd: folder });
   expect(bytes.equals(await readFile(join(folder, "cli.zip")))).toBe(true);
+  await page.context().close();
+});
+
+/** Makes the design more alike by these words of the legend; the command line's report of the same. */
+async function makeAlike(page: Page, most: string, options: string): Promise<AlikeReport> {
+  writeFileSync(join(folder, "given.obj"), await obj(page));
+  const alike = legend(page).getByRole("group");
+  await legend(page).getByText("Make more alike", { exact: true }).click();
+  await alike.getByRole("combobox", { name: "Moves up to" }).selectOption("20 % of an edge");
+  await alike.getByRole("checkbox", { name: "The boundary stays" }).uncheck();
+  await alike.getByRole("textbox", { name: "Types at most" }).fill(most);
+  await alike.getByRole("button", { name: "Find fewer types" }).click();
+  await idle(page);
+  const given = `project given.obj ${options} --move 20% -o alike.obj --report alike.json`;
+  execFileSync(CLI, given.split(" "), { cwd: folder });
+  return JSON.parse(await readFile(join(folder, "alike.json"), "utf8")).types;
+}
+
+interface AlikeReport {
+  readonly before: number;
+  readonly after: number;
+}
+
+async function expectShownAsMade(page: Page): Promise<void> {
+  const [here, there] = [await obj(page), await readFile(join(folder, "alike.obj"), "utf8")];
+  const [mine, theirs] = [readObj(here).points.flat(), readObj(there).points.flat()];
+  expect(mine.length).toBe(theirs.length);
+  const apart = mine.map((x, k) => Math.abs(x - (theirs[k] ?? Number.NaN)));
+  expect(Math.max(...apart)).toBeLessThan(1e-8);
+}
+
+it("makes panels more alike as the command line does, as one step of the history", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
+  const before = await byCommand(page, "--within 0.5%");
+  await expect.poll(() => count(page)).toBe(before.types);
+  const given = await obj(page);
+  const types = await makeAlike(page, "", "--within 0.5%");
+  expect(types.after).toBeLessThan(0.5 * types.before);
+  await page
+    .getByText(`${types.after} types in place of ${types.before}, corners within`)
+    .waitFor();
+  await expectShownAsMade(page);
+  // The legend counts with a share of the mean edge of the new mesh.
+  const now = await byCommand(page, "--within 0.5%");
+  await expect.poll(() => count(page)).toBe(now.types);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect(await obj(page)).toBe(given);
+  await page.context().close();
+});
+
+it("stops at a number of types, and the legend counts with the fit that was found", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const sample = "sample vault --size 8 -o vault.obj".split(" ");
+  execFileSync(CLI, sample, { cwd: folder });
+  await openFile(page, "vault.obj", await readFile(join(folder, "vault.obj")));
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
+  await expect.poll(() => count(page)).toBeGreaterThan(3);
+  const types = await makeAlike(page, "3", "--types 3");
+  expect(types.after).toBeLessThanOrEqual(3);
+  await expectShownAsMade(page);
+  await expect.poll(() => count(page)).toBe(types.after);
   await page.context().close();
 });

@@ -74,6 +74,31 @@ it("declares every field of every report", async () => {
   session.delete();
 });
 
+it("declares every field of a mesh with panels made more alike, and says what is wrong", async () => {
+  const session = new (await loadPlanish()).Session();
+  expect(session.openSample("vault", 9)).toBe("");
+  const documents = await loadDocuments();
+  const asked = {
+    types: 0,
+    within: 0.01,
+    move: 0.05,
+    mirrored: false,
+    keepBoundary: true,
+    tolerance: 1e-6,
+    limits: ["fold=80"],
+  };
+  const said: number[] = [];
+  const mesh = documents.alike(session.write("obj"), asked, (steps) => said.push(steps));
+  expect(Object.keys(mesh).sort()).toEqual(declared("AlikeMesh", read("planish_alike")));
+  expect(mesh.after).toBeLessThanOrEqual(mesh.before);
+  expect(said.length).toBeGreaterThan(0);
+  expect(said).toEqual(said.toSorted((a, b) => a - b));
+  const none = { ...asked, within: 0 };
+  const { problem } = documents.alike(session.write("obj"), none, () => {});
+  expect(problem).toBe("within must be greater than 0");
+  session.delete();
+});
+
 it("declares every option of the core, in types and words", async () => {
   const session = new (await loadPlanish()).Session();
   for (const reach of [-1, 2.5, 1e20])

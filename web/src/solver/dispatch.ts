@@ -3,6 +3,7 @@
 
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { turnedObj } from "../mesh/up-axis.ts";
+import { makeAlike } from "./alike.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { DesignFiles } from "./design-files.ts";
 import { type Edited, Edits } from "./edits.ts";
@@ -33,6 +34,7 @@ type Waited =
   | "read"
   | "join"
   | "turn"
+  | "alike"
   | "readDesign"
   | "export"
   | "shop"
@@ -75,13 +77,17 @@ export class Dispatcher {
     const parts = { edits: this.#edits, analysis: this.#analysis, post };
     this.#splits = new SplitJobs(module, this.#session, parts);
     this.#session.onProgress((residual) => {
-      this.#step += 1;
-      const now = performance.now();
-      if (this.#step > 1 && now < this.#saidAt + SAYING_MS) return true;
-      this.#saidAt = now;
-      this.#post({ kind: "progress", job: this.#job, step: this.#step, residual }, []);
+      this.#say(this.#step + 1, residual);
       return true;
     });
+  }
+
+  #say(step: number, residual: number): void {
+    this.#step = step;
+    const now = performance.now();
+    if (step > 1 && now < this.#saidAt + SAYING_MS) return;
+    this.#saidAt = now;
+    this.#post({ kind: "progress", job: this.#job, step, residual }, []);
   }
 
   async handle(request: Job): Promise<void> {
@@ -93,6 +99,7 @@ export class Dispatcher {
       else if (request.kind === "read") await this.#read(request);
       else if (request.kind === "join") await this.#join(request);
       else if (request.kind === "turn") this.#turn(request);
+      else if (request.kind === "alike") await this.#alike(request);
       else if (request.kind === "export") await this.#export(request);
       else if (request.kind === "readDesign") await this.#readDesign(request);
       else if (request.kind === "shop") await this.#shop(request);
@@ -159,6 +166,12 @@ export class Dispatcher {
     const mesh = new TextEncoder().encode(turnedObj(text, from, to));
     insist(this.#session.openFile(mesh, "obj"));
     this.#postOpened(job, keepCopy(name, "obj", mesh), null);
+  }
+
+  async #alike({ job, asked }: Extract<Request, { kind: "alike" }>): Promise<void> {
+    const obj = this.#session.write("obj");
+    const made = await makeAlike(obj, asked, (steps) => this.#say(steps, 0));
+    this.#post({ kind: "alike", job, made }, [made.file.buffer]);
   }
 
   async #export(request: Extract<Request, { kind: "export" }>): Promise<void> {

@@ -6,6 +6,8 @@
 import type * as Reports from "@wasm/planish.mjs";
 import type { FreedomReport, NodeCounts } from "@wasm/planish.mjs";
 import type {
+  AlikeAsked,
+  AlikeMesh,
   CuttingHeader,
   CuttingOptions,
   CuttingPreview,
@@ -49,6 +51,7 @@ export type {
   VariationWeights,
 } from "@wasm/planish.mjs";
 export type {
+  AlikeMesh,
   CuttingHeader,
   CuttingOptions,
   CuttingPreview,
@@ -117,6 +120,8 @@ export type Request =
   | { kind: "read"; job: number; file: Blob; name: string; format: FileFormat } // → opened
   /** The mesh shown, mended in one of these ways, as a file of this name. */
   | { kind: "join"; job: number; name: string; way: Mending } // → opened
+  /** The design shown with more of its panels alike; it stays. */
+  | { kind: "alike"; job: number; asked: AlikeAsked } // → alike
   /** The mesh shown, which was turned for another axis to go up, as a file of this name. */
   | { kind: "turn"; job: number; name: string; from: UpAxis; to: UpAxis } // → opened
   /** `found`: the flat mesh, where another worker made it so already. */
@@ -336,6 +341,7 @@ export type Reply =
       deviation: number;
     }
   | { kind: "fewest"; job: number; shape: Shape; report: ShapeReport; found: Reports.FewestFound }
+  | { kind: "alike"; job: number; made: AlikeMesh }
   | { kind: "tried"; job: number; trial: Reports.CutTrial }
   /** On the way to `split`: the best with so many lines so far. */
   | { kind: "standing"; job: number; standing: Reports.SplitStanding }

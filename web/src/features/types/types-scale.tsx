@@ -5,6 +5,7 @@ import type { ShownTypes } from "../../state/page-state.ts";
 import { NamedPanelsList } from "../../ui/named-panels.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "../../ui/legend-scales.css";
+import { MoreAlike } from "./more-alike.tsx";
 import { colouredTypes, followTypes } from "./types.ts";
 
 /** Shares of the mean edge: what rounding leaves, and what a joint takes up. */
@@ -15,6 +16,12 @@ const SHARES: readonly (readonly [number, string])[] = [
   [0.01, "1 % of an edge"],
   [0.02, "2 % of an edge"],
 ];
+
+/** One that was found is between them. */
+const sharesWith = (chosen: number): readonly (readonly [number, string])[] =>
+  SHARES.some(([share]) => share === chosen)
+    ? SHARES
+    : [...SHARES, [chosen, `${(100 * chosen).toPrecision(3)} % of an edge`]];
 
 /** How far panels of one type may be from alike. */
 function Choice() {
@@ -31,7 +38,7 @@ function Choice() {
             page.typesChoice.value = { ...choice, share: Number(currentTarget.value) };
           }}
         >
-          {SHARES.map(([share, words]) => (
+          {sharesWith(choice.share).map(([share, words]) => (
             <option key={share} value={String(share)}>
               {words}
             </option>
@@ -77,6 +84,7 @@ export function TypesScale() {
       <Choice />
       <Count types={types} unit={page.unit.value} />
       <NamedPanelsList all={coloured} />
+      <MoreAlike />
       {coloured.length < types.sizes.length && (
         <p class="legend-note">{`${types.sizes.length - coloured.length} more without a colour`}</p>
       )}
