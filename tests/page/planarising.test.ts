@@ -85,3 +85,64 @@ it("goes no farther than it may, and stays out of flat by what it may", async ()
   await again.getByText(/Verified/).waitFor();
   await again.context().close();
 });
+
+/** A saddle along its straight lines, 1 m apart: no flat mesh is near. */
+function saddle(count: number, rise: number): string {
+  const lines: string[] = [];
+  const from = (k: number): number => k - count / 2;
+  for (let j = 0; j <= count; ++j)
+    for (let i = 0; i <= count; ++i)
+      lines.push(`v ${i} ${j} ${(rise * from(i) * from(j)) / count}`);
+  for (let j = 0; j < count; ++j)
+    for (let i = 0; i < count; ++i) {
+      const a = j * (count + 1) + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + count + 2} ${a + count + 1}`);
+    }
+  return `${lines.join("\n")}\n`;
+}
+
+it("where no flat mesh is near, shows how flat panels get near the file, and what else there is", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "saddle.obj", saddle(20, 3));
+  const why = page.getByText(/^Not every panel can be exactly flat near the file\./);
+  await why.waitFor();
+  expect(millimetres(await cell(page, "Largest move", 1))).toBeLessThanOrEqual(300);
+  // Each place of the slider stays within a distance of its own.
+  const moves: number[] = [];
+  for (const [place, most] of [30, 90].entries()) {
+    await page.getByRole("slider", { name: "Aim for" }).fill(String(place));
+    await page.getByText(`where points move by ${most} mm at most`).waitFor();
+    moves.push(millimetres(await cell(page, "Largest move", 1)));
+    expect(moves.at(-1)).toBeLessThanOrEqual(most);
+  }
+  expect(moves[1]).toBeGreaterThan(moves[0] ?? Number.NaN);
+  const others = page.getByRole("group", { name: "What else there is" });
+  await others.getByRole("button", { name: "Flat to within 20 mm/m" }).waitFor();
+  await others.getByRole("button", { name: "Split up to 50 % of the panels" }).waitFor();
+  // What is being tried can be given up, with what is there already.
+  await page.getByRole("slider", { name: "Aim for" }).fill("3");
+  await page.getByText(/^Shown: as flat as panels get/).waitFor();
+  await page.getByRole("button", { name: "Stop trying" }).click();
+  await why.waitFor();
+  await page.getByRole("button", { name: "Not now" }).click();
+  await page.context().close();
+});
+
+it("a flat mesh that is another shape is said to be one, with the way back near the file", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "saddle.obj", saddle(6, 1));
+  await page
+    .getByText("Points move by up to 1500 mm, 25 % of the size: it is another shape.")
+    .waitFor();
+  expect(await cell(page, "Panels that are flat", 0)).toBe("0 of 36");
+  expect(await cell(page, "Panels that are flat", 1)).toBe("36 of 36");
+  await page.getByRole("button", { name: "Move points by 60 mm at most" }).click();
+  await expect
+    .poll(async () => millimetres(await cell(page, "Largest move", 1)))
+    .toBeLessThanOrEqual(60);
+  await page.getByRole("button", { name: "Let points move farther" }).click();
+  await expect
+    .poll(async () => millimetres(await cell(page, "Largest move", 1)))
+    .toBeGreaterThan(600);
+  await page.context().close();
+});

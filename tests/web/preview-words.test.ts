@@ -21,13 +21,27 @@ it("a preview is called one: what it shows is not the design", async () => {
   if (!opened) throw new Error("no mesh");
   page.mesh.value = asFlatAs(opened, 10);
   expect(words(page)).toBe("");
-  const trial = { how: FAIR_FLAT, mesh: asFlatAs(opened, 0), measures: null, split: null };
+  const trial = {
+    how: FAIR_FLAT,
+    instead: false,
+    mesh: asFlatAs(opened, 0),
+    measures: null,
+    split: null,
+  };
   page.planariseTrial.value = { kind: "shown", trial };
   expect(words(page)).toMatch(/^A preview of planarising: 400 panels would all be flat, with 0 /);
   expect(words(page)).toContain("The file, which the tables are of, is not flat.");
   const bent = { ...trial, mesh: asFlatAs(opened, DEFAULT_SETTINGS.tolerance + 1) };
   page.planariseTrial.value = { kind: "shown", trial: bent };
   expect(words(page)).toContain("400 panels would not all be flat");
-  page.planariseTrial.value = { kind: "running", done: Promise.resolve(null), giveUp: () => {} };
+  const running = {
+    kind: "running",
+    done: Promise.resolve(null),
+    giveUp: () => {},
+    step: 0,
+  } as const;
+  page.planariseTrial.value = { ...running, near: null };
   expect(words(page)).toContain("not all of them flat, and 441 points; planarising is being");
+  page.planariseTrial.value = { ...running, near: trial };
+  expect(words(page)).toMatch(/^A preview of planarising: 400 panels would all be flat/);
 });

@@ -13,6 +13,8 @@ export const FAIR_FLAT: Planarising = fairFlat;
 /** What a way to make a mesh flat gives, tried out. */
 export interface Trial {
   readonly how: Planarising;
+  /** Whether it is what there is near the file in place of what was asked for. */
+  readonly instead: boolean;
   readonly mesh: OpenedMesh;
   /** null where it cannot be measured. */
   readonly measures: PanelMeasures | null;
@@ -27,6 +29,10 @@ export type Preview =
       /** null where it is refused, overtaken or given up. */
       readonly done: Promise<Trial | null>;
       readonly giveUp: () => void;
+      /** Steps of the solver so far. */
+      readonly step: number;
+      /** What there is near the file, shown meanwhile. */
+      readonly near: Trial | null;
     }
   | { readonly kind: "refused"; readonly sentence: string }
   | { readonly kind: "shown"; readonly trial: Trial };

@@ -174,7 +174,8 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
   const tolerance = page.refusedTolerance.value ?? settings.tolerance;
   const constraints = kind ? withKind(settings.constraints, kind) : settings.constraints;
   // What was chosen at a door is not seen where a mesh is flat.
-  const chosen = kind && page.baseFlat.value ? FAIR_FLAT : page.planarising.value;
+  const wish = trial?.instead ? trial.how : page.planarising.value;
+  const chosen = kind && page.baseFlat.value ? FAIR_FLAT : wish;
   const asked = { ...chosen, keepShape: settings.keepShape, constraints };
   // What a trial found of a mesh with cuts has their points, too.
   const usable = trial && settings.cuts.length === 0 && sameWay(trial.how, asked);

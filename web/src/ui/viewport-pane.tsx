@@ -62,7 +62,11 @@ function BeforeNote() {
   const page = usePage();
   if (!page.showBefore.value) return null;
   const { kind } = page.planariseTrial.value;
-  return <div class="before-note">{kind === "shown" ? "As in the file" : "Before the edit"}</div>;
+  return (
+    <div class="before-note">
+      {kind === "shown" || kind === "running" ? "As in the file" : "Before the edit"}
+    </div>
+  );
 }
 
 /** A word that gives way to a shorter one where there is little room. */

@@ -3,13 +3,16 @@
 
 import { batch } from "@preact/signals";
 import { type Design, NO_REPORT } from "../../design/design.ts";
-import type { Trial } from "../../design/planarising.ts";
+import type { Preview, Trial } from "../../design/planarising.ts";
 import type { OpenedMesh, Planarising, Shape } from "../../solver/protocol.ts";
 import { GivenUp } from "../../solver/second-solver.ts";
 import { damageWords } from "../../state/damage.ts";
 import type { Page } from "../../state/page.ts";
 import { showOnly } from "../../state/showing.ts";
+import { Beside } from "./beside.ts";
+import { isMet } from "./is-met.ts";
 import { PlanariseTrials } from "./planarise-trial.ts";
+import { FAR, sizeOf } from "./stops.ts";
 
 /** Where two meshes of one topology differ. */
 export function shapeOf(now: Float64Array, base: Float64Array): Shape {
@@ -33,41 +36,63 @@ export const spoiltWords = ({ measures }: Trial): string =>
 /** Points: larger meshes wait until they are asked for. */
 export const EAGER_POINTS = 5000;
 
-/** Whether every panel is as flat as was asked for. */
-export const isMet = ({ how, mesh: { report } }: Trial, { settings }: Design): boolean =>
-  report.worstExcess <= Math.max(settings.tolerance, how.flat);
+/** After which what is near the file is shown, while what was asked for is still tried. */
+const NEAR_AFTER_MS = 300;
+
+/** What is shown while a way is tried. */
+type Running = Extract<Preview, { kind: "running" }>;
 
 /** Tries ways to planarise one mesh while its door is open. */
 export class PlanarisePreview {
   readonly #page: Page;
   readonly #trials: PlanariseTrials;
+  /** Of what is near the file, beside what was asked for. */
+  readonly #nearTrials: PlanariseTrials;
   readonly #opened: OpenedMesh;
   readonly #design: Design;
+  /** Counts what was wanted. */
+  #newest = 0;
 
   constructor(page: Page, opened: OpenedMesh, design: Design) {
     this.#page = page;
     this.#trials = new PlanariseTrials(page.spawn);
+    this.#nearTrials = new PlanariseTrials(page.spawn);
     this.#opened = opened;
     this.#design = design;
   }
 
-  /** The first of the ways that makes every panel flat, or else the last; null where it is refused,
-   * given up, or something newer is tried. @param split so many panels may be split for it */
+  /** The first of the ways that makes every panel flat. Where none does, what there is near the file, or
+   * else the last of them; null where it is refused, given up, or something newer is tried.
+   * @param split so many panels may be split for it */
   show(split: number, ...ways: readonly Planarising[]): Promise<Trial | null> {
-    const done = this.#find(split, ways);
-    this.#page.planariseTrial.value = { kind: "running", done, giveUp: () => this.end() };
+    this.#newest += 1;
+    this.#nearTrials.end();
+    const mine = this.#newest;
+    const beside = new Beside(this.#nearTrials, this.#opened, this.#design, split, ways);
+    const done = this.#find(mine, split, ways, beside);
+    const giveUp = () => this.stop();
+    this.#page.planariseTrial.value = { kind: "running", done, giveUp, step: 0, near: null };
+    setTimeout(() => {
+      if (this.#running(mine)) void beside.run((near) => this.#meanwhile(mine, near));
+    }, NEAR_AFTER_MS);
     return done;
   }
 
-  async #find(split: number, ways: readonly Planarising[]): Promise<Trial | null> {
+  async #find(
+    mine: number,
+    split: number,
+    ways: readonly Planarising[],
+    beside: Beside,
+  ): Promise<Trial | null> {
     try {
-      const trial = await this.#try(split, ways);
+      const trial = await this.#try(mine, split, ways, beside);
       if (!trial) return null;
-      this.#draw(trial.mesh);
-      this.#page.planariseTrial.value = { kind: "shown", trial };
-      return trial;
+      return this.#show(mine, this.#serves(trial) ? trial : ((await beside.run()) ?? trial));
     } catch (error) {
       if (error instanceof GivenUp) return null;
+      const instead = await beside.run();
+      if (instead) return this.#show(mine, instead);
+      if (mine !== this.#newest) return null;
       this.#drawFile();
       const sentence = error instanceof Error ? error.message : String(error);
       this.#page.planariseTrial.value = { kind: "refused", sentence };
@@ -75,22 +100,81 @@ export class PlanarisePreview {
     }
   }
 
-  async #try(split: number, [how, ...others]: readonly Planarising[]): Promise<Trial | null> {
+  /** Whether nothing else is to be shown in its place. */
+  #serves(trial: Trial): boolean {
+    const { largest } = trial.mesh.report.planarising;
+    return isMet(trial, this.#design) || largest <= FAR * sizeOf(this.#opened);
+  }
+
+  #show(mine: number, trial: Trial): Trial | null {
+    if (mine !== this.#newest) return null;
+    this.#nearTrials.end();
+    this.#draw(trial.mesh);
+    this.#page.planariseTrial.value = { kind: "shown", trial };
+    return trial;
+  }
+
+  async #try(
+    mine: number,
+    split: number,
+    [how, ...others]: readonly Planarising[],
+    beside: Beside,
+  ): Promise<Trial | null> {
     if (!how) return null;
     const last = others.length === 0;
     const { source, settings } = this.#design;
     const { cuts } = settings;
-    const trial = await this.#trials.run({ source, cuts, how, split }).catch((error) => {
-      if (last || error instanceof GivenUp) throw error;
-      return null;
-    });
+    const said = (step: number): void => this.#change(mine, { step });
+    const found = last ? beside.last : null;
+    const trial =
+      (await found) ??
+      (await this.#trials.run({ source, cuts, how, split }, said).catch((error) => {
+        if (last || error instanceof GivenUp) throw error;
+        return null;
+      }));
     const flat = trial && isMet(trial, this.#design);
-    return flat || last ? trial : this.#try(split, others);
+    return flat || last ? trial : this.#try(mine, split, others, beside);
+  }
+
+  /** What is asked for takes its time. */
+  #meanwhile(mine: number, trial: Trial): void {
+    if (!this.#running(mine)) return;
+    this.#draw(trial.mesh);
+    this.#change(mine, { near: trial });
+  }
+
+  #running(mine: number): Running | null {
+    const preview = this.#page.planariseTrial.peek();
+    return mine === this.#newest && preview.kind === "running" ? preview : null;
+  }
+
+  #change(mine: number, changed: Partial<Pick<Running, "step" | "near">>): void {
+    const running = this.#running(mine);
+    if (running) this.#page.planariseTrial.value = { ...running, ...changed };
+  }
+
+  /** What is shown meanwhile is what there is. */
+  stop(): void {
+    const near = this.#running(this.#newest)?.near;
+    if (!near) {
+      this.end();
+      return;
+    }
+    this.#newest += 1;
+    this.#trials.end();
+    this.#nearTrials.end();
+    if (!near.instead) {
+      const { keepBoundary } = near.how;
+      this.#page.planarising.value = { ...this.#page.planarising.peek(), keepBoundary };
+    }
+    this.#page.planariseTrial.value = { kind: "shown", trial: near };
   }
 
   /** The file is shown again. */
   end(): void {
+    this.#newest += 1;
     this.#trials.end();
+    this.#nearTrials.end();
     this.#drawFile();
     this.#page.planariseTrial.value = { kind: "none" };
   }

@@ -4,7 +4,7 @@
 import type { Trial } from "../../design/planarising.ts";
 import type { SpawnWorker } from "../../solver/client.ts";
 import type { Planarising, Source } from "../../solver/protocol.ts";
-import { type Ask, SecondSolver } from "../../solver/second-solver.ts";
+import { type Ask, type News, SecondSolver } from "../../solver/second-solver.ts";
 
 /** Of which mesh, and how. */
 interface Wanted {
@@ -15,6 +15,14 @@ interface Wanted {
   readonly split: number;
 }
 
+type Said = (step: number) => void;
+
+const told =
+  (said: Said) =>
+  (news: News): void => {
+    if (news.kind === "progress") said(news.step);
+  };
+
 export class PlanariseTrials {
   readonly #solver: SecondSolver;
 
@@ -22,10 +30,11 @@ export class PlanariseTrials {
     this.#solver = new SecondSolver(spawn);
   }
 
-  /** The newest wins. @throws GivenUp, or an Error with the sentence of the refusal */
-  run(wanted: Wanted): Promise<Trial> {
+  /** The newest wins. @param said gets the number of steps so far
+   * @throws GivenUp, or an Error with the sentence of the refusal */
+  run(wanted: Wanted, said: Said = () => {}): Promise<Trial> {
     return this.#solver.run((ask) =>
-      wanted.split > 0 ? splitting(ask, wanted) : whole(ask, wanted),
+      wanted.split > 0 ? splitting(ask, wanted, said) : whole(ask, wanted, said),
     );
   }
 
@@ -35,16 +44,21 @@ export class PlanariseTrials {
   }
 }
 
-async function whole(ask: Ask, { source, cuts, how }: Wanted): Promise<Trial> {
+async function whole(ask: Ask, { source, cuts, how }: Wanted, said: Said): Promise<Trial> {
   const base = { source, planarise: how, symmetry: null, cuts } as const;
-  const { mesh } = await ask({ kind: "open", ...base }, "opened");
-  return { how, mesh, measures: await measured(ask), split: null };
+  const { mesh } = await ask({ kind: "open", ...base }, "opened", told(said));
+  return { how, instead: false, mesh, measures: await measured(ask), split: null };
 }
 
-async function splitting(ask: Ask, { source, cuts, how, split }: Wanted): Promise<Trial> {
+async function splitting(
+  ask: Ask,
+  { source, cuts, how, split }: Wanted,
+  said: Said,
+): Promise<Trial> {
   await ask({ kind: "open", source, planarise: null, symmetry: null, cuts }, "opened");
-  const { mesh, panels, file } = await ask({ kind: "splitMesh", how, most: split }, "hybrid");
-  return { how, mesh, measures: await measured(ask), split: { panels, file } };
+  const question = { kind: "splitMesh", how, most: split } as const;
+  const { mesh, panels, file } = await ask(question, "hybrid", told(said));
+  return { how, instead: false, mesh, measures: await measured(ask), split: { panels, file } };
 }
 
 async function measured(ask: Ask) {

@@ -24,6 +24,7 @@ export function previewWords(page: Page, { faces, vertices }: MeshReport): strin
   const preview = page.planariseTrial.value;
   if (preview.kind === "shown") return trialWords(page, preview.trial);
   if (preview.kind !== "running") return "";
+  if (preview.near) return trialWords(page, preview.near);
   return `A structure of ${faces} panels, not all of them flat, and ${vertices} points; planarising is being tried.`;
 }
 

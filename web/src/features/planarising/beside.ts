@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What is tried beside a way to planarise that takes long: what there is near the file, quickest first.
+
+import type { Design } from "../../design/design.ts";
+import type { Trial } from "../../design/planarising.ts";
+import type { OpenedMesh, Planarising } from "../../solver/protocol.ts";
+import { isMet } from "./is-met.ts";
+import type { PlanariseTrials } from "./planarise-trial.ts";
+import { nearWay, quickWay } from "./stops.ts";
+
+type Told = (near: Trial) => void;
+
+export class Beside {
+  readonly #trials: PlanariseTrials;
+  readonly #opened: OpenedMesh;
+  readonly #design: Design;
+  readonly #split: number;
+  readonly #ways: readonly Planarising[];
+  #running: Promise<Trial | null> | null = null;
+  /** The last of several ways, which is quick on some meshes where the first takes long; null where it was
+   * not tried. */
+  last: Promise<Trial | null> | null = null;
+
+  /** @param ways what is asked for, the first first */
+  constructor(
+    trials: PlanariseTrials,
+    opened: OpenedMesh,
+    design: Design,
+    split: number,
+    ways: readonly Planarising[],
+  ) {
+    this.#trials = trials;
+    this.#opened = opened;
+    this.#design = design;
+    this.#split = split;
+    this.#ways = ways;
+  }
+
+  /** Once, whoever asks first. What there is in the end; null where distances or flatness are stated
+   * already, and where there is nothing. @param told gets what there is on the way */
+  run(told: Told = () => {}): Promise<Trial | null> {
+    this.#running ??= this.#run(told);
+    return this.#running;
+  }
+
+  async #run(told: Told): Promise<Trial | null> {
+    const how = this.#ways.at(-1);
+    if (!how || this.#split > 0 || how.within > 0 || how.flat > 0) return null;
+    const quick = await this.#instead(quickWay(how, this.#opened));
+    if (quick) told(quick);
+    if (this.#ways.length > 1) {
+      this.last = this.#try(how);
+      const exact = await this.last;
+      if (exact && isMet(exact, this.#design)) {
+        told(exact);
+        return exact;
+      }
+    }
+    const near = await this.#instead(nearWay(how, this.#opened));
+    if (near) told(near);
+    return near ?? quick;
+  }
+
+  async #instead(how: Planarising): Promise<Trial | null> {
+    const trial = await this.#try(how);
+    return trial && { ...trial, instead: true };
+  }
+
+  /** null where it is refused or given up. */
+  #try(how: Planarising): Promise<Trial | null> {
+    const { source, settings } = this.#design;
+    return this.#trials.run({ source, cuts: settings.cuts, how, split: 0 }).catch(() => null);
+  }
+}
