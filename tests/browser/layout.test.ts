@@ -3,7 +3,7 @@
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, openFile, showTab, typeTarget } from "./support/page.ts";
+import { idle, movedCount, openFile, showTab, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press, viewBox } from "./support/view.ts";
 
@@ -131,6 +131,35 @@ async function dragOverBars(page: Page): Promise<void> {
     expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
   }
 }
+
+/** Of the status line; two lines of words on a telephone. */
+const lineHeight = (page: Page): Promise<number> =>
+  page.locator(".status-line").evaluate((line) => (line as HTMLElement).offsetHeight);
+
+it("on a telephone an edit is said in the two lines that the mesh at rest has, and the view stays", async () => {
+  const page = await site.open({ viewport: { width: 390, height: 844 } });
+  const [rest, view, at] = [await lineHeight(page), await viewBox(page), await hintedPoint(page)];
+  expect(rest).toBeLessThan(50);
+  await press(page, at, { x: at.x, y: at.y - 10 });
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
+  expect([await lineHeight(page), await viewBox(page)]).toEqual([rest, view]);
+  await page.mouse.up();
+  await idle(page);
+  for (const width of [320, 360, 390, 400]) {
+    await page.setViewportSize({ width, height: 844 });
+    expect(await lineHeight(page), `${width} pixels`).toBe(rest);
+    expect((await viewBox(page)).height, `${width} pixels`).toBe(view.height);
+  }
+  // A sentence takes of the controls.
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await press(page, at, { x: at.x, y: at.y - 200 });
+  await page.getByText(/^Held back/).waitFor();
+  expect(await lineHeight(page)).toBeGreaterThan(rest);
+  expect((await viewBox(page)).height).toBe(view.height);
+  await page.mouse.up();
+  await page.context().close();
+});
 
 it("dialogs and menus fit a small screen, and the controls fold away and come back", async () => {
   const page = await site.open({ viewport: { width: 320, height: 568 }, reducedMotion: "reduce" });

@@ -82,20 +82,28 @@ function MotionNote() {
 
 const TIME = /^\d+ ms$/;
 
+/** Words before a figure that are heard, and seen where there is room for them. */
+const SPARED = /^(?:largest |sharpest |worst panel [\d.]+ [a-z]+, (?=flat))/;
+
 /** Breaks between figures, never within one or before a dot. */
 function Numbers() {
   const page = usePage();
   const parts = numbers(page);
   return (
     <>
-      {parts.map((part, k) => (
-        <Fragment key={part}>
-          {k > 0 && " "}
-          <span class={TIME.test(part) ? "figure time" : "figure"}>
-            {k + 1 < parts.length ? `${part} ·` : part}
-          </span>
-        </Fragment>
-      ))}
+      {parts.map((part, k) => {
+        const [spared = ""] = SPARED.exec(part) ?? [];
+        const rest = part.slice(spared.length);
+        return (
+          <Fragment key={part}>
+            {k > 0 && " "}
+            <span class={TIME.test(part) ? "figure time" : "figure"}>
+              {spared && <span class="spared">{spared}</span>}
+              {k + 1 < parts.length ? `${rest} ·` : rest}
+            </span>
+          </Fragment>
+        );
+      })}
     </>
   );
 }
