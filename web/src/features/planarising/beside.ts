@@ -4,9 +4,13 @@
 import type { Design } from "../../design/design.ts";
 import type { Trial } from "../../design/planarising.ts";
 import type { OpenedMesh, Planarising } from "../../solver/protocol.ts";
+import { GivenUp } from "../../solver/second-solver.ts";
 import { isMet } from "./is-met.ts";
 import type { PlanariseTrials } from "./planarise-trial.ts";
 import { nearWay, quickWay } from "./stops.ts";
+
+/** Before each: what someone does meanwhile may make an end of it. */
+const PAUSE_MS = 150;
 
 type Told = (near: Trial) => void;
 
@@ -17,9 +21,12 @@ export class Beside {
   readonly #split: number;
   readonly #ways: readonly Planarising[];
   #running: Promise<Trial | null> | null = null;
-  /** The last of several ways, which is quick on some meshes where the first takes long; null where it was
-   * not tried. */
-  last: Promise<Trial | null> | null = null;
+  /** Nobody waits any more: nothing else is begun. */
+  #givenUp = false;
+  /** The last of several ways, which is quick on some meshes where the first takes long. */
+  #last: Promise<Trial | null> | null = null;
+  /** Who asks for what is tried here tries the last way, too. */
+  #lastIsTaken: boolean;
 
   /** @param ways what is asked for, the first first */
   constructor(
@@ -34,6 +41,19 @@ export class Beside {
     this.#design = design;
     this.#split = split;
     this.#ways = ways;
+    this.#lastIsTaken = ways.length < 2;
+  }
+
+  /** What came of the last way, if it is tried here; null: from now on it is not. */
+  takeLast(): Promise<Trial | null> | null {
+    this.#lastIsTaken = true;
+    return this.#last;
+  }
+
+  /** What runs ends with its worker. */
+  end(): void {
+    this.#givenUp = true;
+    this.#trials.end();
   }
 
   /** Once, whoever asks first. What there is in the end; null where distances or flatness are stated
@@ -48,9 +68,9 @@ export class Beside {
     if (!how || this.#split > 0 || how.within > 0 || how.flat > 0) return null;
     const quick = await this.#instead(quickWay(how, this.#opened));
     if (quick) told(quick);
-    if (this.#ways.length > 1) {
-      this.last = this.#try(how);
-      const exact = await this.last;
+    if (!this.#lastIsTaken) {
+      this.#last = this.#try(how);
+      const exact = await this.#last;
       if (exact && isMet(exact, this.#design)) {
         told(exact);
         return exact;
@@ -67,8 +87,14 @@ export class Beside {
   }
 
   /** null where it is refused or given up. */
-  #try(how: Planarising): Promise<Trial | null> {
+  async #try(how: Planarising): Promise<Trial | null> {
+    await new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
+    if (this.#givenUp) return null;
     const { source, settings } = this.#design;
-    return this.#trials.run({ source, cuts: settings.cuts, how, split: 0 }).catch(() => null);
+    const wanted = { source, cuts: settings.cuts, how, split: 0 };
+    return this.#trials.run(wanted).catch((error: unknown) => {
+      this.#givenUp ||= error instanceof GivenUp;
+      return null;
+    });
   }
 }

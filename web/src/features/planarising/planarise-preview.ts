@@ -37,7 +37,7 @@ export const spoiltWords = ({ measures }: Trial): string =>
 export const EAGER_POINTS = 5000;
 
 /** After which what is near the file is shown, while what was asked for is still tried. */
-const NEAR_AFTER_MS = 300;
+const NEAR_AFTER_MS = 150;
 
 /** What is shown while a way is tried. */
 type Running = Extract<Preview, { kind: "running" }>;
@@ -47,7 +47,7 @@ export class PlanarisePreview {
   readonly #page: Page;
   readonly #trials: PlanariseTrials;
   /** Of what is near the file, beside what was asked for. */
-  readonly #nearTrials: PlanariseTrials;
+  #beside: Beside | null = null;
   readonly #opened: OpenedMesh;
   readonly #design: Design;
   /** Counts what was wanted. */
@@ -56,7 +56,6 @@ export class PlanarisePreview {
   constructor(page: Page, opened: OpenedMesh, design: Design) {
     this.#page = page;
     this.#trials = new PlanariseTrials(page.spawn);
-    this.#nearTrials = new PlanariseTrials(page.spawn);
     this.#opened = opened;
     this.#design = design;
   }
@@ -66,9 +65,11 @@ export class PlanarisePreview {
    * @param split so many panels may be split for it */
   show(split: number, ...ways: readonly Planarising[]): Promise<Trial | null> {
     this.#newest += 1;
-    this.#nearTrials.end();
+    this.#beside?.end();
     const mine = this.#newest;
-    const beside = new Beside(this.#nearTrials, this.#opened, this.#design, split, ways);
+    const trials = new PlanariseTrials(this.#page.spawn);
+    const beside = new Beside(trials, this.#opened, this.#design, split, ways);
+    this.#beside = beside;
     const done = this.#find(mine, split, ways, beside);
     const giveUp = () => this.stop();
     this.#page.planariseTrial.value = { kind: "running", done, giveUp, step: 0, near: null };
@@ -108,7 +109,7 @@ export class PlanarisePreview {
 
   #show(mine: number, trial: Trial): Trial | null {
     if (mine !== this.#newest) return null;
-    this.#nearTrials.end();
+    this.#beside?.end();
     this.#draw(trial.mesh);
     this.#page.planariseTrial.value = { kind: "shown", trial };
     return trial;
@@ -125,7 +126,7 @@ export class PlanarisePreview {
     const { source, settings } = this.#design;
     const { cuts } = settings;
     const said = (step: number): void => this.#change(mine, { step });
-    const found = last ? beside.last : null;
+    const found = last ? beside.takeLast() : null;
     const trial =
       (await found) ??
       (await this.#trials.run({ source, cuts, how, split }, said).catch((error) => {
@@ -162,7 +163,7 @@ export class PlanarisePreview {
     }
     this.#newest += 1;
     this.#trials.end();
-    this.#nearTrials.end();
+    this.#beside?.end();
     if (!near.instead) {
       const { keepBoundary } = near.how;
       this.#page.planarising.value = { ...this.#page.planarising.peek(), keepBoundary };
@@ -174,7 +175,7 @@ export class PlanarisePreview {
   end(): void {
     this.#newest += 1;
     this.#trials.end();
-    this.#nearTrials.end();
+    this.#beside?.end();
     this.#drawFile();
     this.#page.planariseTrial.value = { kind: "none" };
   }
