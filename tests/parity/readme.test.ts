@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The README's examples of the command line: each does something that a designer keeps.
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { afterAll, describe, expect, it } from "vitest";
@@ -58,4 +58,14 @@ describe("the README's examples of the command line, in their order", () => {
     const goes = words.includes("--handle") && words[1] === "edit";
     if (goes) expect(report.handle_error).toBeLessThanOrEqual(0.05 * way(words));
   });
+});
+
+it("shows what each example gives in docs/examples.md, in their order", () => {
+  const [, ...parts] = readFileSync("docs/examples.md", "utf8").split(/^ {4}(?=planish )/m);
+  expect(parts.map((part) => part.split("\n")[0])).toEqual(EXAMPLES);
+  for (const part of parts) {
+    const [, picture] = /\]\((pictures\/[^)]+)\)/.exec(part) ?? [];
+    if (/^planish (info|panels|drawings|compare) /.test(part)) expect(picture).toBeUndefined();
+    else expect(existsSync(join("docs", picture ?? "")) && picture, part).toBeTruthy();
+  }
 });
