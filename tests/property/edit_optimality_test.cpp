@@ -139,5 +139,18 @@ TEST(OptimalityOf, AWorseStateIsNotMet) {
   EXPECT_NEAR(optimality.stationarity * 0.5, 500.0, 1e-9);  // the handle's pull, q · ‖target‖
 }
 
+/// On fine meshes what moves runs along lines through dozens of panels. [OPT-2]
+class EditOfAFineMesh : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EditOfAFineMesh, IsCertifiedThoughItsLinesRunOn) {
+  const Mesh mesh = testing::sample(GetParam(), 100);
+  const auto pulled = testing::pull(mesh, testing::middle_vertex(mesh), {0.0, 0.0, 0.5});
+  const SolveReport report = solve_handle_edit(mesh, pulled, HandleEditOptions{}).report;
+  EXPECT_EQ(report.status, SolveStatus::kConverged);
+  EXPECT_LE(report.cost.factorizations, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, EditOfAFineMesh, ::testing::Values("vault", "dome", "freeform"));
+
 }  // namespace
 }  // namespace planish

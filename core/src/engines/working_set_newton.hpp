@@ -86,9 +86,10 @@ class WorkingSetNewton {
   EngineOutcome settle(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field, const Progress& progress);
 
-  /// After settle(): steps at the ε that it ended at until the rows hold to rounding, so that a
-  /// finish changes nothing. Where rows are nearly dependent, the shortest way from 1e-11 to there
-  /// leads far from the minimum.
+  /// After settle(): what was taken to rest stays there, and steps at the ε that it ended at bring
+  /// the rest to a minimum of its own whose rows hold to rounding, so that a finish changes
+  /// nothing. Where rows are nearly dependent, the shortest way from 1e-11 to there leads far from
+  /// the minimum.
   EngineOutcome refine(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field);
 
@@ -129,12 +130,14 @@ class WorkingSetNewton {
   void set_out(const EditProblem& problem);
   void lay_open(const EditProblem& problem, DisplacementField& field);
   [[nodiscard]] std::vector<int> movers_at_rim(double rest) const;
+  void extend(const std::vector<int>& movers, bool first_stage, int extensions);
   [[nodiscard]] double rounding() const;
   [[nodiscard]] double limit_violation();
   [[nodiscard]] bool settle_at(double smoothing, const NewtonOptions& options,
                                EngineOutcome& outcome);
   void shrink_what_rests(double smoothing, double shrink);
   void keep_support(double rest);
+  void hold_what_rests();
   /// The settled state, at this smoothing, is what is kept.
   void keep_settled(double smoothing, DisplacementField& field);
   void judge_rests(const EditProblem& problem, double rest, Optimality& result);
@@ -148,7 +151,7 @@ class WorkingSetNewton {
   std::vector<int> support_, start_, working_;
   bool seeks_support_ = true;
 
-  Eigen::Matrix3Xd settled_;  ///< 3 × free: what the last settle() ended with, nothing stopped
+  PatchState settled_;  ///< what the last settle() ended with, nothing stopped
   double settled_smoothing_ = 0.0;
   double last_off_ = 0.0;  ///< |c| before the last step of settle()
 

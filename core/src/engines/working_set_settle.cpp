@@ -21,20 +21,28 @@ constexpr double kRestsAtLast = 700.0;  ///< ε: w is 1 to within kStationary, s
 constexpr double kMovesAtRimFirst = 30;  ///< ε: what moves further joins the working set
 constexpr double kMovesAtRimLater = 10;  ///< the same once the first ε has been followed
 constexpr int kLinesAhead = 2;           ///< edges along which it then brings its lines with it
+constexpr int kMostLinesAhead = 32;      ///< the same where set after set was too small
+constexpr int kShortOnes = 3;            ///< sets that were, before lines are followed further
 constexpr double kPenalty = 10.0;        ///< μ ε: the constraints of vertices at rest are stiff
-constexpr double kMostPenalty = 1e10;    ///< μ: above it λ is what rounding makes of c
+constexpr double kMostPenalty = 1e11;    ///< μ: above it λ is what rounding makes of c
 constexpr double kFollowed = 1e-2;       ///< ‖∇L‖ at which a stage ends, solver units
 constexpr double kStationary = 5e-7;     ///< the same for the last stage
-constexpr double kHeld = 10.0;           ///< |c| / ε at which a stage ends
-constexpr double kCounted = 1e-6;        ///< of the pull: who moves less counts as at rest
-constexpr double kStalled = 1e-8;        ///< |c| that need not fall where no step changes it
-constexpr double kLimitsHeld = 1e-7;     ///< share by which a limit that presses may be off
-constexpr double kLimitPenalty = 1e3;    ///< μ of the limits: their multipliers are known by then
+constexpr double kNearlyStationary = 1e-5;  ///< the same where steps hardly lower it any more
+constexpr double kSlow = 0.5;               ///< share of it that such steps leave
+constexpr double kHeld = 10.0;              ///< |c| / ε at which a stage ends
+constexpr double kCounted = 1e-6;           ///< of the pull: who moves less counts as at rest
+constexpr double kStalled = 1e-8;           ///< |c| that need not fall where no step changes it
+constexpr double kLimitsHeld = 1e-7;        ///< share by which a limit that presses may be off
+constexpr double kLimitPenalty = 1e3;  ///< μ of the limits: their multipliers are known by then
 constexpr double kLateLimitPenalty = 1e4;  ///< once the first ε has been followed
 constexpr int kMostRefinements = 6;
-constexpr double kExactRows = 1e-13;     ///< |c| that a finish leaves as it is
-constexpr int kStepsPerRun = 2;          ///< on one of them
-constexpr double kMostWork = 150'000.0;  ///< points × steps, all runs
+constexpr double kExactRows = 1e-13;  ///< |c| that a finish leaves as it is
+constexpr int kStepsPerRun = 2;       ///< on one of them
+constexpr double kMostWork = 1e6;     ///< points × steps, all runs
+
+double steepest(const Eigen::Matrix3Xd& columns) {
+  return columns.cols() > 0 ? columns.colwise().norm().maxCoeff() : 0.0;
+}
 
 }  // namespace
 
@@ -72,6 +80,17 @@ std::vector<int> WorkingSetNewton::movers_at_rim(double rest) const {
   return movers;
 }
 
+/// What joins the working set, and how far ahead along its lines. The first time at an ε it is what
+/// moves alone: the basin may not be found. Where set after set is too small, lines run on through
+/// the mesh: each set then follows them twice as far as the one before.
+void WorkingSetNewton::extend(const std::vector<int>& movers, bool first_stage, int extensions) {
+  const int doublings = extensions - kShortOnes;
+  int ahead = first_stage ? 0 : kLinesAhead;
+  if (doublings > 0) ahead = std::max(ahead, 1 << std::min(doublings, 16));
+  ahead = std::min(ahead, kMostLinesAhead);
+  working_ = set_union(working_, grower_.with_lines_ahead(movers, working_, ahead));
+}
+
 /// What rounding the patch's coordinates leaves of a length.
 double WorkingSetNewton::rounding() const {
   constexpr double kUlps = 16.0 * std::numeric_limits<double>::epsilon();
@@ -95,7 +114,7 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
     // Rows among points that cannot move keep what the base has: no step betters them.
     const bool stalled = off <= kStalled && std::abs(off - last_off_) <= 1e-3 * off;
     last_off_ = off;
-    if (gradient_.colwise().norm().maxCoeff() <= options.stationary &&
+    if (steepest(gradient_) <= options.stationary &&
         (off <= std::max(kHeld * smoothing, rounding()) || stalled) &&
         limit_violation() <= std::max(kLimitsHeld, smoothing)) {
       return true;
@@ -137,9 +156,11 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   set_out(problem);
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
+  double last_slope = std::numeric_limits<double>::infinity();
+  int extensions = 0;  // at this ε
   step_.forget_shift();
   lay_open(problem, field);
-  settled_ = state_.displacement;
+  settled_ = state_;
   settled_smoothing_ = smoothing;
   if (patch_.free_count == 0 ||
       !std::isfinite(system_.lagrangian().energy(state_.displacement, smoothing))) {
@@ -168,17 +189,18 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       outcome.status = SolveStatus::kCancelled;
       break;
     }
-    std::vector<int> movers =
+    const std::vector<int> movers =
         movers_at_rim((first_stage ? kMovesAtRimFirst : kMovesAtRimLater) * smoothing);
     if (!movers.empty()) {
-      // The basin is found by now: along the lines that leave the set more will move.
-      if (!first_stage) movers = grower_.with_lines_ahead(movers, working_, kLinesAhead);
-      working_ = set_union(working_, movers);
+      extend(movers, first_stage, ++extensions);
       lay_open(problem, field);
       continue;
     }
+    const double slope = steepest(gradient_);
+    const bool slow = slope <= kNearlyStationary && slope > kSlow * last_slope;
+    last_slope = slope;
     const bool spent =
-        last && step_.largest_move() <= rounding();  // no step changes anything any more
+        last && (slow || step_.largest_move() <= rounding());  // no step changes anything any more
     if (!done && !spent) continue;
     if (last) {
       outcome.status = SolveStatus::kConverged;
@@ -187,6 +209,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
     const double shrink = std::max(kShrink, kLast * scale / smoothing);
     shrink_what_rests(smoothing, shrink);
     smoothing *= shrink;
+    extensions = 0;
     step_.restart();
   }
   keep_settled(smoothing, field);
@@ -202,20 +225,44 @@ EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonO
   step.limits_may_stay = false;
   step.limit_penalty = kLateLimitPenalty;
   if (problem.seeks_support) step.penalty = std::max(step.penalty, kMostPenalty);
-  state_.displacement = settled_;
-  step_.restart();
+  state_ = settled_;
+  keep_support(kRestsAtLast * settled_smoothing_);
+  std::vector<Slide> given = patch_.slides;
+  hold_what_rests();
   for (; outcome.cost.steps < kMostRefinements; ++outcome.cost.steps) {
     system_.lagrangian().residuals(state_.displacement, residuals_);
-    if (residuals_.size() == 0 || residuals_.cwiseAbs().maxCoeff() <= kExactRows) break;
+    system_.lagrangian().gradient_at(state_, settled_smoothing_, gradient_);
+    const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
+    if (off <= kExactRows && steepest(gradient_) <= kStationary) break;
     if (step_.take(step, settled_smoothing_, state_) != PrimalDualStep::Result::kAccepted) break;
   }
-  keep_settled(settled_smoothing_, field);
+  patch_.slides.swap(given);
+  system_.attach(patch_);
+  field.store(patch_, state_);
   outcome.cost.factorizations = system_.factorizations() - before;
   return outcome;
 }
 
+/// Beside the support nothing of the patch may move.
+void WorkingSetNewton::hold_what_rests() {
+  std::vector<Slide> slides;
+  auto given = patch_.slides.begin();
+  for (int k = 0; k < patch_.free_count; ++k) {
+    while (given != patch_.slides.end() && given->vertex < k) ++given;
+    if (!std::binary_search(support_.begin(), support_.end(), patch_.vertices[at(k)])) {
+      slides.push_back({k, {}});
+      slides.back().track.along.setZero();
+    } else if (given != patch_.slides.end() && given->vertex == k) {
+      slides.push_back(*given);
+    }
+  }
+  patch_.slides = std::move(slides);
+  system_.attach(patch_);
+  step_.attach(system_, patch_.free_count);
+}
+
 void WorkingSetNewton::keep_settled(double smoothing, DisplacementField& field) {
-  settled_ = state_.displacement;
+  settled_ = state_;
   settled_smoothing_ = smoothing;
   keep_support(kRestsAtLast * smoothing);
   field.store(patch_, state_);
@@ -238,7 +285,7 @@ void WorkingSetNewton::keep_support(double rest) {
 }
 
 void WorkingSetNewton::keep_slow_movers(DisplacementField& field) {
-  state_.displacement = settled_;
+  state_ = settled_;
   keep_support(kAtRest * settled_smoothing_);
   field.store(patch_, state_);
 }
