@@ -183,7 +183,7 @@ it("raw weights are the command line's, in Advanced; Softness takes over again",
   await page.getByText("no limit", { exact: true }).first().waitFor();
   const raw = await movedCount(page);
   expect(raw).not.toBe(soft);
-  const vault = await site.openVault();
+  const vault = await site.openVault({ size: 21 });
   await typeTarget(vault, "+50cm");
   expect(await movedCount(vault)).toBe(raw);
   await vault.context().close();
