@@ -85,6 +85,16 @@ async function expectPlaces(page: Page, width: number, height: number): Promise<
   expect(await cutShort(page)).toEqual([]);
 }
 
+const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
+
+const REPORT_SIZES = [
+  [360, 740],
+  [740, 360],
+  [768, 1024],
+  [900, 640],
+  [1440, 900],
+] as const;
+
 /** What is said of joints that slide is said where there is room, and never makes the status line higher. */
 async function expectNoLineForTheSlide(page: Page): Promise<void> {
   const [said, unsaid] = await page.evaluate<number[]>(`(() => {
@@ -98,7 +108,7 @@ async function expectNoLineForTheSlide(page: Page): Promise<void> {
   expect(said).toBe(unsaid);
 }
 
-it("everything has its place at every size, and bars of tools are no text to select", async () => {
+it("everything has its place at every size, the import report too, and bars are no text to select", async () => {
   const page = await site.open();
   await typeTarget(page, "+0.2345m");
   for (const [width, height] of SIZES) {
@@ -111,6 +121,11 @@ it("everything has its place at every size, and bars of tools are no text to sel
   // The camera has kept the model in place.
   const [at, view] = [await hintedPoint(page), await viewBox(page)];
   expect(inside({ ...at, width: 0, height: 0 }, view)).toBe(true);
+  await openFile(page, "saddle.obj", SADDLE);
+  for (const [width, height] of REPORT_SIZES) {
+    await page.setViewportSize({ width, height });
+    await expectReportBeside(page, width, height);
+  }
   await page.context().close();
 });
 
@@ -237,24 +252,7 @@ it("no tab is more than one and a half screens, at rest or after a long drag", a
   await page.context().close();
 }, 200_000);
 
-const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
-
-it("the import report leaves the model in view at every size", async () => {
-  const page = await site.open();
-  await openFile(page, "saddle.obj", SADDLE);
-  for (const [width, height] of [
-    [360, 740],
-    [740, 360],
-    [768, 1024],
-    [900, 640],
-    [1440, 900],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    await expectReportBeside(page, width, height);
-  }
-  await page.context().close();
-});
-
+/** The model stays in view. */
 async function expectReportBeside(page: Page, width: number, height: number): Promise<void> {
   const report = await boxOf(page.getByRole("region", { name: "saddle.obj" }));
   expect(apart(report, await viewBox(page))).toBe(true);
