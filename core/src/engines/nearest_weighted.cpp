@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "engines/optimality.hpp"
@@ -121,6 +122,11 @@ bool NearestWeighted::let_in_movers(const EditProblem& problem, double smoothing
 /// Down to the last ε that rounding lets settle. False where the steps run out or it is stopped.
 bool NearestWeighted::follow(const EditProblem& problem, int most_steps, const Progress& progress,
                              double& smoothing, EngineOutcome& outcome) {
+  struct Settled {
+    double smoothing;
+    PatchState state;
+  };
+  std::optional<Settled> before;  // on the same working set
   const double last = Tuning::kLast * scale_;
   while (outcome.cost.steps < most_steps) {
     const bool is_last = smoothing <= last;
@@ -131,10 +137,18 @@ bool NearestWeighted::follow(const EditProblem& problem, int most_steps, const P
         solve_at(smoothing, stationary * largest_pull(patch_), steps, progress, outcome);
     field_.store(patch_, newton_.state());
     if (outcome.status == SolveStatus::kCancelled) return false;
-    if (let_in_movers(problem, smoothing)) continue;
+    if (let_in_movers(problem, smoothing)) {
+      before.reset();
+      continue;
+    }
     const bool fine = smoothing <= Tuning::kFine * scale_;
-    if (is_last || (fine && !settled))
-      return true;  // rounding ends it: the certificate is measured
+    if (fine && !settled && before) {  // rounding ends it: what settled last stands
+      smoothing = before->smoothing;
+      newton_.set_state(std::move(before->state));
+      field_.store(patch_, newton_.state());
+    }
+    if (is_last || (fine && !settled)) return true;  // the certificate is measured
+    if (settled) before = Settled{smoothing, newton_.state()};
     const double factor =
         std::max(fine ? Tuning::kFineShrink : Tuning::kCoarseShrink, last / smoothing);
     if (fine) scale_what_rests(smoothing, factor);
