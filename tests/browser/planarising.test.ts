@@ -50,7 +50,7 @@ async function overhear(page: Page): Promise<() => Promise<readonly Asked[]>> {
 
 interface Asked {
   kind: string;
-  planarise?: unknown;
+  planarise?: { readonly within: number } | null;
   found?: number[] | null | undefined;
 }
 
@@ -80,8 +80,9 @@ it("shows what planarising gives before it is done, and does just that, once", a
   expect(near).toBeLessThan(fair);
 
   // What is taken is what was shown, to the last bit; nobody makes it a second time.
-  const before = (await asked()).filter(({ planarise }) => planarise);
-  expect(before.length).toBe(2);
+  // (What is near the file is tried, too, where the first takes long.)
+  const whole = (all: readonly Asked[]) => all.filter(({ planarise }) => planarise?.within === 0);
+  expect(whole(await asked()).length).toBe(2);
   await page.getByRole("button", { name: "Planarise", exact: true }).click();
   await page.getByRole("button", { name: "Start editing" }).waitFor();
   await idle(page);
@@ -92,7 +93,7 @@ it("shows what planarising gives before it is done, and does just that, once", a
   expect(Math.abs(1000 * Math.max(...moves) - near)).toBeLessThanOrEqual(1);
   expect(moves.filter((move) => move > 0).length).toBe((SIZE - 1) ** 2);
   const all = await asked();
-  expect(all.filter(({ planarise }) => planarise).length).toBe(before.length);
+  expect(whole(all).length).toBe(2);
   const taken = all.filter(({ kind }) => kind === "planarise");
   expect(taken.map(({ found }) => found)).toEqual([flat.points.flat()]);
 
