@@ -73,6 +73,13 @@ it("every section has one that moves, by mouse and keys", async () => {
     await showTab(page, name);
     await look();
   }
+  // What is measured first may have come after its tab was left.
+  const tabs = ["Edit", "Explore", "Check and make"] as const;
+  for (const name of tabs) {
+    if (told.size >= 21) break;
+    await showTab(page, name);
+    await look();
+  }
   expect(told.size).toBeGreaterThanOrEqual(21);
   await asks(page).first().focus();
   await page.keyboard.press("Enter");
