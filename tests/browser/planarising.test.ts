@@ -50,7 +50,7 @@ async function overhear(page: Page): Promise<() => Promise<readonly Asked[]>> {
 
 interface Asked {
   kind: string;
-  planarise?: { readonly within: number } | null;
+  planarise?: { readonly within: number } | null | undefined;
   found?: number[] | null | undefined;
 }
 
