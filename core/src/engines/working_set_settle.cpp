@@ -80,9 +80,9 @@ std::vector<int> WorkingSetNewton::movers_at_rim(double rest) const {
   return movers;
 }
 
-/// What joins the working set, and how far ahead along its lines. The first time at an ε it is what
-/// moves alone: the basin may not be found. Where set after set is too small, lines run on through
-/// the mesh: each set then follows them twice as far as the one before.
+/// What moves joins the working set, with what is ahead along its lines; at the first ε alone, for
+/// the basin may not be found. Where set after set is too small, lines run on through the mesh:
+/// each set then follows them twice as far as the one before.
 void WorkingSetNewton::extend(const std::vector<int>& movers, bool first_stage, int extensions) {
   const int doublings = extensions - kShortOnes;
   int ahead = first_stage ? 0 : kLinesAhead;
