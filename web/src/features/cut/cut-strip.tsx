@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tool that cuts panels: what clicks in the view do, the same by numbers, and the cuts made so far.
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { Ask } from "../../ui/ask.tsx";
 import { Icon } from "../../ui/icon.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
@@ -215,7 +215,8 @@ function List() {
 export function CutStrip() {
   const page = usePage();
   const strip = useRef<HTMLElement>(null);
-  useEffect(() => {
+  // With the strip: clicks are the tool's from its first frame and not any more once it has gone.
+  useLayoutEffect(() => {
     strip.current?.scrollIntoView?.({ block: "nearest" });
     return followCutting(page, viewOf(page));
   }, []);
