@@ -13,6 +13,15 @@ namespace {
 
 Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& t) { return {t.data(), t.size()}; }
 
+/// False where next to nothing is left of a vector that was `before` long.
+bool normalise(double before, Eigen::Matrix3Xd& t) {
+  constexpr double kNothingLeft = 1e-6;
+  const double length = t.norm();
+  if (!(length > kNothingLeft * before) || !std::isfinite(length)) return false;
+  t /= length;
+  return true;
+}
+
 /// The patch with only some of its free vertices left free; the others become its halo.
 Patch restricted(const Patch& patch, const std::vector<int>& kept, std::vector<int>& order) {
   Patch result;
@@ -83,7 +92,6 @@ void SubspaceVectorSolver::to_tangent(ConstraintCorrection& correction, Eigen::M
 /// null(J) even where the patch is smaller than B's support.
 bool SubspaceVectorSolver::project(ConstraintCorrection& correction, const Patch& patch,
                                    const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) const {
-  constexpr double kNothingLeft = 1e-6;
   const double before = t.norm();
   to_tangent(correction, t);
   if (basis.cols() > 0) {
@@ -100,10 +108,7 @@ bool SubspaceVectorSolver::project(ConstraintCorrection& correction, const Patch
       vector -= projected * qr.solve(Eigen::VectorXd(vector));
     }
   }
-  const double length = t.norm();
-  if (!(length > kNothingLeft * before) || !std::isfinite(length)) return false;
-  t /= length;
-  return true;
+  return normalise(before, t);
 }
 
 bool SubspaceVectorSolver::make_admissible(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
@@ -111,8 +116,16 @@ bool SubspaceVectorSolver::make_admissible(const Eigen::MatrixXd& basis, Eigen::
   return admit(basis, t);
 }
 
+/// As project(), where B is orthonormal and tangent.
 bool SubspaceVectorSolver::admit(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
-  return dual_ && t.norm() > 0.0 && project(correction_, patch_, basis, t);
+  const double before = t.norm();
+  if (!dual_ || !(before > 0.0)) return false;
+  to_tangent(correction_, t);
+  Eigen::Map<Eigen::VectorXd> rows(t.data(), t.size());
+  for (int pass = 0; pass < 2; ++pass) {
+    rows -= basis * (basis.transpose() * Eigen::VectorXd(rows));
+  }
+  return normalise(before, t);
 }
 
 /// One step of state_.displacement = t, which stays admissible. False when it no longer helps.

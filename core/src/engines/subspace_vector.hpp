@@ -70,10 +70,18 @@ class SubspaceVectorSolver {
   void to_tangent(ConstraintCorrection& correction, Eigen::Matrix3Xd& x) const;
   [[nodiscard]] Eigen::Matrix3Xd along_constraints(const Eigen::MatrixXd& basis,
                                                    const Eigen::Matrix3Xd& pulls);
-  [[nodiscard]] bool settle_step(const Eigen::MatrixXd& basis, double smoothing);
+  /// What pulls at state_ within the constraints, and the forces that take up the rest.
+  struct Pulls {
+    Eigen::Matrix3Xd left, forces;  ///< 3 × free
+    double sphere = 0.0;            ///< τ of ‖t‖ = 1
+  };
+  [[nodiscard]] Pulls pulls_at(const Eigen::MatrixXd& basis, double smoothing);
+  [[nodiscard]] bool settle_step(const Eigen::MatrixXd& basis, double smoothing,
+                                 const Pulls& pulls);
   [[nodiscard]] Eigen::VectorXd curved_step(const Eigen::MatrixXd& normals,
                                             const Eigen::VectorXd& slope, double sphere);
-  void settle_at(const Eigen::MatrixXd& basis, double smoothing);
+  double settle_at(const Eigen::MatrixXd& basis, double smoothing, double tolerance);
+  [[nodiscard]] bool shrink_rests(const Eigen::MatrixXd& basis, double smoothing, double share);
   [[nodiscard]] bool newton_step(const Eigen::MatrixXd& basis, double smoothing, double penalty);
   [[nodiscard]] bool project(ConstraintCorrection& correction, const Patch& patch,
                              const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) const;

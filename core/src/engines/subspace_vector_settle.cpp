@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engines/optimality.hpp"
 #include "engines/subspace_vector.hpp"
@@ -14,17 +15,20 @@ namespace {
 
 /// Figures of the iteration; ε in units of the longest row.
 struct VectorSettling {
-  static constexpr double kFirst = 1e-5;        ///< ε at which improve() ended
-  static constexpr double kLast = 1e-11;        ///< last ε
-  static constexpr double kShrink = 0.1;        ///< between two
-  static constexpr double kAtRest = 100.0;      ///< times ε: what is shorter is at rest
-  static constexpr double kPenalty = 1e6;       ///< μ ε: far stiffer than norms at rest
-  static constexpr double kMostPenalty = 1e16;  ///< μ
-  static constexpr double kStationary = 1e-7;   ///< of the largest C^i/2
-  static constexpr double kCounted = 1e-6;      ///< of the longest row: less counts as at rest
-  static constexpr int kSteps = 30;             ///< at one ε
-  static constexpr int kInner = 25;             ///< conjugate gradients in one step
-  static constexpr double kInnerDrop = 1e-6;    ///< of their residual's square
+  static constexpr double kFirst = 1e-5;         ///< ε at which improve() ended
+  static constexpr double kLast = 1e-10;         ///< last ε
+  static constexpr double kShrink = 0.01;        ///< between two
+  static constexpr double kCarefulShrink = 0.1;  ///< the same where that did not settle
+  static constexpr double kAtRest = 100.0;       ///< times ε: what is shorter is at rest
+  static constexpr double kPenalty = 1e6;        ///< μ ε: far stiffer than norms at rest
+  static constexpr double kMostPenalty = 1e16;   ///< μ
+  static constexpr double kStationary = 1e-7;    ///< of the largest C^i/2, at the last ε
+  static constexpr double kOnTheWay = 1e-3;      ///< the same before it
+  static constexpr double kSlow = 1e-4;       ///< less than this ends where steps do not halve it
+  static constexpr double kCounted = 1e-6;    ///< of the longest row: less counts as at rest
+  static constexpr int kSteps = 30;           ///< at one ε
+  static constexpr int kInner = 25;           ///< conjugate gradients in one step
+  static constexpr double kInnerDrop = 1e-6;  ///< of their residual's square
 };
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const Eigen::Matrix3Xd& t) {
@@ -100,24 +104,32 @@ Eigen::VectorXd SubspaceVectorSolver::curved_step(const Eigen::MatrixXd& normals
   return step;
 }
 
+SubspaceVectorSolver::Pulls SubspaceVectorSolver::pulls_at(const Eigen::MatrixXd& basis,
+                                                           double smoothing) {
+  state_.multipliers.setZero();
+  Eigen::Matrix3Xd gradient;
+  system_.lagrangian().gradient_at(state_, smoothing, gradient);
+  Pulls pulls;
+  pulls.sphere = as_vector(state_.displacement).dot(as_vector(gradient));
+  pulls.left = along_constraints(basis, gradient);
+  pulls.forces = pulls.left - gradient;
+  return pulls;
+}
+
 /// False when no step helps any more.
-bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoothing) {
+bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoothing,
+                                       const Pulls& pulls) {
   constexpr int kMostHalvings = 8;
   constexpr double kRounding = 1e-13;
   Eigen::Matrix3Xd& t = state_.displacement;
   const double penalty =
       std::clamp(VectorSettling::kPenalty / smoothing, 1e6, VectorSettling::kMostPenalty);
-  state_.multipliers.setZero();
   if (!system_.factorize(state_, smoothing, penalty, 1e-9)) return false;
   ++steps_;
-  Eigen::Matrix3Xd pulls;
-  system_.lagrangian().gradient_at(state_, smoothing, pulls);
-  const double sphere = as_vector(t).dot(as_vector(pulls));
-  const Eigen::Matrix3Xd left = along_constraints(basis, pulls);
   Eigen::MatrixXd normals(t.size(), basis.cols() + 1);
   normals.col(0) = as_vector(t);
   normals.rightCols(basis.cols()) = basis;
-  const Eigen::VectorXd way = curved_step(normals, as_vector(left), sphere);
+  const Eigen::VectorXd way = curved_step(normals, as_vector(pulls.left), pulls.sphere);
   Eigen::Matrix3Xd step = Eigen::Map<const Eigen::Matrix3Xd>(way.data(), 3, patch_.free_count);
   if (even_) even_(step);
   const double before = system_.lagrangian().energy(t, smoothing);
@@ -134,41 +146,71 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
   return false;
 }
 
-void SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing) {
-  const double tolerance = VectorSettling::kStationary * largest_bound(patch_);
-  for (int step = 0; step < VectorSettling::kSteps; ++step) {
-    if (!settle_step(basis, smoothing)) return;
-    Eigen::Matrix3Xd pulls;
-    system_.lagrangian().gradient_at(state_, smoothing, pulls);
-    if (longest_row(along_constraints(basis, pulls)) <= tolerance) return;
+/// At one ε. @returns the longest pull that is left, of the largest C^i/2
+double SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing,
+                                       double tolerance) {
+  const double bound = largest_bound(patch_);
+  Pulls pulls = pulls_at(basis, smoothing);
+  double left = longest_row(pulls.left) / bound;
+  for (int step = 0; step < VectorSettling::kSteps && left > tolerance; ++step) {
+    if (!settle_step(basis, smoothing, pulls)) break;
+    pulls = pulls_at(basis, smoothing);
+    const double before = std::exchange(left, longest_row(pulls.left) / bound);
+    if (left <= VectorSettling::kSlow && left > 0.5 * before) break;
   }
+  return left;
+}
+
+/// From the minimum at one ε to a start at the next: what is at rest shrinks with ε, so that
+/// t/√(‖t‖² + ε²) stays what it is. False where nothing admissible is left.
+bool SubspaceVectorSolver::shrink_rests(const Eigen::MatrixXd& basis, double smoothing,
+                                        double share) {
+  Eigen::Matrix3Xd trial = state_.displacement;
+  for (int v = 0; v < patch_.free_count; ++v) {
+    if (trial.col(v).norm() <= VectorSettling::kAtRest * smoothing) trial.col(v) *= share;
+  }
+  if (!admit(basis, trial)) return false;
+  state_.displacement = trial;
+  return true;
 }
 
 Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
   constexpr double kNoNorms = std::numeric_limits<double>::infinity();
   state_.displacement = t;
   const double largest = longest_row(t);
-  double smoothing = VectorSettling::kFirst * largest;
   const double last = VectorSettling::kLast * largest;
+  double smoothing = VectorSettling::kFirst * largest;
+  // What the last ε left that was settled; where the next one is not, a nearer one is tried.
+  PatchState settled = state_;
+  double settled_at = smoothing;
+  bool is_found = false;
+  double shrink = VectorSettling::kShrink;
   for (;;) {
-    settle_at(basis, smoothing);
-    if (smoothing <= last) break;
-    const double shrink = std::max(VectorSettling::kShrink, last / smoothing);
-    Eigen::Matrix3Xd trial = state_.displacement;
-    for (int v = 0; v < patch_.free_count; ++v) {  // t/√(‖t‖² + ε²) then stays what it is
-      if (trial.col(v).norm() <= VectorSettling::kAtRest * smoothing) trial.col(v) *= shrink;
+    const double tolerance =
+        smoothing <= last ? VectorSettling::kStationary : VectorSettling::kOnTheWay;
+    const bool is_settled = settle_at(basis, smoothing, tolerance) <= VectorSettling::kOnTheWay;
+    if (is_settled || !is_found) {
+      settled = state_;
+      settled_at = smoothing;
+      is_found = is_settled;
+      shrink = is_settled ? VectorSettling::kShrink : VectorSettling::kCarefulShrink;
+    } else if (shrink == VectorSettling::kShrink) {
+      state_ = settled;
+      smoothing = settled_at;
+      shrink = VectorSettling::kCarefulShrink;
+    } else {
+      break;
     }
-    if (!admit(basis, trial)) break;
-    state_.displacement = trial;
-    smoothing *= shrink;
+    const double share = std::max(shrink, last / smoothing);
+    if (smoothing <= last || !shrink_rests(basis, smoothing, share)) break;
+    smoothing *= share;
   }
-  state_.multipliers.setZero();
-  Eigen::Matrix3Xd pulls;
-  system_.lagrangian().gradient_at(state_, smoothing, pulls);
-  const Eigen::Matrix3Xd forces = along_constraints(basis, pulls) - pulls;
-  t = state_.displacement;
-  sparsify(basis, VectorSettling::kAtRest * smoothing / longest_row(t), t);
+  state_ = settled;
+  const Eigen::Matrix3Xd forces = pulls_at(basis, settled_at).forces;
+  t = settled.displacement;
+  sparsify(basis, VectorSettling::kAtRest * settled_at / longest_row(t), t);
   state_.displacement = t;
+  Eigen::Matrix3Xd pulls;
   system_.lagrangian().gradient_at(state_, kNoNorms, pulls);
   return optimality_of(patch_, t, pulls + forces, VectorSettling::kCounted * longest_row(t));
 }
