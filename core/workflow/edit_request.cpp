@@ -24,8 +24,14 @@ Json parts_of_handle(const std::string& text) {
     throw UsageError("--handle: \"" + text + "\" is not V=x,y,z or V+=dx,dy,dz");
   }
   const bool relative = text[equals - 1] == '+';
-  return {{"vertex", text.substr(0, equals - (relative ? 1 : 0))},
-          {relative ? "by" : "to", text.substr(equals + 1)}};
+  const std::string vertex = text.substr(0, equals - (relative ? 1 : 0));
+  const std::string point = text.substr(equals + 1);
+  // Who signs a coordinate means a way, and would be surprised by a place.
+  if (!relative && (point.starts_with('+') || point.find(",+") != std::string::npos)) {
+    throw UsageError("--handle: \"" + text + "\" is a place: " + vertex +
+                     "+=dx,dy,dz moves it by that, " + vertex + "=x,y,z without + moves it there");
+  }
+  return {{"vertex", vertex}, {relative ? "by" : "to", point}};
 }
 
 /// With whether its target is a way from the base.

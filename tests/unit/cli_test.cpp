@@ -220,6 +220,17 @@ TEST_F(Cli, AForgottenValueIsMissedAtItsOption) {
   EXPECT_EQ(err().find("needs a value"), std::string::npos) << err();
 }
 
+TEST_F(Cli, AWayThatIsWrittenAsAPlaceIsAskedAbout) {
+  ASSERT_EQ(run("sample vault --size 6 -o a.obj"), 0);
+  for (const char* place : {"8=+0,+0,+0.5", "8=0,0,+0.5"}) {
+    EXPECT_EQ(run(std::string("edit a.obj -o b.obj --handle ") + place), 2) << place;
+    EXPECT_NE(err().find("8+=dx,dy,dz moves it by that"), std::string::npos) << err();
+  }
+  for (const char* given : {"8+=+0,+0,+0.1", "8=1e+0,1,-1E+0"}) {
+    EXPECT_EQ(run(std::string("edit a.obj -o b.obj --handle ") + given), 0) << err();
+  }
+}
+
 TEST_F(Cli, AnInvalidMeshIsExitCodeThreeAndNamesTheLine) {
   save("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
   EXPECT_EQ(run("info bad.obj"), 3);
