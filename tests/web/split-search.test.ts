@@ -60,3 +60,30 @@ it("a search that is stopped before it found any line leaves nothing", async () 
   stopSearch(page);
   expect(searchNow(page)).toBeNull();
 });
+
+it("what the design has is there before anything is solved", async () => {
+  const page = await searching([]);
+  const design = page.history.value?.present;
+  const now = searchNow(page);
+  expect(now?.kind).toBe("running");
+  const [first, ...more] = now && now.kind !== "refused" ? now.curve.standings : [];
+  expect(more).toEqual([]);
+  const moved = new Set(design?.shape.moved);
+  const mesh = page.mesh.value;
+  const panels = Array.from({ length: (mesh?.offsets.length ?? 1) - 1 }, (_, panel) =>
+    mesh?.vertices.subarray(mesh.offsets[panel], mesh.offsets[panel + 1]),
+  );
+  const [x, y, z] = shownPoint(page, VERTEX);
+  const target = design?.handles[0]?.target ?? [0, 0, 0];
+  expect(first).toMatchObject({
+    lines: 0,
+    cuts: [],
+    movedVertices: design?.report.movedVertices,
+    remadePanels: panels.filter((corners) => corners?.some((v) => moved.has(v))).length,
+    sharpestFold: design?.report.sharpestFold?.after,
+  });
+  expect(first?.handleError).toBeCloseTo(
+    Math.hypot(target[0] - x, target[1] - y, target[2] - z),
+    12,
+  );
+});

@@ -13,6 +13,7 @@ import { kept, type Page } from "../../state/page.ts";
 import { openBase, takeBack } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { beyond, wanted } from "../../state/wanted.ts";
+import { uncutStanding } from "./uncut-standing.ts";
 
 /** Lines through panels at most. */
 const MOST = 4;
@@ -95,7 +96,9 @@ export async function search(page: Page): Promise<void> {
         ? { ...search, steps: news.step }
         : { ...search, curve: withStanding(search.curve, news.standing) };
   };
-  now.value = { of, kind: "running", steps: 0, curve: { asked: wish, standings: [] } };
+  const uncut = uncutStanding(page, of, wish.handles);
+  const curve = { asked: wish, standings: uncut ? [uncut] : [] };
+  now.value = { of, kind: "running", steps: 0, curve };
   try {
     const finding = await solver.run(async (ask) => {
       await ask(openKnownQuestion(baseOf(of), mesh), "opened");
