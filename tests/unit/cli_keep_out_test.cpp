@@ -21,7 +21,7 @@ using testing::Cli;
 using testing::contents;
 
 TEST_F(Cli, KeepOutsAreKeptReportedAndReplayed) {
-  const auto json = [&](const std::string& name) {
+  const auto parsed = [&](const std::string& name) {
     return nlohmann::json::parse(contents(directory_ / name));
   };
   ASSERT_EQ(run("sample vault --size 12 -o v.obj"), 0);
@@ -36,7 +36,7 @@ TEST_F(Cli, KeepOutsAreKeptReportedAndReplayed) {
   for (int v = 0; v < after.cols(); ++v) {
     EXPECT_GE(after(2, v), std::min(0.25, before(2, v)) - 1e-9) << v;
   }
-  const auto report = json("r.json");
+  const auto report = parsed("r.json");
   ASSERT_EQ(report["bounds"].size(), 1u);
   EXPECT_EQ(report["bounds"][0]["name"], "keep-out");
   const auto points = report["bounds"][0]["binding"].get<std::vector<int>>();
@@ -44,7 +44,7 @@ TEST_F(Cli, KeepOutsAreKeptReportedAndReplayed) {
   EXPECT_EQ(report["status"], "converged");
   for (const std::string design : {"d.json", "edited.glb"}) {
     ASSERT_EQ(run("replay " + design + " --report again.json"), 0) << err();
-    EXPECT_EQ(json("again.json")["verified"], true);
+    EXPECT_EQ(parsed("again.json")["verified"], true);
   }
 }
 

@@ -49,6 +49,7 @@ void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
     problem.terms[at(v)] = default_term(v, rest_, options, *problem.model);
   }
   problem.shape_weight = options.keep_shape ? kShapeWeight : 0.0;
+  problem.limits_straight_corners = options.keep_shape;
   overridden_.clear();
 }
 

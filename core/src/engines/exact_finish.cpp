@@ -72,7 +72,9 @@ ExactDesign ExactFinish::attempt(const EditProblem& problem, std::span<const int
   put_on_tracks(patch_, displacement);
   ExactDesign design;
   (void)correct_constraints(patch_, kMostPasses, displacement, design.cost.factorizations);
-  if (problem.limits != nullptr && breaks_limits(patch_, displacement)) {
+  const bool limited =
+      problem.limits != nullptr || !patch_.inequalities.of<StraightBound>().empty();
+  if (limited && breaks_limits(patch_, displacement)) {
     // A handle that stays where a step led it may be what is beyond a limit.
     if (hold_handles) return attempt(problem, support, field, false);
     correct_limits(patch_, displacement, design.cost.factorizations);

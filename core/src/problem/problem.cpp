@@ -101,6 +101,7 @@ void PatchCutter::begin(const EditProblem& problem, std::span<const int> free, P
   patch.keep_out_weight = problem.keep_out_weight;
   patch.inequality_ids.clear();
   for (std::vector<int>& numbers : limit_numbers_) numbers.clear();
+  straight_places_.clear();
   ++stamp_;
   for (const int v : free) {
     if (!problem.terms[at(v)].fixed) (void)local(v, patch);
@@ -116,20 +117,34 @@ void PatchCutter::add_face(const EditProblem& problem, int f, Patch& patch) {
     for (const int w : model.face(f)) patch.faces.values.push_back(local(w, patch));
     patch.faces.offsets.push_back(static_cast<int>(patch.faces.values.size()));
   }
-  if (problem.shape_weight > 0.0) add_corners(model, f, patch);
+  if (problem.shape_weight > 0.0) add_corners(problem, f, patch);
   if (problem.limits != nullptr) add_limits(*problem.limits, f, patch);
 }
 
 /// The shape bound's rows of one face.
-void PatchCutter::add_corners(const MeshModel& model, int f, Patch& patch) {
+void PatchCutter::add_corners(const EditProblem& problem, int f, Patch& patch) {
+  const MeshModel& model = *problem.model;
   std::vector<CornerShape>& corners = patch.inequalities.of<ShapeBound>();
   std::size_t kept = corners.size();
   append_corner_shapes(model.points, model.face(f), corners);
   for (std::size_t k = kept; k < corners.size(); ++k) {
     CornerShape corner = corners[k];
-    if (enter(corner.vertices, patch)) corners[kept++] = corner;
+    if (problem.limits_straight_corners && is_straight(corner)) {
+      add_straight(model, f, straight_corner(corner), patch);
+    } else if (enter(corner.vertices, patch)) {
+      corners[kept++] = corner;
+    }
   }
   corners.resize(kept);
+}
+
+void PatchCutter::add_straight(const MeshModel& model, int f, StraightCorner corner, Patch& patch) {
+  const auto outline = model.face(f);
+  const auto place = std::find(outline.begin(), outline.end(), corner.vertices[1]);
+  if (!enter(corner.vertices, patch)) return;
+  straight_places_.push_back(model.mesh.face_offsets[at(f)] +
+                             static_cast<int>(place - outline.begin()));
+  patch.inequalities.of<StraightBound>().push_back(corner);
 }
 
 /// Gives a row's vertices local numbers, new ones to those that have none.
@@ -242,20 +257,23 @@ void PatchCutter::place(const EditProblem& problem, Patch& patch) {
   number_inequalities(*problem.model, patch);
 }
 
-/// Their multipliers come after those of all equations and surface rows. Without stated limits
-/// there are none, and nothing to number.
+/// Their multipliers come after those of all equations and surface rows, those of straight corners
+/// first. Without stated limits and straight corners there are none, and nothing to number.
 void PatchCutter::number_inequalities(const MeshModel& model, Patch& patch) const {
-  if (std::all_of(limit_numbers_.begin(), limit_numbers_.end(),
+  if (straight_places_.empty() &&
+      std::all_of(limit_numbers_.begin(), limit_numbers_.end(),
                   [](const std::vector<int>& numbers) { return numbers.empty(); })) {
     return;
   }
-  const int first = static_cast<int>(model.equations.size()) +
-                    kMostSurfaceRows * static_cast<int>(local_of_.size());
+  const int first_straight = static_cast<int>(model.equations.size()) +
+                             kMostSurfaceRows * static_cast<int>(local_of_.size());
+  const int first = first_straight + model.mesh.face_offsets.back();
   patch.inequality_ids.assign(patch.inequalities.of<ShapeBound>().size(), -1);
   for (const std::vector<int>& numbers : limit_numbers_) {
     for (const int number : numbers) patch.inequality_ids.push_back(first + number);
   }
-  patch.inequality_ids.resize(patch.inequalities.size(), -1);
+  patch.inequality_ids.resize(patch.inequalities.size() - straight_places_.size(), -1);
+  for (const int place : straight_places_) patch.inequality_ids.push_back(first_straight + place);
 }
 
 /// Of the free vertices that stand on a surface. Their multipliers have the numbers after all

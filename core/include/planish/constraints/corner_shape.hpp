@@ -41,6 +41,9 @@ struct CornerShape {
   double offset = 0.0;
 };
 
+/// Of the base: no share of a side is kept, but a turn is let in.
+[[nodiscard]] inline bool is_straight(const CornerShape& corner) { return corner.offset > 0.0; }
+
 /// s: 1 in the base mesh, 0 at the bound.
 [[nodiscard]] double residual(const CornerShape& corner, const RowPoints<3>& points);
 [[nodiscard]] inline double value(const CornerShape& corner, const RowPoints<3>& points) {

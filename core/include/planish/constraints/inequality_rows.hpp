@@ -10,6 +10,7 @@
 #include "planish/constraints/corner_shape.hpp"
 #include "planish/constraints/keep_out_row.hpp"
 #include "planish/constraints/limit_kinds.hpp"
+#include "planish/constraints/straight_corner.hpp"
 
 namespace planish {
 
@@ -18,12 +19,17 @@ struct ShapeBound {
   using Row = CornerShape;
 };
 
+/// No straight corner turns inwards. [SHP-4]
+struct StraightBound {
+  using Row = StraightCorner;
+};
+
 /// A point stays on the free side of a plane. [KEE-1]
 struct KeepOutPlane {
   using Row = KeepOutRow;
 };
 
-using InequalityKinds = LimitKinds::With<KeepOutPlane>::After<ShapeBound>;
+using InequalityKinds = LimitKinds::With<KeepOutPlane>::With<StraightBound>::After<ShapeBound>;
 using InequalityRows = RowBatches<InequalityKinds>;
 
 /// Whether a row is a constraint with a multiplier of its own. The others are part of the

@@ -78,6 +78,8 @@ struct EditProblem {
   std::vector<int> region;        ///< ascending: where vertices may move; empty: anywhere
   bool seeks_support = true;      ///< few vertices move, and the solve finds which; else all may
   double shape_weight = 0.0;  ///< t ≥ 0 of the barrier [SHP-3]; 0: panels may lose their shape
+  /// Corners that are straight in the base have multipliers [SHP-4]; else they have the barrier.
+  bool limits_straight_corners = false;
   const MeshLimits* limits = nullptr;  ///< of `model`, in solver units; null: none are stated
   double keep_out_weight = kFirstKeepOutWeight;  ///< t > 0 of the barrier on keep-outs' rows
   const VertexSlides* slides = nullptr;          ///< null: every vertex may move anywhere
@@ -168,7 +170,8 @@ class PatchCutter {
   void add_rows(const EditProblem& problem, int owners, Patch& patch);
   void add_face(const EditProblem& problem, int face, Patch& patch);
   bool enter(std::span<int> vertices, Patch& patch);
-  void add_corners(const MeshModel& model, int face, Patch& patch);
+  void add_corners(const EditProblem& problem, int face, Patch& patch);
+  void add_straight(const MeshModel& model, int face, StraightCorner corner, Patch& patch);
   void add_limits(const MeshLimits& limits, int face, Patch& patch);
   void add_stars(const MeshModel& model, int vertex, Patch& patch);
   void add_fairness_rows(const EditProblem& problem, int vertex, Patch& patch);
@@ -181,6 +184,8 @@ class PatchCutter {
   std::vector<int> face_mark_, row_mark_, star_mark_;
   /// Of the limits' rows of the patch being cut, kind by kind: their numbers in MeshLimits.
   std::array<std::vector<int>, LimitKinds::kCount> limit_numbers_;
+  /// Of the straight corners' rows: their places in the mesh's list of corners.
+  std::vector<int> straight_places_;
   int stamp_ = 0;
 };
 
