@@ -4,9 +4,9 @@
 import type { CDPSession, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { NIGHTLY } from "../patience.ts";
+import type { Prepare } from "./support/drawing.ts";
 import { holdSolvers, insideSolver } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
-import type { Prepare } from "./support/open.ts";
 import { site } from "./support/site.ts";
 
 interface CountingWindow extends Window {

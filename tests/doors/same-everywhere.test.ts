@@ -12,6 +12,7 @@ import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { launch } from "../../.tools/browser.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
+import { drawNothing } from "../browser/support/drawing.ts";
 import { readObj } from "../browser/support/obj.ts";
 import { obj, openFile } from "../browser/support/page.ts";
 import { site } from "../browser/support/site.ts";
@@ -117,7 +118,9 @@ const embedded: Door = async () => {
   await new Promise<void>((done) => host.listen(0, done));
   const browser = await launch();
   try {
-    const page = await browser.newPage();
+    const context = await browser.newContext();
+    await drawNothing(context);
+    const page = await context.newPage();
     await page.goto(`http://localhost:${(host.address() as AddressInfo).port}/`);
     await page.evaluate(() => customElements.whenDefined("planish-editor").then(() => null));
     return await page.evaluate(throughElement, [site.url, ...all.values()]);

@@ -12,9 +12,8 @@ import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
 import type { Recipe } from "../../../web/src/design/recipe.ts";
 import { PATIENCE } from "../../patience.ts";
 import { encodeLink } from "../../web/support/links.ts";
+import { drawNothing, type Prepare } from "./drawing.ts";
 import { usable } from "./page.ts";
-
-export type Prepare = (context: BrowserContext) => Promise<void>;
 
 export interface Visit extends BrowserContextOptions {
   /** The 3D view is drawn. Drawing without a graphics card is half of what a test costs: only tests that
@@ -58,18 +57,6 @@ const VAULT: Recipe = {
   unit: "m",
   camera: null,
   mark: { hash: 0, moved: 0, probes: [] }, // of no shape
-};
-
-/** WebGL that does all but draw: it compiles, holds buffers and clears. */
-const drawNothing: Prepare = async (context) => {
-  await context.addInitScript(() => {
-    const { prototype } = WebGL2RenderingContext;
-    prototype.drawArrays = () => {};
-    prototype.drawArraysInstanced = () => {};
-    prototype.drawElements = () => {};
-    prototype.drawElementsInstanced = () => {};
-    prototype.drawRangeElements = () => {};
-  });
 };
 
 /** The site that all test files share, or another build of it, which gets a server of its own. */
