@@ -106,10 +106,10 @@ it("edits do not grow the page, the solver or the graphics", async () => {
   });
   const hands = new Hands(page);
   await hands.press("Add handle");
-  await editMany(hands, 20);
+  await editMany(hands, 10);
   const before = await held(page);
   expect(before.started).toBe(1);
-  await editMany(hands, NIGHTLY ? 100 : 20);
+  await editMany(hands, NIGHTLY ? 100 : 10);
   const after = await held(page, before.nodes + 20);
   expect(after.workers).toBe(1);
   expect(after.started).toBe(before.started);
