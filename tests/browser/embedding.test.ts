@@ -8,6 +8,7 @@ import { type Browser, chromium, type FrameLocator, type Page } from "playwright
 import { afterAll, beforeAll, expect, inject, it } from "vitest";
 import { serve } from "../../.tools/serve.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
+import { drawNothing } from "./support/drawing.ts";
 import { SITE } from "./support/server.ts";
 
 /** A design with its result, as another visitor has made it. */
@@ -70,6 +71,7 @@ interface Visit {
 async function visit(attributes: string): Promise<Visit> {
   // The theme of a frame follows its element only where nobody emulates one.
   const context = await browser.newContext({ reducedMotion: "reduce", colorScheme: null });
+  await drawNothing(context);
   const page = await context.newPage();
   const complaints: string[] = [];
   page.on("pageerror", (error) => complaints.push(error.message));

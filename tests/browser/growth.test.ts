@@ -4,9 +4,9 @@
 import type { CDPSession, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { NIGHTLY } from "../patience.ts";
+import type { Prepare } from "./support/drawing.ts";
 import { holdSolvers, insideSolver } from "./support/faults.ts";
 import { catchExports, Hands } from "./support/hands.ts";
-import type { Prepare } from "./support/open.ts";
 import { site } from "./support/site.ts";
 
 interface CountingWindow extends Window {
@@ -106,10 +106,10 @@ it("edits do not grow the page, the solver or the graphics", async () => {
   });
   const hands = new Hands(page);
   await hands.press("Add handle");
-  await editMany(hands, 20);
+  await editMany(hands, 10);
   const before = await held(page);
   expect(before.started).toBe(1);
-  await editMany(hands, NIGHTLY ? 100 : 20);
+  await editMany(hands, NIGHTLY ? 100 : 10);
   const after = await held(page, before.nodes + 20);
   expect(after.workers).toBe(1);
   expect(after.started).toBe(before.started);

@@ -234,7 +234,7 @@ async function expectCalm(page: Page, state: string): Promise<void> {
 }
 
 it("no tab is more than one and a half screens, at rest or after a long drag", async () => {
-  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openSmall({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Group points" }).waitFor();
   const at = await hintedPoint(page);
   await expectCalm(page, "at rest");

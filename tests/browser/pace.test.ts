@@ -5,7 +5,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { NIGHTLY } from "../patience.ts";
-import type { Prepare } from "./support/open.ts";
+import type { Prepare } from "./support/drawing.ts";
 import { exportAs, idle, movedCount, openFile, status, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 

@@ -9,6 +9,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { launch } from "../../.tools/browser.mjs";
 import { expectClean } from "../browser/support/axe.ts";
+import { drawNothing } from "../browser/support/drawing.ts";
 import { idle, movedCount, status } from "../browser/support/page.ts";
 import { site } from "../browser/support/site.ts";
 import { PYTHON, ROOT } from "./support/places.ts";
@@ -53,6 +54,7 @@ async function open(options: Options = {}): Promise<Page> {
     reducedMotion: "reduce",
     ...options,
   });
+  await drawNothing(context);
   const page = await context.newPage();
   page.on("pageerror", (error) => expect.soft(error.message).toBe(""));
   await page.goto(`file://${folder}/catalogue/index.html`);

@@ -26,7 +26,7 @@ const WHOLE = { file: "roof.obj", format: "obj", bytes: btoa(ROOF) };
 it("opens recipes of the paper as the same designs, as one step", async () => {
   const page = await site.open();
   const before = await obj(page);
-  for (const name of ["figure-1", "figure-2-region", "figure-5-a1", "figure-9-b"]) {
+  for (const name of ["figure-2-region", "figure-4-t3", "figure-9-b"]) {
     const text = scene(name);
     await openFile(page, `${name}.json`, text);
     await page.getByText(/^(Verified:|Replayed: recomputed here)/).waitFor({ timeout: 60_000 });

@@ -23,7 +23,7 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true }));
 
 const DESIGN = {
-  source: { kind: "sample", name: "vault", size: 15 },
+  source: { kind: "sample", name: "vault", size: 11 },
   planarised: null,
   handles: [],
   settings: { ...FIRST_SETTINGS, reach: 4 },

@@ -255,7 +255,7 @@ it("where a drag stops, a press goes on towards the same target", async () => {
 });
 
 it("each way on says how far it gets, the furthest first, and a press gets there", async () => {
-  const page = await site.open();
+  const page = await site.openSmall();
   const at = await hintedPoint(page);
   await press(page, at, { x: at.x, y: at.y - 240 });
   await page.getByText(/^Held back: /).waitFor();

@@ -179,7 +179,7 @@ async function expectShownAsMade(page: Page): Promise<void> {
 }
 
 it("makes panels more alike as the command line does, as one step of the history", async () => {
-  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 }, size: 10 });
   await page.getByRole("combobox", { name: "Colour by" }).selectOption("Types");
   const before = await byCommand(page, "--within 0.5%");
   await expect.poll(() => count(page)).toBe(before.types);

@@ -67,10 +67,11 @@ TEST(OnThreads, AnEditHasTheSameBits) {
     const Mesh mesh = testing::sample(name, 32);
     const EditTargets targets = testing::pull(mesh, testing::middle_vertex(mesh), {0, 0, 0.5});
     expect_same_bits([&](std::shared_ptr<Executor> executor) {
-      const HandleEditResult result = solve_handle_edit(mesh, targets,
-                                                        {.engine = Engine::kAugmentedLagrangian,
-                                                         .executor = std::move(executor),
-                                                         .max_iterations = 40});
+      const HandleEditResult result =
+          solve_handle_edit(mesh, targets,
+                            {.engine = Engine::kAugmentedLagrangian,
+                             .executor = std::move(executor),
+                             .max_iterations = testing::by_night(40, 15)});
       return with(trace_of(result.report), result.moved_positions);
     });
   }
@@ -80,11 +81,12 @@ TEST(OnThreads, AProjectionHasTheSameBits) {
   Mesh bent = testing::sample("dome", 32);
   bent.positions += 0.02 * testing::random_points(3, bent.vertex_count());
   expect_same_bits([&](std::shared_ptr<Executor> executor) {
-    const ProjectionResult result = project_to_planar(bent, {.fairness_weight = 1.0,
-                                                             .engine = Engine::kAugmentedLagrangian,
-                                                             .executor = std::move(executor),
-                                                             .keep_shape = false,
-                                                             .max_iterations = 40});
+    const ProjectionResult result =
+        project_to_planar(bent, {.fairness_weight = 1.0,
+                                 .engine = Engine::kAugmentedLagrangian,
+                                 .executor = std::move(executor),
+                                 .keep_shape = false,
+                                 .max_iterations = testing::by_night(40, 15)});
     return with(trace_of(result.report), result.moved_positions);
   });
 }

@@ -22,10 +22,10 @@ using testing::lift;
 using testing::open_vault;
 
 constexpr double kTolerance = 1e-6;
-const std::string kLines = "strip=140-141@0.25\ncorner=120:127";
+const std::string kLines = "strip=81-82@0.25\ncorner=66:71";
 
 std::vector<Cut> cuts_of_lines() {
-  return {StripCut{140, 141, 0.25}, CornerCut{120, 127, CornerCut::kShare}};
+  return {StripCut{81, 82, 0.25}, CornerCut{66, 71, CornerCut::kShare}};
 }
 
 Session cut_vault() {
@@ -37,7 +37,7 @@ Session cut_vault() {
 /// The recipe of the session's edit, done on the file by the core.
 Replay replay_of(const Session& session, EditTargets targets, const std::string& support) {
   Design design;
-  design.source = SampleSource{"vault", 17};
+  design.source = SampleSource{"vault", testing::kSide};
   design.cuts = cuts_of_lines();
   design.targets = std::move(targets);
   if (!support.empty()) design.targets.supports = {*parse_point_support(support)};
@@ -59,7 +59,7 @@ TEST(SessionCuts, TheBaseIsWhatTheyLeave) {
 TEST(SessionCuts, AnEditIsThatOfTheRecipe) {
   Session session = cut_vault();
   // A line of the file's mesh that a cut divided.
-  for (const std::string support : {"", "polyline:140,141,142", "outline:boundary"}) {
+  for (const std::string support : {"", "polyline:81,82,83", "outline:boundary"}) {
     SCOPED_TRACE(support);
     if (support == "outline:boundary" && !testing::is_night()) continue;  // CutDesigns has them
     const auto supports = support.empty() ? std::vector<std::string>() : std::vector{support};
@@ -75,11 +75,11 @@ TEST(SessionCuts, ReplaysADesignThatHasThem) {
   Design design;
   design.cuts = cuts_of_lines();
   design.targets = lift(session, 0.5);
-  design.targets.supports = {*parse_point_support("polyline:140,141,142")};
+  design.targets.supports = {*parse_point_support("polyline:81,82,83")};
   const std::uint32_t hash = mesh_hash(whole.base());
   ASSERT_EQ(session.replay(design, hash), std::nullopt) << "the hash is that of the file's mesh";
   const EditTargets targets = lift(whole, 0.5);
-  EXPECT_TRUE(replay_of(session, targets, "polyline:140,141,142").verified);
+  EXPECT_TRUE(replay_of(session, targets, "polyline:81,82,83").verified);
   const Refusal refusal = whole.replay(design, hash);
   ASSERT_NE(refusal, std::nullopt);
   EXPECT_EQ(*refusal, "The design has other cuts.");
@@ -115,7 +115,7 @@ TEST(SessionCuts, AreMadeAgainOnceTheMeshIsFlat) {
 TEST(SessionCuts, SaysWhatIsWrong) {
   Session session = open_vault();
   EXPECT_EQ(*session.set_cuts("split=900:1,2", kTolerance),
-            "Cuts: split=900:1,2: there is no panel 900: panels are 0 to 255.");
+            "Cuts: split=900:1,2: there is no panel 900: panels are 0 to 143.");
   EXPECT_NE(session.set_cuts("saw=1", kTolerance)->find("is no cut"), std::string::npos);
   ASSERT_EQ(session.set_symmetry("x", kTolerance), std::nullopt);
   EXPECT_NE(session.set_cuts("corner=3:3", kTolerance), std::nullopt) << "without its image";
@@ -135,15 +135,15 @@ TEST(SessionCuts, ATrialHasTheNewSidesAndMakesNothing) {
     std::string text;
     std::size_t sides;
   };
-  // A side between two parts is listed by both; a strip of 16 quads gets one in each.
-  for (const auto& [text, sides] : {Case{"corner=120:127", 2}, Case{"strip=140-141@0.25", 32},
-                                    Case{"refine=3", 8}, Case{"split=0:0,18", 2}}) {
+  // A side between two parts is listed by both; a strip of 12 quads gets one in each.
+  for (const auto& [text, sides] : {Case{"corner=66:71", 2}, Case{"strip=81-82@0.25", 24},
+                                    Case{"refine=3", 8}, Case{"split=0:0,14", 2}}) {
     const CutTrial trial = session.try_cut(text, kTolerance);
     EXPECT_EQ(trial.problem, "") << text;
     EXPECT_EQ(trial.lines.size(), 6 * sides) << text;
   }
   EXPECT_EQ(session.try_cut("split=900:1,2", kTolerance).problem,
-            "split=900:1,2: there is no panel 900: panels are 0 to 255.");
+            "split=900:1,2: there is no panel 900: panels are 0 to 143.");
   EXPECT_TRUE(testing::same_bits(session.base(), whole));
 }
 

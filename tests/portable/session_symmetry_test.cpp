@@ -16,7 +16,7 @@ using testing::open_vault;
 
 /// A point beside the mirror plane, raised.
 EditTargets aside(const Session& session, double height) {
-  constexpr int kAside = 5 * 17 + 4;
+  constexpr int kAside = 5 * testing::kSide + 4;
   Eigen::Vector3d target = session.base().positions.col(kAside);
   target.z() += height;
   return {.handles = {{kAside, target}}, .pins = {}};
@@ -32,7 +32,7 @@ TEST(SessionSymmetry, AnEditIsWhatReplayMakesOfItsDesign) {
   EXPECT_LE(asymmetry(*session.symmetry(), session.base(), session.current()), 1e-9);
 
   Design design;
-  design.source = SampleSource{"vault", 17};
+  design.source = SampleSource{"vault", testing::kSide};
   design.targets = targets;
   design.symmetry = session.symmetry()->elements;
   const auto replayed = replay(design);

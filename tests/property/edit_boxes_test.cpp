@@ -114,7 +114,7 @@ TEST_P(EditBoxes, NoPanelThatIsInsideGoesDeeper) {
 TEST_P(EditBoxes, NoFrameOfADragEntersOne) {
   constexpr int kFrames = 8;
   constexpr double kBudget = 10.0;  // seconds: time must not decide
-  for (const BoxInTheWay& one : boxes_near(mesh, 67, testing::by_night(6, 3))) {
+  for (const BoxInTheWay& one : boxes_near(mesh, 67, testing::by_night(6, 2))) {
     SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
     const HandleEditOptions options = options_for(one);
     HandleEditSolver solver(mesh, options);
@@ -144,7 +144,7 @@ TEST_P(EditBoxes, AModelThatNothingMeetsChangesNothing) {
 TEST_P(EditBoxes, NoFrameOfADragEntersOneThatIsAModel) {
   constexpr int kFrames = 8;
   constexpr double kBudget = 10.0;  // seconds: time must not decide
-  for (const BoxInTheWay& one : boxes_near(mesh, 67, testing::by_night(6, 3))) {
+  for (const BoxInTheWay& one : boxes_near(mesh, 67, testing::by_night(6, 2))) {
     SCOPED_TRACE("vertex " + std::to_string(one.vertex) + " " + one.box.text());
     HandleEditOptions options = options_for(one);
     options.keep_outs = {*parse_keep_out(one.box.model_text())};

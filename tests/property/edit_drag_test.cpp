@@ -19,8 +19,9 @@ constexpr double kAmpleSeconds = 10.0;
 class DragOn : public ::testing::TestWithParam<const char*> {
  protected:
   DragOn()
-      : mesh(testing::sample(GetParam(), 32)),
-        handle(mesh.vertex_count() == 1024 ? 16 * 32 + 16 : testing::middle_vertex(mesh)) {}
+      : mesh(testing::sample(GetParam(), kSide)),
+        handle(mesh.vertex_count() == kSide * kSide ? kSide / 2 * (kSide + 1)
+                                                    : testing::middle_vertex(mesh)) {}
 
   [[nodiscard]] EditTargets at(double share, const Eigen::Vector3d& way = {0, 0, 1.5}) const {
     return testing::pull(mesh, handle, share * way);
@@ -32,6 +33,7 @@ class DragOn : public ::testing::TestWithParam<const char*> {
     EXPECT_EQ(moved_vertex_count(mesh.positions, edited), static_cast<int>(frame.moved.size()));
   }
 
+  const int kSide = testing::by_night(32, 24);
   Mesh mesh;
   int handle;
 };

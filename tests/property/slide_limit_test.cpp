@@ -49,7 +49,7 @@ class SlideLimitOn : public ::testing::TestWithParam<const char*> {
 
 /// Pulls in random directions at random points, with limits of a twentieth to a half of an edge.
 TEST_P(SlideLimitOn, HoldsInRandomEdits) {
-  const int edits = testing::by_night(12, 5);
+  const int edits = testing::by_night(12, 3);
   int held = 0, certified = 0;
   for (const unsigned seed : testing::seeds()) {
     const Eigen::Matrix3Xd moves = testing::random_points(seed, edits);

@@ -22,7 +22,7 @@ constexpr double kPromise = 1e-8;  ///< orthonormality and tangency
 class SubspaceOn : public ::testing::TestWithParam<const char*> {
  protected:
   SubspaceOn()
-      : mesh(testing::sample(GetParam(), 20)),
+      : mesh(testing::sample(GetParam(), testing::by_night(20, 14))),
         handle(testing::middle_vertex(mesh)),
         edit(solve_handle_edit(mesh, testing::pull(mesh, handle, {0, 0, 0.6}))),
         edited(mesh) {

@@ -10,15 +10,18 @@
 
 namespace planish::testing {
 
+/// Points along one side of the meshes that sessions open.
+inline constexpr int kSide = 13;
+
 inline Session open_vault() {
   Session session;
-  EXPECT_EQ(session.open_sample("vault", 17), std::nullopt);
+  EXPECT_EQ(session.open_sample("vault", kSide), std::nullopt);
   return session;
 }
 
-/// The middle of the 17 × 17 vault, raised.
+/// The middle of a square mesh, raised.
 inline EditTargets lift(const Session& session, double height) {
-  constexpr int kMiddle = 8 * 17 + 8;
+  constexpr int kMiddle = kSide / 2 * (kSide + 1);
   Eigen::Vector3d target = session.base().positions.col(kMiddle);
   target.z() += height;
   return {.handles = {{kMiddle, target}}, .pins = {}};

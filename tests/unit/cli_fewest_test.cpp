@@ -18,7 +18,7 @@ using testing::Cli;
 using testing::contents;
 
 const std::string kEdit =
-    "edit sample:vault:12 --handle 78+=0,0,0.3 --softness 5 --reach 4 --keep-boundary "
+    "edit sample:vault:9 --handle 40+=0,0,0.3 --softness 5 --reach 4 --keep-boundary "
     "--bound fold=+15 ";
 
 TEST_F(Cli, FewestReportsWhatItSavedAndTheDesignReplays) {
@@ -39,7 +39,7 @@ TEST_F(Cli, FewestReportsWhatItSavedAndTheDesignReplays) {
 
 TEST_F(Cli, FewestKeepsPanelsThatCanBeBuilt) {
   const std::string edit =
-      "edit sample:vault:10 --handle 55+=0,0,0.3 --softness 5 --reach 3 --keep-boundary "
+      "edit sample:vault:9 --handle 40+=0,0,0.3 --softness 5 --reach 3 --keep-boundary "
       "--bound fold=+15 --fewest panels --report a.json --design d.json -o a.obj ";
   ASSERT_EQ(run(edit), 0) << err();
   const json bounds = json::parse(contents(directory_ / "d.json"))["options"]["bounds"];

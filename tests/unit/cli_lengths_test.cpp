@@ -54,7 +54,7 @@ TEST_F(CliLengths, AnEditReadsThemInEveryOption) {
 TEST_F(CliLengths, TheyAreInTheUnitOfTheModel) {
   expect_same("edit sample:vault:9 --handle 40+=0,0,0.3 --model-unit mm --bound slide=$", "0.25",
               "0.025cm");
-  expect_same("project sample:vault:9 --model-unit mm --move $ --within 2%", "0.25", "0.025cm");
+  expect_same("project sample:vault:6 --model-unit mm --move $ --within 2%", "0.25", "0.025cm");
   expect_same("offset sample:dome:9 --model-unit cm --distance $", "0.25", "2.5mm");
 }
 

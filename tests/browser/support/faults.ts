@@ -3,7 +3,7 @@
 
 import type { Page } from "playwright-core";
 import type { StoredRecord } from "../../../web/src/design/stored-record.ts";
-import type { Prepare } from "./open.ts";
+import type { Prepare } from "./drawing.ts";
 
 interface FaultyWindow extends Window {
   solvers: Worker[];

@@ -2,7 +2,7 @@
 // A quick user: finds things by role and accessible name inside the page and uses them at once,
 // without waiting for frames as a real pointer would. For tests of thousands of actions.
 import type { Page } from "playwright-core";
-import type { Prepare } from "./open.ts";
+import type { Prepare } from "./drawing.ts";
 
 type Role = "button" | "slider" | "checkbox" | "spinbutton" | "combobox";
 

@@ -8,13 +8,12 @@ import {
 } from "playwright-core";
 import { expect, inject } from "vitest";
 import { serve } from "../../../.tools/serve.mjs";
-import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../../web/src/design/design.ts";
 import type { Recipe } from "../../../web/src/design/recipe.ts";
 import { PATIENCE } from "../../patience.ts";
 import { encodeLink } from "../../web/support/links.ts";
+import { drawNothing, type Prepare } from "./drawing.ts";
 import { usable } from "./page.ts";
-
-export type Prepare = (context: BrowserContext) => Promise<void>;
 
 export interface Visit extends BrowserContextOptions {
   /** The 3D view is drawn. Drawing without a graphics card is half of what a test costs: only tests that
@@ -31,6 +30,9 @@ export interface Site {
   open(options?: Visit, hash?: string, prepare?: Prepare): Promise<Page>;
   /** A visitor who opens a link to the vault under the raw weights, which nobody has edited. */
   openVault(options?: Visit, prepare?: Prepare): Promise<Page>;
+  /** A visitor who opens a link to a small vault under the page's own settings, which nobody has edited:
+   * for what is solved often, or tried in all ways. */
+  openSmall(options?: Visit, prepare?: Prepare): Promise<Page>;
   /** One more tab of the same visitor. */
   openTab(page: Page): Promise<Page>;
   close(): Promise<void>;
@@ -60,16 +62,10 @@ const VAULT: Recipe = {
   mark: { hash: 0, moved: 0, probes: [] }, // of no shape
 };
 
-/** WebGL that does all but draw: it compiles, holds buffers and clears. */
-const drawNothing: Prepare = async (context) => {
-  await context.addInitScript(() => {
-    const { prototype } = WebGL2RenderingContext;
-    prototype.drawArrays = () => {};
-    prototype.drawArraysInstanced = () => {};
-    prototype.drawElements = () => {};
-    prototype.drawElementsInstanced = () => {};
-    prototype.drawRangeElements = () => {};
-  });
+const SMALL: Recipe = {
+  ...VAULT,
+  source: { kind: "sample", name: "vault", size: 11 },
+  settings: FIRST_SETTINGS,
 };
 
 /** The site that all test files share, or another build of it, which gets a server of its own. */
@@ -105,6 +101,7 @@ export async function openSite(directory: string | null = null): Promise<Site> {
     url,
     open,
     openVault: async (options, prepare) => open(options, await encodeLink(VAULT), prepare),
+    openSmall: async (options, prepare) => open(options, await encodeLink(SMALL), prepare),
     openTab: (page) => tabIn(page.context(), ""),
     async close() {
       await browser.close();

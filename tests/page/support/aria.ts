@@ -1,6 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What assistive technology would be told of an element: its role, its name, and whether it is there at all.
 // As much of WAI-ARIA as the page uses.
+import { PropertySymbol } from "happy-dom";
+
+interface Holding {
+  readonly [PropertySymbol.elementArray]: readonly Element[];
+}
+
+/** All elements in it, in their order: what the selector `*` finds, in a tenth of its time. */
+export function elementsIn(root: Element): Element[] {
+  const found: Element[] = [];
+  const walk = (node: Element): void => {
+    for (const child of (node as unknown as Holding)[PropertySymbol.elementArray]) {
+      found.push(child);
+      walk(child);
+    }
+  };
+  walk(root);
+  return found;
+}
 
 const INPUT_ROLES: Readonly<Record<string, string>> = {
   button: "button",
@@ -43,7 +61,26 @@ const TAG_ROLES: Readonly<Record<string, string>> = {
   UL: "list",
 };
 
-export function roleOf(element: Element): string | null {
+/** Tags that alone can have a role which nothing says. */
+const tagsOf = new Map<string, Set<string>>([
+  ["link", new Set(["A"])],
+  ["rowheader", new Set(["TH"])],
+  ["columnheader", new Set(["TH"])],
+  ["region", new Set(["SECTION"])],
+]);
+for (const [tag, role] of [
+  ...Object.entries(TAG_ROLES),
+  ...Object.values(INPUT_ROLES).map((role) => ["INPUT", role] as const),
+])
+  tagsOf.set(role, (tagsOf.get(role) ?? new Set()).add(tag));
+
+/** Whether a role is an element's; most are told by their tag that it is not. */
+export const isOfRole = (element: Element, role: string): boolean =>
+  tagsOf.get(role)?.has(element.tagName)
+    ? roleOf(element) === role
+    : element.getAttribute("role") === role;
+
+function roleOf(element: Element): string | null {
   const said = element.getAttribute("role");
   if (said) return said;
   if (element instanceof HTMLInputElement) return INPUT_ROLES[element.type] ?? null;
@@ -128,11 +165,12 @@ export function nameOf(element: Element): string {
 }
 
 /** Elements that only other sizes or colours of the page show. */
-const ELSEWHERE = ".short-word, .dark-only, .sheet-fold";
+const ELSEWHERE = /(^| )(short-word|dark-only|sheet-fold)( |$)/;
 
 /** Whether it and what it holds is not there for anybody. */
 function isGone(element: Element): boolean {
-  if (element.hasAttribute("hidden") || element.matches(ELSEWHERE)) return true;
+  if (element.hasAttribute("hidden") || ELSEWHERE.test(element.getAttribute("class") ?? ""))
+    return true;
   if (element.tagName === "DIALOG") return !element.hasAttribute("open");
   if (element.hasAttribute("popover")) return !element.hasAttribute("data-popover-open");
   if ((element as HTMLElement).style?.display === "none") return true;

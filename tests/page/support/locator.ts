@@ -3,13 +3,14 @@
 // tests use, over a document in this process.
 import { PATIENCE } from "../../patience.ts";
 import {
+  elementsIn,
   isDisabled,
+  isOfRole,
   isShown,
   isTold,
   labelsOf,
   nameOf,
   oneLine,
-  roleOf,
   shownText,
 } from "./aria.ts";
 import { type ClickKeys, click, enter, focus, hover, pressKey } from "./hands.ts";
@@ -80,7 +81,7 @@ const isChecked = (element: Element): boolean =>
   (element as HTMLInputElement).checked ?? stated(element, "checked");
 
 function hasRole(element: Element, role: string, options: RoleOptions): boolean {
-  if (roleOf(element) !== role) return false;
+  if (!isOfRole(element, role)) return false;
   const { name, exact, pressed, checked, expanded, selected, disabled } = options;
   if (pressed !== undefined && stated(element, "pressed") !== pressed) return false;
   if (checked !== undefined && isChecked(element) !== checked) return false;
@@ -157,7 +158,7 @@ export class LocatorHere {
 
   getByRole(role: string, options: RoleOptions = {}): LocatorHere {
     return this.#below(`${role} ${String(options.name ?? "")}`, (root) =>
-      [...root.querySelectorAll("*")].filter((element) => hasRole(element, role, options)),
+      elementsIn(root).filter((element) => hasRole(element, role, options)),
     );
   }
 
@@ -170,9 +171,7 @@ export class LocatorHere {
       const named = element.hasAttribute("aria-label") || element.hasAttribute("aria-labelledby");
       return (named || labelsOf(element).length > 0) && matches(nameOf(element), words, exact);
     };
-    return this.#below(`label ${String(words)}`, (root) =>
-      [...root.querySelectorAll("*")].filter(labelled),
-    );
+    return this.#below(`label ${String(words)}`, (root) => elementsIn(root).filter(labelled));
   }
 
   getByTitle(words: Words, { exact = false } = {}): LocatorHere {

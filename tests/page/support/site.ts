@@ -7,7 +7,7 @@ import type { Page as BrowserPage, Download } from "playwright-core";
 import { h, render } from "preact";
 import { followAddress, openAddress } from "../../../web/src/app/address.ts";
 import { App } from "../../../web/src/app/app.tsx";
-import { DEFAULT_SETTINGS } from "../../../web/src/design/design.ts";
+import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../../web/src/design/design.ts";
 import { keepFreedom, keepPanelFigures } from "../../../web/src/state/analysis.ts";
 import { loadFigures } from "../../../web/src/state/figures.ts";
 import { openFirst } from "../../../web/src/state/opening.ts";
@@ -255,12 +255,12 @@ async function openPage(size: Size, hash: string): Promise<BrowserPage> {
 /** Half the points of the page's own: most of what a test costs is what it solves. */
 const SMALL = 15;
 
-const vault = (size: number) =>
+const vault = (size: number, settings = DEFAULT_SETTINGS) =>
   ({
     source: { kind: "sample", name: "vault", size },
     planarised: null,
     handles: [],
-    settings: DEFAULT_SETTINGS,
+    settings,
     families: [],
     unit: "m",
     camera: null,
@@ -289,4 +289,7 @@ export const site = {
   /** A visitor who opens a link to a vault under the raw weights, which nobody has edited. */
   openVault: async ({ viewport = DESK, size = SMALL }: VaultVisit = {}): Promise<BrowserPage> =>
     openPage(viewport, await encodeLink(vault(size))),
+  /** A visitor who opens a link to a smaller one under the page's own settings: for what is tried in all ways. */
+  openSmall: async ({ viewport = DESK }: Visit = {}): Promise<BrowserPage> =>
+    openPage(viewport, await encodeLink(vault(11, FIRST_SETTINGS))),
 };
