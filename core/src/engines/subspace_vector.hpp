@@ -80,7 +80,7 @@ class SubspaceVectorSolver {
                                  const Pulls& pulls);
   [[nodiscard]] Eigen::VectorXd curved_step(const Eigen::MatrixXd& normals,
                                             const Eigen::VectorXd& slope, double sphere);
-  double settle_at(const Eigen::MatrixXd& basis, double smoothing, double tolerance);
+  double settle_at(const Eigen::MatrixXd& basis, double smoothing, bool is_last);
   [[nodiscard]] bool shrink_rests(const Eigen::MatrixXd& basis, double smoothing, double share);
   [[nodiscard]] bool newton_step(const Eigen::MatrixXd& basis, double smoothing, double penalty);
   [[nodiscard]] bool project(ConstraintCorrection& correction, const Patch& patch,

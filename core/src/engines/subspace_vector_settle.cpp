@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "engines/optimality.hpp"
 #include "engines/subspace_vector.hpp"
@@ -16,19 +15,18 @@ namespace {
 /// Figures of the iteration; ε in units of the longest row.
 struct VectorSettling {
   static constexpr double kFirst = 1e-5;         ///< ε at which improve() ended
-  static constexpr double kLast = 1e-10;         ///< last ε
+  static constexpr double kLast = 1e-11;         ///< last ε
   static constexpr double kShrink = 0.01;        ///< between two
   static constexpr double kCarefulShrink = 0.1;  ///< the same where that did not settle
   static constexpr double kAtRest = 100.0;       ///< times ε: what is shorter is at rest
   static constexpr double kPenalty = 1e6;        ///< μ ε: far stiffer than norms at rest
   static constexpr double kMostPenalty = 1e16;   ///< μ
-  static constexpr double kStationary = 1e-7;    ///< of the largest C^i/2, at the last ε
-  static constexpr double kOnTheWay = 1e-3;      ///< the same before it
-  static constexpr double kSlow = 1e-4;       ///< less than this ends where steps do not halve it
-  static constexpr double kCounted = 1e-6;    ///< of the longest row: less counts as at rest
-  static constexpr int kSteps = 30;           ///< at one ε
-  static constexpr int kInner = 25;           ///< conjugate gradients in one step
-  static constexpr double kInnerDrop = 1e-6;  ///< of their residual's square
+  static constexpr double kSettled = 1e-3;       ///< pull that is left, of the largest C^i/2
+  static constexpr double kStill = 1e-12;        ///< a step at the last ε that is rounding
+  static constexpr double kCounted = 1e-6;       ///< of the longest row: less counts as at rest
+  static constexpr int kSteps = 30;              ///< at one ε
+  static constexpr int kInner = 25;              ///< conjugate gradients in one step
+  static constexpr double kInnerDrop = 1e-6;     ///< of their residual's square
 };
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const Eigen::Matrix3Xd& t) {
@@ -146,17 +144,20 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
   return false;
 }
 
-/// At one ε. @returns the longest pull that is left, of the largest C^i/2
+/// At one ε: till the pulls that are left are small, at the last one till steps are rounding.
+/// @returns the longest of them, of the largest C^i/2
 double SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing,
-                                       double tolerance) {
+                                       bool is_last) {
   const double bound = largest_bound(patch_);
   Pulls pulls = pulls_at(basis, smoothing);
   double left = longest_row(pulls.left) / bound;
-  for (int step = 0; step < VectorSettling::kSteps && left > tolerance; ++step) {
+  for (int step = 0; step < VectorSettling::kSteps; ++step) {
+    if (!is_last && left <= VectorSettling::kSettled) break;
+    const Eigen::Matrix3Xd before = state_.displacement;
     if (!settle_step(basis, smoothing, pulls)) break;
     pulls = pulls_at(basis, smoothing);
-    const double before = std::exchange(left, longest_row(pulls.left) / bound);
-    if (left <= VectorSettling::kSlow && left > 0.5 * before) break;
+    left = longest_row(pulls.left) / bound;
+    if ((state_.displacement - before).norm() <= VectorSettling::kStill) break;
   }
   return left;
 }
@@ -186,9 +187,8 @@ Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Mat
   bool is_found = false;
   double shrink = VectorSettling::kShrink;
   for (;;) {
-    const double tolerance =
-        smoothing <= last ? VectorSettling::kStationary : VectorSettling::kOnTheWay;
-    const bool is_settled = settle_at(basis, smoothing, tolerance) <= VectorSettling::kOnTheWay;
+    const bool is_last = smoothing <= last;
+    const bool is_settled = settle_at(basis, smoothing, is_last) <= VectorSettling::kSettled;
     if (is_settled || !is_found) {
       settled = state_;
       settled_at = smoothing;
@@ -201,9 +201,9 @@ Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Mat
     } else {
       break;
     }
-    const double share = std::max(shrink, last / smoothing);
-    if (smoothing <= last || !shrink_rests(basis, smoothing, share)) break;
-    smoothing *= share;
+    const double next = std::max(shrink * smoothing, last);
+    if (smoothing <= last || !shrink_rests(basis, smoothing, next / smoothing)) break;
+    smoothing = next;
   }
   state_ = settled;
   const Eigen::Matrix3Xd forces = pulls_at(basis, settled_at).forces;
