@@ -62,24 +62,23 @@ it("every section has one that moves, by mouse and keys", async () => {
   await page.getByLabel("3D view").focus();
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("Control+ArrowRight");
+  const lookEverywhere = async (): Promise<void> => {
+    await showTab(page, "Edit");
+    await look();
+    for (const name of ["Limits", "Supports", "Keep-outs", "Symmetry"]) {
+      await openRule(page, name);
+      await look();
+    }
+    await openViewOptions(page);
+    for (const name of ["Explore", "Check and make"] as const) {
+      await showTab(page, name);
+      await look();
+    }
+  };
   await unfold(page);
-  await look();
-  for (const name of ["Limits", "Supports", "Keep-outs", "Symmetry"]) {
-    await openRule(page, name);
-    await look();
-  }
-  await openViewOptions(page);
-  for (const name of ["Explore", "Check and make"] as const) {
-    await showTab(page, name);
-    await look();
-  }
-  // What is measured first may have come after its tab was left.
-  const tabs = ["Edit", "Explore", "Check and make"] as const;
-  for (const name of tabs) {
-    if (told.size >= 21) break;
-    await showTab(page, name);
-    await look();
-  }
+  await lookEverywhere();
+  // What is measured first, or fetched with its rule, may have come after it was left.
+  for (let again = 0; again < 2 && told.size < 21; ++again) await lookEverywhere();
   expect(told.size).toBeGreaterThanOrEqual(21);
   await asks(page).first().focus();
   await page.keyboard.press("Enter");
