@@ -13,7 +13,7 @@ export interface ReachLimit {
 
 type Structure = Polygons & { readonly topology: Topology };
 
-const facesAt = ({ topology, offsets }: Structure, vertex: number): number[] =>
+export const facesAt = ({ topology, offsets }: Structure, vertex: number): number[] =>
   [...row(topology.corners, vertex)].map((corner) => panelAt(offsets, corner));
 
 /** Face rings from the nearest of `seeds` to each point within the limit; seeds are at 0. */

@@ -2,22 +2,10 @@
 // What no line gives, by the design that stopped: there while the first edits are still being solved.
 
 import type { Design, HandleRow } from "../../design/design.ts";
-import { row } from "../../mesh/topology.ts";
-import { panelAt } from "../../mesh/triangulation.ts";
-import type { OpenedMesh, SplitStanding } from "../../solver/protocol.ts";
+import { facesAt } from "../../mesh/reach.ts";
+import type { SplitStanding } from "../../solver/protocol.ts";
 import { shownPoint } from "../../state/editing.ts";
 import type { Page } from "../../state/page.ts";
-
-/** Panels with a moved corner. */
-function touched(mesh: OpenedMesh, moved: Int32Array): number {
-  const panels = new Set<number>();
-  for (const vertex of moved) {
-    for (const corner of row(mesh.topology.corners, vertex)) {
-      panels.add(panelAt(mesh.offsets, corner));
-    }
-  }
-  return panels.size;
-}
 
 /** Of `design` and the targets asked for; null where its folds were not measured. */
 export function uncutStanding(
@@ -37,7 +25,8 @@ export function uncutStanding(
     cuts: [],
     handleError: Math.max(0, ...short),
     movedVertices: design.report.movedVertices,
-    remadePanels: touched(mesh, design.shape.moved),
+    // Those with a moved corner.
+    remadePanels: new Set(Array.from(design.shape.moved).flatMap((v) => facesAt(mesh, v))).size,
     sharpestFold: fold.after,
   };
 }
