@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "support/central_difference.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -26,12 +27,9 @@ TEST_P(CornerShapeAt, GradientIsTheDerivativeOfTheShare) {
   const CornerShape corner = corner_with(GetParam());
   const RowPoints<3> points = testing::random_points(GetParam(), 3);
   const RowPoints<3> derivative = gradient(corner, points);
+  const auto share = [&](const RowPoints<3>& at) { return residual(corner, at); };
   for (int k = 0; k < 9; ++k) {
-    RowPoints<3> ahead = points, behind = points;
-    ahead(k % 3, k / 3) += kStep;
-    behind(k % 3, k / 3) -= kStep;
-    const double difference = (residual(corner, ahead) - residual(corner, behind)) / (2 * kStep);
-    EXPECT_NEAR(derivative(k % 3, k / 3), difference, 1e-8);
+    EXPECT_NEAR(derivative.data()[k], testing::central_difference(points, k, kStep, share), 1e-8);
   }
 }
 
@@ -39,13 +37,10 @@ TEST_P(CornerShapeAt, HessianIsTheDerivativeOfTheGradient) {
   const CornerShape corner = corner_with(GetParam());
   const RowPoints<3> points = testing::random_points(GetParam(), 3);
   const auto blocks = hessian(corner, points);
+  const auto rise = [&](const RowPoints<3>& at) { return gradient(corner, at); };
   for (int k = 0; k < 3; ++k) {
     for (int c = 0; c < 3; ++c) {
-      RowPoints<3> ahead = points, behind = points;
-      ahead(c, k) += kStep;
-      behind(c, k) -= kStep;
-      const RowPoints<3> column =
-          (gradient(corner, ahead) - gradient(corner, behind)) / (2 * kStep);
+      const RowPoints<3> column = testing::central_difference(points, 3 * k + c, kStep, rise);
       for (int l = 0; l < 3; ++l) {
         if (l == k) continue;
         const Eigen::Matrix3d& block =

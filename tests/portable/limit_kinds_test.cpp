@@ -11,6 +11,7 @@
 #include "planish/constraints/inequality_rows.hpp"
 #include "planish/constraints/mesh_limits.hpp"
 #include "planish/mesh/adjacency.hpp"
+#include "support/central_difference.hpp"
 #include "support/mesh_builders.hpp"
 #include "support/scenes.hpp"
 
@@ -40,21 +41,17 @@ RowPoints<Row::kArity> points_of(const Row& row, const Positions& positions) {
 template <class Row>
 void expect_derivatives(const Row& row, const RowPoints<Row::kArity>& here) {
   constexpr double kStep = 1e-5;
-  const auto moved = [&](Eigen::Index k, double by) {
-    RowPoints<Row::kArity> points = here;
-    points.data()[k] += by;
-    return points;
-  };
   const auto slope = gradient(row, here);
   const auto curvature = hessian(row, here);
+  using Points = RowPoints<Row::kArity>;
+  const auto height = [&](const Points& points) { return value(row, points); };
+  const auto rise = [&](const Points& points) { return gradient(row, points); };
   for (Eigen::Index k = 0; k < here.size(); ++k) {
-    const double rise = value(row, moved(k, kStep)) - value(row, moved(k, -kStep));
-    EXPECT_NEAR(slope.data()[k], rise / (2.0 * kStep), 1e-8 * (1.0 + slope.norm()));
-    const auto ahead = gradient(row, moved(k, kStep));
-    const auto behind = gradient(row, moved(k, -kStep));
+    EXPECT_NEAR(slope.data()[k], testing::central_difference(here, k, kStep, height),
+                1e-8 * (1.0 + slope.norm()));
+    const Points column = testing::central_difference(here, k, kStep, rise);
     for (Eigen::Index l = 0; l < here.size(); ++l) {
-      EXPECT_NEAR(curvature(l, k), (ahead.data()[l] - behind.data()[l]) / (2.0 * kStep),
-                  1e-7 * (1.0 + curvature.norm()));
+      EXPECT_NEAR(curvature(l, k), column.data()[l], 1e-7 * (1.0 + curvature.norm()));
     }
   }
 }

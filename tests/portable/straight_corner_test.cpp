@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "support/central_difference.hpp"
 #include "support/scenes.hpp"
 
 namespace planish {
@@ -22,14 +23,11 @@ class StraightCornerAt : public ::testing::TestWithParam<unsigned> {
 TEST_P(StraightCornerAt, HasTheDerivativesOfItsValue) {
   const RowPoints<3> slope = gradient(corner_, points_);
   const LimitHessian<3> curvature = hessian(corner_, points_);
+  const auto height = [&](const RowPoints<3>& points) { return value(corner_, points); };
+  const auto rise = [&](const RowPoints<3>& points) { return gradient(corner_, points); };
   for (int k = 0; k < 9; ++k) {
-    RowPoints<3> ahead = points_, behind = points_;
-    ahead(k % 3, k / 3) += kApart;
-    behind(k % 3, k / 3) -= kApart;
-    const double difference = (value(corner_, ahead) - value(corner_, behind)) / (2 * kApart);
-    EXPECT_NEAR(slope(k % 3, k / 3), difference, 1e-8);
-    const RowPoints<3> column =
-        (gradient(corner_, ahead) - gradient(corner_, behind)) / (2 * kApart);
+    EXPECT_NEAR(slope.data()[k], testing::central_difference(points_, k, kApart, height), 1e-8);
+    const RowPoints<3> column = testing::central_difference(points_, k, kApart, rise);
     EXPECT_LT((column.reshaped() - curvature.col(k)).norm(), 1e-8);
   }
 }
