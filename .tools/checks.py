@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Runs the checks: `checks.py` those that a change needs before it is shown (npm test), `checks.py rest`
 the others of every commit (npm run check), `checks.py nightly` everything long as well, `checks.py NAME...`
-these. What a check needs is built first; checks that use one core run beside each other.
+these, `checks.py nightly NAME...` these as at night. What a check needs is built first; checks that use one core
+run beside each other.
 
 Every check writes a log and, where it runs tests, JUnit files under build/checks/NAME. They alone say what
 passed. Ends with the times, the ten slowest tests and one line that counts. A test may take 15 s, one of `rest` a
@@ -298,8 +299,8 @@ def draw(runs):
 
 def main():
     words = sys.argv[1:]
-    nightly = words == ["nightly"]
-    names = SETS.get(words[0], words) if words else BEFORE_SHOWING
+    nightly = words[:1] == ["nightly"]
+    names = words[1:] if len(words) > 1 and nightly else SETS.get(words[0], words) if words else BEFORE_SHOWING
     if unknown := [name for name in names if name not in GRAPH]:
         sys.exit(f"checks: unknown check '{unknown[0]}' (rest, nightly, {', '.join(GRAPH)})")
     runs = Schedule(names, nightly).run()
