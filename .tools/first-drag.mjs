@@ -3,7 +3,7 @@
 // desk and on a phone; the exported file is measured by code of its own. Prints the figures of
 // docs/decisions/0009-reach-and-softness.md: `node .tools/first-drag.mjs` after `npm run build`.
 import { readFile } from "node:fs/promises";
-import { openBrowser, openPage } from "./page.mjs";
+import { hintedPoint, openBrowser, openPage } from "./page.mjs";
 
 const SCREENS = [
   { width: 1440, height: 900 },
@@ -11,8 +11,6 @@ const SCREENS = [
 ];
 const PIXELS = [10, 25, 50, 100, 150];
 const DIRECTIONS = 8;
-/** Pixels from the tip of the first sentence to its point. */
-const TIP = 26;
 
 const minus = (a, b) => a.map((x, k) => x - b[k]);
 const cross = (a, b) =>
@@ -94,9 +92,7 @@ async function drag(page, at, by) {
 
 async function measure(site, viewport) {
   const page = await openPage(site, { viewport, reducedMotion: "reduce" });
-  await page.getByText("Drag this point").waitFor();
-  const box = await page.getByText("Drag this point").boundingBox();
-  const at = { x: box.x + box.width / 2, y: box.y + box.height + TIP };
+  const at = await hintedPoint(page);
   const base = await exported(page);
   const before = folds(base, base.points);
   const runs = [];

@@ -27,6 +27,18 @@ export async function openPage({ browser, url }, options, prepare = null) {
   return page;
 }
 
+/** Pixels from the first visit's sentence to the point that it speaks of. */
+const TIP = 26;
+
+/** That point; the sentence stands below it where the drag tools are above. */
+export async function hintedPoint(page) {
+  const sentence = page.getByText("Drag this point");
+  await sentence.waitFor();
+  const box = await sentence.boundingBox();
+  const below = (await page.locator(".hint").getAttribute("data-side")) === "below";
+  return { x: box.x + box.width / 2, y: below ? box.y - TIP : box.y + box.height + TIP };
+}
+
 /** Waits until nothing runs and shadows have been cast again. */
 export async function settled(page) {
   await page.waitForTimeout(250);

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import {
   findVariations,
+  hintedPoint,
   lift,
   openBrowser,
   openPage,
@@ -37,8 +38,7 @@ async function model(page) {
 
 /** Drags the hinted point upwards and keeps hold of it. */
 async function drag(page) {
-  const box = await page.getByText("Drag this point").boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height + 26];
+  const { x, y } = await hintedPoint(page);
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.keyboard.press("z");

@@ -3,7 +3,7 @@
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, openFile, showTab, typeTarget } from "./support/page.ts";
+import { idle, movedCount, openFile, showTab, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press, viewBox } from "./support/view.ts";
 
@@ -110,6 +110,10 @@ async function expectNoLineForTheSlide(page: Page): Promise<void> {
 
 it("everything has its place at every size, the import report too, and bars are no text to select", async () => {
   const page = await site.open();
+  for (const [width, height] of [[1100, 680] as const, ...SIZES]) {
+    await page.setViewportSize({ width, height });
+    await expectSentence(page);
+  }
   await typeTarget(page, "+0.2345m");
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
@@ -128,6 +132,16 @@ it("everything has its place at every size, the import report too, and bars are 
   }
   await page.context().close();
 });
+
+/** What the first visit's sentence says is read whole, and not behind the drag tools. */
+async function expectSentence(page: Page): Promise<void> {
+  await still(page);
+  const sentence = await boxOf(page.getByText("Drag this point"));
+  // On a narrow screen they come with a drag.
+  for (const tools of await page.locator(".drag-tools").filter({ visible: true }).all())
+    expect(apart(sentence, await boxOf(tools))).toBe(true);
+  expect(inside(sentence, await viewBox(page))).toBe(true);
+}
 
 /** Selects no words. */
 async function dragOverBars(page: Page): Promise<void> {

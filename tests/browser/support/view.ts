@@ -37,7 +37,8 @@ export async function hintedPoint(page: Page): Promise<Place> {
   await sentence.waitFor();
   const box = await sentence.boundingBox();
   if (!box) throw new Error("no sentence");
-  return { x: box.x + box.width / 2, y: box.y + box.height + TIP };
+  const below = (await page.locator(".hint").getAttribute("data-side")) === "below";
+  return { x: box.x + box.width / 2, y: below ? box.y - TIP : box.y + box.height + TIP };
 }
 
 export async function viewBox(

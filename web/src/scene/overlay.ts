@@ -96,6 +96,7 @@ export class Overlay {
         ? null
         : project(points, this.#page.hintVertex.value, view);
     putAt(hint, at);
+    hint.dataset.side = at !== null && at.y < ROOM ? "below" : "above";
     this.#placePoint(point, points, view);
     this.#placeFigure(view);
   }
