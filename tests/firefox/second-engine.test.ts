@@ -2,6 +2,7 @@
 // What must not depend on one browser engine: the first drag, links that verify, export and storage.
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { expectClean } from "../browser/support/axe.ts";
 import { expectLocalAndFlat, readObj } from "../browser/support/obj.ts";
 import { NIGHTLY } from "../patience.ts";
 import { usable, type Visitor, visit } from "./support/visitor.ts";
@@ -43,7 +44,8 @@ it("a drag is exact, local, saved as a file and still there after a reload", asy
   const hint = await page.waitForSelector("::-p-text(Drag this point)");
   const box = await hint?.boundingBox();
   if (!box) throw new Error("no point to begin with");
-  const [x, y] = [box.x + box.width / 2, box.y + box.height + TIP];
+  const side = await page.$eval(".hint", (sentence) => sentence.getAttribute("data-side"));
+  const [x, y] = [box.x + box.width / 2, side === "below" ? box.y - TIP : box.y + box.height + TIP];
   await page.mouse.move(x, y);
   await page.mouse.down();
   for (let k = 1; k <= 6; ++k) await page.mouse.move(x, y - 5 * k);
@@ -57,6 +59,18 @@ it("a drag is exact, local, saved as a file and still there after a reload", asy
   await usable(visitor);
   await expect.poll(visitor.moved).toBe(moved);
   expect(await exportObj()).toBe(text);
+});
+
+it("axe finds nothing, edited or exported, on a desk and in the 320 pixels left at 400 %", async () => {
+  const { page } = visitor;
+  await usable(visitor);
+  await expectClean(page, "edited");
+  await visitor.press("Export");
+  await expectClean(page, "exporting", ".menu:popover-open");
+  await page.keyboard.press("Escape");
+  await page.setViewport({ width: 320, height: 568 });
+  await expectClean(page, "at 400 %");
+  await page.setViewport({ width: 900, height: 640 });
 });
 
 it("there are as many links as are to be opened", () => {
