@@ -61,7 +61,7 @@ it("offers as many directions as asked for, and the smoothest first if wanted", 
   const page = await site.openVault();
   await typeTarget(page, "+80cm");
   await showTab(page, "Explore");
-  await page.getByRole("slider", { name: "Dimension" }).fill("3");
+  await page.getByRole("slider", { name: "Number of sliders" }).fill("3");
   await findVariations(page);
   const sliders = page.getByRole("slider", { name: /^Variation \d+$/ });
   expect(await sliders.count()).toBe(3);
@@ -75,7 +75,7 @@ it("offers as many directions as asked for, and the smoothest first if wanted", 
   const local = await firstOne();
   await page.getByRole("button", { name: "Undo" }).click();
   await idle(page);
-  await page.getByRole("checkbox", { name: "Smoothest first" }).check();
+  await page.getByRole("checkbox", { name: "Smoothest slider first" }).check();
   await findVariations(page);
   expect(await sliders.count()).toBe(3);
   expect(await firstOne()).not.toBe(local);

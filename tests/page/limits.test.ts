@@ -173,7 +173,7 @@ it("joints slide no further than their limit, in the page's unit, and it is what
     )
     .waitFor();
   await page
-    .getByText("Further, joints would slide by more than the limit that you stated.")
+    .getByText("Further, joints would slide by more than their limit.")
     .waitFor();
   await page.getByText(/^raised \d+ mm, joints slide up to 100 mm, the limit$/).waitFor();
   expect(await status(page)).not.toBe(free);

@@ -25,10 +25,10 @@ it("every slider says its value with its unit", async () => {
     "1.0 times the default weight: from sharp, close by to gentle, wider",
   );
   await showTab(page, "Explore");
-  expect(await spoken("Dimension")).toMatch(/^4 directions: /);
-  await page.getByRole("slider", { name: "Dimension" }).fill("1");
-  await expect.poll(() => spoken("Dimension")).toMatch(/^1 direction: /);
-  await page.getByRole("slider", { name: "Dimension" }).fill("3");
+  expect(await spoken("Number of sliders")).toMatch(/^4 directions: /);
+  await page.getByRole("slider", { name: "Number of sliders" }).fill("1");
+  await expect.poll(() => spoken("Number of sliders")).toMatch(/^1 direction: /);
+  await page.getByRole("slider", { name: "Number of sliders" }).fill("3");
   await typeTarget(page, "+40cm");
   await page.getByRole("button", { name: "Find variations" }).click();
   await idle(page);

@@ -37,13 +37,13 @@ export function ExploreSection() {
         does. Most stay about it; some also move points elsewhere, as the colours show.
       </p>
       <Slider
-        label="Dimension"
+        label="Number of sliders"
         value={page.dimension.value}
         min={1}
         max={12}
         step={1}
         spoken={directions(page.dimension.value)}
-        ends={["one slider", "twelve sliders"]}
+        ends={["one", "twelve"]}
         disabled={!page.ready.value}
         onInput={(value) => {
           page.dimension.value = value;
@@ -62,11 +62,11 @@ export function ExploreSection() {
             page.eigenbasis.value = currentTarget.checked;
           }}
         />
-        <span>Smoothest first</span>
+        <span>Smoothest slider first</span>
       </label>
       <p id="first-directions" class={varied ? "visually-hidden" : "quiet small"}>
         Each slider is one way to change the edit. The first one moves the fewest points, or with
-        Smoothest first bends the surface least.
+        Smoothest slider first bends the surface least.
       </p>
       <CommandButton
         look={possible && !varied ? "button wide primary" : "button wide"}

@@ -88,8 +88,7 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
 /** What stops it, in a sentence; `growth` as in Wanted. */
 export function reasonWords(reason: Reason, growth: number | null): string {
   if (reason === "limits") return "Further, panels would exceed a limit.";
-  if (reason === "slides")
-    return "Further, joints would slide by more than the limit that you stated.";
+  if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
   return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
