@@ -3,7 +3,8 @@
 // Files into the page by every door, what it says about them, and a picture out of it.
 import { describe, expect, it } from "vitest";
 import { flatRoof } from "./support/faults.ts";
-import { exportAs, pickFile, status, typeTarget } from "./support/page.ts";
+import { exportAs, pickFile, status, still, typeTarget } from "./support/page.ts";
+import { type Picture, readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
 describe("a mesh opens", () => {
@@ -29,10 +30,22 @@ describe("a mesh opens", () => {
   });
 });
 
-it("the picture out of the page is the view, in its own size", async () => {
+it("the picture out of the page is the view, in its own size, without arrows and the reach", async () => {
   const page = await site.openVault({ draws: true });
   await typeTarget(page, "+60cm");
+  await still(page);
   const png = await exportAs(page, "PNG");
+  const green = (colour: readonly number[]): boolean =>
+    [0x3c, 0x8a, 0x4e].every((value, k) => Math.abs(value - (colour[k] ?? 0)) < 16);
+  const [kept, seen] = [readPng(png), readPng(await page.locator("canvas#view").screenshot())];
+  const arrow = (picture: Picture): number => {
+    let pixels = 0;
+    for (let y = 0; y < picture.height; ++y)
+      for (let x = 0; x < picture.width; ++x) if (green(picture.at(x, y))) pixels += 1;
+    return pixels;
+  };
+  expect(arrow(seen)).toBeGreaterThan(0);
+  expect(arrow(kept)).toBe(0);
   expect(png.subarray(1, 4).toString()).toBe("PNG");
   const canvas = page.getByLabel("3D view");
   const size = await canvas.evaluate((element: HTMLCanvasElement) => [

@@ -3,7 +3,7 @@
 // What is selected is what was clicked, and the arrows stand where the selected point is.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, openFile, still } from "./support/page.ts";
+import { idle, openFile, still } from "./support/page.ts";
 import { type Picture, readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, viewBox } from "./support/view.ts";
@@ -12,7 +12,13 @@ type Colour = readonly [number, number, number];
 
 /** Pixels of the view, without what lies over it, that a test of their colour holds for. */
 async function pixels(page: Page, holds: (colour: Colour) => boolean): Promise<Place[]> {
-  const picture: Picture = readPng(await exportAs(page, "PNG"));
+  const show = (visibility: string): Promise<void> =>
+    page.locator("canvas#view ~ *").evaluateAll((over, visibility) => {
+      for (const element of over as HTMLElement[]) element.style.visibility = visibility;
+    }, visibility);
+  await show("hidden");
+  const picture: Picture = readPng(await page.locator("canvas#view").screenshot());
+  await show("");
   const { x: left, y: top } = await viewBox(page);
   const found: Place[] = [];
   for (let y = 0; y < picture.height; ++y)

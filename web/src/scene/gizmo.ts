@@ -62,6 +62,7 @@ export class Gizmo {
     controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
     dropBackArrows(controls);
     this.#stage.scene.add(controls.getHelper());
+    this.#stage.aids.add(controls.getHelper());
     this.#controls = controls;
     this.show(this.#lock);
     if (this.#wanted) controls.attach(this.#proxy);

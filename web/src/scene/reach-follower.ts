@@ -23,7 +23,8 @@ export class ReachFollower {
   /** Returns how to stop. */
   follow(): () => void {
     const stop = effect(() => this.#draw());
-    const { page, canvas } = this.#sight;
+    const { page, canvas, stage } = this.#sight;
+    stage.aids.add(this.#line.object);
     const off = followKnob(this.#knob, canvas, {
       move: (place) => this.#drag(place),
       end: () =>
@@ -32,6 +33,7 @@ export class ReachFollower {
     return () => {
       stop();
       off();
+      stage.aids.delete(this.#line.object);
       this.#line.dispose();
     };
   }

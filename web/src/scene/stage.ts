@@ -63,6 +63,8 @@ export class Stage {
   readonly camera = new PerspectiveCamera(WIDE, 1, CLIP.near, CLIP.far);
   readonly orbit: OrbitControls;
   readonly renderer: WebGLRenderer;
+  /** What is there for the hand: arrows, the line of the reach. */
+  readonly aids = new Set<Object3D>();
   readonly ground = new Mesh(new PlaneGeometry(80, 80), new ShadowMaterial());
   readonly #key = new DirectionalLight("#FFF9F0", 2.15);
   readonly #sky = new HemisphereLight("#FFFFFF", "#D9D2C3", 1.5);
@@ -309,6 +311,15 @@ export class Stage {
     this.draw();
     clearTimeout(this.#restTimer);
     this.#finish?.draw(this.renderer);
+  }
+
+  /** As it is at rest, without what is there for the hand: a picture that is kept. */
+  drawClean(): void {
+    const shown = [...this.aids].filter(({ visible }) => visible);
+    for (const aid of shown) aid.visible = false;
+    this.drawFinished();
+    for (const aid of shown) aid.visible = true;
+    this.invalidate();
   }
 
   /** null for nothing. */

@@ -111,7 +111,7 @@ export class Viewport {
   }
 
   picture(): Promise<Blob | null> {
-    this.stage.drawFinished();
+    this.stage.drawClean();
     return new Promise((resolve) => this.#parts.canvas.toBlob(resolve, "image/png"));
   }
 

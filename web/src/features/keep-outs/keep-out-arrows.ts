@@ -37,6 +37,7 @@ export class KeepOutArrows {
     controls.showY = !this.#upOnly;
     controls.attach(this.#proxy);
     this.#stage.scene.add(controls.getHelper());
+    this.#stage.aids.add(controls.getHelper());
     this.#controls = controls;
     this.#listen(controls, this.#stage.renderer.domElement);
     this.#stage.invalidate();
@@ -97,9 +98,11 @@ export class KeepOutArrows {
 
   dispose(): void {
     this.#off.abort();
+    const helper = this.#controls?.getHelper();
     this.#controls?.detach();
-    this.#controls?.getHelper().removeFromParent();
-    this.#controls?.getHelper().dispose();
+    if (helper) this.#stage.aids.delete(helper);
+    helper?.removeFromParent();
+    helper?.dispose();
     this.#proxy.removeFromParent();
   }
 }
