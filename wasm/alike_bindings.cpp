@@ -27,8 +27,8 @@ using planish::Flow;
 using planish::IterationRecord;
 using planish::Mesh;
 using planish::Progress;
+using planish::refused;
 using planish::StatedLimit;
-using planish::shop::refused;
 
 /// Without one on folds panels may turn until nobody would build it.
 constexpr const char* kFoldsOfTypes = "fold=+5";
