@@ -66,11 +66,9 @@ struct Variation {
 [[nodiscard]] Json exploration_json(const EditRun& run, const Family& family,
                                     const Variation& variation);
 
-/// Where making it exact has no certificate; nullopt where it has, or was not asked for.
-[[nodiscard]] std::optional<std::string> exact_outcome_sentence(const Variation& variation);
-
-/// By how much a variation that was not made exact is out of flat; nullopt where it is flat.
-[[nodiscard]] std::optional<std::string> not_exact_sentence(const EditRun& run,
-                                                            const Variation& variation);
+/// What is said of the edit and of the variation. @param report of exploration_json()
+[[nodiscard]] std::vector<std::string> exploration_messages(const EditRun& run,
+                                                            const Variation& variation,
+                                                            const Json& report);
 
 }  // namespace planish::workflow
