@@ -66,10 +66,7 @@ double left_of(const EditRun& run, const Handle& handle) {
 /// How far from their targets handles of --hard are by rounding.
 double hard_slack(const EditRun& run) {
   constexpr double kRounding = 1e-6;  // of the longest pull
-  double longest = 0.0;
-  for (const Handle& handle : run.targets.handles)
-    longest = std::max(longest, pull_of(run, handle));
-  return kRounding * longest;
+  return kRounding * farthest_handle(run.targets.handles, run.base.mesh.positions);
 }
 
 /// What keeps a handle from its target, as far as it is known.
@@ -98,9 +95,7 @@ bool misses_most_panels(const EditRun& run) {
 
 bool misses_hard_handle(const EditRun& run) {
   if (!run.asked.options.hard_handles) return false;
-  const auto& handles = run.targets.handles;
-  return std::any_of(handles.begin(), handles.end(),
-                     [&](const Handle& handle) { return left_of(run, handle) > hard_slack(run); });
+  return farthest_handle(run.targets.handles, run.edited) > hard_slack(run);
 }
 
 namespace {
@@ -208,10 +203,7 @@ std::optional<std::string> motion_sentence(const EditRun& run, const Json& repor
   constexpr double kNoticeable = 0.5;  // of the shape's, as the page has it
   const double shape = report["motion"]["shape_max"].get<double>();
   const double slide = report["motion"]["slide_max"].get<double>();
-  const auto& bounds = run.asked.options.bounds;
-  const bool limited = std::any_of(bounds.begin(), bounds.end(), [](const StatedLimit& limit) {
-    return limit.name == SlideLimit::kName;
-  });
+  const bool limited = has_limit(run.asked.options.bounds, SlideLimit::kName);
   if (!limited && slide <= kNoticeable * shape) return std::nullopt;
   return "the surface moves by up to " + three_digits(shape) + ", joints slide along it by up to " +
          three_digits(slide) + " (units of the mesh)" +

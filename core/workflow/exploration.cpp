@@ -178,10 +178,6 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
   }
   json.erase("objective");  // only the edit has one
   const Positions moves = after - run.base.mesh.positions;
-  double handle_error = 0.0;
-  for (const Handle& handle : run.targets.handles) {
-    handle_error = std::max(handle_error, (after.col(handle.vertex) - handle.target).norm());
-  }
   json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
   if (json.contains("violations")) {
@@ -193,7 +189,7 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
     }
     json["violations"] = violations_json(kinds);
   }
-  json["handle_error"] = handle_error;
+  json["handle_error"] = farthest_handle(run.targets.handles, after);
 }
 
 }  // namespace
