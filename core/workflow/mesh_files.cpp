@@ -148,11 +148,10 @@ std::string mesh_bytes(const std::string& name, const Mesh& mesh, const GlbConte
   return format == MeshFormat::kGlb ? write_glb(mesh, content) : write_mesh(mesh, format);
 }
 
-std::string moved_mesh_bytes(const std::string& name, const Mesh& base,
-                             const Positions& positions) {
+std::string moved_mesh_bytes(const std::string& name, const Mesh& base, const Positions& positions,
+                             GlbContent content) {
   Mesh moved = base;
   moved.positions = positions;
-  GlbContent content;
   content.base = base.positions;
   return mesh_bytes(name, moved, content);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "lengths.hpp"
 #include "projection_run.hpp"
 #include "repetition_run.hpp"
 
@@ -16,8 +17,7 @@ constexpr std::string_view kSplit = "--split";
 HybridOptions parse_hybrid(const std::string& text, const Mesh& mesh) {
   HybridOptions options;
   if (text.ends_with('%')) {
-    const double share =
-        0.01 * parse_finite(std::string_view(text).substr(0, text.size() - 1), kSplit);
+    const double share = parse_share(text, kSplit);
     if (!(share > 0.0 && share <= 1.0)) {
       throw UsageError("--split: \"" + text + "\" is not more than 0% to 100%");
     }
