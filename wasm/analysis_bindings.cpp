@@ -56,9 +56,7 @@ void set_family(Analysis& a, const val& moved, const val& positions, const val& 
                Eigen::Map<const Eigen::MatrixXd>(flat.data(), rows, sliders));
 }
 val slider_stops(const Analysis& a, const val& values) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(values);
-  return copy(a.slider_stops(
-      Eigen::Map<const Eigen::VectorXd>(flat.data(), static_cast<Eigen::Index>(flat.size()))));
+  return copy(a.slider_stops(planish::to_vector(values)));
 }
 /// A plain object; null where there is none.
 val to_value(const std::optional<EditFreedom>& freedom) {

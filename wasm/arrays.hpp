@@ -70,6 +70,20 @@ inline Positions to_positions(const emscripten::val& numbers) {
   return Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3));
 }
 
+inline Eigen::VectorXd to_vector(const emscripten::val& numbers) {
+  const auto flat = emscripten::convertJSArrayToNumberVector<double>(numbers);
+  return Eigen::Map<const Eigen::VectorXd>(flat.data(), static_cast<Eigen::Index>(flat.size()));
+}
+
+/// Copied in one go: a std::string parameter would be filled byte by byte. @param array Uint8Array
+inline std::string to_bytes(const emscripten::val& array) {
+  std::string bytes(array["length"].as<std::size_t>(), '\0');
+  emscripten::val(
+      emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
+      .call<void>("set", array);
+  return bytes;
+}
+
 inline std::vector<int> to_indices(const emscripten::val& numbers) {
   return emscripten::convertJSArrayToNumberVector<int>(numbers);
 }

@@ -30,17 +30,13 @@ using planish::Session;
 using planish::to_indices;
 using planish::to_positions;
 using planish::to_targets;
+using planish::to_vector;
 
 std::string open_sample(Session& s, const std::string& name, int size) {
   return attempt([&] { return s.open_sample(name, size); });
 }
-/// Copied in one go: a std::string parameter would be filled byte by byte.
 std::string open_file(Session& s, const val& bytes, const std::string& format) {
-  return attempt([&] {
-    std::vector<unsigned char> file(bytes["length"].as<std::size_t>());
-    val(emscripten::typed_memory_view(file.size(), file.data())).call<void>("set", bytes);
-    return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
-  });
+  return attempt([&] { return s.open_file(planish::to_bytes(bytes), format); });
 }
 std::string planarise(Session& s, const val& how) {
   return attempt([&] { return s.planarise(planish::to_planarising(how)); });
@@ -98,10 +94,6 @@ val mark_of(const val& moved, const val& positions) {
 std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.uncut()); }
 std::string explore(Session& s, const val& family) {
   return attempt([&] { return s.explore(planish::to_subspace_options(family)); });
-}
-Eigen::VectorXd to_vector(const val& numbers) {
-  const auto x = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 std::string vary(Session& s, const val& coefficients) {
   return attempt([&] { return s.vary(to_vector(coefficients)); });

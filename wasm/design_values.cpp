@@ -100,16 +100,10 @@ DesignSource to_source(const val& value) {
   if (value["sample"].isString()) {
     return SampleSource{value["sample"].as<std::string>(), value["size"].as<int>()};
   }
-  FileSource file{.name = value["file"].as<std::string>(),
-                  .hash = to_hash(value["hash"]),
-                  .format = value["format"].as<std::string>(),
-                  .bytes = {}};
-  const val bytes = value["bytes"];
-  file.bytes.resize(bytes["length"].as<std::size_t>());
-  val(emscripten::typed_memory_view(file.bytes.size(),
-                                    reinterpret_cast<unsigned char*>(file.bytes.data())))
-      .call<void>("set", bytes);
-  return file;
+  return FileSource{.name = value["file"].as<std::string>(),
+                    .hash = to_hash(value["hash"]),
+                    .format = value["format"].as<std::string>(),
+                    .bytes = to_bytes(value["bytes"])};
 }
 
 val planarising_value(const Planarising& how) {
@@ -216,7 +210,7 @@ val kind_tolerances() {
 EditTargets to_targets(const val& design) {
   EditTargets targets;
   take_rows(design["handles"], targets.handles);
-  targets.pins = emscripten::convertJSArrayToNumberVector<int>(design["pins"]);
+  targets.pins = to_indices(design["pins"]);
   for (const val& text : emscripten::vecFromJSArray<val>(design["supports"])) {
     auto support = parse_point_support(text.as<std::string>());
     if (!support) throw std::invalid_argument("no support");

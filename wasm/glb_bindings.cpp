@@ -69,7 +69,7 @@ val open(const std::string& bytes) {
 
 /// `displacements` holds 3 × |support| numbers for each variation, one after the other.
 GlbVariations to_variations(const val& support, const val& displacements) {
-  GlbVariations variations{emscripten::convertJSArrayToNumberVector<int>(support), {}};
+  GlbVariations variations{planish::to_indices(support), {}};
   const Positions all = to_positions(displacements);
   const auto rows = static_cast<Eigen::Index>(variations.support.size());
   for (Eigen::Index first = 0; rows > 0 && first + rows <= all.cols(); first += rows) {

@@ -18,7 +18,6 @@ struct ShopDesign {
 };
 
 [[nodiscard]] ShopDesign to_design(const emscripten::val& design);
-/// Of `design`.
 [[nodiscard]] CuttingOptions to_cutting_options(const emscripten::val& options,
                                                 const ShopDesign& design);
 
