@@ -31,7 +31,6 @@ void print_sentence(const std::optional<std::string>& sentence);
 /// The edit of the only positional word, and what happened to its base to standard error.
 [[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, EditRequest asked);
 
-/// Writes `mesh` to `path`.
 void save_mesh(const std::string& path, const Mesh& mesh);
 
 /// Writes `design` to the place that --design names; nothing without that option.
@@ -50,7 +49,6 @@ void save_report(const Arguments& arguments, const Json& json);
 /// Shows steps on one line of a terminal; empty where standard error is none.
 [[nodiscard]] Progress progress_line();
 
-/// Removes the progress line.
 void clear_progress_line();
 
 }  // namespace planish::cli

@@ -16,7 +16,6 @@
 
 namespace planish::workflow {
 
-/// Rows of the option table for the family.
 [[nodiscard]] std::vector<OptionRow> family_option_rows();
 
 /// What a family is asked for.
@@ -58,7 +57,6 @@ struct Variation {
 [[nodiscard]] Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                                    const Progress& progress);
 
-/// The design of `variation`.
 [[nodiscard]] Design variation_design(const EditRun& run, const Family& family,
                                       const Variation& variation);
 
