@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "arrays.hpp"
-#include "planish/constraints/fold_limit.hpp"
 #include "planish/io/obj.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
@@ -27,21 +26,15 @@ using planish::Flow;
 using planish::IterationRecord;
 using planish::Mesh;
 using planish::Progress;
+using planish::refused;
 using planish::StatedLimit;
-using planish::shop::refused;
-
-/// Without one on folds panels may turn until nobody would build it.
-constexpr const char* kFoldsOfTypes = "fold=+5";
 
 std::vector<StatedLimit> to_limits(const val& texts) {
   std::vector<StatedLimit> limits;
-  bool folds = false;
   for (const val& text : emscripten::vecFromJSArray<val>(texts)) {
     limits.push_back(planish::parse_stated_limit(text.as<std::string>()).value());
-    folds = folds || limits.back().name == planish::FoldLimit::kName;
   }
-  if (!folds) limits.push_back(planish::parse_stated_limit(kFoldsOfTypes).value());
-  return limits;
+  return planish::bounds_of_fewer_types(std::move(limits));
 }
 
 /// Lengths are asked for as shares of the mean edge.

@@ -19,8 +19,6 @@ using planish::Analysis;
 using planish::copy;
 using planish::EditFreedom;
 using planish::FairnessKind;
-using planish::HoldingPanel;
-using planish::to_handles;
 using planish::to_indices;
 using planish::to_mesh;
 using planish::to_positions;
@@ -33,8 +31,11 @@ Analysis* create(const val& positions, const val& offsets, const val& vertices, 
 void show(Analysis& a, const val& moved, const val& positions) {
   a.show(to_indices(moved), to_positions(positions));
 }
-val panel_figures(const Analysis& a) { return copy(a.panel_figures()); }
-val panel_health(const Analysis& a) { return copy(a.panel_health()); }
+/// A copy of what is measured.
+template <auto kMeasure>
+val measured(const Analysis& a) {
+  return copy((a.*kMeasure)());
+}
 val nodes_to_remake(const Analysis& a) {
   const auto [moved, arms] = a.nodes_to_remake();
   val object = val::object();
@@ -42,8 +43,6 @@ val nodes_to_remake(const Analysis& a) {
   object.set("arms", arms);
   return object;
 }
-val panel_damage(const Analysis& a) { return copy(a.panel_damage()); }
-val panel_folds(const Analysis& a) { return copy(a.panel_folds()); }
 val defects(const Analysis& a, const std::string& kind) { return copy(a.defects(kind)); }
 val vertex_bending(const Analysis& a, FairnessKind kind) { return copy(a.vertex_bending(kind)); }
 /// `moves`: 3 × |support| numbers for each slider.
@@ -57,26 +56,22 @@ void set_family(Analysis& a, const val& moved, const val& positions, const val& 
                Eigen::Map<const Eigen::MatrixXd>(flat.data(), rows, sliders));
 }
 val slider_stops(const Analysis& a, const val& values) {
-  const auto flat = emscripten::convertJSArrayToNumberVector<double>(values);
-  return copy(a.slider_stops(
-      Eigen::Map<const Eigen::VectorXd>(flat.data(), static_cast<Eigen::Index>(flat.size()))));
+  return copy(a.slider_stops(planish::to_vector(values)));
 }
 /// A plain object; null where there is none.
 val to_value(const std::optional<EditFreedom>& freedom) {
   if (!freedom) return val::null();
-  val holding = val::array();
-  for (const HoldingPanel& panel : freedom->holding) holding.call<void>("push", panel.face);
   val object = val::object();
   object.set("points", freedom->points);
   object.set("equations", freedom->equations);
   object.set("rank", freedom->rank);
   object.set("freedom", freedom->freedom());
   object.set("borne", freedom->borne);
-  object.set("holding", holding);
+  object.set("holding", list_of(freedom->holding, [](const auto& panel) { return panel.face; }));
   return object;
 }
 val freedom(const Analysis& a, const val& handles, const val& pins) {
-  return to_value(a.freedom({.handles = to_handles(handles), .pins = to_indices(pins)}));
+  return to_value(a.freedom(planish::to_targets(handles, pins)));
 }
 
 }  // namespace
@@ -89,11 +84,11 @@ EMSCRIPTEN_BINDINGS(planish_analysis) {
   emscripten::class_<Analysis>("Analysis")
       .constructor(&create, emscripten::allow_raw_pointers())
       .function("show", &show)
-      .function("panelFigures", &panel_figures)
-      .function("panelHealth", &panel_health)
+      .function("panelFigures", &measured<&Analysis::panel_figures>)
+      .function("panelHealth", &measured<&Analysis::panel_health>)
       .function("nodesToRemake", &nodes_to_remake)
-      .function("panelDamage", &panel_damage)
-      .function("panelFolds", &panel_folds)
+      .function("panelDamage", &measured<&Analysis::panel_damage>)
+      .function("panelFolds", &measured<&Analysis::panel_folds>)
       .function("defects", &defects)
       .function("vertexBending", &vertex_bending)
       .function("setFamily", &set_family)

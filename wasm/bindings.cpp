@@ -6,8 +6,6 @@
 #include <emscripten/val.h>
 
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,52 +19,24 @@
 namespace {
 
 using emscripten::val;
+using planish::attempt;
 using planish::copy;
 using planish::EditMode;
-using planish::EditTargets;
 using planish::Flow;
 using planish::IterationRecord;
 using planish::Positions;
 using planish::Refusal;
 using planish::Session;
-using planish::to_handles;
 using planish::to_indices;
 using planish::to_positions;
-
-std::string attempted(Refusal (*operation)(const void*), const void* with) {
-  try {
-    return operation(with).value_or("");
-  } catch (const std::bad_alloc&) {
-    return "There is not enough memory for this mesh in the browser.";
-  } catch (const std::exception& error) {
-    return std::string("Internal error: ") + error.what();
-  }
-}
-
-/// Without std::function, which would be a class more for each operation: 5 KB of the module.
-template <class Operation>
-std::string attempt(const Operation& operation) {
-  return attempted([](const void* it) { return (*static_cast<const Operation*>(it))(); },
-                   &operation);
-}
-
-EditTargets to_targets(const val& handles, const val& pins, int continuation = 0) {
-  return {.handles = to_handles(handles),
-          .pins = to_indices(pins),
-          .supports = {},
-          .continuation = continuation};
-}
+using planish::to_targets;
+using planish::to_vector;
 
 std::string open_sample(Session& s, const std::string& name, int size) {
   return attempt([&] { return s.open_sample(name, size); });
 }
-/// Copied in one go: a std::string parameter would be filled byte by byte.
 std::string open_file(Session& s, const val& bytes, const std::string& format) {
-  return attempt([&] {
-    std::vector<unsigned char> file(bytes["length"].as<std::size_t>());
-    val(emscripten::typed_memory_view(file.size(), file.data())).call<void>("set", bytes);
-    return s.open_file({reinterpret_cast<const char*>(file.data()), file.size()}, format);
-  });
+  return attempt([&] { return s.open_file(planish::to_bytes(bytes), format); });
 }
 std::string planarise(Session& s, const val& how) {
   return attempt([&] { return s.planarise(planish::to_planarising(how)); });
@@ -125,10 +95,6 @@ std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.uncut())
 std::string explore(Session& s, const val& family) {
   return attempt([&] { return s.explore(planish::to_subspace_options(family)); });
 }
-Eigen::VectorXd to_vector(const val& numbers) {
-  const auto x = emscripten::convertJSArrayToNumberVector<double>(numbers);
-  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
 std::string vary(Session& s, const val& coefficients) {
   return attempt([&] { return s.vary(to_vector(coefficients)); });
 }
@@ -147,7 +113,6 @@ val write(const Session& s, const std::string& format) {
   return copy(s.write(format).value_or(""));
 }
 
-std::string groups(const Session& s) { return s.groups(); }
 std::string set_groups(Session& s, const std::string& lines) {
   return attempt([&] { return s.set_groups(lines); });
 }
@@ -161,24 +126,22 @@ val variation_displacements(const Session& s) {
   }
   return copy(all);
 }
+/// A copy of what the session has.
+template <auto kGet>
+val copied(const Session& s) {
+  return copy((s.*kGet)());
+}
 val base_positions(const Session& s) { return copy(s.base().positions); }
-void keep_edit(Session& s) { s.keep_edit(); }
-void go_back(Session& s) { s.go_back(); }
-void show_kept(Session& s) { s.show_kept(); }
-val before_planarising(const Session& s) { return copy(s.before_planarising()); }
 val face_offsets(const Session& s) { return copy(s.base().face_offsets); }
 val face_vertices(const Session& s) { return copy(s.base().face_vertices); }
-val panel_parents(const Session& s) { return copy(s.panel_parents()); }
-val display_base(const Session& s) { return copy(s.display_base()); }
 val take_changes(Session& s) { return copy(s.take_changes()); }
-val moved(const Session& s) { return copy(s.moved()); }
-val moved_positions(const Session& s) { return copy(s.moved_positions()); }
 val projected_moved(const Session& s) { return copy(s.projected().moved); }
 val projected_positions(const Session& s) { return copy(s.projected().positions); }
-val projected_report(const Session& s) { return to_value(s.projected_report()); }
-val mesh_report(const Session& s) { return to_value(s.mesh_report()); }
-val shape_report(const Session& s) { return to_value(s.shape_report()); }
-val variations_report(const Session& s) { return to_value(s.variations_report()); }
+/// A report that the session has, as an object.
+template <auto kGet>
+val report(const Session& s) {
+  return to_value((s.*kGet)());
+}
 
 }  // namespace
 
@@ -198,9 +161,9 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("setCuts", &set_cuts)
       .function("tryCut", &try_cut)
       .function("edit", &edit)
-      .function("keepEdit", &keep_edit)
-      .function("goBack", &go_back)
-      .function("showKept", &show_kept)
+      .function("keepEdit", &Session::keep_edit)
+      .function("goBack", &Session::go_back)
+      .function("showKept", &Session::show_kept)
       .function("restore", &restore)
       .function("replay", &replay)
       .function("replayed", &replayed)
@@ -211,24 +174,24 @@ EMSCRIPTEN_BINDINGS(planish) {
       .function("makeExact", &make_exact)
       .function("onProgress", &on_progress)
       .function("write", &write)
-      .function("groups", &groups)
+      .function("groups", &Session::groups)
       .function("setGroups", &set_groups)
       .function("variationSupport", &variation_support)
       .function("variationDisplacements", &variation_displacements)
       .function("basePositions", &base_positions)
-      .function("beforePlanarising", &before_planarising)
+      .function("beforePlanarising", &copied<&Session::before_planarising>)
       .function("faceOffsets", &face_offsets)
       .function("faceVertices", &face_vertices)
-      .function("panelParents", &panel_parents)
-      .function("displayBase", &display_base)
+      .function("panelParents", &copied<&Session::panel_parents>)
+      .function("displayBase", &copied<&Session::display_base>)
       .function("takeChanges", &take_changes)
-      .function("moved", &moved)
-      .function("movedPositions", &moved_positions)
+      .function("moved", &copied<&Session::moved>)
+      .function("movedPositions", &copied<&Session::moved_positions>)
       .function("projectedMoved", &projected_moved)
       .function("projectedPositions", &projected_positions)
-      .function("projectedReport", &projected_report)
-      .function("meshReport", &mesh_report)
-      .function("shapeReport", &shape_report)
-      .function("variationsReport", &variations_report);
+      .function("projectedReport", &report<&Session::projected_report>)
+      .function("meshReport", &report<&Session::mesh_report>)
+      .function("shapeReport", &report<&Session::shape_report>)
+      .function("variationsReport", &report<&Session::variations_report>);
   emscripten::function("markOf", &mark_of);
 }

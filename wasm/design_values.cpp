@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,20 +20,6 @@ namespace planish {
 namespace {
 
 using emscripten::val;
-
-template <class T>
-val list_of(const std::vector<T>& items) {
-  val list = val::array();
-  for (std::size_t k = 0; k < items.size(); ++k) list.set(k, val(items[k]));
-  return list;
-}
-
-template <class Item, class Text>
-val texts_of(const std::vector<Item>& items, const Text& text) {
-  val list = val::array();
-  for (std::size_t k = 0; k < items.size(); ++k) list.set(k, text(items[k]));
-  return list;
-}
 
 /// "circular:1e-9", the number as JavaScript writes it, so that a link keeps its letters.
 std::string constraint_text(const KeptConstraint& one) {
@@ -52,11 +39,9 @@ std::vector<Item> items_of(const val& texts, Item (*read)(std::string_view)) {
 val option_value(double number) { return val(number); }
 val option_value(int number) { return val(number); }
 val option_value(bool flag) { return val(flag); }
-val option_value(const std::vector<KeptConstraint>& list) {
-  return texts_of(list, constraint_text);
-}
-val option_value(const std::vector<StatedLimit>& list) { return texts_of(list, stated_limit_text); }
-val option_value(const std::vector<KeepOut>& list) { return texts_of(list, keep_out_text); }
+val option_value(const std::vector<KeptConstraint>& list) { return list_of(list, constraint_text); }
+val option_value(const std::vector<StatedLimit>& list) { return list_of(list, stated_limit_text); }
+val option_value(const std::vector<KeepOut>& list) { return list_of(list, keep_out_text); }
 template <class Value>
 val option_value(Value word) {
   return val(std::string(word_of(word, words_for(word))));
@@ -93,10 +78,7 @@ val words_value(Value) {
 template <class Value>
 requires requires(Value value) { words_for(value); }
 val words_value(Value value) {
-  val list = val::array();
-  std::size_t k = 0;
-  for (const auto& entry : words_for(value)) list.set(k++, std::string(entry.first));
-  return list;
+  return list_of(words_for(value), [](const auto& entry) { return std::string(entry.first); });
 }
 
 val source_value(const DesignSource& source) {
@@ -118,16 +100,10 @@ DesignSource to_source(const val& value) {
   if (value["sample"].isString()) {
     return SampleSource{value["sample"].as<std::string>(), value["size"].as<int>()};
   }
-  FileSource file{.name = value["file"].as<std::string>(),
-                  .hash = to_hash(value["hash"]),
-                  .format = value["format"].as<std::string>(),
-                  .bytes = {}};
-  const val bytes = value["bytes"];
-  file.bytes.resize(bytes["length"].as<std::size_t>());
-  val(emscripten::typed_memory_view(file.bytes.size(),
-                                    reinterpret_cast<unsigned char*>(file.bytes.data())))
-      .call<void>("set", bytes);
-  return file;
+  return FileSource{.name = value["file"].as<std::string>(),
+                    .hash = to_hash(value["hash"]),
+                    .format = value["format"].as<std::string>(),
+                    .bytes = to_bytes(value["bytes"])};
 }
 
 val planarising_value(const Planarising& how) {
@@ -135,7 +111,7 @@ val planarising_value(const Planarising& how) {
   value.set("smooth", how.fairness_weight);
   value.set("keepBoundary", how.keep_boundary);
   value.set("keepShape", how.keep_shape);
-  value.set("constraints", texts_of(how.constraints, constraint_text));
+  value.set("constraints", list_of(how.constraints, constraint_text));
   value.set("within", how.within);
   value.set("flat", how.flat_within);
   return value;
@@ -146,24 +122,28 @@ bool is_plain(const DesignVariation& variation) {
   return variation.exact && variation.exact_fairness == 0.0 && variation.close.empty();
 }
 
+/// Calls visit(key, member) for each weight of variations.
+template <class Visit>
+void for_each_weight(const Visit& visit) {
+  visit("fairness", &SubspaceOptions::fairness_weight);
+  visit("sparsity", &SubspaceOptions::sparsity_weight);
+  visit("closeness", &SubspaceOptions::closeness_weight);
+  visit("correlation", &SubspaceOptions::correlation);
+  visit("spread", &SubspaceOptions::reach);
+  visit("family", &SubspaceOptions::family);
+}
+
 val weights_value(const SubspaceOptions& options) {
   val value = val::object();
-  value.set("fairness", options.fairness_weight);
-  value.set("sparsity", options.sparsity_weight);
-  value.set("closeness", options.closeness_weight);
-  value.set("correlation", options.correlation);
-  value.set("spread", options.reach);
-  value.set("family", options.family);
+  for_each_weight([&](const char* key, auto member) { value.set(key, options.*member); });
   return value;
 }
 
 bool has_usual_weights(const SubspaceOptions& given) {
   const SubspaceOptions usual;
-  return given.fairness_weight == usual.fairness_weight &&
-         given.sparsity_weight == usual.sparsity_weight &&
-         given.closeness_weight == usual.closeness_weight &&
-         given.correlation == usual.correlation && given.reach == usual.reach &&
-         given.family == usual.family;
+  bool same = true;
+  for_each_weight([&](const char*, auto member) { same = same && given.*member == usual.*member; });
+  return same;
 }
 
 val variation_value(const DesignVariation& variation) {
@@ -173,7 +153,7 @@ val variation_value(const DesignVariation& variation) {
   if (!has_usual_weights(variation.options)) {
     value.set("weights", weights_value(variation.options));
   }
-  value.set("coefficients", list_of(variation.coefficients));
+  value.set("coefficients", val::array(variation.coefficients));
   value.set("plain", is_plain(variation));
   return value;
 }
@@ -198,7 +178,7 @@ val rows_value(const std::vector<Row>& rows, Place Row::*place) {
     const Eigen::Vector3d& p = row.*place;
     flat.insert(flat.end(), {static_cast<double>(row.vertex), p.x(), p.y(), p.z()});
   }
-  return list_of(flat);
+  return val::array(flat);
 }
 
 val option_rows() {
@@ -230,7 +210,7 @@ val kind_tolerances() {
 EditTargets to_targets(const val& design) {
   EditTargets targets;
   take_rows(design["handles"], targets.handles);
-  targets.pins = emscripten::convertJSArrayToNumberVector<int>(design["pins"]);
+  targets.pins = to_indices(design["pins"]);
   for (const val& text : emscripten::vecFromJSArray<val>(design["supports"])) {
     auto support = parse_point_support(text.as<std::string>());
     if (!support) throw std::invalid_argument("no support");
@@ -285,12 +265,10 @@ SubspaceOptions to_subspace_options(const val& family) {
   SubspaceOptions options{.dimension = family["asked"].as<int>(),
                           .eigenbasis = family["eigenbasis"].as<bool>()};
   if (const val weights = family["weights"]; !weights.isUndefined()) {
-    options.fairness_weight = weights["fairness"].as<double>();
-    options.sparsity_weight = weights["sparsity"].as<double>();
-    options.closeness_weight = weights["closeness"].as<double>();
-    options.correlation = weights["correlation"].as<double>();
-    options.reach = weights["spread"].as<int>();
-    options.family = weights["family"].as<int>();
+    for_each_weight([&](const char* key, auto member) {
+      auto& weight = options.*member;
+      weight = weights[key].as<std::decay_t<decltype(weight)>>();
+    });
   }
   return options;
 }
@@ -310,22 +288,18 @@ val to_value(const DesignMark& mark) {
 }
 
 val to_value(const Design& design) {
-  val variations = val::array();
-  for (std::size_t k = 0; k < design.variations.size(); ++k) {
-    variations.set(k, variation_value(design.variations[k]));
-  }
   val value = val::object();
   value.set("source", source_value(design.source));
   value.set("planarised", design.planarised ? planarising_value(*design.planarised) : val::null());
   value.set("unit", design.unit);
   value.set("handles", rows_value(design.targets.handles, &Handle::target));
-  value.set("pins", list_of(design.targets.pins));
-  value.set("supports", texts_of(design.targets.supports, point_support_text));
+  value.set("pins", val::array(design.targets.pins));
+  value.set("supports", list_of(design.targets.supports, point_support_text));
   value.set("continuation", design.targets.continuation);
-  value.set("symmetry", texts_of(design.symmetry, symmetry_text));
-  value.set("cuts", texts_of(design.cuts, cut_text));
+  value.set("symmetry", list_of(design.symmetry, symmetry_text));
+  value.set("cuts", list_of(design.cuts, cut_text));
   value.set("options", to_value(design.options));
-  value.set("variations", variations);
+  value.set("variations", list_of(design.variations, variation_value));
   value.set("result", design.result ? to_value(*design.result) : val::null());
   return value;
 }

@@ -3,7 +3,6 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <exception>
 #include <string>
 
 #include "arrays.hpp"
@@ -17,26 +16,14 @@ using planish::Session;
 
 std::string fewest(Session& s, const val& handles, const val& pins, double within_handle,
                    int most_panels) {
-  try {
-    planish::FewestOptions asked;
-    asked.within_handle = within_handle;
-    asked.most_panels = most_panels;
-    const planish::EditTargets targets{.handles = planish::to_handles(handles),
-                                       .pins = planish::to_indices(pins),
-                                       .supports = {},
-                                       .continuation = 0};
-    return s.fewest(targets, asked).value_or("");
-  } catch (const std::exception& error) {
-    return std::string("Internal error: ") + error.what();
-  }
+  planish::FewestOptions asked;
+  asked.within_handle = within_handle;
+  asked.most_panels = most_panels;
+  return planish::attempt([&] { return s.fewest(planish::to_targets(handles, pins), asked); });
 }
 
 val fewest_found(const Session& s) {
   const planish::FewestFound& found = s.fewest_found();
-  val limits = val::array();
-  for (const planish::StatedLimit& limit : found.limits) {
-    limits.call<void>("push", planish::stated_limit_text(limit));
-  }
   val value = val::object();
   value.set("panelsBefore", found.panels_before);
   value.set("panels", found.panels);
@@ -44,7 +31,7 @@ val fewest_found(const Session& s) {
   value.set("reached", found.reached);
   value.set("minimal", found.minimal);
   value.set("solves", found.solves);
-  value.set("limits", limits);
+  value.set("limits", planish::list_of(found.limits, planish::stated_limit_text));
   return value;
 }
 

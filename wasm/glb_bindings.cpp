@@ -21,13 +21,8 @@ using planish::GlbContent;
 using planish::GlbVariations;
 using planish::OpenedGlb;
 using planish::Positions;
+using planish::refused;
 using planish::to_positions;
-
-val problem(const std::string& sentence) {
-  val result = val::object();
-  result.set("problem", sentence);
-  return result;
-}
 
 constexpr const char* kNoMemory = "There is not enough memory for this file in the browser.";
 
@@ -35,12 +30,12 @@ constexpr const char* kNoMemory = "There is not enough memory for this file in t
 val read_design(const std::string& text) {
   try {
     const auto read = planish::read_design(text);
-    if (const auto* sentence = std::get_if<std::string>(&read)) return problem(*sentence);
-    val result = problem("");
+    if (const auto* sentence = std::get_if<std::string>(&read)) return refused(*sentence);
+    val result = refused("");
     result.set("design", to_value(std::get<planish::Design>(read)));
     return result;
   } catch (const std::exception&) {
-    return problem(kNoMemory);
+    return refused(kNoMemory);
   }
 }
 
@@ -53,30 +48,28 @@ std::string write_design(const val& design, planish::FileText file) {
 }
 
 val to_object(const OpenedGlb& opened) {
-  val result = problem("");
-  val warnings = val::array();
-  for (const std::string& warning : opened.warnings) warnings.call<void>("push", warning);
+  val result = refused("");
   result.set("mesh", copy(opened.mesh));
   result.set("stored", opened.design.empty() ? val::null() : read_design(opened.design));
   result.set("moved", copy(opened.moved));
   result.set("positions", copy(opened.positions));
-  result.set("warnings", warnings);
+  result.set("warnings", val::array(opened.warnings));
   return result;
 }
 
 val open(const std::string& bytes) {
   try {
     const auto opened = planish::open_glb(bytes);
-    if (const auto* sentence = std::get_if<std::string>(&opened)) return problem(*sentence);
+    if (const auto* sentence = std::get_if<std::string>(&opened)) return refused(*sentence);
     return to_object(std::get<OpenedGlb>(opened));
   } catch (const std::exception&) {
-    return problem(kNoMemory);
+    return refused(kNoMemory);
   }
 }
 
 /// `displacements` holds 3 × |support| numbers for each variation, one after the other.
 GlbVariations to_variations(const val& support, const val& displacements) {
-  GlbVariations variations{emscripten::convertJSArrayToNumberVector<int>(support), {}};
+  GlbVariations variations{planish::to_indices(support), {}};
   const Positions all = to_positions(displacements);
   const auto rows = static_cast<Eigen::Index>(variations.support.size());
   for (Eigen::Index first = 0; rows > 0 && first + rows <= all.cols(); first += rows) {

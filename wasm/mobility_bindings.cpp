@@ -22,12 +22,11 @@ using planish::MobilityMap;
 val open_map(const val& positions, const val& offsets, const val& vertices, const val& settings) {
   Mesh mesh = planish::to_mesh(positions, offsets, vertices);
   const auto options = planish::map_options(planish::to_options(settings));
-  val answer = val::object();
   if (const auto problem = planish::find_map_problem(mesh, options)) {
-    answer.set("problem", *problem);
-  } else {
-    answer.set("map", std::make_shared<MobilityMap>(std::move(mesh), options));
+    return planish::refused(*problem);
   }
+  val answer = val::object();
+  answer.set("map", std::make_shared<MobilityMap>(std::move(mesh), options));
   return answer;
 }
 val measure(MobilityMap& map, int vertex) { return planish::to_value(map.measure(vertex)); }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mobility_map.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "planish/constraints/fold_limit.hpp"
 #include "planish/mobility/best_places.hpp"
 
 namespace planish {
@@ -16,11 +14,7 @@ MobilityOptions map_options(HandleEditOptions edit) {
   options.edit.engine = usual.engine;
   options.edit.reach = usual.reach;
   options.edit.reach_length = 0.0;
-  auto& bounds = options.edit.bounds;
-  const bool own = std::any_of(bounds.begin(), bounds.end(), [](const StatedLimit& limit) {
-    return limit.name == FoldLimit::kName;
-  });
-  if (!own) bounds.insert(bounds.end(), usual.bounds.begin(), usual.bounds.end());
+  add_unstated(options.edit.bounds, usual.bounds);
   return options;
 }
 

@@ -3,17 +3,17 @@
 
 #include <string>
 
+#include "arrays.hpp"
+
 namespace planish {
 namespace {
 
 using emscripten::val;
 
 val row_value(const MobilityRow& row) {
-  val direction = val::array();
-  for (const double part : row.direction) direction.call<void>("push", part);
   val value = val::object();
   value.set("vertex", row.vertex);
-  value.set("direction", direction);
+  value.set("direction", val::array(row.direction.begin(), row.direction.end()));
   value.set("distance", row.distance);
   value.set("limit", std::string(row.limit));
   value.set("remake", row.remake);
@@ -23,10 +23,6 @@ val row_value(const MobilityRow& row) {
 
 }  // namespace
 
-val to_value(const std::vector<MobilityRow>& rows) {
-  val list = val::array();
-  for (const MobilityRow& row : rows) list.call<void>("push", row_value(row));
-  return list;
-}
+val to_value(const std::vector<MobilityRow>& rows) { return list_of(rows, row_value); }
 
 }  // namespace planish

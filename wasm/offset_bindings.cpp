@@ -4,7 +4,6 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <cstddef>
 #include <exception>
 #include <string>
 #include <variant>
@@ -20,8 +19,8 @@ using emscripten::val;
 using planish::Mesh;
 using planish::MeshOffset;
 using planish::OffsetOptions;
+using planish::refused;
 using planish::Spread;
-using planish::shop::refused;
 
 val to_value(const Spread& spread) {
   val value = val::object();
@@ -49,9 +48,7 @@ val to_value(const Mesh& mesh, const MeshOffset& offset) {
   value.set("turnedEdges", offset.report.turned_edges);
   value.set("spoilt", spoilt_panels(mesh, offset));
   value.set("excess", planarity_summary(mesh, offset.positions).max_excess);
-  const auto size = static_cast<std::size_t>(offset.positions.size());
-  const val points(emscripten::typed_memory_view(size, offset.positions.data()));
-  value.set("positions", points.call<val>("slice"));
+  value.set("positions", planish::copy(offset.positions));
   return value;
 }
 

@@ -53,14 +53,6 @@ val answer(const Operation& operation) {
   }
 }
 
-/// Copied in one go: a std::string parameter would be filled byte by byte.
-std::string to_bytes(const val& array) {
-  std::string bytes(array["length"].as<std::size_t>(), '\0');
-  val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
-      .call<void>("set", array);
-  return bytes;
-}
-
 /// @param callback (step, objective, residual) → whether to go on; null: nobody watches
 Progress to_progress(const val& callback) {
   if (callback.isNull()) return {};
@@ -77,11 +69,7 @@ std::shared_ptr<T> shared(T value) {
 
 val mesh_of_arrays(const val& points, const val& offsets, const val& corners) {
   return answer([&] {
-    const auto flat = emscripten::convertJSArrayToNumberVector<double>(points);
-    return shared(mesh_of_lists(
-        Eigen::Map<const Positions>(flat.data(), 3, static_cast<Eigen::Index>(flat.size() / 3)),
-        emscripten::convertJSArrayToNumberVector<int>(offsets),
-        emscripten::convertJSArrayToNumberVector<int>(corners)));
+    return shared(mesh_of_lists(to_positions(points), to_indices(offsets), to_indices(corners)));
   });
 }
 val sample_mesh(const std::string& name) {
@@ -136,7 +124,7 @@ MobilityRow to_row(const val& value, const std::string& limit) {
 /// Four rows for each of `vertices`, in their order.
 val measure_mobility(MobilityRun& run, const val& vertices) {
   return answer([&] {
-    const auto list = emscripten::convertJSArrayToNumberVector<int>(vertices);
+    const std::vector<int> list = to_indices(vertices);
     const int count = run.base().mesh.vertex_count();
     for (const int v : list) {
       if (v >= 0 && v < count) continue;
@@ -182,15 +170,13 @@ val mesh_file(const OpenMesh& mesh, const std::string& name) {
 
 val option_table(const std::string& command) {
   return answer([&] {
-    val rows = val::array();
-    for (const OptionRow& row : option_rows(command)) {
+    return list_of(option_rows(command), [](const OptionRow& row) {
       val entry = val::object();
       entry.set("name", std::string(row.name));
       entry.set("value", std::string(row.value));
       entry.set("help", std::string(row.help));
-      rows.call<void>("push", entry);
-    }
-    return rows;
+      return entry;
+    });
   });
 }
 

@@ -116,7 +116,6 @@ export interface VariationWeights {
   readonly family: number;
 }
 
-/** How a family of variations is found. */
 export interface VariationFamily {
   /** How many directions were asked for; fewer may have been found. */
   readonly asked: number;

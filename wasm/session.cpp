@@ -83,10 +83,14 @@ Refusal Session::require_flat_base() const {
   return "This mesh has panels that are not flat. Planarise it first.";
 }
 
+Refusal Session::begin_edit(EditTargets& targets) {
+  if (Refusal refusal = require_flat_base()) return refusal;
+  if (Refusal refusal = take_targets(targets)) return refusal;
+  return require_kept_constraints();
+}
+
 Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds) {
-  if (const Refusal refusal = require_flat_base()) return refusal;
-  if (const Refusal refusal = take_targets(targets)) return refusal;
-  if (const Refusal refusal = require_kept_constraints()) return refusal;
+  if (const Refusal refusal = begin_edit(targets)) return refusal;
   if (const Refusal refusal = require_engine(targets)) return refusal;
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);

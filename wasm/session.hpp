@@ -224,6 +224,8 @@ class Session {
       const std::vector<PointSupport>& supports) const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
+  /// The same for an edit, whose base must be flat and keep its constraints.
+  [[nodiscard]] Refusal begin_edit(EditTargets& targets);
   /// `targets` without the steps of an engine that knows none; a sentence where it knows more of
   /// the edit not.
   [[nodiscard]] Refusal require_engine(EditTargets& targets) const;

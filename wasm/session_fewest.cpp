@@ -9,9 +9,7 @@
 namespace planish {
 
 Refusal Session::fewest(EditTargets targets, const FewestOptions& asked) {
-  if (const Refusal refusal = require_flat_base()) return refusal;
-  if (const Refusal refusal = take_targets(targets)) return refusal;
-  if (const Refusal refusal = require_kept_constraints()) return refusal;
+  if (const Refusal refusal = begin_edit(targets)) return refusal;
   if (const auto problem = find_problem(asked, options_, targets)) {
     return "Few panels: " + *problem + ".";
   }

@@ -63,9 +63,7 @@ ShapeReport Session::report_of(const Positions& positions, const std::vector<int
   report.fold_before = sharpest_fold(base_, adjacency_, base_.positions, touched).degrees;
   report.fold = sharpest_fold(base_, adjacency_, positions, touched);
   report.fold_growth = largest_fold_growth(base_, adjacency_, base_.positions, positions, touched);
-  for (const auto& [vertex, target] : targets_.handles) {
-    report.handle_error = std::max(report.handle_error, (positions.col(vertex) - target).norm());
-  }
+  report.handle_error = farthest_handle(targets_.handles, positions);
   report.continuation = targets_.continuation;
   report.lower_at_once = lower_at_once_;
   report.seconds = seconds;

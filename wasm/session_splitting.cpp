@@ -11,10 +11,7 @@ namespace planish {
 
 std::variant<SplitEdit, std::string> Session::split_where_needed(EditTargets targets,
                                                                  const SplitOptions& options) {
-  for (const Refusal& refusal :
-       {require_flat_base(), take_targets(targets), require_kept_constraints()}) {
-    if (refusal) return *refusal;
-  }
+  if (const Refusal refusal = begin_edit(targets)) return *refusal;
   if (const Refusal problem = find_problem(options, options_, targets)) return *problem;
   if (const Refusal refusal = add_images(targets)) return *refusal;
   return planish::split_where_needed(base_, targets, options_, options, symmetry_.get(), progress_);

@@ -63,10 +63,9 @@ Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, doub
 
 /// By variations of the edit shown.
 KeptByVariations Session::kept() const {
-  if (!symmetry_) return kept_by_variations(base_, targets_, options_);
-  const auto all = with_images(targets_, base_, *symmetry_);
-  const auto* images = std::get_if<EditTargets>(&all);
-  return kept_by_variations(base_, images != nullptr ? *images : targets_, options_, symmetry_);
+  EditTargets images = targets_;
+  (void)add_images(images);  // what cannot have them has none
+  return kept_by_variations(base_, images, options_, symmetry_);
 }
 
 }  // namespace planish

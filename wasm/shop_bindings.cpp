@@ -4,7 +4,6 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <exception>
 #include <string>
 #include <string_view>
 
@@ -21,7 +20,7 @@ using planish::CuttingOptions;
 using planish::DrawingOptions;
 using planish::LinkCode;
 using planish::Refusal;
-using planish::shop::refused;
+using planish::refused;
 using planish::shop::ShopDesign;
 using planish::shop::to_cutting_options;
 using planish::shop::to_design;
@@ -110,16 +109,14 @@ val write_views(const ShopDesign& design, const val& order, const ByteSink& sink
 }
 
 val write(const val& design, const val& order, const val& take) {
-  try {
+  return planish::shop::in_memory([&] {
     const ByteSink sink = to_sink(take);
     const ShopDesign given = to_design(design);
     const auto what = order["what"].as<std::string>();
     if (what == "ifc") return write_model(given, order, sink);
     if (what == "drawings") return write_views(given, order, sink);
     return write_package(given, order, sink);
-  } catch (const std::exception&) {
-    return refused("There is not enough memory for this in the browser.");
-  }
+  });
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <emscripten/val.h>
 
 #include <algorithm>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -22,16 +21,11 @@ using emscripten::val;
 using planish::CuttingOptions;
 using planish::CuttingPlan;
 using planish::CuttingPreview;
-using planish::shop::refused;
+using planish::refused;
+using planish::shop::in_memory;
 using planish::shop::ShopDesign;
 using planish::shop::to_cutting_options;
 using planish::shop::to_design;
-
-val to_value(const std::vector<std::string>& texts) {
-  val value = val::array();
-  for (const std::string& text : texts) value.call<void>("push", text);
-  return value;
-}
 
 val to_value(const CuttingPreview& preview, const planish::PanelNames& names) {
   val result = refused("");
@@ -43,17 +37,15 @@ val to_value(const CuttingPreview& preview, const planish::PanelNames& names) {
   result.set("nodesArms", preview.nodes_arms);
   result.set("flatness", preview.flatness);
   result.set("excess", preview.excess);
-  result.set("vanished", to_value(names.of(preview.vanished)));
-  val apart = val::array();
-  for (const planish::PanelApart& panel : preview.apart) {
-    val entry = val::object();
-    entry.set("panel", names.of(panel.face));
-    entry.set("pieces", panel.pieces);
-    apart.call<void>("push", entry);
-  }
-  result.set("apart", apart);
-  result.set("lostSides", to_value(names.of(preview.lost_sides)));
-  result.set("oversize", to_value(names.of(preview.oversize)));
+  result.set("vanished", val::array(names.of(preview.vanished)));
+  result.set("apart", planish::list_of(preview.apart, [&](const planish::PanelApart& panel) {
+               val entry = val::object();
+               entry.set("panel", names.of(panel.face));
+               entry.set("pieces", panel.pieces);
+               return entry;
+             }));
+  result.set("lostSides", val::array(names.of(preview.lost_sides)));
+  result.set("oversize", val::array(names.of(preview.oversize)));
   result.set("sheets", preview.sheets);
   result.set("usedFraction", preview.used_fraction);
   result.set("types", preview.types);
@@ -66,14 +58,12 @@ val to_value(const CuttingPreview& preview, const planish::PanelNames& names) {
 /// Calls `make` with the plan of the design; what it gives is the answer.
 template <class Make>
 val with_plan(const val& design, const val& given, const Make& make) {
-  try {
+  return in_memory([&] {
     const ShopDesign shown = to_design(design);
     const CuttingOptions options = to_cutting_options(given, shown);
     if (const auto problem = find_problem(options, shown.mesh, true)) return refused(*problem);
     return make(make_cutting_plan(shown.mesh, &shown.base, options));
-  } catch (const std::exception&) {
-    return refused("There is not enough memory for this in the browser.");
-  }
+  });
 }
 
 /// `face`: the panel to draw if it is in the scope; `map`: whether the map is wanted.
@@ -92,7 +82,7 @@ val panel_rows(const val& design, const val& options) {
 }
 
 val panel_types(const val& design, double share, bool mirrored) {
-  try {
+  return in_memory([&] {
     const ShopDesign shown = to_design(design);
     CuttingOptions options;
     options.unit = options.model_unit;
@@ -116,9 +106,7 @@ val panel_types(const val& design, double share, bool mirrored) {
     result.set("worstFit", worst);
     result.set("within", types.within);
     return result;
-  } catch (const std::exception&) {
-    return refused("There is not enough memory for this in the browser.");
-  }
+  });
 }
 
 }  // namespace

@@ -42,10 +42,4 @@ CuttingOptions to_cutting_options(const val& options, const ShopDesign& design) 
   return result;
 }
 
-val refused(const std::string& sentence) {
-  val result = val::object();
-  result.set("problem", sentence);
-  return result;
-}
-
 }  // namespace planish::shop

@@ -4,8 +4,9 @@
 
 #include <emscripten/val.h>
 
-#include <string>
+#include <exception>
 
+#include "arrays.hpp"
 #include "planish/fabrication/cutting_plan.hpp"
 
 namespace planish::shop {
@@ -17,11 +18,17 @@ struct ShopDesign {
 };
 
 [[nodiscard]] ShopDesign to_design(const emscripten::val& design);
-/// Of `design`.
 [[nodiscard]] CuttingOptions to_cutting_options(const emscripten::val& options,
                                                 const ShopDesign& design);
 
-/// An answer with its `problem`; "" for none.
-[[nodiscard]] emscripten::val refused(const std::string& sentence);
+/// What `make` gives; refused where there is no memory for it.
+template <class Make>
+emscripten::val in_memory(const Make& make) {
+  try {
+    return make();
+  } catch (const std::exception&) {
+    return refused("There is not enough memory for this in the browser.");
+  }
+}
 
 }  // namespace planish::shop

@@ -14,14 +14,13 @@
 namespace {
 
 using emscripten::val;
+using planish::refused;
 using planish::Session;
 
 val to_value(const planish::SplitStanding& standing) {
-  val cuts = val::array();
-  for (const planish::Cut& cut : standing.cuts) cuts.call<void>("push", planish::cut_text(cut));
   val value = val::object();
   value.set("lines", standing.lines);
-  value.set("cuts", cuts);
+  value.set("cuts", planish::list_of(standing.cuts, planish::cut_text));
   value.set("handleError", standing.handle_error);
   value.set("movedVertices", standing.moved_vertices);
   value.set("remadePanels", standing.remade_panels);
@@ -30,21 +29,10 @@ val to_value(const planish::SplitStanding& standing) {
 }
 
 val to_value(const planish::SplitEdit& found) {
-  val curve = val::array();
-  for (const planish::SplitStanding& standing : found.curve) {
-    curve.call<void>("push", to_value(standing));
-  }
-  val value = val::object();
-  value.set("problem", std::string());
-  value.set("curve", curve);
+  val value = refused("");
+  value.set("curve", planish::list_of(found.curve, [](const auto& one) { return to_value(one); }));
   value.set("tried", found.solves);
   value.set("reached", found.reached);
-  return value;
-}
-
-val refused(const std::string& problem) {
-  val value = val::object();
-  value.set("problem", problem);
   return value;
 }
 
@@ -54,11 +42,7 @@ val split_where_needed(Session& s, const val& handles, const val& pins, int most
     planish::SplitOptions options;
     options.most_cuts = most;
     options.found = [&](const planish::SplitStanding& standing) { found_one(to_value(standing)); };
-    auto found = s.split_where_needed({.handles = planish::to_handles(handles),
-                                       .pins = planish::to_indices(pins),
-                                       .supports = {},
-                                       .continuation = 0},
-                                      options);
+    auto found = s.split_where_needed(planish::to_targets(handles, pins), options);
     const auto* problem = std::get_if<std::string>(&found);
     return problem != nullptr ? refused(*problem) : to_value(std::get<planish::SplitEdit>(found));
   } catch (const std::exception& error) {
@@ -67,11 +51,7 @@ val split_where_needed(Session& s, const val& handles, const val& pins, int most
 }
 
 std::string split_until_flat(Session& s, const val& how, int most) {
-  try {
-    return s.split_until_flat(planish::to_planarising(how), most).value_or("");
-  } catch (const std::exception& error) {
-    return std::string("Internal error: ") + error.what();
-  }
+  return planish::attempt([&] { return s.split_until_flat(planish::to_planarising(how), most); });
 }
 
 int split_panels(const Session& s) { return s.hybrid().panels; }

@@ -4,7 +4,6 @@
 #include <emscripten/val.h>
 
 #include <algorithm>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -20,11 +19,7 @@ using planish::MeshSymmetry;
 using planish::Session;
 
 std::string set_symmetry(Session& s, const std::string& text, double tolerance) {
-  try {
-    return s.set_symmetry(text, tolerance).value_or("");
-  } catch (const std::exception& error) {
-    return std::string("Internal error: ") + error.what();
-  }
+  return planish::attempt([&] { return s.set_symmetry(text, tolerance); });
 }
 
 /// The least vertex of those that each is an image of.
@@ -40,12 +35,8 @@ std::vector<int> orbits_of(const MeshSymmetry& symmetry) {
 
 val symmetry_of(const Session& s) {
   if (s.symmetry() == nullptr) return val::null();
-  val elements = val::array();
-  for (const planish::SymmetryElement& element : s.symmetry()->elements) {
-    elements.call<void>("push", planish::symmetry_text(element));
-  }
   val value = val::object();
-  value.set("elements", elements);
+  value.set("elements", planish::list_of(s.symmetry()->elements, planish::symmetry_text));
   value.set("orbits", copy(orbits_of(*s.symmetry())));
   return value;
 }

@@ -158,13 +158,7 @@ ExitCode run_compare(const Arguments& arguments) {
     add_exploration(task, result.positions, parse_whole(*dimension, "--dimension"), json);
   }
   if (arguments.has("--records")) json["records"] = records_json(result.records);
-  if (output) {
-    Mesh edited = task.mesh;
-    edited.positions = result.positions;
-    GlbContent content;
-    content.base = task.mesh.positions;
-    save_mesh(*output, edited, content);
-  }
+  if (output) save_bytes(*output, moved_mesh_bytes(*output, task.mesh, result.positions));
   save_report(arguments, json);
   return kDone;
 }

@@ -15,7 +15,7 @@ ExitCode run_convert(const Arguments& arguments) {
   if (!output) throw UsageError("-o OUT is missing");
   check_output_name(*output);
   const Converted converted = run_conversion(load_mesh(input).mesh, arguments);
-  for (const std::string& message : converted.messages) print_message(message);
+  print_messages(converted.messages);
   save_mesh(*output, converted.mesh);
   return kDone;
 }

@@ -15,16 +15,7 @@ ExitCode run_edit(const Arguments& arguments) {
   save_design(arguments, design);
   if (output) save_bytes(*output, edit_bytes(*output, run, run.edited, design));
   const Json json = edit_json(run, run.edited);
-  print_sentence(damage_sentence(json["spoilt_faces"]));
-  print_sentence(fold_sentence(json["sharpest_fold"]));
-  print_sentence(outcome_sentence(run.report));
-  print_sentence(motion_sentence(run, json));
-  print_sentence(broken_limits_sentence(run));
-  print_sentence(sliding_target_sentence(run));
-  print_sentence(fewest_sentence(run, json));
-  if (run.splits) print_sentence(splits_sentence(*run.splits, run.report));
-  print_sentence(shortfall_sentence(run));
-  if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));
+  print_messages(edit_messages(run, json));
   save_report(arguments, json);
   return exit_code(run);
 }

@@ -4,9 +4,7 @@
 
 #include "commands.hpp"
 #include "edit_options.hpp"
-#include "edit_sentences.hpp"
 #include "exploration.hpp"
-#include "projection_run.hpp"
 #include "terminal.hpp"
 
 namespace planish::cli {
@@ -34,17 +32,7 @@ ExitCode run_explore(const Arguments& arguments) {
                                    variations_of(family.subspace)));
   }
   const Json json = exploration_json(run, family, variation);
-  print_sentence(damage_sentence(json["spoilt_faces"]));
-  print_sentence(fold_sentence(json["sharpest_fold"]));
-  print_sentence(outcome_sentence(run.report));
-  print_sentence(motion_sentence(run, json));
-  print_sentence(broken_limits_sentence(run));
-  print_sentence(sliding_target_sentence(run));
-  print_sentence(shortfall_sentence(run));
-  print_sentence(not_exact_sentence(run, variation));
-  if (variation.exact) print_sentence(confined_sentence(*variation.exact));
-  print_sentence(exact_outcome_sentence(variation));
-  if (json.contains("types")) print_sentence(type_change_sentence(json["types"]));
+  print_messages(exploration_messages(run, variation, json));
   save_report(arguments, json);
   return code;
 }

@@ -22,7 +22,7 @@ ExitCode run_offset(const Arguments& arguments) {
   Mesh moved = mesh;
   moved.positions = offset.positions;
   if (output) save_mesh(*output, moved);
-  for (const std::string& sentence : offset_sentences(mesh, offset)) print_message(sentence);
+  print_messages(offset_sentences(mesh, offset));
   save_report(arguments, offset_json(mesh, offset, options.distance));
   return is_flat(mesh, offset) ? kDone : kToleranceNotMet;
 }

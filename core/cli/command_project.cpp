@@ -16,27 +16,16 @@ ExitCode run_project(const Arguments& arguments) {
   const Mesh mesh = load_mesh(arguments.only_positional("MESH")).mesh;
   std::optional<Mesh> reference;
   if (const auto path = arguments.value("--reference")) reference = load_mesh(*path).mesh;
-  const ProjectedMesh made =
-      make_flat(mesh, arguments, options, reference ? &*reference : nullptr, progress_line());
-  const ProjectionResult& result = made.result;
+  const Mesh* const base = reference ? &*reference : nullptr;
+  const ProjectedMesh made = make_flat(mesh, arguments, options, base, progress_line());
   clear_progress_line();
   if (output) {
-    Mesh flat = made.mesh;
-    flat.positions = projected(made.mesh, result);
-    GlbContent content;
-    content.base = made.mesh.positions;
-    save_mesh(*output, flat, content);
+    save_bytes(*output, moved_mesh_bytes(*output, made.mesh, projected(made.mesh, made.result)));
   }
-  Json json = projection_json(made.mesh, reference ? *reference : made.mesh, result, options);
-  add_projected(json, made);
-  print_sentence(damage_sentence(json["spoilt_faces"]));
-  print_sentence(not_flat_sentence(result, options));
-  print_sentence(projected_sentence(made));
-  print_sentence(lost_height_sentence(made.mesh, result));
-  print_sentence(confined_sentence(result));
-  print_sentence(outcome_sentence(result.report));
+  const Json json = projected_json(made, base, options);
+  print_messages(projected_messages(made, json, options));
   save_report(arguments, json);
-  return exit_code(result.report);
+  return exit_code(made.result.report);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ ExitCode run_types_command(const Arguments& arguments) {
   const CuttingPlan plan = plan_types(arguments, input);
   if (output) save_bytes(*output, types_bytes(*output, plan));
   const std::vector<std::string> sentences = types_sentences(plan, input.tolerance);
-  for (const std::string& sentence : sentences) print_message(sentence);
+  print_messages(sentences);
   save_report(arguments, types_json(plan));
   return sentences.empty() ? kDone : kToleranceNotMet;
 }

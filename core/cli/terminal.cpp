@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <iostream>
 #include <utility>
-#include <vector>
 
 #include "edit_sentences.hpp"
 #include "interruption.hpp"
@@ -20,6 +19,10 @@ void print_message(const std::string& message) {
     if (c == '\n' || c == '\r') c = ' ';
   }
   std::cerr << line << '\n';
+}
+
+void print_messages(const std::vector<std::string>& messages) {
+  for (const std::string& message : messages) print_message(message);
 }
 
 void print_sentence(const std::optional<std::string>& sentence) {
@@ -84,15 +87,12 @@ EditRun run_edit_solver(const Arguments& arguments, EditRequest asked) {
   LoadedSource source = load_source(name);
   EditRun run = run_watched(std::move(asked), std::move(source), name);
   clear_progress_line();
-  for (const auto& sentence :
-       {planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)}) {
-    if (sentence) print_message(name + ": " + *sentence);
-  }
+  for (const std::string& message : base_messages(run)) print_message(name + ": " + message);
   return run;
 }
 
-void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content) {
-  save_bytes(path, mesh_bytes(path, mesh, content));
+void save_mesh(const std::string& path, const Mesh& mesh) {
+  save_bytes(path, mesh_bytes(path, mesh));
 }
 
 void save_design(const Arguments& arguments, const Design& design) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "design_output.hpp"
@@ -14,6 +15,9 @@ namespace planish::cli {
 
 /// One line on standard error, whatever `message` holds.
 void print_message(const std::string& message);
+
+/// Each of them.
+void print_messages(const std::vector<std::string>& messages);
 
 /// Says `sentence`, if there is one.
 void print_sentence(const std::optional<std::string>& sentence);
@@ -27,8 +31,7 @@ void print_sentence(const std::optional<std::string>& sentence);
 /// The edit of the only positional word, and what happened to its base to standard error.
 [[nodiscard]] EditRun run_edit_solver(const Arguments& arguments, EditRequest asked);
 
-/// Writes `mesh` to `path`; `content` is used by GLB only.
-void save_mesh(const std::string& path, const Mesh& mesh, const GlbContent& content = {});
+void save_mesh(const std::string& path, const Mesh& mesh);
 
 /// Writes `design` to the place that --design names; nothing without that option.
 void save_design(const Arguments& arguments, const Design& design);
@@ -46,7 +49,6 @@ void save_report(const Arguments& arguments, const Json& json);
 /// Shows steps on one line of a terminal; empty where standard error is none.
 [[nodiscard]] Progress progress_line();
 
-/// Removes the progress line.
 void clear_progress_line();
 
 }  // namespace planish::cli

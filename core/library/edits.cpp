@@ -23,26 +23,12 @@ namespace planish::library {
 
 namespace {
 
-void add(std::vector<std::string>& messages, const std::optional<std::string>& sentence) {
-  if (sentence) messages.push_back(*sentence);
-}
-
 bool is_json(const std::string& path) { return path.ends_with(".json"); }
 
-std::vector<std::string> edit_messages(const EditRun& run, const Json& report) {
-  std::vector<std::string> messages;
-  add(messages, planarised_sentence(run.base));
-  add(messages, moved_support_sentence(run));
-  add(messages, evened_sentence(run));
-  add(messages, damage_sentence(report["spoilt_faces"]));
-  add(messages, outcome_sentence(run.report));
-  add(messages, motion_sentence(run, report));
-  add(messages, broken_limits_sentence(run));
-  add(messages, sliding_target_sentence(run));
-  add(messages, fewest_sentence(run, report));
-  if (run.splits) add(messages, splits_sentence(*run.splits, run.report));
-  add(messages, shortfall_sentence(run));
-  if (report.contains("types")) messages.push_back(type_change_sentence(report["types"]));
+/// Of the base and then of what was made of it.
+std::vector<std::string> all_messages(const EditRun& run, const std::vector<std::string>& made) {
+  std::vector<std::string> messages = base_messages(run);
+  messages.insert(messages.end(), made.begin(), made.end());
   return messages;
 }
 
@@ -58,7 +44,8 @@ Edit make_edit(std::shared_ptr<const OpenMesh> mesh, const std::string& asked,
 
 Shape shape_of(const Edit& edit) {
   const Json report = edit_json(edit.run, edit.run.edited);
-  return {edit.run.base.mesh, edit.run.edited, report.dump(2), edit_messages(edit.run, report)};
+  return {edit.run.base.mesh, edit.run.edited, report.dump(2),
+          all_messages(edit.run, edit_messages(edit.run, report))};
 }
 
 Design design_of(const Edit& edit) {
@@ -97,11 +84,8 @@ Shape shape_of(const EditVariation& variation) {
   const EditRun& run = variation.of->edit->run;
   const workflow::Family& family = variation.of->family;
   const Json report = exploration_json(run, family, variation.variation);
-  Shape shape{run.base.mesh, variation.variation.positions, report.dump(2),
-              edit_messages(run, report)};
-  add(shape.messages, not_exact_sentence(run, variation.variation));
-  add(shape.messages, exact_outcome_sentence(variation.variation));
-  return shape;
+  return {run.base.mesh, variation.variation.positions, report.dump(2),
+          all_messages(run, exploration_messages(run, variation.variation, report))};
 }
 
 Design design_of(const EditVariation& variation) {
@@ -122,28 +106,15 @@ Shape make_projection(const OpenMesh& mesh, const std::string& asked, const Open
                       const Progress& progress) {
   const Request request(asked, projection_option_rows());
   const ProjectionOptions options = projection_options(request);
-  const ProjectedMesh made =
-      make_flat(mesh.mesh, request, options, reference ? &reference->mesh : nullptr, progress);
-  const ProjectionResult& result = made.result;
-  Json report = projection_json(made.mesh, reference != nullptr ? reference->mesh : made.mesh,
-                                result, options);
-  add_projected(report, made);
-  Shape shape{made.mesh, projected(made.mesh, result), report.dump(2), {}};
-  add(shape.messages, damage_sentence(report["spoilt_faces"]));
-  add(shape.messages, not_flat_sentence(result, options));
-  add(shape.messages, projected_sentence(made));
-  add(shape.messages, lost_height_sentence(made.mesh, result));
-  add(shape.messages, confined_sentence(result));
-  add(shape.messages, outcome_sentence(result.report));
-  return shape;
+  const Mesh* const base = reference != nullptr ? &reference->mesh : nullptr;
+  const ProjectedMesh made = make_flat(mesh.mesh, request, options, base, progress);
+  const Json report = projected_json(made, base, options);
+  return {made.mesh, projected(made.mesh, made.result), report.dump(2),
+          projected_messages(made, report, options)};
 }
 
 std::string bytes_of(const Shape& shape, const std::string& name) {
-  Mesh mesh = shape.base;
-  mesh.positions = shape.positions;
-  GlbContent content;
-  content.base = shape.base.positions;
-  return mesh_bytes(name, mesh, content);
+  return moved_mesh_bytes(name, shape.base, shape.positions);
 }
 
 Shape make_offset(const OpenMesh& mesh, const std::string& asked) {
@@ -189,9 +160,8 @@ Replayed make_replay(const OpenedDesign& opened, const OpenMesh* base, const Pro
   if (const auto* sentence = std::get_if<std::string>(&result)) throw MeshError(*sentence);
   Replayed replayed{opened.design, std::get<Replay>(std::move(result)), {}};
   const Replay& done = replayed.replay;
-  replayed.shape = {done.base, done.shape, replay_json(opened.design, done).dump(2), {}};
-  add(replayed.shape.messages, outcome_sentence(done.report));
-  add(replayed.shape.messages, deviation_sentence(opened.design, done));
+  replayed.shape = {done.base, done.shape, replay_json(opened.design, done).dump(2),
+                    said({outcome_sentence(done.report), deviation_sentence(opened.design, done)})};
   replayed.design.result = done.mark;
   return replayed;
 }

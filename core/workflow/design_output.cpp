@@ -40,13 +40,10 @@ std::string design_for_glb(Design design) {
 
 std::string edit_bytes(const std::string& name, const EditRun& run, const Positions& shape,
                        const Design& design, std::optional<GlbVariations> variations) {
-  Mesh mesh = run.base.mesh;
-  mesh.positions = shape;
   GlbContent content;
-  content.base = run.base.mesh.positions;
   content.design = design_for_glb(design);
   content.variations = std::move(variations);
-  return mesh_bytes(name, mesh, content);
+  return moved_mesh_bytes(name, run.base.mesh, shape, std::move(content));
 }
 
 }  // namespace planish::workflow

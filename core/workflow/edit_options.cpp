@@ -248,11 +248,9 @@ void read_table(const Request& request, HandleEditOptions& options) {
 }  // namespace
 
 void set_within_handle(const Request& request, double& share) {
-  const auto text = request.value("--within-handle");
-  if (!text) return;
-  if (!text->ends_with('%')) throw UsageError("--within-handle: \"" + *text + "\" is not P%");
-  share =
-      0.01 * parse_finite(std::string_view(*text).substr(0, text->size() - 1), "--within-handle");
+  if (const auto text = request.value("--within-handle")) {
+    share = parse_share(*text, "--within-handle");
+  }
 }
 
 HandleEditOptions edit_options(const Request& request) {

@@ -36,7 +36,6 @@ inline constexpr OptionRow kConstraintRow = {
     "add up to 180°) or conical (ω1 + ω3 = ω2 + ω4 around a point), to TOL\n"
     "degrees, default 1e-9; repeatable"};
 
-/// The row of --support.
 [[nodiscard]] OptionRow support_row();
 
 /// What --support asks for, in the order given; rules are find_problem()'s. Throws RequestError for

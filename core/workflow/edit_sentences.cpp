@@ -12,6 +12,7 @@
 #include "planish/mesh/adjacency.hpp"
 #include "planish/mesh/mean_normal.hpp"
 #include "planish/text/number.hpp"
+#include "type_change.hpp"
 
 namespace planish::workflow {
 
@@ -25,12 +26,16 @@ std::optional<std::string> planarised_sentence(const FlatBase& base) {
               : "");
 }
 
+namespace {
+
+/// That the base was made symmetric first, and by how much.
 std::optional<std::string> evened_sentence(const EditRun& run) {
   if (run.evened.max_move == 0.0) return std::nullopt;
   return "not exactly symmetric; made so first, which moved " + std::to_string(run.evened.moved) +
          " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
+/// That making the base flat moved what points stand on, and what keeps it where it is.
 std::optional<std::string> moved_support_sentence(const EditRun& run) {
   if (!run.base.planarised) return std::nullopt;
   double most = 0.0;
@@ -50,8 +55,6 @@ std::optional<std::string> moved_support_sentence(const EditRun& run) {
          " makes the file flat with them where they stand";
 }
 
-namespace {
-
 double pull_of(const EditRun& run, const Handle& handle) {
   return (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
 }
@@ -63,10 +66,7 @@ double left_of(const EditRun& run, const Handle& handle) {
 /// How far from their targets handles of --hard are by rounding.
 double hard_slack(const EditRun& run) {
   constexpr double kRounding = 1e-6;  // of the longest pull
-  double longest = 0.0;
-  for (const Handle& handle : run.targets.handles)
-    longest = std::max(longest, pull_of(run, handle));
-  return kRounding * longest;
+  return kRounding * farthest_handle(run.targets.handles, run.base.mesh.positions);
 }
 
 /// What keeps a handle from its target, as far as it is known.
@@ -95,11 +95,13 @@ bool misses_most_panels(const EditRun& run) {
 
 bool misses_hard_handle(const EditRun& run) {
   if (!run.asked.options.hard_handles) return false;
-  const auto& handles = run.targets.handles;
-  return std::any_of(handles.begin(), handles.end(),
-                     [&](const Handle& handle) { return left_of(run, handle) > hard_slack(run); });
+  return farthest_handle(run.targets.handles, run.edited) > hard_slack(run);
 }
 
+namespace {
+
+/// A handle that gets noticeably less far than it is pulled, with --hard any less far, the worst of
+/// them, and what holds it; nullopt also where outcome_sentence() has more to say.
 std::optional<std::string> shortfall_sentence(const EditRun& run) {
   constexpr double kNoticeable = 0.15;  // of the pull, as the page has it
   if (run.report.status != SolveStatus::kConverged) return std::nullopt;
@@ -117,8 +119,6 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
   return "handle " + std::to_string(worst->vertex) + " stops " + three_digits(most) +
          " short of its target (units of the mesh): " + held_by(run, worst->vertex);
 }
-
-namespace {
 
 /// Those about the handles, with their neighbours, and those at a limit, ascending.
 std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
@@ -149,8 +149,8 @@ std::string limit_words(const EditRun& run, std::string_view name) {
   return words;
 }
 
-}  // namespace
-
+/// Which limits of --bound panels of the base break already, and how many do, where that holds an
+/// edit back that stops short of what was asked for.
 std::optional<std::string> broken_limits_sentence(const EditRun& run) {
   const bool arrived =
       run.report.status == SolveStatus::kConverged && !shortfall_sentence(run).has_value();
@@ -171,6 +171,7 @@ std::optional<std::string> broken_limits_sentence(const EditRun& run) {
   return std::nullopt;
 }
 
+/// That --bound slide stops a handle on its way along the surface, the one asked to go furthest.
 std::optional<std::string> sliding_target_sentence(const EditRun& run) {
   const StatedLimit* least = nullptr;
   for (const StatedLimit& limit : run.asked.options.bounds) {
@@ -196,20 +197,20 @@ std::optional<std::string> sliding_target_sentence(const EditRun& run) {
          " stops it";
 }
 
+/// How far the surface moves and how far joints slide along it, where that is noticeably further or
+/// has a limit.
 std::optional<std::string> motion_sentence(const EditRun& run, const Json& report) {
   constexpr double kNoticeable = 0.5;  // of the shape's, as the page has it
   const double shape = report["motion"]["shape_max"].get<double>();
   const double slide = report["motion"]["slide_max"].get<double>();
-  const auto& bounds = run.asked.options.bounds;
-  const bool limited = std::any_of(bounds.begin(), bounds.end(), [](const StatedLimit& limit) {
-    return limit.name == SlideLimit::kName;
-  });
+  const bool limited = has_limit(run.asked.options.bounds, SlideLimit::kName);
   if (!limited && slide <= kNoticeable * shape) return std::nullopt;
   return "the surface moves by up to " + three_digits(shape) + ", joints slide along it by up to " +
          three_digits(slide) + " (units of the mesh)" +
          (limited ? "" : ": --bound slide=MAX limits it");
 }
 
+/// That --fewest held nothing, or how few panels it left.
 std::optional<std::string> fewest_sentence(const EditRun& run, const Json& report) {
   if (!run.fewest) return std::nullopt;
   const FewestEdit& found = *run.fewest;
@@ -233,6 +234,25 @@ std::optional<std::string> fewest_sentence(const EditRun& run, const Json& repor
          (slivers == 1 ? " panel became a sliver" : " panels became slivers") +
          " with a corner below " + three_digits(kSliverAngle) +
          " degrees, which --bound angle=MIN:MAX and edge=MIN:MAX limit";
+}
+
+}  // namespace
+
+std::vector<std::string> base_messages(const EditRun& run) {
+  return said({planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)});
+}
+
+std::vector<std::string> edit_messages(const EditRun& run, const Json& report,
+                                       const std::vector<std::string>& variation) {
+  std::vector<std::string> messages =
+      said({damage_sentence(report["spoilt_faces"]), fold_sentence(report["sharpest_fold"]),
+            outcome_sentence(run.report), motion_sentence(run, report), broken_limits_sentence(run),
+            sliding_target_sentence(run), fewest_sentence(run, report),
+            run.splits ? splits_sentence(*run.splits, run.report) : std::nullopt,
+            shortfall_sentence(run)});
+  messages.insert(messages.end(), variation.begin(), variation.end());
+  if (report.contains("types")) messages.push_back(type_change_sentence(report["types"]));
+  return messages;
 }
 
 }  // namespace planish::workflow

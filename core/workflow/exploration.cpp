@@ -7,11 +7,13 @@
 
 #include "design_output.hpp"
 #include "edit_options.hpp"
+#include "edit_sentences.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/problem/mesh_standing.hpp"
 #include "planish/text/number.hpp"
 #include "planish/variations/exact_variation.hpp"
 #include "planish/variations/slider_stops.hpp"
+#include "projection_run.hpp"
 
 namespace planish::workflow {
 namespace {
@@ -119,12 +121,16 @@ Design variation_design(const EditRun& run, const Family& family, const Variatio
   return make_design(run, {recipe}, variation.positions);
 }
 
+namespace {
+
+/// Where making it exact has no certificate.
 std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
   if (!variation.exact) return std::nullopt;
   const auto sentence = outcome_sentence(variation.exact->report);
   return sentence ? std::optional("made exact: " + *sentence) : std::nullopt;
 }
 
+/// By how much a variation that was not made exact is out of flat.
 std::optional<std::string> not_exact_sentence(const EditRun& run, const Variation& variation) {
   if (variation.exact) return std::nullopt;
   const KeptKinds kept = kinds_of(run);
@@ -138,8 +144,6 @@ std::optional<std::string> not_exact_sentence(const EditRun& run, const Variatio
   }
   return sentence + ", as the sliders show them; --exact makes them so";
 }
-
-namespace {
 
 Json stop_json(const SliderStop& stop) {
   if (stop.face < 0) return nullptr;
@@ -174,10 +178,6 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
   }
   json.erase("objective");  // only the edit has one
   const Positions moves = after - run.base.mesh.positions;
-  double handle_error = 0.0;
-  for (const Handle& handle : run.targets.handles) {
-    handle_error = std::max(handle_error, (after.col(handle.vertex) - handle.target).norm());
-  }
   json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
   if (json.contains("violations")) {
@@ -189,7 +189,7 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
     }
     json["violations"] = violations_json(kinds);
   }
-  json["handle_error"] = handle_error;
+  json["handle_error"] = farthest_handle(run.targets.handles, after);
 }
 
 }  // namespace
@@ -203,6 +203,14 @@ Json exploration_json(const EditRun& run, const Family& family, const Variation&
       run.base.mesh, run.edited, subspace, variation.values.head(subspace.dimension())));
   if (variation.exact) json["exact"] = exact_json(*variation.exact);
   return json;
+}
+
+std::vector<std::string> exploration_messages(const EditRun& run, const Variation& variation,
+                                              const Json& report) {
+  return edit_messages(run, report,
+                       said({not_exact_sentence(run, variation),
+                             variation.exact ? confined_sentence(*variation.exact) : std::nullopt,
+                             exact_outcome_sentence(variation)}));
 }
 
 }  // namespace planish::workflow

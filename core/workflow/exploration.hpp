@@ -16,7 +16,6 @@
 
 namespace planish::workflow {
 
-/// Rows of the option table for the family.
 [[nodiscard]] std::vector<OptionRow> family_option_rows();
 
 /// What a family is asked for.
@@ -58,7 +57,6 @@ struct Variation {
 [[nodiscard]] Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                                    const Progress& progress);
 
-/// The design of `variation`.
 [[nodiscard]] Design variation_design(const EditRun& run, const Family& family,
                                       const Variation& variation);
 
@@ -66,11 +64,9 @@ struct Variation {
 [[nodiscard]] Json exploration_json(const EditRun& run, const Family& family,
                                     const Variation& variation);
 
-/// Where making it exact has no certificate; nullopt where it has, or was not asked for.
-[[nodiscard]] std::optional<std::string> exact_outcome_sentence(const Variation& variation);
-
-/// By how much a variation that was not made exact is out of flat; nullopt where it is flat.
-[[nodiscard]] std::optional<std::string> not_exact_sentence(const EditRun& run,
-                                                            const Variation& variation);
+/// What is said of the edit and of the variation. @param report of exploration_json()
+[[nodiscard]] std::vector<std::string> exploration_messages(const EditRun& run,
+                                                            const Variation& variation,
+                                                            const Json& report);
 
 }  // namespace planish::workflow

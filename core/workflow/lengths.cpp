@@ -75,6 +75,11 @@ std::string model_unit(const Request& request) {
   throw UsageError("--model-unit: \"" + unit + "\" is none of " + std::string(kKnown));
 }
 
+double parse_share(std::string_view text, std::string_view what) {
+  if (text.ends_with('%')) return 0.01 * parse_finite(text.substr(0, text.size() - 1), what);
+  throw UsageError(std::string(what) + ": \"" + std::string(text) + "\" is not P%");
+}
+
 double parse_length(const Json& value, std::string_view what, const std::string& unit) {
   const std::string text = text_of(value);
   const Measured parts = measured(text);
@@ -91,8 +96,7 @@ double parse_length(const Json& value, std::string_view what, const std::string&
 double parse_length(const Json& value, std::string_view what, const std::string& unit,
                     double whole) {
   const std::string text = text_of(value);
-  if (!text.ends_with('%')) return parse_length(value, what, unit);
-  return 0.01 * parse_finite(text.substr(0, text.size() - 1), what) * whole;
+  return text.ends_with('%') ? parse_share(text, what) * whole : parse_length(value, what, unit);
 }
 
 void read_length(const Request& request, std::string_view option, const std::string& unit,

@@ -16,6 +16,9 @@ inline constexpr OptionRow kModelUnitRow = {
 /// Of the coordinates, m unless --model-unit says otherwise. Throws UsageError for another word.
 [[nodiscard]] std::string model_unit(const Request& request);
 
+/// "5%" as 0.05. Throws UsageError where there is no such sign.
+[[nodiscard]] double parse_share(std::string_view text, std::string_view what);
+
 /// A number, or one with mm, cm, m, km, in or ft behind it ("50mm"), in `unit`. Throws UsageError
 /// naming `what`.
 [[nodiscard]] double parse_length(const Json& value, std::string_view what,

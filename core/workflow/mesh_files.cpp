@@ -148,6 +148,14 @@ std::string mesh_bytes(const std::string& name, const Mesh& mesh, const GlbConte
   return format == MeshFormat::kGlb ? write_glb(mesh, content) : write_mesh(mesh, format);
 }
 
+std::string moved_mesh_bytes(const std::string& name, const Mesh& base, const Positions& positions,
+                             GlbContent content) {
+  Mesh moved = base;
+  moved.positions = positions;
+  content.base = base.positions;
+  return mesh_bytes(name, moved, content);
+}
+
 void save_bytes(const std::string& path, std::string_view bytes) {
   if (path == "-") {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();

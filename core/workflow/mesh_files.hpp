@@ -49,6 +49,10 @@ void check_output_name(const std::string& path);
 [[nodiscard]] std::string mesh_bytes(const std::string& name, const Mesh& mesh,
                                      const GlbContent& content = {});
 
+/// The same of `base` with its points at `positions`; a GLB holds both.
+[[nodiscard]] std::string moved_mesh_bytes(const std::string& name, const Mesh& base,
+                                           const Positions& positions, GlbContent content = {});
+
 /// Writes `bytes` so that `path` holds either all of them or what it held before.
 void save_bytes(const std::string& path, std::string_view bytes);
 

@@ -106,12 +106,7 @@ MobilityOptions mobility_options(const Request& request) {
   const HandleEditOptions defaults = MobilityOptions::default_edit();
   options.edit = edit_options(request);
   if (!request.has("--reach")) options.edit.reach = defaults.reach;
-  for (const StatedLimit& limit : defaults.bounds) {
-    const auto& stated = options.edit.bounds;
-    const bool is_stated = std::any_of(stated.begin(), stated.end(),
-                                       [&](const auto& one) { return one.name == limit.name; });
-    if (!is_stated) options.edit.bounds.push_back(limit);
-  }
+  add_unstated(options.edit.bounds, defaults.bounds);
   if (request.has("--range")) {
     read_length(request, "--range", model_unit(request), options.range);
     if (options.range <= 0.0) throw UsageError("--range must be greater than 0");

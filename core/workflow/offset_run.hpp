@@ -22,7 +22,6 @@ namespace planish::workflow {
 /// What whoever made the offset should know about it, one sentence each.
 [[nodiscard]] std::vector<std::string> offset_sentences(const Mesh& mesh, const MeshOffset& offset);
 
-/// Whether every panel of the offset is flat.
 [[nodiscard]] bool is_flat(const Mesh& mesh, const MeshOffset& offset);
 
 }  // namespace planish::workflow

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "lengths.hpp"
 #include "projection_run.hpp"
 #include "repetition_run.hpp"
 
@@ -16,8 +17,7 @@ constexpr std::string_view kSplit = "--split";
 HybridOptions parse_hybrid(const std::string& text, const Mesh& mesh) {
   HybridOptions options;
   if (text.ends_with('%')) {
-    const double share =
-        0.01 * parse_finite(std::string_view(text).substr(0, text.size() - 1), kSplit);
+    const double share = parse_share(text, kSplit);
     if (!(share > 0.0 && share <= 1.0)) {
       throw UsageError("--split: \"" + text + "\" is not more than 0% to 100%");
     }
@@ -65,6 +65,9 @@ ProjectedMesh make_flat(const Mesh& mesh, const Request& request, const Projecti
   return projected;
 }
 
+namespace {
+
+/// Types with --move, parts with --split; else nothing.
 void add_projected(Json& json, const ProjectedMesh& projected) {
   if (projected.fewer) json["types"] = fewer_types_json(projected.mesh, *projected.fewer);
   if (!projected.hybrid) return;
@@ -82,6 +85,7 @@ void add_projected(Json& json, const ProjectedMesh& projected) {
   add_cuts(json, projected.hybrid->cut);
 }
 
+/// How many types are left; or how many panels are split, and whether the mesh is flat so.
 std::optional<std::string> projected_sentence(const ProjectedMesh& projected) {
   if (projected.fewer) return fewer_types_sentence(projected.mesh, *projected.fewer);
   if (!projected.hybrid || (projected.hybrid->panels == 0 && projected.hybrid->reached)) {
@@ -92,6 +96,24 @@ std::optional<std::string> projected_sentence(const ProjectedMesh& projected) {
   const int count = projected.hybrid->panels;
   return "--split: " + std::to_string(count) + (count == 1 ? " panel is" : " panels are") +
          " split, and the mesh is " + (projected.hybrid->reached ? "flat" : "not flat with that");
+}
+
+}  // namespace
+
+Json projected_json(const ProjectedMesh& projected, const Mesh* reference,
+                    const ProjectionOptions& options) {
+  Json json = projection_json(projected.mesh, reference != nullptr ? *reference : projected.mesh,
+                              projected.result, options);
+  add_projected(json, projected);
+  return json;
+}
+
+std::vector<std::string> projected_messages(const ProjectedMesh& projected, const Json& report,
+                                            const ProjectionOptions& options) {
+  const ProjectionResult& result = projected.result;
+  return said({damage_sentence(report["spoilt_faces"]), not_flat_sentence(result, options),
+               projected_sentence(projected), lost_height_sentence(projected.mesh, result),
+               confined_sentence(result), outcome_sentence(result.report)});
 }
 
 }  // namespace planish::workflow

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "planish/projection/projection.hpp"
 #include "planish/repetition/fewer_types.hpp"
@@ -29,11 +30,13 @@ struct ProjectedMesh {
                                       const ProjectionOptions& options, const Mesh* reference,
                                       const Progress& progress);
 
-/// Types with --move, parts with --split; else nothing.
-void add_projected(Json& json, const ProjectedMesh& projected);
+/// The report of `project`. @param reference as for make_flat()
+[[nodiscard]] Json projected_json(const ProjectedMesh& projected, const Mesh* reference,
+                                  const ProjectionOptions& options);
 
-/// How many types are left; or how many panels are split, and whether the mesh is flat so; nullopt
-/// where none need be.
-[[nodiscard]] std::optional<std::string> projected_sentence(const ProjectedMesh& projected);
+/// @param report of projected_json()
+[[nodiscard]] std::vector<std::string> projected_messages(const ProjectedMesh& projected,
+                                                          const Json& report,
+                                                          const ProjectionOptions& options);
 
 }  // namespace planish::workflow

@@ -2,10 +2,10 @@
 #include "repetition_run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "edit_options.hpp"
 #include "lengths.hpp"
-#include "planish/constraints/fold_limit.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/numeric/stopwatch.hpp"
 #include "planish/text/number.hpp"
@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::string_view kTypes = "--types";
 constexpr std::string_view kMove = "--move";
-constexpr std::string_view kFoldsOfTypes = "fold=+5";  ///< where none is stated
 
 void check_company(const Request& request) {
   for (const std::string_view other :
@@ -25,17 +24,12 @@ void check_company(const Request& request) {
   }
 }
 
-/// Without one on folds panels may turn until nobody would build it.
 std::vector<StatedLimit> limits_of(const Request& request) {
   Bounds bounds = parse_bounds(request);
   if (bounds.flat || !bounds.keep_shape) {
     throw UsageError("--move: fewer types stay flat and keep their shape, whatever --bound says");
   }
-  const auto is_fold = [](const StatedLimit& limit) { return limit.name == FoldLimit::kName; };
-  if (std::none_of(bounds.limits.begin(), bounds.limits.end(), is_fold)) {
-    bounds.limits.push_back(*parse_stated_limit(kFoldsOfTypes));
-  }
-  return bounds.limits;
+  return bounds_of_fewer_types(std::move(bounds.limits));
 }
 
 FewerTypesOptions fewer_types_options(const Mesh& mesh, const Request& request,

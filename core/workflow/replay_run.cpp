@@ -36,13 +36,10 @@ Json replay_json(const Design& design, const Replay& replayed) {
 }
 
 std::string shape_bytes(const std::string& name, Design design, const Replay& replayed) {
-  Mesh mesh = replayed.base;
-  mesh.positions = replayed.shape;
   GlbContent content;
-  content.base = replayed.base.positions;
   if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
   content.design = design_for_glb(std::move(design));
-  return mesh_bytes(name, mesh, content);
+  return moved_mesh_bytes(name, replayed.base, replayed.shape, std::move(content));
 }
 
 std::optional<std::string> deviation_sentence(const Design& design, const Replay& replayed) {

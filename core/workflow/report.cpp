@@ -127,6 +127,14 @@ std::optional<std::string> outcome_sentence(const SolveReport& report) {
   return std::nullopt;
 }
 
+std::vector<std::string> said(std::initializer_list<std::optional<std::string>> sentences) {
+  std::vector<std::string> all;
+  for (const auto& sentence : sentences) {
+    if (sentence) all.push_back(*sentence);
+  }
+  return all;
+}
+
 std::optional<std::string> damage_sentence(const Json& damage) {
   std::string words;
   for (const auto& [name, panels] : damage.items()) {

@@ -2,8 +2,10 @@
 /// The JSON report of docs/architecture.md.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "planish/edit/handle_edit.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -45,6 +47,10 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 /// Under which symmetry an edit was, and how far `after` is from it, in mean edges.
 [[nodiscard]] Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base,
                                  const Positions& after);
+
+/// Those of `sentences` that there are.
+[[nodiscard]] std::vector<std::string> said(
+    std::initializer_list<std::optional<std::string>> sentences);
 
 /// What `damage_json` found; nullopt where it found nothing.
 [[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);

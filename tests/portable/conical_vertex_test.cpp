@@ -112,8 +112,7 @@ TEST(ConeEquation, OfAPatchAreThoseThatItsVerticesTouch) {
   EditProblem problem;
   problem.model = &model;
   problem.terms.resize(static_cast<std::size_t>(mesh.vertex_count()));
-  PatchCutter cutter(mesh.vertex_count(), mesh.face_count(),
-                     static_cast<int>(model.fairness.rows()));
+  PatchCutter cutter(model);
   Patch patch;
   cutter.cut(problem, std::vector<int>{6 * 12 + 6}, patch);
   EXPECT_EQ(patch.equations.of<ConicalVertex>().size(), 5u);

@@ -103,8 +103,7 @@ TEST(PatchCutter, LeavesFixedVerticesInTheHaloAtTheirTarget) {
 
 TEST(PatchCutter, CutsTheSamePatchAgain) {
   ProblemOnMesh on_mesh(testing::sample("trihex", 10));
-  PatchCutter cutter(on_mesh.model.vertex_count(), on_mesh.model.mesh.face_count(),
-                     static_cast<int>(on_mesh.model.fairness.rows()));
+  PatchCutter cutter(on_mesh.model);
   Patch first, other, again;
   const std::vector<int> here{20, 21, 30}, there{50, 51};
   cutter.cut(on_mesh.problem, here, first);
@@ -119,8 +118,7 @@ TEST(PatchCutter, CutsTheSamePatchAgain) {
 TEST(PatchCutter, AnOpenPatchFreesTheRimAndHoldsItByTheRowsOfTheSetAlone) {
   ProblemOnMesh on_mesh(testing::sample("dome", 12));
   on_mesh.problem.shape_weight = 1.0;
-  PatchCutter cutter(on_mesh.model.vertex_count(), on_mesh.model.mesh.face_count(),
-                     static_cast<int>(on_mesh.model.fairness.rows()));
+  PatchCutter cutter(on_mesh.model);
   const std::vector<int> inner{65, 66, 78};
   on_mesh.problem.terms[53].fixed = true;  // beside 65: in the halo, not on the rim
   Patch closed, open;

@@ -26,8 +26,7 @@ class TangentNewtonOn : public ::testing::TestWithParam<double> {
     for (VertexTerm& term : problem.terms) term.square_weight = 2.0;
     std::vector<int> all(static_cast<std::size_t>(model.vertex_count()));
     std::iota(all.begin(), all.end(), 0);
-    PatchCutter cutter(model.vertex_count(), model.mesh.face_count(),
-                       static_cast<int>(model.fairness.rows()));
+    PatchCutter cutter(model);
     cutter.cut(problem, all, patch);
     displacement.setZero(3, patch.free_count);
   }

@@ -168,8 +168,7 @@ void ProblemOnMesh::add_handle(int vertex, const Eigen::Vector3d& target, double
 }
 
 Patch ProblemOnMesh::cut(const std::vector<int>& free) {
-  PatchCutter cutter(model.vertex_count(), model.mesh.face_count(),
-                     static_cast<int>(model.fairness.rows()));
+  PatchCutter cutter(model);
   Patch patch;
   cutter.cut(problem, free, patch);
   return patch;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { formsOf, pointsOf, withPoints } from "../../web/src/design/listed-supports.ts";
+import { formsByPoint, pointsOf, withPoints } from "../../web/src/design/listed-supports.ts";
 import {
   areAllOnSurface,
   boundaryForm,
@@ -25,9 +25,10 @@ it("points stand on what is chosen for them and on nothing else", () => {
 
 it("says what a point stands on, and whose a support is", () => {
   const both = withPoints(GIVEN, [9], ["level=y", "level=x"]);
-  expect(formsOf(both, 9)).toEqual(["level=x", "level=y"]);
-  expect(formsOf(both, 3)).toEqual(["level=z"]);
-  expect(formsOf(both, 1)).toEqual([]);
+  const forms = formsByPoint(both);
+  expect(forms.get(9)).toEqual(["level=x", "level=y"]);
+  expect(forms.get(3)).toEqual(["level=z"]);
+  expect(forms.get(1)).toBeUndefined();
   expect(both.map(pointsOf)).toEqual([[], [3, 4], [7], [9], [9]]);
 });
 
@@ -41,7 +42,7 @@ it("the boundary stands on one thing, which goes with the settings to another me
 it("lines of the mesh keep their order, and what is taken out of one leaves its pieces", () => {
   const lined = withPoints(GIVEN, [9, 2, 8, 1, 6], ["polyline"]);
   expect(lined).toEqual([...GIVEN, "polyline:9,2,8,1,6"]);
-  expect(formsOf(lined, 8)).toEqual(["polyline"]);
+  expect(formsByPoint(lined).get(8)).toEqual(["polyline"]);
   expect(withPoints(lined, [8], ["level=z"])).toEqual([
     "outline:boundary",
     "level=z:3,4,8",
@@ -52,7 +53,7 @@ it("lines of the mesh keep their order, and what is taken out of one leaves its 
   expect(withPoints(lined, [2, 1], [])).toEqual(GIVEN);
   const closed = withPoints([], [5, 3, 9, 7, 5], ["polyline"]);
   expect(closed).toEqual(["polyline:5,3,9,7,5"]);
-  expect(formsOf(closed, 5)).toEqual(["polyline"]);
+  expect(formsByPoint(closed).get(5)).toEqual(["polyline"]);
   expect(withPoints(closed, [9], [])).toEqual(["polyline:7,5,3"]);
   expect(withPoints(closed, [5], [])).toEqual(["polyline:3,9,7"]);
 });

@@ -56,7 +56,7 @@ void measure_edges(const Mesh& mesh, const Positions& after, EditMeasure& out) {
 EditMeasure measure(const EditTask& task, const Positions& positions) {
   EditMeasure result;
   const MeshModel model(task.mesh, task.options.fairness);
-  const double visible = kVisible * largest_pull(task);
+  const double visible = kVisible * farthest_handle(task.targets.handles, task.mesh.positions);
   const Positions d = (positions - task.mesh.positions) / model.unit();
   for (int v = 0; v < model.vertex_count(); ++v) {
     result.displacement += d.col(v).norm();

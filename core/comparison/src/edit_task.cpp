@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "planish/comparison/edit_task.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 #include "planish/numeric/index.hpp"
 
 namespace planish::comparison {
-double largest_pull(const EditTask& task) {
-  double largest = 0.0;
-  for (const Handle& handle : task.targets.handles) {
-    largest = std::max(largest, (handle.target - task.mesh.positions.col(handle.vertex)).norm());
-  }
-  return largest;
-}
 
 EditProblem pose(const EditTask& task, const MeshModel& model, bool hold_handles) {
   EditProblem problem;
@@ -37,8 +29,7 @@ EditProblem pose(const EditTask& task, const MeshModel& model, bool hold_handles
 
 Patch cut(const EditProblem& problem, const std::vector<int>& free) {
   const MeshModel& model = *problem.model;
-  PatchCutter cutter(model.vertex_count(), model.mesh.face_count(),
-                     static_cast<int>(model.fairness.rows()));
+  PatchCutter cutter(model);
   Patch patch;
   cutter.cut(problem, free, patch);
   return patch;

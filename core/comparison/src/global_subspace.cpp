@@ -35,9 +35,7 @@ Eigen::MatrixXd starts(const Patch& patch, Eigen::Index count) {
 Eigen::MatrixXd global_subspace(const Mesh& flat, int dimension, FairnessKind fairness) {
   constexpr int kSweeps = 40;
   constexpr int kSpare = 6;
-  EditTask task{.mesh = flat, .targets = {}, .options = {}};
-  task.options.sparsity = Sparsity::kNone;
-  hold_boundary(task);
+  const EditTask task = with_held_boundary({.mesh = flat, .targets = {}, .options = {}});
   const MeshModel model(flat, fairness);
   const EditProblem problem = pose(task, model, false);
   const Patch patch = cut_all(problem);

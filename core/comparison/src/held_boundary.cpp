@@ -7,7 +7,8 @@
 
 namespace planish::comparison {
 
-void hold_boundary(EditTask& task) {
+EditTask with_held_boundary(EditTask task) {
+  task.options.sparsity = Sparsity::kNone;
   const Adjacency adjacency = build_adjacency(task.mesh);
   std::vector<int>& pins = task.targets.pins;
   for (int v = 0; v < task.mesh.vertex_count(); ++v) {
@@ -17,6 +18,7 @@ void hold_boundary(EditTask& task) {
   }
   std::sort(pins.begin(), pins.end());
   pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+  return task;
 }
 
 }  // namespace planish::comparison

@@ -6,7 +6,8 @@
 
 namespace planish::comparison {
 
-/// Pins every boundary vertex that is not a handle; a mesh without boundary keeps its pins.
-void hold_boundary(EditTask& task);
+/// `task` without a term that keeps points at rest, and with every boundary vertex pinned that is
+/// not a handle; a mesh without boundary keeps its pins.
+[[nodiscard]] EditTask with_held_boundary(EditTask task);
 
 }  // namespace planish::comparison

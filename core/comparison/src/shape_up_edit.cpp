@@ -102,9 +102,7 @@ void project_faces(const Patch& patch, std::vector<Eigen::Vector3d>& normals, Po
 ComparedEdit edit_by_shape_up(const EditTask& task) {
   constexpr int kMostSteps = 2000;
   constexpr double kSettled = 1e-7;  // mean edges
-  EditTask held = task;
-  hold_boundary(held);
-  held.options.sparsity = Sparsity::kNone;
+  const EditTask held = with_held_boundary(task);
   const MeshModel model(held.mesh, held.options.fairness);
   const EditProblem problem = pose(held, model, false);
   Patch patch = cut_all(problem);

@@ -9,9 +9,7 @@ namespace planish::comparison {
 ComparedEdit edit_in_tangent_space(const EditTask& task) {
   constexpr int kPasses = 30;
   constexpr double kFlat = 1e-9;  // mean edges
-  EditTask held = task;
-  hold_boundary(held);
-  held.options.sparsity = Sparsity::kNone;
+  const EditTask held = with_held_boundary(task);
   const MeshModel model(held.mesh, held.options.fairness);
   const EditProblem soft = pose(held, model, false);
   Patch patch = cut_all(soft);

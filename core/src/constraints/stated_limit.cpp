@@ -84,6 +84,17 @@ Refusal find_problem(const std::vector<StatedLimit>& limits) {
   return std::nullopt;
 }
 
+bool has_limit(const std::vector<StatedLimit>& limits, std::string_view name) {
+  return std::any_of(limits.begin(), limits.end(),
+                     [&](const StatedLimit& limit) { return limit.name == name; });
+}
+
+void add_unstated(std::vector<StatedLimit>& limits, const std::vector<StatedLimit>& usual) {
+  for (const StatedLimit& one : usual) {
+    if (!has_limit(limits, one.name)) limits.push_back(one);
+  }
+}
+
 std::optional<StatedLimit> parse_stated_limit(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return std::nullopt;

@@ -53,8 +53,7 @@ void EditModel::set_options(const HandleEditOptions& options) {
 /// What depends on the options: the terms, the limits and the marks for the fairness rows.
 void EditModel::rebuild() {
   finish_ = std::make_unique<ExactFinish>(*model_);
-  cutter_ = std::make_unique<PatchCutter>(model_->vertex_count(), model_->mesh.face_count(),
-                                          static_cast<int>(model_->fairness.rows()));
+  cutter_ = std::make_unique<PatchCutter>(*model_);
   problem_ = {};
   problem_.model = model_.get();
   terms_ = std::make_unique<EditTerms>(*model_);

@@ -29,15 +29,6 @@ VertexTerm default_term(int vertex, const VertexTerm& rest, const HandleEditOpti
   return kept || has_reach(options) ? fixed_term() : rest;
 }
 
-double largest_move(const EditTargets& targets, const MeshModel& model) {
-  double largest = 0.0;
-  for (const Handle& handle : targets.handles) {
-    const Eigen::Vector3d move = handle.target - model.mesh.positions.col(handle.vertex);
-    largest = std::max(largest, move.norm());
-  }
-  return largest / model.unit();
-}
-
 }  // namespace
 
 void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
@@ -121,7 +112,8 @@ void EditTerms::assign(const EditTargets& targets, const HandleEditOptions& opti
   overridden_.clear();
   open_reach(targets, options, problem);
   const MeshModel& model = *problem.model;
-  const EditWeights weights = edit_weights(options, largest_move(targets, model), model.unit());
+  const double farthest = farthest_handle(targets.handles, model.mesh.positions) / model.unit();
+  const EditWeights weights = edit_weights(options, farthest, model.unit());
   list_springs(targets.supports, model.mesh);
   add_springs(weights, problem);
   add_handles(targets, weights, options.hard_handles, problem);

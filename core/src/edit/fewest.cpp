@@ -35,12 +35,8 @@ class FewestSearch {
         progress_(progress),
         is_handle_(at(mesh.vertex_count()), 0),
         way_(at(mesh.vertex_count()), 0.0) {
-    double longest = 0.0;
-    for (const Handle& handle : targets.handles) {
-      is_handle_[at(handle.vertex)] = 1;
-      longest = std::max(longest, (handle.target - mesh.positions.col(handle.vertex)).norm());
-    }
-    near_ = options.within_handle * longest;
+    for (const Handle& handle : targets.handles) is_handle_[at(handle.vertex)] = 1;
+    near_ = options.within_handle * farthest_handle(targets.handles, mesh.positions);
   }
 
   FewestEdit run() {
@@ -86,12 +82,7 @@ class FewestSearch {
   }
 
   [[nodiscard]] std::vector<int> with_their_images(const std::vector<int>& points) const {
-    if (symmetry_ == nullptr) return points;
-    std::vector<int> all;
-    for (const SymmetryOperation& operation : symmetry_->operations) {
-      for (const int v : points) all.push_back(operation.image[at(v)]);
-    }
-    return all;
+    return symmetry_ == nullptr ? points : images_of(*symmetry_, points);
   }
 
   /// Whether the handles arrive with these and their images held, too; then they are.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planish/edit/handle_edit.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,14 @@
 #include "planish/numeric/stopwatch.hpp"
 
 namespace planish {
+
+double farthest_handle(const std::vector<Handle>& handles, const Positions& points) {
+  double farthest = 0.0;
+  for (const Handle& handle : handles) {
+    farthest = std::max(farthest, (handle.target - points.col(handle.vertex)).norm());
+  }
+  return farthest;
+}
 
 Positions apply(const Mesh& mesh, const HandleEditResult& result) {
   Positions positions = mesh.positions;

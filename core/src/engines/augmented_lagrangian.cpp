@@ -43,8 +43,7 @@ EngineOutcome solve_edit_by_alm(const EditProblem& problem, const AlmOptions& op
                                 DisplacementField& field, std::vector<int>& support,
                                 const Progress& progress) {
   const MeshModel& model = *problem.model;
-  PatchCutter cutter(model.vertex_count(), model.mesh.face_count(),
-                     static_cast<int>(model.fairness.rows()));
+  PatchCutter cutter(model);
   std::vector<int> anywhere = problem.region;
   if (anywhere.empty()) {
     anywhere.resize(at(model.vertex_count()));

@@ -10,7 +10,6 @@
 namespace planish {
 namespace {
 
-/// Equations of each free vertex.
 RaggedRows equations_of_vertices(const RowJacobian& jacobian, int free_count) {
   RaggedRows rows;
   rows.offsets.assign(at(free_count) + 1, 0);

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engines/largest.hpp"
 #include "engines/row_jacobian.hpp"
 #include "engines/sparse_cholesky.hpp"
 #include "planish/problem/problem.hpp"
@@ -37,9 +38,7 @@ class ConstraintCorrection {
   [[nodiscard]] const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
   /// max |y| of the last step().
-  [[nodiscard]] double largest_multiplier() const {
-    return multipliers_.size() > 0 ? multipliers_.cwiseAbs().maxCoeff() : 0.0;
-  }
+  [[nodiscard]] double largest_multiplier() const { return largest_entry(multipliers_); }
 
   [[nodiscard]] int factorizations() const { return factorizations_; }
 

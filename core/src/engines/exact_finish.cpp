@@ -43,8 +43,7 @@ Eigen::Vector3d held_place(const EditProblem& problem, int vertex, const Displac
 
 ExactFinish::ExactFinish(const MeshModel& model)
     : model_(model),
-      cutter_(model.vertex_count(), model.mesh.face_count(),
-              static_cast<int>(model.fairness.rows())),
+      cutter_(model),
       grower_(model),
       rounding_(largest_rounding(model)),
       local_of_(at(model.vertex_count()), -1),

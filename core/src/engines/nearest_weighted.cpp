@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "engines/largest.hpp"
 #include "engines/optimality.hpp"
 #include "planish/numeric/index.hpp"
 
@@ -35,22 +36,13 @@ struct NearestWeightedTuning {
 
 using Tuning = NearestWeightedTuning;
 
-double largest_pull(const Patch& patch) {
-  double largest = 0.0;
-  for (const VertexTerm& term : patch.terms) largest = std::max(largest, 0.5 * term.norm_weight);
-  return largest;
-}
-
 /// Who moves less counts as at rest.
-double rest_of(const Eigen::Matrix3Xd& t) {
-  return t.cols() > 0 ? Tuning::kCounted * t.colwise().norm().maxCoeff() : 0.0;
-}
+double rest_of(const Eigen::Matrix3Xd& t) { return Tuning::kCounted * longest_column(t); }
 
 }  // namespace
 
 NearestWeighted::NearestWeighted(const MeshModel& model)
-    : cutter_(model.vertex_count(), model.mesh.face_count(),
-              static_cast<int>(model.fairness.rows())),
+    : cutter_(model),
       grower_(model),
       field_(model.vertex_count(), static_cast<int>(model.equations.size())),
       newton_(PatchNewton::Factors::kFresh) {}

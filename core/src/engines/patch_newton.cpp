@@ -35,7 +35,7 @@ void PatchNewton::set_penalty(double penalty) {
 
 double PatchNewton::gradient_norm() {
   system_.lagrangian().gradient_at(state_, smoothing_, gradient_);
-  return gradient_.cols() > 0 ? gradient_.colwise().norm().maxCoeff() : 0.0;
+  return longest_column(gradient_);
 }
 
 void PatchNewton::pulls(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "engines/largest.hpp"
 #include "engines/patch_system.hpp"
 #include "engines/primal_dual_step.hpp"
 #include "planish/problem/problem.hpp"
@@ -35,13 +36,9 @@ class PatchNewton {
   /// ‖∇L_ε‖ of the worst vertex.
   [[nodiscard]] double gradient_norm();
   [[nodiscard]] double length() const { return length_; }  ///< of the last step, mean edges
-  [[nodiscard]] double violation() const {
-    return residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
-  }
+  [[nodiscard]] double violation() const { return largest_entry(residuals_); }
   /// Largest |λ|.
-  [[nodiscard]] double pull() const {
-    return state_.multipliers.size() > 0 ? state_.multipliers.cwiseAbs().maxCoeff() : 0.0;
-  }
+  [[nodiscard]] double pull() const { return largest_entry(state_.multipliers); }
   [[nodiscard]] double objective() const {
     return system_.lagrangian().energy(state_.displacement, 0.0);
   }

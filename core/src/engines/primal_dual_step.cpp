@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/largest.hpp"
+
 namespace planish {
 namespace {
 
 constexpr double kFirstShift = 1e-2;   ///< first ν tried when the system is not positive definite
 constexpr double kLargestShift = 1e6;  ///< beyond it the step is shorter than any progress
 constexpr double kLeastShift = 1e-3;   ///< below it ν is dropped
-
-double largest_entry(const Eigen::VectorXd& values) {
-  return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
-}
-
-double longest_column(const Eigen::Matrix3Xd& columns) {
-  return columns.cols() > 0 ? columns.colwise().norm().maxCoeff() : 0.0;
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engines/largest.hpp"
 #include "planish/numeric/index.hpp"
 
 namespace planish {
@@ -74,7 +75,7 @@ SubspaceVectorSolver::SubspaceVectorSolver(Patch& patch, EvenPart even)
 double SubspaceVectorSolver::tangency_error(const Eigen::Matrix3Xd& t) const {
   Eigen::VectorXd out;
   system_.lagrangian().residuals(t, out);
-  return out.size() > 0 ? out.cwiseAbs().maxCoeff() : 0.0;
+  return largest_entry(out);
 }
 
 /// Orthogonal projection onto null(J).

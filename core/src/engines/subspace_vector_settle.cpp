@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engines/largest.hpp"
 #include "engines/optimality.hpp"
 #include "engines/subspace_vector.hpp"
 
@@ -31,14 +32,6 @@ struct VectorSettling {
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const Eigen::Matrix3Xd& t) {
   return {t.data(), t.size()};
-}
-
-double longest_row(const Eigen::Matrix3Xd& t) { return t.colwise().norm().maxCoeff(); }
-
-double largest_bound(const Patch& patch) {
-  double largest = 0.0;
-  for (const VertexTerm& term : patch.terms) largest = std::max(largest, 0.5 * term.norm_weight);
-  return largest;
 }
 
 }  // namespace
@@ -148,15 +141,15 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
 /// @returns the longest of them, of the largest C^i/2
 double SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing,
                                        bool is_last) {
-  const double bound = largest_bound(patch_);
+  const double bound = largest_pull(patch_);
   Pulls pulls = pulls_at(basis, smoothing);
-  double left = longest_row(pulls.left) / bound;
+  double left = longest_column(pulls.left) / bound;
   for (int step = 0; step < VectorSettling::kSteps; ++step) {
     if (!is_last && left <= VectorSettling::kSettled) break;
     const Eigen::Matrix3Xd before = state_.displacement;
     if (!settle_step(basis, smoothing, pulls)) break;
     pulls = pulls_at(basis, smoothing);
-    left = longest_row(pulls.left) / bound;
+    left = longest_column(pulls.left) / bound;
     if ((state_.displacement - before).norm() <= VectorSettling::kStill) break;
   }
   return left;
@@ -178,7 +171,7 @@ bool SubspaceVectorSolver::shrink_rests(const Eigen::MatrixXd& basis, double smo
 Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
   constexpr double kNoNorms = std::numeric_limits<double>::infinity();
   state_.displacement = t;
-  const double largest = longest_row(t);
+  const double largest = longest_column(t);
   const double last = VectorSettling::kLast * largest;
   double smoothing = VectorSettling::kFirst * largest;
   // What the last ε left that was settled; where the next one is not, a nearer one is tried.
@@ -208,11 +201,11 @@ Optimality SubspaceVectorSolver::settle(const Eigen::MatrixXd& basis, Eigen::Mat
   state_ = settled;
   const Eigen::Matrix3Xd forces = pulls_at(basis, settled_at).forces;
   t = settled.displacement;
-  sparsify(basis, VectorSettling::kAtRest * settled_at / longest_row(t), t);
+  sparsify(basis, VectorSettling::kAtRest * settled_at / longest_column(t), t);
   state_.displacement = t;
   Eigen::Matrix3Xd pulls;
   system_.lagrangian().gradient_at(state_, kNoNorms, pulls);
-  return optimality_of(patch_, t, pulls + forces, VectorSettling::kCounted * longest_row(t));
+  return optimality_of(patch_, t, pulls + forces, VectorSettling::kCounted * longest_column(t));
 }
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engines/constraint_correction.hpp"
+#include "engines/largest.hpp"
 #include "engines/patch_lagrangian.hpp"
 
 namespace planish {
@@ -27,10 +28,6 @@ struct TangentTuning {
 
 double inner(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
   return a.cwiseProduct(b).sum();
-}
-
-double longest(const Eigen::Matrix3Xd& x) {
-  return x.cols() > 0 ? x.colwise().norm().maxCoeff() : 0.0;
 }
 
 /// State of the iteration.
@@ -58,7 +55,7 @@ class TangentNewton {
   [[nodiscard]] bool descend();
 
   [[nodiscard]] double violation() const { return residuals_.cwiseAbs().maxCoeff(); }
-  [[nodiscard]] double pull() const { return longest(slope_); }
+  [[nodiscard]] double pull() const { return longest_column(slope_); }
   [[nodiscard]] double energy() const { return energy_; }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] int factorizations() const { return projection_.factorizations(); }
@@ -89,7 +86,7 @@ class TangentNewton {
 
 /// H x by a difference of gradients, multipliers held.
 void TangentNewton::curve(const Eigen::Matrix3Xd& direction, Eigen::Matrix3Xd& out) {
-  const double share = TangentTuning::kDifference / std::max(longest(direction), 1e-300);
+  const double share = TangentTuning::kDifference / std::max(longest_column(direction), 1e-300);
   state_.displacement = displacement_ + share * direction;
   lagrangian_.gradient_at(state_, kNoNorms, out);
   out = (out - gradient_) / share;
@@ -149,7 +146,7 @@ bool TangentNewton::retract(Eigen::Matrix3Xd& at, Eigen::VectorXd& residuals) {
 }
 
 void TangentNewton::accept(double energy) {
-  length_ = longest(trial_ - displacement_);
+  length_ = longest_column(trial_ - displacement_);
   displacement_.swap(trial_);
   residuals_.swap(trial_residuals_);
   energy_ = energy;
@@ -208,8 +205,8 @@ bool TangentNewton::descend() {
   constexpr double kPoor = 0.25, kGood = 0.75, kWorthTaking = 1e-4;
   constexpr double kRounding = 1e-13;
   if (radius_ == 0.0) radius_ = 0.5 * displacement_.norm();
-  const double accuracy = std::min(TangentTuning::kLoosest,
-                                   std::sqrt(pull() / std::max(longest(displacement_), 1e-300)));
+  const double accuracy = std::min(
+      TangentTuning::kLoosest, std::sqrt(pull() / std::max(longest_column(displacement_), 1e-300)));
   const End end = conjugate_gradients(accuracy, radius_);
   const double predicted = -(inner(slope_, step_) + 0.5 * inner(step_, curved_step_));
   const double size = step_.norm();

@@ -25,10 +25,7 @@ double handle_scale(const EditProblem& problem) {
 }
 
 WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
-    : model_(model),
-      cutter_(model.vertex_count(), model.mesh.face_count(),
-              static_cast<int>(model.fairness.rows())),
-      grower_(model) {}
+    : model_(model), cutter_(model), grower_(model) {}
 
 void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start) {
   const std::vector<int>& handles = problem.handles;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engines/largest.hpp"
 #include "engines/optimality.hpp"
 #include "engines/working_set_newton.hpp"
 #include "planish/numeric/index.hpp"
@@ -39,10 +40,6 @@ constexpr int kMostRefinements = 6;
 constexpr double kExactRows = 1e-13;  ///< |c| that a finish leaves as it is
 constexpr int kStepsPerRun = 2;       ///< on one of them
 constexpr double kMostWork = 1e6;     ///< points × steps, all runs
-
-double steepest(const Eigen::Matrix3Xd& columns) {
-  return columns.cols() > 0 ? columns.colwise().norm().maxCoeff() : 0.0;
-}
 
 }  // namespace
 
@@ -110,11 +107,11 @@ bool WorkingSetNewton::settle_at(double smoothing, const NewtonOptions& options,
   for (int step = 0; step < kStepsPerRun; ++step) {
     system_.lagrangian().residuals(state_.displacement, residuals_);
     system_.lagrangian().gradient_at(state_, smoothing, gradient_);
-    const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
+    const double off = largest_entry(residuals_);
     // Rows among points that cannot move keep what the base has: no step betters them.
     const bool stalled = off <= kStalled && std::abs(off - last_off_) <= 1e-3 * off;
     last_off_ = off;
-    if (steepest(gradient_) <= options.stationary &&
+    if (longest_column(gradient_) <= options.stationary &&
         (off <= std::max(kHeld * smoothing, rounding()) || stalled) &&
         limit_violation() <= std::max(kLimitsHeld, smoothing)) {
       return true;
@@ -196,7 +193,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
       lay_open(problem, field);
       continue;
     }
-    const double slope = steepest(gradient_);
+    const double slope = longest_column(gradient_);
     const bool slow = slope <= kNearlyStationary && slope > kSlow * last_slope;
     last_slope = slope;
     const bool spent =
@@ -232,8 +229,8 @@ EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonO
   for (; outcome.cost.steps < kMostRefinements; ++outcome.cost.steps) {
     system_.lagrangian().residuals(state_.displacement, residuals_);
     system_.lagrangian().gradient_at(state_, settled_smoothing_, gradient_);
-    const double off = residuals_.size() > 0 ? residuals_.cwiseAbs().maxCoeff() : 0.0;
-    if (off <= kExactRows && steepest(gradient_) <= kStationary) break;
+    const double off = largest_entry(residuals_);
+    if (off <= kExactRows && longest_column(gradient_) <= kStationary) break;
     if (step_.take(step, settled_smoothing_, state_) != PrimalDualStep::Result::kAccepted) break;
   }
   patch_.slides.swap(given);

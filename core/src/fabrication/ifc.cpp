@@ -121,7 +121,6 @@ class IfcWriter {
                      step_reference(x));
   }
 
-  /// The unit of all lengths.
   int add_length_unit() {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPrefixes = {
         {{"mm", ".MILLI."}, {"cm", ".CENTI."}, {"m", "$"}, {"km", ".KILO."}}};

@@ -49,19 +49,18 @@ JointTable joint_table(const Mesh& mesh) {
     normals.col(f) = panel_normal(mesh.positions, mesh.face(f));
   }
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  std::vector<std::size_t> start(mesh.face_vertices.size());  // of the edge of each side
-  for (std::size_t k = 0; k < uses.size(); k += same_edge(uses, k).size()) {
-    for (const EdgeUse& use : same_edge(uses, k)) start[at(use.corner)] = k;
+  std::vector<std::span<const EdgeUse>> edge_of(mesh.face_vertices.size());  // of each side
+  for (const auto edge : by_edge(uses)) {
+    for (const EdgeUse& use : edge) edge_of[at(use.corner)] = edge;
   }
   JointTable table;
   table.of_side.assign(mesh.face_vertices.size(), -1);
-  for (std::size_t side = 0; side < start.size(); ++side) {
+  for (std::size_t side = 0; side < edge_of.size(); ++side) {
     if (table.of_side[side] >= 0) continue;
-    const auto edge = same_edge(uses, start[side]);
-    for (const EdgeUse& use : edge) {
+    for (const EdgeUse& use : edge_of[side]) {
       table.of_side[at(use.corner)] = static_cast<int>(table.joints.size());
     }
-    table.joints.push_back(joint_of(mesh, normals, edge));
+    table.joints.push_back(joint_of(mesh, normals, edge_of[side]));
   }
   return table;
 }

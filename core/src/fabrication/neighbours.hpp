@@ -9,7 +9,6 @@
 
 namespace planish {
 
-/// The joint at side `side` of `face`.
 [[nodiscard]] const Joint& joint_at(const CuttingPlan& plan, int face, int side);
 
 /// The panel beyond that side; below 0 there is none.

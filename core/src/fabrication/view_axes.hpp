@@ -20,7 +20,6 @@ struct ViewAxes {
 /// With z up; with y up where one looks along z.
 [[nodiscard]] ViewAxes view_from(const Eigen::Vector3d& towards);
 
-/// A panel as it is seen.
 struct SeenPanel {
   int face = 0;
   double depth = 0.0;  ///< of its mean corner, towards the viewer

@@ -219,9 +219,9 @@ Value polygon_sizes(const Mesh& mesh) {
 std::vector<std::uint32_t> panel_edges(const Mesh& mesh) {
   std::vector<std::uint32_t> ends;
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t k = 0; k < uses.size(); k += same_edge(uses, k).size()) {
-    ends.push_back(static_cast<std::uint32_t>(uses[k].low));
-    ends.push_back(static_cast<std::uint32_t>(uses[k].high));
+  for (const auto edge : by_edge(uses)) {
+    ends.push_back(static_cast<std::uint32_t>(edge[0].low));
+    ends.push_back(static_cast<std::uint32_t>(edge[0].high));
   }
   return ends;
 }

@@ -93,9 +93,7 @@ struct Side {
 std::vector<Side> outer_sides(const Mesh& mesh, DisjointSets& panels) {
   std::vector<Side> sides;
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() == 2 && panels.find(edge[0].face) == panels.find(edge[1].face)) continue;
     for (const EdgeUse& use : edge) {
       sides.push_back({panels.find(use.face), use.forward ? use.low : use.high,
@@ -169,9 +167,7 @@ std::optional<FaceList> merge_coplanar(const Positions& positions, std::span<con
   const Mesh mesh = triangle_mesh(positions, triangles);
   DisjointSets panels(mesh.face_count());
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 2 || edge[0].forward == edge[1].forward) continue;
     if (are_coplanar(mesh, edge[0].face, edge[1].face)) panels.unite(edge[0].face, edge[1].face);
   }

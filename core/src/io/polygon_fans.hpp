@@ -15,7 +15,6 @@ namespace planish {
 /// and starts where a concave face's triangles do not overlap, if there is such a vertex.
 [[nodiscard]] std::vector<int> encode_fans(const Mesh& mesh);
 
-/// Face list of a mesh.
 struct FaceList {
   std::vector<int> offsets{0};
   std::vector<int> vertices;

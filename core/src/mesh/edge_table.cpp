@@ -36,23 +36,28 @@ std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
   std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
   for_each_use(mesh,
                [&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.low)]++] = use; });
-  const auto by_edge = [](const EdgeUse& a, const EdgeUse& b) {
+  const auto in_order = [](const EdgeUse& a, const EdgeUse& b) {
     return std::tie(a.high, a.corner) < std::tie(b.high, b.corner);
   };
   for (std::size_t v = 0; v + 1 < starts.size(); ++v) {
     std::sort(uses.begin() + static_cast<std::ptrdiff_t>(starts[v]),
-              uses.begin() + static_cast<std::ptrdiff_t>(starts[v + 1]), by_edge);
+              uses.begin() + static_cast<std::ptrdiff_t>(starts[v + 1]), in_order);
   }
   return uses;
 }
 
-std::span<const EdgeUse> same_edge(std::span<const EdgeUse> uses, std::size_t first) {
-  std::size_t end = first + 1;
-  while (end < uses.size() && uses[end].low == uses[first].low &&
-         uses[end].high == uses[first].high) {
-    ++end;
+std::vector<std::span<const EdgeUse>> by_edge(const std::vector<EdgeUse>& uses) {
+  std::vector<std::span<const EdgeUse>> edges;
+  for (std::size_t first = 0; first < uses.size();) {
+    std::size_t end = first + 1;
+    while (end < uses.size() && uses[end].low == uses[first].low &&
+           uses[end].high == uses[first].high) {
+      ++end;
+    }
+    edges.emplace_back(&uses[first], end - first);
+    first = end;
   }
-  return uses.subspan(first, end - first);
+  return edges;
 }
 
 }  // namespace planish

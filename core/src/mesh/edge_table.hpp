@@ -20,7 +20,7 @@ struct EdgeUse {
 /// All sides of all faces, sorted by edge and then by face. O(n log n) at worst.
 [[nodiscard]] std::vector<EdgeUse> edge_uses(const Mesh& mesh);
 
-/// The uses of the edge that starts at `uses[first]`.
-[[nodiscard]] std::span<const EdgeUse> same_edge(std::span<const EdgeUse> uses, std::size_t first);
+/// The uses of each edge. @param uses sorted by edge, kept by the caller
+[[nodiscard]] std::vector<std::span<const EdgeUse>> by_edge(const std::vector<EdgeUse>& uses);
 
 }  // namespace planish

@@ -102,9 +102,7 @@ std::optional<std::pair<int, int>> given_twice(const Mesh& mesh, std::span<const
 }
 
 Refusal refuse_edges(const Mesh& mesh, const std::vector<EdgeUse>& uses, const SourceLines& lines) {
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() <= 2) continue;
     const auto number = [&](int index) { return std::to_string(index + lines.first); };
     const auto face_number = [&](int f) { return std::to_string(lines.number_of_face(f)); };
@@ -135,9 +133,7 @@ std::optional<std::string> orientation_warning(const Mesh& mesh, const std::vect
   std::size_t clashes = 0;
   bool orientable = true;
   std::string first;
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 2) continue;
     const bool clash = edge[0].forward == edge[1].forward;
     if (!sides.unite(edge[0].face, edge[1].face, clash)) orientable = false;
@@ -163,9 +159,7 @@ struct CornerTopology {
 CornerTopology corner_topology(const Mesh& mesh, const std::vector<EdgeUse>& uses) {
   const int corners = static_cast<int>(mesh.face_vertices.size());
   DisjointSets fans(corners);
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 2) continue;
     const bool same_way = edge[0].forward == edge[1].forward;
     fans.unite(edge[0].corner, same_way ? edge[1].corner : edge[1].next_corner);
@@ -187,9 +181,7 @@ CornerTopology corner_topology(const Mesh& mesh, const std::vector<EdgeUse>& use
   }
   DisjointSets loops(corners);
   std::vector<int> boundary_fans;
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 1) continue;
     boundary_fans.push_back(fans.find(edge[0].corner));
     loops.unite(boundary_fans.back(), fans.find(edge[0].next_corner));
@@ -303,10 +295,8 @@ int component_count(const Mesh& mesh) {
 /// Vertices of edges that one face has, ascending.
 std::vector<int> boundary_points(const std::vector<EdgeUse>& uses) {
   std::vector<int> points;
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() == 1) points.insert(points.end(), {edge[0].low, edge[0].high});
-    k += edge.size();
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -364,11 +354,7 @@ MeshSummary summarize(const Mesh& mesh) {
     ++summary.face_sizes[static_cast<int>(mesh.face(f).size())];
   }
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t k = 0; k < uses.size();) {
-    const std::size_t sides = same_edge(uses, k).size();
-    if (sides > 2) ++summary.nonmanifold_edges;
-    k += sides;
-  }
+  for (const auto edge : by_edge(uses)) summary.nonmanifold_edges += edge.size() > 2 ? 1 : 0;
   const CornerTopology topology = corner_topology(mesh, uses);
   summary.boundary_loops = topology.boundary_loops;
   summary.pinch_vertices = topology.pinch_vertices;

@@ -38,9 +38,7 @@ FaceNeighbours neighbours_of(const Mesh& mesh) {
   const auto count = static_cast<std::size_t>(mesh.face_count());
   FaceNeighbours neighbours{std::vector<std::vector<Neighbour>>(count), std::vector<int>(count, 0)};
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     const auto first = static_cast<std::size_t>(edge[0].face);
     if (edge.size() != 2) {
       ++neighbours.open_edges[first];

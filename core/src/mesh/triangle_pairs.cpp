@@ -75,9 +75,7 @@ std::vector<Pair> possible_pairs(const Mesh& mesh) {
   const std::vector<int> group = group_of_faces(mesh);
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   std::vector<Pair> pairs;
-  for (std::size_t k = 0; k < uses.size();) {
-    const auto edge = same_edge(uses, k);
-    k += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 2 || edge[0].forward == edge[1].forward) continue;
     Pair pair{edge[0].face, edge[1].face, {}, 0.0};
     if (mesh.face(pair.first).size() != 3 || mesh.face(pair.second).size() != 3) continue;

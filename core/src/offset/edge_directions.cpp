@@ -12,8 +12,8 @@ std::vector<DirectedEdge> directed_edges(const Mesh& mesh) {
   const double shortest = kPoint * mean_edge_length(mesh);
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   std::vector<DirectedEdge> edges;
-  for (std::size_t first = 0; first < uses.size(); first += same_edge(uses, first).size()) {
-    DirectedEdge edge{uses[first].low, uses[first].high};
+  for (const auto side : by_edge(uses)) {
+    DirectedEdge edge{side[0].low, side[0].high};
     const Eigen::Vector3d along = mesh.positions.col(edge.to) - mesh.positions.col(edge.from);
     if (along.stableNorm() > shortest) edge.direction = along.stableNormalized();
     edges.push_back(edge);

@@ -20,9 +20,7 @@ struct Neighbour {
 std::vector<std::vector<Neighbour>> neighbours_by_edge(const Mesh& mesh) {
   std::vector<std::vector<Neighbour>> neighbours(at(mesh.face_count()));
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t first = 0; first < uses.size();) {
-    const auto edge = same_edge(uses, first);
-    first += edge.size();
+  for (const auto edge : by_edge(uses)) {
     if (edge.size() != 2) continue;
     const bool clashes = edge[0].forward == edge[1].forward;
     neighbours[at(edge[0].face)].push_back({edge[1].face, clashes});

@@ -51,10 +51,10 @@ bool MeshModel::has_star_rows(int vertex) const {
 
 std::span<const int> MeshModel::face(int f) const { return mesh.face(f); }
 
-PatchCutter::PatchCutter(int vertex_count, int face_count, int fairness_rows)
-    : local_of_(at(vertex_count), -1),
-      face_mark_(at(face_count), 0),
-      row_mark_(at(fairness_rows), 0) {}
+PatchCutter::PatchCutter(const MeshModel& model)
+    : local_of_(at(model.vertex_count()), -1),
+      face_mark_(at(model.mesh.face_count()), 0),
+      row_mark_(static_cast<std::size_t>(model.fairness.rows()), 0) {}
 
 int PatchCutter::local(int vertex, Patch& patch) {
   int& found = local_of_[at(vertex)];

@@ -41,8 +41,7 @@ class PathWalker {
       : kept_(kept_kinds(options.tolerance, options.constraints)),
         model_(mesh, options.fairness, kept_),
         within_(within),
-        cutter_(model_.vertex_count(), mesh.face_count(),
-                static_cast<int>(model_.fairness.rows())) {
+        cutter_(model_) {
     problem_.model = &model_;
     problem_.seeks_support = false;
     if (options.keep_shape) problem_.shape_weight = kShapeWeight;

@@ -66,8 +66,7 @@ std::vector<int> Projector::everything() const {
 
 void Projector::solve_nearest(const Progress& progress) {
   support_ = free_.empty() ? everything() : free_;
-  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
-                     static_cast<int>(model_.fairness.rows()));
+  PatchCutter cutter(model_);
   Patch patch;
   cutter.cut(problem_, support_, patch);
   Eigen::Matrix3Xd displacement = on_tracks(patch);
@@ -203,8 +202,7 @@ ProjectionResult Projector::run(const std::vector<int>& failing, const Progress&
   const ExactDesign design = solve_on_tracks(failing, progress);
   ProjectionResult result;
   result.moved_positions.resize(3, 0);
-  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
-                     static_cast<int>(model_.fairness.rows()));
+  PatchCutter cutter(model_);
   certify(design, cutter);
   result.report = std::move(report_);
   if (!design.positions.allFinite()) {

@@ -37,8 +37,7 @@ class SoundProjector {
         kept_(kept_kinds(options.tolerance, options.constraints)),
         model_(mesh, options.fairness, kept_),
         finish_(model_),
-        cutter_(model_.vertex_count(), mesh.face_count(),
-                static_cast<int>(model_.fairness.rows())) {
+        cutter_(model_) {
     problem_.model = &model_;
     problem_.seeks_support = false;
     problem_.shape_weight = kShapeWeight;

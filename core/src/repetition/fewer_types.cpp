@@ -291,6 +291,11 @@ FewerTypes with_most_types(TypeSearch& search, int most, double unit) {
 
 }  // namespace
 
+std::vector<StatedLimit> bounds_of_fewer_types(std::vector<StatedLimit> stated) {
+  add_unstated(stated, {*parse_stated_limit("fold=+5")});
+  return stated;
+}
+
 Refusal find_problem(const FewerTypesOptions& options) {
   if (options.most_types < 0) return "most_types must be at least 1";
   if (options.most_types == 0 && !(std::isfinite(options.within) && options.within > 0.0)) {

@@ -52,13 +52,9 @@ class SplitSearch {
         options_(options),
         symmetry_(symmetry),
         progress_(progress) {
-    double longest = 0.0;
-    for (const Handle& handle : targets.handles) {
-      longest = std::max(longest, (handle.target - mesh.positions.col(handle.vertex)).norm());
-      handles_.push_back(handle.vertex);
-    }
+    for (const Handle& handle : targets.handles) handles_.push_back(handle.vertex);
     std::sort(handles_.begin(), handles_.end());
-    near_ = options.within_handle * longest;
+    near_ = options.within_handle * farthest_handle(targets.handles, mesh.positions);
   }
 
   SplitEdit run() {

@@ -22,7 +22,6 @@ std::array<Eigen::Vector3d, 2> across(const Eigen::Vector3d& direction) {
   return {first, along.cross(first)};
 }
 
-/// The directions that a support forbids.
 std::vector<Eigen::Vector3d> forbidden(const PointSupport& support) {
   if (support.kind == PointSupport::Kind::kLevel) return {Eigen::Vector3d::Unit(support.axis)};
   const Eigen::Map<const Eigen::Vector3d> first(support.numbers.data());

@@ -66,6 +66,16 @@ std::vector<std::size_t> inverses(const MeshSymmetry& symmetry) {
 
 }  // namespace
 
+std::vector<int> images_of(const MeshSymmetry& symmetry, std::span<const int> vertices) {
+  std::vector<int> images;
+  for (const int v : vertices) {
+    for (const SymmetryOperation& one : symmetry.operations) images.push_back(one.image[at(v)]);
+  }
+  std::sort(images.begin(), images.end());
+  images.erase(std::unique(images.begin(), images.end()), images.end());
+  return images;
+}
+
 double asymmetry(const MeshSymmetry& symmetry, const Mesh& mesh, const Positions& shape) {
   double largest = 0.0;
   for (std::size_t k = 1; k < symmetry.operations.size(); ++k) {

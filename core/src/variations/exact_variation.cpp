@@ -155,18 +155,6 @@ Positions after(Positions shape, const ProjectionResult& result) {
   return shape;
 }
 
-/// Vertices that `shape` has elsewhere than the base, with all their images.
-std::vector<int> moved_orbits(const ShownVariation& variation, const MeshSymmetry& symmetry,
-                              const Positions& shape) {
-  std::vector<int> orbits;
-  for (const int v : moved_vertices(variation.base.positions, shape)) {
-    for (const SymmetryOperation& one : symmetry.operations) orbits.push_back(one.image[at(v)]);
-  }
-  std::sort(orbits.begin(), orbits.end());
-  orbits.erase(std::unique(orbits.begin(), orbits.end()), orbits.end());
-  return orbits;
-}
-
 /// The same with every point and its images at their mean, and flat again: what that takes from
 /// flatness is of the second order, so a few rounds make both. Where they do not, kToleranceNotMet.
 /// [SYM-3]
@@ -182,7 +170,8 @@ void make_even(const ShownVariation& variation, const ProjectionOptions& exact,
   const Positions found = mesh.positions;
   const Adjacency adjacency = build_adjacency(mesh);
   for (int round = 0;; ++round) {
-    even_out(*keeps.symmetry, moved_orbits(variation, *keeps.symmetry, mesh.positions),
+    even_out(*keeps.symmetry,
+             images_of(*keeps.symmetry, moved_vertices(variation.base.positions, mesh.positions)),
              mesh.positions);
     result.failing_faces = measure_standing(mesh, adjacency, kept).failing;
     if (result.failing_faces.empty() || round == kMostRounds) break;

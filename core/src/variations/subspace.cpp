@@ -117,8 +117,7 @@ void SubspaceBuilder::cut_patch(const std::vector<int>& close, const std::vector
   WorkingSetGrower grower(model_);
   std::vector<int> reach = grower.grow(moved, moved.empty() ? 0 : options_.reach);
   allowed_.leave_out_held(held, reach);
-  PatchCutter cutter(model_.vertex_count(), model_.mesh.face_count(),
-                     static_cast<int>(model_.fairness.rows()));
+  PatchCutter cutter(model_);
   cutter.cut(problem_, reach, patch_);
   direction_.resize(3, patch_.free_count);
   for (int k = 0; k < patch_.free_count; ++k) {

@@ -8,10 +8,10 @@ import {
 } from "playwright-core";
 import { expect, inject } from "vitest";
 import { serve } from "../../../.tools/serve.mjs";
-import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../../web/src/design/design.ts";
-import type { Recipe } from "../../../web/src/design/recipe.ts";
+import { FIRST_SETTINGS } from "../../../web/src/design/design.ts";
 import { PATIENCE } from "../../patience.ts";
 import { encodeLink } from "../../web/support/links.ts";
+import { vault } from "../../web/support/vault.ts";
 import { drawNothing, type Prepare } from "./drawing.ts";
 import { usable } from "./page.ts";
 
@@ -51,23 +51,6 @@ function watch(page: Page, origin: string, complaints: string[]): void {
   });
 }
 
-const VAULT: Recipe = {
-  source: { kind: "sample", name: "vault", size: 21 },
-  planarised: null,
-  handles: [],
-  settings: DEFAULT_SETTINGS,
-  families: [],
-  unit: "m",
-  camera: null,
-  mark: { hash: 0, moved: 0, probes: [] }, // of no shape
-};
-
-const SMALL: Recipe = {
-  ...VAULT,
-  source: { kind: "sample", name: "vault", size: 11 },
-  settings: FIRST_SETTINGS,
-};
-
 /** The site that all test files share, or another build of it, which gets a server of its own. */
 export async function openSite(directory: string | null = null): Promise<Site> {
   const own = directory === null ? null : await serve(directory, { prefix: "/under/a/path/" });
@@ -100,8 +83,9 @@ export async function openSite(directory: string | null = null): Promise<Site> {
   return {
     url,
     open,
-    openVault: async (options, prepare) => open(options, await encodeLink(VAULT), prepare),
-    openSmall: async (options, prepare) => open(options, await encodeLink(SMALL), prepare),
+    openVault: async (options, prepare) => open(options, await encodeLink(vault(21)), prepare),
+    openSmall: async (options, prepare) =>
+      open(options, await encodeLink(vault(11, FIRST_SETTINGS)), prepare),
     openTab: (page) => tabIn(page.context(), ""),
     async close() {
       await browser.close();

@@ -7,7 +7,7 @@ import type { Page as BrowserPage, Download } from "playwright-core";
 import { h, render } from "preact";
 import { followAddress, openAddress } from "../../../web/src/app/address.ts";
 import { App } from "../../../web/src/app/app.tsx";
-import { DEFAULT_SETTINGS, FIRST_SETTINGS } from "../../../web/src/design/design.ts";
+import { FIRST_SETTINGS } from "../../../web/src/design/design.ts";
 import { keepFreedom, keepPanelFigures } from "../../../web/src/state/analysis.ts";
 import { loadFigures } from "../../../web/src/state/figures.ts";
 import { openFirst } from "../../../web/src/state/opening.ts";
@@ -16,6 +16,7 @@ import { say } from "../../../web/src/state/telling.ts";
 import { PageProvider } from "../../../web/src/ui/page-context.ts";
 import { encodeLink } from "../../web/support/links.ts";
 import { pageHere } from "../../web/support/page-here.ts";
+import { vault } from "../../web/support/vault.ts";
 import { heldKeys, keyDown, keyUp, pressKey } from "./hands.ts";
 import { LocatorHere, turn, until } from "./locator.ts";
 import type { Hold } from "./surroundings.ts";
@@ -254,18 +255,6 @@ async function openPage(size: Size, hash: string): Promise<BrowserPage> {
 
 /** Half the points of the page's own: most of what a test costs is what it solves. */
 const SMALL = 15;
-
-const vault = (size: number, settings = DEFAULT_SETTINGS) =>
-  ({
-    source: { kind: "sample", name: "vault", size },
-    planarised: null,
-    handles: [],
-    settings,
-    families: [],
-    unit: "m",
-    camera: null,
-    mark: { hash: 0, moved: 0, probes: [] },
-  }) as const;
 
 /** What browsers are told of a visitor; of it all the size of the window matters here. */
 interface Visit {

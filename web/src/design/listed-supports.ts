@@ -27,10 +27,6 @@ export function formsByPoint(supports: readonly string[]): ReadonlyMap<number, r
   return forms;
 }
 
-/** What one point is listed to stand on. */
-export const formsOf = (supports: readonly string[], vertex: number): readonly string[] =>
-  formsByPoint(supports).get(vertex) ?? [];
-
 const isListedSpring = (support: string): boolean => isListed(support) && isSpring(support);
 
 const ascending = (points: Iterable<number>): number[] => [...points].sort((a, b) => a - b);

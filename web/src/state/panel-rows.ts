@@ -3,8 +3,6 @@
 
 import { PER_PANEL } from "../solver/protocol.ts";
 
-export const OUTLINES = ["convex", "concave", "crosses itself"] as const;
-
 /** Of every panel, one after the other. */
 export interface MeasuredPanels {
   readonly figures: Float32Array;
@@ -26,7 +24,7 @@ export interface PanelRow {
   readonly mmPerM: number;
   /** mmPerM, or 0 where rounding accounts for it. */
   readonly excess: number;
-  /** Place in OUTLINES. */
+  /** 0 convex, 1 concave, 2 crosses itself. */
   readonly outline: number;
   /** Place in TROUBLES. */
   readonly trouble: number;

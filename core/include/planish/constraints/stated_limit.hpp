@@ -23,6 +23,11 @@ struct StatedLimit {
 /// The first rule that `limits` break, naming the limit; nullopt if none.
 [[nodiscard]] Refusal find_problem(const std::vector<StatedLimit>& limits);
 
+[[nodiscard]] bool has_limit(const std::vector<StatedLimit>& limits, std::string_view name);
+
+/// Adds each of `usual` of whose name there is none.
+void add_unstated(std::vector<StatedLimit>& limits, const std::vector<StatedLimit>& usual);
+
 /// "fold=MAX", "fold=+MAX", "angle=MIN:MAX", "edge=MIN:MAX", "area=MAX", "sheet=WxH" or
 /// "slide=MAX".
 /// @returns nullopt where the text is none of these; the numbers' rules are find_problem()'s

@@ -103,7 +103,6 @@ struct Design {
 /// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
 [[nodiscard]] GlbVariations variations_of(const Subspace& subspace);
 
-/// What replaying a design gave.
 struct Replay {
   Mesh base;                   ///< what was edited: flat, planarised and cut if the design says so
   Positions shape;             ///< 3 × n, model units

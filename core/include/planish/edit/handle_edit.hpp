@@ -45,6 +45,9 @@ struct EditTargets {
   int continuation = 0;
 };
 
+/// How far the handle that is farthest from its target is from it. @param points 3 × n
+[[nodiscard]] double farthest_handle(const std::vector<Handle>& handles, const Positions& points);
+
 /// Most steps of EditTargets::continuation.
 inline constexpr int kMostContinuation = 1000;
 

@@ -60,7 +60,6 @@ struct PlanarMotion {
   }
 };
 
-/// Adds `part`, moved.
 void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion);
 
 /// DXF R12 (AC1009), ASCII: polylines and texts, coordinates with 6 decimals.

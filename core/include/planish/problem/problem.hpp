@@ -154,7 +154,7 @@ void put_on_tracks(const Patch& patch, Eigen::Matrix3Xd& displacement);
 /// Cuts patches out of a problem without touching the rest of the mesh. Keeps O(n) marks.
 class PatchCutter {
  public:
-  explicit PatchCutter(int vertex_count, int face_count, int fairness_rows);
+  explicit PatchCutter(const MeshModel& model);
 
   /// @param free mesh vertices, no duplicates; fixed ones among them are left out
   void cut(const EditProblem& problem, std::span<const int> free, Patch& patch);

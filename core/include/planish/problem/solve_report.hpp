@@ -82,7 +82,6 @@ struct BoundStanding {
   std::vector<int> binding;  ///< faces, or vertices, ascending
 };
 
-/// What every solve reports.
 struct SolveReport {
   SolveStatus status = SolveStatus::kIterationLimit;
   ObjectiveTerms objective;

@@ -26,6 +26,10 @@ struct FewerTypesOptions {
   std::vector<PointSupport> supports = {};
 };
 
+/// `stated`, and 5 degrees for how much folds may grow where it has no limit on them: without one
+/// panels may turn until nobody would build it.
+[[nodiscard]] std::vector<StatedLimit> bounds_of_fewer_types(std::vector<StatedLimit> stated);
+
 [[nodiscard]] Refusal find_problem(const FewerTypesOptions& options);
 
 /// The same, and whether the mesh is flat and has no more kinds of polygons than types are asked

@@ -80,6 +80,10 @@ struct MeshSymmetry {
 [[nodiscard]] std::variant<MeshSymmetry, std::string> find_symmetry(const Mesh& mesh,
                                                                     const StatedSymmetry& stated);
 
+/// `vertices` and all their images, ascending.
+[[nodiscard]] std::vector<int> images_of(const MeshSymmetry& symmetry,
+                                         std::span<const int> vertices);
+
 /// Largest distance of a point from the image of another one that it should be at, mean edges.
 /// @param shape 3 × n, of the mesh that `symmetry` is of
 [[nodiscard]] double asymmetry(const MeshSymmetry& symmetry, const Mesh& mesh,

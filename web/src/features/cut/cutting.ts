@@ -26,7 +26,6 @@ export interface Begun {
   readonly place: OutlinePlace;
 }
 
-/** What the pointer is at. */
 export interface Pointed {
   readonly of: DisplayMesh;
   /** null: no cut yet. */

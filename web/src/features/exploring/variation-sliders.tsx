@@ -9,6 +9,7 @@ import type { SliderLead, SliderRange } from "../../solver/protocol.ts";
 import { shownPoint } from "../../state/editing.ts";
 import { visit } from "../../state/selection.ts";
 import { sliderLeads } from "../../state/slider-leads.ts";
+import { PanelButton } from "../../ui/panel-button.tsx";
 import { Slider } from "../../ui/slider.tsx";
 import { commitVariation, previewVariation } from "./exploring.ts";
 import { reachOf } from "./furthest.ts";
@@ -26,20 +27,10 @@ function Lead({ lead, variation }: { lead: SliderLead; variation: Variation }) {
 }
 
 function Stop({ panel, side }: { panel: number; side: string }) {
-  const page = usePage();
   return (
     <span class="stop-side">
       {`${side} `}
-      <button
-        type="button"
-        class="point-button"
-        aria-label={`Show panel ${panel}, which stops it`}
-        onClick={() => {
-          page.selectedPanel.value = panel;
-        }}
-      >
-        {panel}
-      </button>
+      <PanelButton panel={panel} why=", which stops it" />
     </span>
   );
 }

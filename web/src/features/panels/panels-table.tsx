@@ -19,6 +19,7 @@ import {
   panelCount,
 } from "../../state/panel-rows.ts";
 import { TROUBLES } from "../../state/panel-trouble.ts";
+import { PanelButton } from "../../ui/panel-button.tsx";
 import { panelList } from "./panel-list.ts";
 
 const ROWS = 8;
@@ -127,16 +128,7 @@ function Row({ row, kind }: { row: PanelRow; kind: Kind | null }) {
   return (
     <tr class={panel === page.selectedPanel.value ? "selected" : ""}>
       <th scope="row">
-        <button
-          type="button"
-          class="point-button"
-          aria-label={`Show panel ${panel}`}
-          onClick={() => {
-            page.selectedPanel.value = panel;
-          }}
-        >
-          {panel}
-        </button>
+        <PanelButton panel={panel} />
       </th>
       <td>{kind ? defectWords(row.defect) : gap.replace(" mm", "")}</td>
       <td>{cell}</td>

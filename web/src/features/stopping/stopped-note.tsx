@@ -6,6 +6,7 @@ import { formatGap } from "../../quantity/units.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { settled, shortfalls, varied } from "../../state/shortfall.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { PanelButton } from "../../ui/panel-button.tsx";
 import { goOn, type Stopped, stopped } from "./going-on.ts";
 import { SplitWay } from "./split-way.tsx";
 import { endTries, gainsNow, tryWays } from "./way-gains.ts";
@@ -24,17 +25,7 @@ function HoldingPanels() {
     <p>
       {`${holding.length === 1 ? "One panel bears" : "These panels bear"} ${Math.round(100 * borne)} % of the pull, the first most: `}
       {holding.slice(0, MOST).map((panel) => (
-        <button
-          key={panel}
-          type="button"
-          class="point-button"
-          aria-label={`Show panel ${panel}`}
-          onClick={() => {
-            page.selectedPanel.value = panel;
-          }}
-        >
-          {panel}
-        </button>
+        <PanelButton key={panel} panel={panel} />
       ))}
       {holding.length > MOST && `and ${holding.length - MOST} more`}
     </p>

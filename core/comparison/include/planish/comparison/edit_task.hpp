@@ -26,9 +26,6 @@ struct ComparedEdit {
   std::vector<IterationRecord> records;  ///< where the method has outer steps
 };
 
-/// The largest move that a handle is asked for, model units.
-[[nodiscard]] double largest_pull(const EditTask& task);
-
 /// (3) with the terms of `task`; handles are fixed to their targets if `hold_handles`.
 /// @param model of task.mesh; must outlive the problem
 [[nodiscard]] EditProblem pose(const EditTask& task, const MeshModel& model, bool hold_handles);
