@@ -196,7 +196,8 @@ it("raw weights are the command line's, in Advanced; Softness takes over again",
 /** Millimetres that panels allow, and that were asked for, of the note that says so. */
 async function allowed(page: Page): Promise<readonly number[]> {
   const why = page.getByRole("region", { name: "Why the target is not reached" });
-  const [, got, asked] = /allow (\d+) of (\d+) mm/.exec((await why.textContent()) ?? "") ?? [];
+  const said = /(?:allow|at) (\d+) of (\d+) mm/.exec((await why.textContent()) ?? "");
+  const [, got, asked] = said ?? [];
   return [Number(got), Number(asked)];
 }
 
@@ -228,19 +229,29 @@ it("where a drag is held back, it ends with its limit, and opens again as it was
   await page.context().close();
 });
 
-it("where a drag stops, a press goes on towards the same target", async () => {
+it("a drag ends where it was held back, and presses go on towards the same target", async () => {
   const page = await site.open();
   const at = await hintedPoint(page);
   // Further than any edit within the reach gets, whichever way its frames went.
   await press(page, at, { x: at.x, y: at.y - 240 });
   await page.getByText(/^Held back: /).waitFor();
   await expect.poll(() => page.locator(".pull.open").count()).toBe(1);
+  const [shown] = await handleRows(page);
   await page.mouse.up();
   await idle(page);
+  expect((await handleRows(page))[0]?.target).toEqual(shown?.target);
   const why = page.getByRole("region", { name: "Why the target is not reached" });
+  expect(await why.textContent()).toMatch(
+    /^Held back at \d+ of \d+ mm here\. Dragged on, folds would be more than 10° sharper\./,
+  );
+  const [held = Number.NaN] = await allowed(page);
+  await page.getByRole("button", { name: "Within the limit", exact: true }).click();
+  await idle(page);
   expect(await why.textContent()).toContain("Further, folds would be more than 10° sharper.");
+  expect(await page.getByRole("button", { name: "Within the limit" }).count()).toBe(0);
   const [got = Number.NaN, asked = Number.NaN] = await allowed(page);
-  // One solve with the limit lets it go so far: it does not stop where the drag did, an eighth of the way.
+  // One solve with the limit lets it go so far.
+  expect(got).toBeGreaterThan(1.2 * held);
   expect(got).toBeGreaterThan(0.4 * asked);
   expect(got).toBeLessThan(0.85 * asked);
   expect(await sharpening(page)).toBeLessThan(10.5);
@@ -285,7 +296,7 @@ it("each way on says how far it gets, the furthest first, and a press gets there
   expect(got).toEqual([...got].sort((a, b) => b - a));
   expect(got[0]).toBe(Number.POSITIVE_INFINITY);
   const first =
-    /^(Reach 9 panels|Softer|Folds up to \d+°|Let the boundary move|Meet it exactly)/.exec(
+    /^(Within the limit|Reach 9 panels|Softer|Folds up to \d+°|Let the boundary move|Meet it exactly)/.exec(
       texts[0] ?? "",
     )?.[1];
   await page.getByRole("button", { name: first ?? "", exact: true }).click();

@@ -53,6 +53,15 @@ export interface Edited {
   readonly placed: HandleList | null;
 }
 
+/** Of a drag. */
+interface LastFrame {
+  readonly arrives: boolean;
+  /** Panels are at a limit. */
+  readonly bound: boolean;
+  /** Its handles, or where they were held back to. */
+  readonly shown: HandleList;
+}
+
 /** Throws Refused where the session does; it is then as it was. */
 export class Edits {
   readonly #module: PlanishModule;
@@ -162,7 +171,8 @@ export class Edits {
 
   /**
    * The end of a drag, or targets that are given under its limit: as they are where nothing holds them
-   * back, else with the limit as a bound of the edit, as far as its handles get there.
+   * back, else with the limit as a bound of the edit. A drag that was held back ends where it was shown, if
+   * an edit of its own gets there; anything else as far as its handles get.
    */
   #rest(limit: PullLimit, request: EditRequest): Omit<Edited, "placed"> {
     const { settings, targets, mode } = request;
@@ -174,18 +184,29 @@ export class Edits {
       if (keepsOwn(limit, this.#session.shapeReport())) return { taken: null, stated: null };
     }
     this.#setOptions(bounded(settings, limit));
+    if (last && !last.arrives && this.#comesTo(limit, request, last.shown))
+      return { taken: last.shown, stated: own };
     return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), stated: own };
   }
 
+  /** Whether an edit of handles that a drag showed meets them; they are ahead of where it began. */
+  #comesTo(limit: PullLimit, request: EditRequest, shown: HandleList): boolean {
+    const length = longestWay(limit.from, shown);
+    if (length === 0) return false;
+    this.#attempt(request, shown, "solve");
+    return arrivalOf(limit, shown, this.#session.shapeReport(), length).over <= 0;
+  }
+
   /** At the end of a drag, which its own last frame need not have shown; null without a drag. */
-  #lastFrame(limit: PullLimit, request: EditRequest): { arrives: boolean; bound: boolean } | null {
+  #lastFrame(limit: PullLimit, request: EditRequest): LastFrame | null {
     const dragged = this.#hold.goesOn(limit.from);
+    const shown = this.#hold.taken;
     this.#hold = new PullHold();
     if (!dragged) return null;
     const { handles } = request.targets;
     this.#attempt({ ...request, budget: FRAME_SECONDS }, handles, "drag");
     const report = this.#session.shapeReport();
-    return { arrives: arrives(limit, handles, report), bound: isBound(report) };
+    return { arrives: arrives(limit, handles, report), bound: isBound(report), shown };
   }
 
   /** null where the handles meet what they are asked to. */

@@ -108,6 +108,11 @@ export class PullHold {
   /** Whether it is the one that is shown. */
   #isShown = true;
 
+  /** The handles of the edit kept last: of the longest pull this way that arrived. */
+  get taken(): HandleList {
+    return this.#taken;
+  }
+
   /** Whether frames of the pull that starts there were made. */
   goesOn(from: HandleList): boolean {
     return this.#from === from.join();

@@ -183,12 +183,13 @@ export class Drag {
   #want(design: Design | null): void {
     const degrees = this.#limitFor(this.#through)?.degrees ?? Number.POSITIVE_INFINITY;
     const growth = Number.isFinite(degrees) ? degrees : null;
-    wanted(this.#page).value = { handles: this.#asked, growth, design };
+    wanted(this.#page).value = { handles: this.#asked, growth, dragged: true, design };
   }
 
-  #sayHeld(): void {
+  /** @param over no key goes through any more */
+  #sayHeld(over: boolean): void {
     const limit = this.#limitFor(this.#through);
-    this.#page.notice.value = heldBack(this.#page, limit, this.byFinger);
+    this.#page.notice.value = heldBack(this.#page, limit, over || this.byFinger);
   }
 
   /** The targets go back to where the solver took them. */
@@ -204,7 +205,7 @@ export class Drag {
       };
       this.#want(null);
     } else this.#letGo();
-    if (taken) this.#sayHeld();
+    if (taken) this.#sayHeld(false);
     else if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
   }
 
@@ -253,7 +254,7 @@ export class Drag {
       const made = await commitEdit(this.#page, design, "release", null, limit);
       this.#letGo();
       if (!made?.ok || made.value.handles === design.handles) return made;
-      this.#sayHeld();
+      this.#sayHeld(true);
       this.#want(made.value);
       // There it says why, and what goes further.
       shownTab(this.#page).value = "edit";

@@ -10,6 +10,8 @@ export interface Wanted {
   readonly handles: readonly HandleRow[];
   /** Degrees by which folds might grow, by the drag's own limit; null: only stated limits act. */
   readonly growth: number | null;
+  /** Whether a drag ended where its frames were held back, short of what an edit of its own may reach. */
+  readonly dragged: boolean;
   /** The design that the pull ended as; null while it lasts. */
   readonly design: Design | null;
 }

@@ -23,6 +23,7 @@ export interface Stopped {
   readonly reason: Reason;
   /** As in Wanted. */
   readonly growth: number | null;
+  readonly dragged: boolean;
 }
 
 export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): Stop | null {
@@ -43,7 +44,8 @@ export const stopped = kept((page) =>
     const pull = beyond(page).value?.design === design ? beyond(page).value : null;
     const stop = stopIn(page, design, pull?.handles ?? design.handles);
     const growth = pull?.growth ?? null;
-    return stop && { stop, reason: reasonOf(design, pull !== null, growth), growth };
+    const dragged = pull?.dragged ?? false;
+    return stop && { stop, reason: reasonOf(design, pull !== null, growth), growth, dragged };
   }),
 );
 
@@ -89,6 +91,10 @@ export function askedBy(
   };
 }
 
+/** Degrees by which the drag's own limit lets folds grow; null where stated limits act alone. */
+const finite = (growth: number | null): number | null =>
+  growth === Number.POSITIVE_INFINITY ? null : growth;
+
 /** The same targets again; what that gives is said, also where it is no more than before. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
   inTurn(page, async () => {
@@ -100,7 +106,9 @@ export const goOn = (page: Page, way: WayOn): Outcome =>
     if (!made?.ok) return made;
     const done = made.value;
     const takenBack = done.handles !== handles;
-    wanted(page).value = takenBack ? { handles, growth: way.growth, design: done } : null;
+    wanted(page).value = takenBack
+      ? { handles, growth: finite(way.growth), dragged: false, design: done }
+      : null;
     const stop = stopIn(page, done, handles);
     if (stop && isNoFurther(stop.got, before.stop))
       page.notice.value = `${way.label} gets no further: ${gotWords(stop, page.unit.value)}.`;

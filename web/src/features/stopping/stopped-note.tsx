@@ -36,8 +36,10 @@ function HoldingPanels() {
 const WORTH_SAYING = 1e-6;
 
 /** What lets the handle go as far as it does. */
-const allowing = (reason: Reason): string =>
-  reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels";
+const allowing = (reason: Reason, dragged: boolean): string => {
+  if (dragged && (reason === "fold" || reason === "limits")) return "Held back at";
+  return `${reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels"} allow`;
+};
 
 /** The figures are tried once nothing else is about to be. */
 const TRIED_AFTER_MS = 400;
@@ -45,9 +47,9 @@ const TRIED_AFTER_MS = 400;
 /** Sorted by what they gain once all of it is known, so that no button goes from under the pointer. */
 function WaysOn({ design, found }: { design: Design; found: Stopped }) {
   const page = usePage();
-  const { stop, reason, growth } = found;
+  const { stop, reason, growth, dragged } = found;
   const quiet = page.ready.value && settled(page).value;
-  const ways = waysOn(design, reason, growth);
+  const ways = waysOn(design, reason, growth, dragged);
   useEffect(() => {
     if (!quiet) return;
     const timer = setTimeout(() => void tryWays(page, ways), TRIED_AFTER_MS);
@@ -87,15 +89,15 @@ export function StoppedNote() {
   const page = usePage();
   const [design, found] = [page.history.value?.present, stopped(page).value];
   if (!design || !found) return null;
-  const { stop, reason, growth } = found;
+  const { stop, reason, growth, dragged } = found;
   const { status, residuals } = design.report;
   const left = residuals.at(-1);
   const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`${allowing(reason)} allow ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
-        {reasonWords(reason, growth)}
+        <strong>{`${allowing(reason, dragged)} ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
+        {reasonWords(reason, growth, dragged)}
       </p>
       {reason === "panels" && <HoldingPanels />}
       {status === "infeasible_handles" && left !== undefined && left > WORTH_SAYING && (

@@ -26,7 +26,8 @@ export interface WayOn {
   readonly label: string;
   readonly title: string;
   readonly change: Partial<EditSettings>;
-  /** Degrees by which folds may grow; null: by any. */
+  /** Degrees by which folds may grow; null: by any. Infinite: as stated limits let them, no further than those
+   * let the handles go. */
   readonly growth: number | null;
 }
 
@@ -85,14 +86,28 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
   return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
 }
 
-/** What stops it, in a sentence; `growth` as in Wanted. */
-export function reasonWords(reason: Reason, growth: number | null): string {
+/** What stops it, in a sentence; `growth` and `dragged` as in Wanted. */
+export function reasonWords(reason: Reason, growth: number | null, dragged = false): string {
+  if (dragged && isHeld(reason))
+    return growth === null || reason !== "fold"
+      ? "Dragged on, panels would exceed a limit."
+      : `Dragged on, folds would be more than ${formatDegrees(growth)} sharper.`;
   if (reason === "limits") return "Further, panels would exceed a limit.";
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
   return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
 }
+
+/** Whether a limit holds a drag back, whose frames go the shortest way. */
+const isHeld = (reason: Reason): boolean => reason === "fold" || reason === "limits";
+
+const within = (growth: number | null): WayOn => ({
+  label: "Within the limit",
+  title: "As far as other panels can share the bend",
+  change: {},
+  growth: growth ?? Number.POSITIVE_INFINITY,
+});
 
 function wider({ reach, reachLength }: EditSettings, growth: number | null): WayOn[] {
   if (reach === 0 && reachLength === 0) return [];
@@ -185,12 +200,18 @@ export function byGain(
   });
 }
 
-/** One press each. Those that do not loosen the limit on a drag's folds keep it. */
-export function waysOn(design: Design, reason: Reason, growth: number | null): readonly WayOn[] {
+/** One press each. Those that do not loosen the limit on a drag's folds keep it. `dragged` as in Wanted. */
+export function waysOn(
+  design: Design,
+  reason: Reason,
+  growth: number | null,
+  dragged = false,
+): readonly WayOn[] {
   const { settings } = design;
   if (reason === "keep-outs") return [without()];
   const kept = reason === "fold" ? growth : null;
-  const ways = wider(settings, kept);
+  const ways = dragged && isHeld(reason) ? [within(kept)] : [];
+  ways.push(...wider(settings, kept));
   if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
   if (reason === "slides") ways.push(slidingFurther(settings));
   if (reason === "limits") ways.push(looser(settings));
