@@ -10,6 +10,7 @@ import {
   movedCount,
   openAdvanced,
   openFile,
+  openRule,
   status,
   typeTarget,
 } from "../browser/support/page.ts";
@@ -211,6 +212,13 @@ async function sharpening(page: Page): Promise<number> {
 it("where a drag is held back, it ends with its limit, and opens again as it was", async () => {
   const page = await site.open();
   const at = await hintedPoint(page);
+  // Another number, taken back, is not what the limit of the drag shows.
+  await openRule(page, "Limits");
+  const limit = page.getByRole("checkbox", { name: "Folds sharper by" });
+  await limit.check();
+  await idle(page);
+  await limit.uncheck();
+  await idle(page);
   await press(page, at, { x: at.x, y: at.y - 140 });
   const said = page.getByText(/^Held back: /);
   await said.waitFor();
@@ -219,6 +227,9 @@ it("where a drag is held back, it ends with its limit, and opens again as it was
   await idle(page);
   const held = JSON.parse((await exportAs(page, "JSON")).toString());
   expect(held.options.bounds).toEqual(["fold=+10"]);
+  expect(await limit.isChecked()).toBe(true);
+  const degrees = page.getByRole("textbox", { name: "Folds sharper by" });
+  expect(await degrees.inputValue()).toBe("10");
   expect(await sharpening(page)).toBeLessThan(10.5);
   const [stop] = await handleRows(page);
   const edited = await exported(page);

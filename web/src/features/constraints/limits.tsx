@@ -95,18 +95,25 @@ const others = (page: Page, head: string): readonly string[] =>
 const inOrder = (limits: readonly string[]): readonly string[] =>
   ROWS.flatMap(({ head }) => limits.filter((limit) => limitHead(limit) === head));
 
+/** Numbers of a row, and the limit that stood when they were typed. */
+interface Kept {
+  readonly numbers: readonly number[];
+  readonly beside: string | undefined;
+}
+
 function LimitRow({ row }: { row: Row }) {
   const page = usePage();
   const { head, label, about, mark } = row;
-  /** Typed while it is off, or refused. */
-  const kept = useSignal<readonly number[] | null>(null);
+  /** Typed while it is off, or refused; of no use once another limit stands, which a drag may have found. */
+  const kept = useSignal<Kept | null>(null);
   const refused = useSignal("");
   const on = stated(page).find((limit) => limitHead(limit) === head);
   const edge = page.mesh.value?.report.meanEdge ?? 1;
-  const numbers = kept.value ?? (on ? limitNumbers(on) : row.usual(edge));
+  const typed = kept.value && kept.value.beside === on ? kept.value.numbers : null;
+  const numbers = typed ?? (on ? limitNumbers(on) : row.usual(edge));
 
   const state = async (wanted: readonly number[]): Promise<void> => {
-    kept.value = wanted;
+    kept.value = { numbers: wanted, beside: on };
     refused.value = "";
     const sorted = head === "sheet=" ? [...wanted].sort((a, b) => a - b) : wanted;
     const limit = head + sorted.join(mark?.[0]);
@@ -115,7 +122,7 @@ function LimitRow({ row }: { row: Row }) {
     else refused.value = end && !end.ok ? end.reason.replace("bounds: ", "") : "";
   };
   const turnOff = (): void => {
-    kept.value = numbers;
+    kept.value = { numbers, beside: undefined };
     refused.value = "";
     void commitSettings(page, { limits: others(page, head) });
   };
