@@ -8,12 +8,24 @@ cd "$(dirname "$0")/.."
 jobs=${PLANISH_JOBS:-$(nproc)}
 
 configure() { # preset
-  [ -e "build/$1/build.ninja" ] || cmake --preset "$1" --log-level=WARNING
+  [ ! -e "build/$1/build.ninja" ] || return 0
+  echo "build: everything is compiled the first time, which takes some minutes on two cores"
+  cmake --preset "$1" --log-level=WARNING
 }
+
+# In place of a line a file: how far it is, at each tenth of the way.
+readonly TENTHS='
+  /^\[/ {
+    split(substr($1, 2), at, /[\/\]]/); tenth = int(10 * at[1] / at[2])
+    if (tenth > last && at[2] > 9) { print "build: " at[1] " of " at[2] " compiled"; fflush() }
+    if (tenth > last) last = tenth
+    next
+  }
+  { print; fflush() }'
 
 build() { # preset target
   configure "$1"
-  cmake --build --preset "$1" --target "$2" -j "$jobs" | grep -v '^\[' || [ "${PIPESTATUS[0]}" -eq 0 ]
+  cmake --build --preset "$1" --target "$2" -j "$jobs" | awk "$TENTHS"
 }
 
 # Sources as JavaScript and types, with the module that they load.
