@@ -179,6 +179,10 @@ it("on a telephone an edit is said in the two lines that the mesh at rest has, a
     expect(await lineHeight(page), `${width} pixels`).toBe(rest);
     expect((await viewBox(page)).height, `${width} pixels`).toBe(view.height);
   }
+  // What is left out leaves no dot behind.
+  const seen = await page.locator(".figures").evaluate((line: HTMLElement) => line.innerText);
+  expect(seen).toMatch(/points move ·/);
+  expect(seen).not.toMatch(/·\s*(·|$)/);
   // A sentence takes of the controls.
   await page.getByRole("button", { name: "Undo" }).click();
   await idle(page);

@@ -94,12 +94,16 @@ function Numbers() {
       {parts.map((part, k) => {
         const [spared = ""] = SPARED.exec(part) ?? [];
         const rest = part.slice(spared.length);
+        const next = parts[k + 1];
+        // Where there is no room for the time, the dot before it goes, too, if nothing else follows.
+        const hasTime = next !== undefined && TIME.test(next) && k + 2 === parts.length;
         return (
           <Fragment key={part}>
             {k > 0 && " "}
             <span class={TIME.test(part) ? "figure time" : "figure"}>
               {spared && <span class="spared">{spared}</span>}
-              {k + 1 < parts.length ? `${rest} ·` : rest}
+              {rest}
+              {next !== undefined && <span class={hasTime ? "time" : ""}> ·</span>}
             </span>
           </Fragment>
         );
