@@ -133,6 +133,11 @@ it("a limit that cannot be is refused at its field, and the others hold", async 
   await type(page, "Angles, first", "50");
   expect(await angles.isChecked()).toBe(true);
   expect(await first.getAttribute("aria-invalid")).toBe("false");
+  // They are the shop's, not the mesh's; the next one says so.
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
+  await page.getByText("The limits of the mesh before hold here, too: see Limits.").waitFor();
+  await idle(page);
+  expect(await page.getByRole("checkbox", { name: "Folds sharper by" }).isChecked()).toBe(true);
   await page.context().close();
 });
 
@@ -172,9 +177,7 @@ it("joints slide no further than their limit, in the page's unit, and it is what
       /^\d+ of 500 mm reached: the limit on slides holds (a joint|joints of \d+ panels) back/,
     )
     .waitFor();
-  await page
-    .getByText("Further, joints would slide by more than their limit.")
-    .waitFor();
+  await page.getByText("Further, joints would slide by more than their limit.").waitFor();
   await page.getByText(/^raised \d+ mm, joints slide up to 100 mm, the limit$/).waitFor();
   expect(await status(page)).not.toBe(free);
   const text = (await exportAs(page, "JSON")).toString();

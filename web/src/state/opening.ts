@@ -57,6 +57,8 @@ export function freshDesign(
   };
 }
 
+const LIMITS_STAY = "The limits of the mesh before hold here, too: see Limits.";
+
 /** Shows what the solver has opened, as one more step of the history. */
 export function adopt(
   page: Page,
@@ -66,8 +68,10 @@ export function adopt(
   cuts: readonly string[] = [],
 ): void {
   const design = freshDesign(page, source, planarised, opened, cuts);
+  const before = page.draft.peek()?.source ?? source;
+  const stay = before !== source && design.settings.limits.length > 0;
   takeMesh(page, design, opened);
-  page.notice.value = null;
+  page.notice.value = stay ? LIMITS_STAY : null;
   page.history.value = page.history.value
     ? steps.record(page.history.value, design)
     : steps.begin(design);
