@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { shapeOf, usualFold } from "../../web/src/features/planarising/planarise-preview.ts";
+import {
+  shapeOf,
+  sharpestFold,
+  usualFold,
+} from "../../web/src/features/planarising/planarise-preview.ts";
 
 it("the shape of a trial holds the points that differ, to the last bit", () => {
   const base = Float64Array.from([0, 0, 0, 1, 1, 1, 2, 2, 2]);
@@ -16,4 +20,10 @@ it("the usual fold is the 95th percentile of panels that have a neighbour", () =
   expect(usualFold(folds)).toBe(95);
   expect(usualFold(Float32Array.from([-1, -1, 7]))).toBe(7);
   expect(usualFold(new Float32Array(0))).toBeNull();
+});
+
+it("the sharpest fold is of panels that have a neighbour, too", () => {
+  expect(sharpestFold(Float32Array.from([3, -1, 79.5, 12]))).toBe(79.5);
+  expect(sharpestFold(Float32Array.from([-1, 0]))).toBe(0);
+  expect(sharpestFold(Float32Array.from([-1]))).toBeNull();
 });

@@ -29,6 +29,10 @@ export function usualFold(folds: Float32Array): number | null {
   return sorted[Math.ceil(0.95 * sorted.length) - 1] ?? null;
 }
 
+/** The sharpest one; null without one. */
+export const sharpestFold = (folds: Float32Array): number | null =>
+  folds.reduce<number | null>((most, fold) => (fold >= 0 ? Math.max(most ?? 0, fold) : most), null);
+
 /** "4 panels became concave"; "none" where no panel is spoilt. */
 export const spoiltWords = ({ measures }: Trial): string =>
   measures ? damageWords(measures.damage, measures.health) || "none" : "not measured";

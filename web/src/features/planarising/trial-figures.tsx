@@ -6,11 +6,14 @@ import { type OpenedMesh, PER_PANEL } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
-import { spoiltWords, usualFold } from "./planarise-preview.ts";
+import { sharpestFold, spoiltWords, usualFold } from "./planarise-preview.ts";
 import { FAR, sizeOf } from "./stops.ts";
 
 /** What it is, of the file, after, and whether that is an alarm. */
 type Row = readonly [name: string, file: string, after: string, alarm?: boolean];
+
+/** Degrees: as sharp as a drag may make folds, unasked. */
+const SHARPER = 10;
 
 const degrees = (fold: number | null): string => (fold === null ? "" : formatDegrees(fold));
 
@@ -42,9 +45,10 @@ export const movesFar = ({ mesh }: Trial, opened: OpenedMesh): boolean =>
 
 function rowsOf(page: Page, trial: Trial, opened: OpenedMesh): readonly Row[] {
   const { moved } = trial.mesh.report.planarising;
-  const folds = [page.panelFolds.value, trial.measures?.folds ?? null].map((all) =>
-    degrees(all && usualFold(all)),
-  );
+  const folds = [page.panelFolds.value, trial.measures?.folds ?? null];
+  const usual = folds.map((all) => degrees(all && usualFold(all)));
+  const [before = null, after = null] = folds.map((all) => all && sharpestFold(all));
+  const creased = before !== null && after !== null && after > before + SHARPER;
   const { split, how } = trial;
   const flat = Math.max(page.settings.value?.tolerance ?? 0, how.flat);
   const file = flatWords(page.panelFigures.value, flat);
@@ -52,7 +56,8 @@ function rowsOf(page: Page, trial: Trial, opened: OpenedMesh): readonly Row[] {
   return [
     ["Worst panel", worstWords(opened, page), worstWords(trial.mesh, page)],
     [flatRow, file, flatWords(trial.measures?.figures, flat)],
-    ["95 % of panels fold up to", folds[0] ?? "", folds[1] ?? ""],
+    ["95 % of panels fold up to", usual[0] ?? "", usual[1] ?? ""],
+    ["Sharpest fold", degrees(before), degrees(after), creased],
     ["Panels it spoils", "", spoiltWords(trial)],
     ["Largest move", "", moveWords(page, trial, opened), movesFar(trial, opened)],
     ["Points that move", "", `${moved} of ${opened.report.vertices}`],
