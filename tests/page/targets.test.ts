@@ -25,7 +25,7 @@ async function away(page: Page): Promise<number> {
 async function told(page: Page): Promise<{ row: number; report: number; words: string }> {
   const table = page.getByRole("table", { name: "Handles" });
   const said = await table
-    .getByText(/^[\d.]+ mm (short|from the target, by the variation)$/)
+    .getByText(/^[\d.]+ mm (short|from the target in this variation)$/)
     .allTextContents();
   const [length = "0", , words = ""] = said[0]?.split(" ") ?? [];
   const report = await page

@@ -18,11 +18,13 @@ it("what the core calls a sliver is what the page calls so", () => {
 it("says how sharp a new sliver is, after what is worse", () => {
   const health = healthOf(90, 12, 90, 8.5);
   expect(damageWords(Uint8Array.of(0, 0, 0, 0), health)).toBe("");
-  expect(damageWords(Uint8Array.of(0, 5, 0, 0), health)).toBe("1 panel became a sliver (12°)");
+  expect(damageWords(Uint8Array.of(0, 5, 0, 0), health)).toBe(
+    "1 panel became a sliver (corner 12°)",
+  );
   expect(damageWords(Uint8Array.of(0, 5, 0, 5), health)).toBe(
-    "2 panels became slivers (from 8.5°)",
+    "2 panels became slivers (corners from 8.5°)",
   );
   const mixed = Uint8Array.of(0, 5, 4, 0);
-  expect(damageWords(mixed, health)).toBe("1 panel became concave, 1 became a sliver (12°)");
+  expect(damageWords(mixed, health)).toBe("1 panel became concave, 1 became a sliver (corner 12°)");
   expect(spoiltPanels(mixed)).toEqual([2, 1]);
 });

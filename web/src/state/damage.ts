@@ -23,7 +23,8 @@ function sharpestWords(damage: Uint8Array, health: Float32Array | null): string 
     const angle = health[PER_PANEL.health * panel + 2];
     return kind === newSliver && angle !== undefined ? [angle] : [];
   });
-  return ` (${angles.length > 1 ? "from " : ""}${formatDegrees(Math.min(...angles))})`;
+  const sharpest = formatDegrees(Math.min(...angles));
+  return angles.length > 1 ? ` (corners from ${sharpest})` : ` (corner ${sharpest})`;
 }
 
 /** Spoilt panels, the most serious damage first, then by number. */
@@ -35,7 +36,7 @@ export function spoiltPanels(damage: Uint8Array): readonly number[] {
   return classes.flat();
 }
 
-/** "1 panel crosses itself, 3 became concave, 1 became a sliver (12°)"; "" where nothing is spoilt. */
+/** "1 panel crosses itself, 3 became concave, 1 became a sliver (corner 12°)"; "" where nothing is spoilt. */
 export function damageWords(damage: Uint8Array, health: Float32Array | null = null): string {
   const counts = DAMAGES.map(() => 0);
   for (const kind of damage) counts[kind] = (counts[kind] ?? 0) + 1;

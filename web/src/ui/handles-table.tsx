@@ -57,7 +57,7 @@ function Short({ short }: { short: Shortfall }) {
   return (
     <span class={`short${settled(page).value ? "" : " stale"}${short.noticeable ? " far" : ""}`}>
       {formatLength(short.length, page.unit.value)}
-      {varied(page).value ? " from the target, by the variation" : " short"}
+      {varied(page).value ? " from the target in this variation" : " short"}
     </span>
   );
 }
