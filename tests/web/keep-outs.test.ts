@@ -33,6 +33,7 @@ import { panelsAtLimit } from "../../web/src/state/wanted.ts";
 import { loadDocuments } from "../parity/support/planish.ts";
 import { decodeLink, encodeLink } from "./support/links.ts";
 import { openedPage, pageHere } from "./support/page-here.ts";
+import { vault } from "./support/vault.ts";
 
 /** The middle of the roof, of 21 by 21 points. */
 const MIDDLE = 220;
@@ -99,17 +100,7 @@ it("a link and a saved design hold them", async () => {
     limits: ["fold=+5"],
     constraints: ["circular:1e-9"],
   };
-  const recipe = {
-    source: { kind: "sample", name: "vault", size: 21 },
-    planarised: null,
-    handles: [],
-    settings,
-    families: [],
-    unit: "m",
-    camera: null,
-    mark: { hash: 1, moved: 0, probes: [] },
-  } as const;
-  const read = await decodeLink(await encodeLink(recipe));
+  const read = await decodeLink(await encodeLink(vault(21, settings)));
   expect(read.ok && read.value.settings).toEqual(settings);
 });
 
