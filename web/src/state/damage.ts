@@ -16,7 +16,7 @@ export const DAMAGES: readonly (readonly [string, string])[] = [
   ["became concave", "became concave"],
   ["became a sliver", "became slivers"],
 ];
-/** " (12°)", " (from 9°)": their sharpest corners; "" without measured panels. */
+/** " (corner 12°)", " (corners from 9°)": the sharpest of them; "" without measured panels. */
 function sharpestWords(damage: Uint8Array, health: Float32Array | null): string {
   if (!health) return "";
   const angles = Array.from(damage).flatMap((kind, panel) => {

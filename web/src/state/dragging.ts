@@ -36,7 +36,7 @@ import type { Lock } from "./page-state.ts";
 import { showPresent } from "./showing.ts";
 import { NOTICEABLE } from "./stopping-short.ts";
 import { inTurn, type Outcome } from "./turns.ts";
-import { wanted } from "./wanted.ts";
+import { growthOf, wanted } from "./wanted.ts";
 
 /** Where a drag of a point starts: at its target, unless a variation has taken the point away from
  * it; without a target where it is. */
@@ -182,7 +182,7 @@ export class Drag {
 
   #want(design: Design | null): void {
     const degrees = this.#limitFor(this.#through)?.degrees ?? Number.POSITIVE_INFINITY;
-    const growth = Number.isFinite(degrees) ? degrees : null;
+    const growth = growthOf(degrees);
     wanted(this.#page).value = { handles: this.#asked, growth, dragged: true, design };
   }
 

@@ -16,6 +16,10 @@ export interface Wanted {
   readonly design: Design | null;
 }
 
+/** Wanted's growth by a pull's limit, which is infinite where only stated limits act. */
+export const growthOf = (degrees: number): number | null =>
+  degrees < Number.POSITIVE_INFINITY ? degrees : null;
+
 /** The last pull that was held back; whether it still belongs to what is shown, see `beyond`. */
 export const wanted = kept(() => signal<Wanted | null>(null));
 

@@ -2,6 +2,7 @@
 import { flatnessWords } from "../../design/flatness.ts";
 import type { Trial } from "../../design/planarising.ts";
 import { formatLength } from "../../quantity/units.ts";
+import { stepOf } from "../../solver/fair-folds.ts";
 import { type OpenedMesh, PER_PANEL } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
@@ -11,9 +12,6 @@ import { FAR, sizeOf } from "./stops.ts";
 
 /** What it is, of the file, after, and whether that is an alarm. */
 type Row = readonly [name: string, file: string, after: string, alarm?: boolean];
-
-/** Degrees: as sharp as a drag may make folds, unasked. */
-const SHARPER = 10;
 
 const degrees = (fold: number | null): string => (fold === null ? "" : formatDegrees(fold));
 
@@ -48,7 +46,7 @@ function rowsOf(page: Page, trial: Trial, opened: OpenedMesh): readonly Row[] {
   const folds = [page.panelFolds.value, trial.measures?.folds ?? null];
   const usual = folds.map((all) => degrees(all && usualFold(all)));
   const [before = null, after = null] = folds.map((all) => all && sharpestFold(all));
-  const creased = before !== null && after !== null && after > before + SHARPER;
+  const creased = before !== null && after !== null && after > before + stepOf(0);
   const { split, how } = trial;
   const flat = Math.max(page.settings.value?.tolerance ?? 0, how.flat);
   const file = flatWords(page.panelFigures.value, flat);

@@ -7,7 +7,7 @@ import type { EditSettings, PullLimit } from "../../solver/protocol.ts";
 import { basePoint, commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
-import { beyond, wanted } from "../../state/wanted.ts";
+import { beyond, growthOf, wanted } from "../../state/wanted.ts";
 import {
   gotWords,
   isNoFurther,
@@ -23,6 +23,7 @@ export interface Stopped {
   readonly reason: Reason;
   /** As in Wanted. */
   readonly growth: number | null;
+  /** A limit held the frames of a drag back, which go the shortest way: an edit may get further within it. */
   readonly dragged: boolean;
 }
 
@@ -44,8 +45,9 @@ export const stopped = kept((page) =>
     const pull = beyond(page).value?.design === design ? beyond(page).value : null;
     const stop = stopIn(page, design, pull?.handles ?? design.handles);
     const growth = pull?.growth ?? null;
-    const dragged = pull?.dragged ?? false;
-    return stop && { stop, reason: reasonOf(design, pull !== null, growth), growth, dragged };
+    const reason = reasonOf(design, pull !== null, growth);
+    const dragged = pull?.dragged === true && (reason === "fold" || reason === "limits");
+    return stop && { stop, reason, growth, dragged };
   }),
 );
 
@@ -91,10 +93,6 @@ export function askedBy(
   };
 }
 
-/** Degrees by which the drag's own limit lets folds grow; null where stated limits act alone. */
-const finite = (growth: number | null): number | null =>
-  growth === Number.POSITIVE_INFINITY ? null : growth;
-
 /** The same targets again; what that gives is said, also where it is no more than before. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
   inTurn(page, async () => {
@@ -106,9 +104,8 @@ export const goOn = (page: Page, way: WayOn): Outcome =>
     if (!made?.ok) return made;
     const done = made.value;
     const takenBack = done.handles !== handles;
-    wanted(page).value = takenBack
-      ? { handles, growth: finite(way.growth), dragged: false, design: done }
-      : null;
+    const growth = limit && growthOf(limit.degrees);
+    wanted(page).value = takenBack ? { handles, growth, dragged: false, design: done } : null;
     const stop = stopIn(page, done, handles);
     if (stop && isNoFurther(stop.got, before.stop))
       page.notice.value = `${way.label} gets no further: ${gotWords(stop, page.unit.value)}.`;

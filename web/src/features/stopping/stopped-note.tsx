@@ -37,7 +37,7 @@ const WORTH_SAYING = 1e-6;
 
 /** What lets the handle go as far as it does. */
 const allowing = (reason: Reason, dragged: boolean): string => {
-  if (dragged && (reason === "fold" || reason === "limits")) return "Held back at";
+  if (dragged) return "Held back at";
   return `${reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels"} allow`;
 };
 

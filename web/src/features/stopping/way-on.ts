@@ -86,21 +86,15 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
   return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
 }
 
-/** What stops it, in a sentence; `growth` and `dragged` as in Wanted. */
+/** What stops it, in a sentence; `growth` as in Wanted, `dragged` as in Stopped. */
 export function reasonWords(reason: Reason, growth: number | null, dragged = false): string {
-  if (dragged && isHeld(reason))
-    return growth === null || reason !== "fold"
-      ? "Dragged on, panels would exceed a limit."
-      : `Dragged on, folds would be more than ${formatDegrees(growth)} sharper.`;
-  if (reason === "limits") return "Further, panels would exceed a limit.";
+  const further = dragged ? "Dragged on" : "Further";
+  if (reason === "limits") return `${further}, panels would exceed a limit.`;
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
   if (reason === "panels" || growth === null) return "Further, some would not stay flat and sound.";
-  return `Further, folds would be more than ${formatDegrees(growth)} sharper.`;
+  return `${further}, folds would be more than ${formatDegrees(growth)} sharper.`;
 }
-
-/** Whether a limit holds a drag back, whose frames go the shortest way. */
-const isHeld = (reason: Reason): boolean => reason === "fold" || reason === "limits";
 
 const within = (growth: number | null): WayOn => ({
   label: "Within the limit",
@@ -200,7 +194,7 @@ export function byGain(
   });
 }
 
-/** One press each. Those that do not loosen the limit on a drag's folds keep it. `dragged` as in Wanted. */
+/** One press each. Those that do not loosen the limit on a drag's folds keep it. `dragged` as in Stopped. */
 export function waysOn(
   design: Design,
   reason: Reason,
@@ -210,7 +204,7 @@ export function waysOn(
   const { settings } = design;
   if (reason === "keep-outs") return [without()];
   const kept = reason === "fold" ? growth : null;
-  const ways = dragged && isHeld(reason) ? [within(kept)] : [];
+  const ways = dragged ? [within(kept)] : [];
   ways.push(...wider(settings, kept));
   if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
   if (reason === "slides") ways.push(slidingFurther(settings));
