@@ -32,8 +32,9 @@ class Analysis {
 
   /// Gap (model units), mm/m and excess (mm/m) of every face, interleaved, see FacePlanarity.
   [[nodiscard]] std::vector<float> panel_figures() const;
-  /// Of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest edge (model
-  /// units), smallest angle (degrees), and its PanelChange (0 unchanged, 1 outline, 2 bevel).
+  /// The health of every face, interleaved: outline (0 convex, 1 concave, 2 crossing), shortest
+  /// edge (model units), smallest angle (degrees), and its PanelChange (0 unchanged, 1 outline, 2
+  /// bevel).
   [[nodiscard]] std::vector<float> panel_health() const;
   /// How many nodes moved since the base, and how many only have another axis or arm, see
   /// nodes_to_remake().
@@ -54,8 +55,9 @@ class Analysis {
   /// @param moves 3r × s: what each slider does to them at value 1, model units
   void set_family(const std::vector<int>& moved, const Positions& positions,
                   std::vector<int> support, Eigen::MatrixXd moves);
-  /// Of each slider of the family: lower stop, the panel that makes it, upper stop, its panel; ±∞
-  /// and -1 for none, see slider_ranges(). Empty where there are not as many sliders as values.
+  /// The stops of each slider of the family: lower stop, the panel that makes it, upper stop, its
+  /// panel; ±∞ and -1 for none, see slider_ranges(). Empty where there are not as many sliders as
+  /// values.
   [[nodiscard]] std::vector<double> slider_stops(const Eigen::VectorXd& values) const;
   /// nullopt where there are too many points, see measure_freedom().
   [[nodiscard]] std::optional<EditFreedom> freedom(const EditTargets& targets) const;

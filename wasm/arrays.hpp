@@ -32,7 +32,7 @@ inline emscripten::val copy(const Positions& positions) {
   return copy(positions.data(), static_cast<std::size_t>(positions.size()));
 }
 
-/// As a Uint8Array.
+/// Bytes as a Uint8Array.
 inline emscripten::val copy(const std::string& bytes) {
   return copy(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
@@ -106,7 +106,7 @@ inline EditTargets to_targets(const emscripten::val& handles, const emscripten::
           .continuation = continuation};
 }
 
-/// Not checked: the page took the arrays from a session.
+/// A mesh that is not checked: the page took the arrays from a session.
 inline Mesh to_mesh(const emscripten::val& positions, const emscripten::val& offsets,
                     const emscripten::val& vertices) {
   Mesh mesh;

@@ -26,7 +26,7 @@ namespace planish {
 /// How the family of a DesignVariation is found; fairness and engine are the edit's.
 [[nodiscard]] SubspaceOptions to_subspace_options(const emscripten::val& family);
 [[nodiscard]] Design to_design(const emscripten::val& design);
-/// The same without the mesh, which a session has open.
+/// A design without its mesh, which a session has open.
 [[nodiscard]] Design to_recipe(const emscripten::val& design);
 
 /// Of every option: name, key, default, and words where it is one of a few; the two usual ways to

@@ -104,7 +104,7 @@ val mended(const std::string& mesh) {
   }
 }
 
-/// None where there is no memory.
+/// Of each point the one it is joined to; empty where there is no memory.
 val joined_points(const val& points, double within) {
   try {
     return copy(planish::find_joined_points(to_positions(points), within).target);

@@ -34,11 +34,13 @@ struct OpenedGlb {
 /// @return OBJ with its triangles joined into quads, or "" if `mesh` cannot be read
 [[nodiscard]] std::string join_triangles_of(std::string_view mesh);
 
-/// The same with the points joined that its panels have of their own; also "" where that gives no
-/// mesh.
+/// @param mesh OBJ
+/// @return OBJ with the points joined that its panels have of their own, or "" where that gives no
+/// mesh
 [[nodiscard]] std::string join_points_of(std::string_view mesh);
 
-/// The same with panels turned until neighbours agree.
+/// @param mesh OBJ
+/// @return OBJ with panels turned until neighbours agree, or "" if `mesh` cannot be read
 [[nodiscard]] std::string orient_of(std::string_view mesh);
 
 }  // namespace planish

@@ -13,8 +13,8 @@
 
 namespace planish {
 
-/// One for each face or vertex of `mesh` at `positions`, 3 × n; nullopt where nothing called `name`
-/// has rows: at triangles, and at vertices that are not inside.
+/// Violations, one for each face or vertex of `mesh` at `positions`, 3 × n; nullopt where nothing
+/// called `name` has rows: at triangles, and at vertices that are not inside.
 inline std::vector<std::optional<Violation>> kind_defects(std::string_view name, const Mesh& mesh,
                                                           const Adjacency& adjacency,
                                                           const Positions& positions) {

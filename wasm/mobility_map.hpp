@@ -30,7 +30,7 @@ class MobilityMap {
 
   /// Four rows for a vertex of the mesh, which best() knows from then on.
   std::vector<MobilityRow> measure(int vertex);
-  /// Of what has been measured, see best_places().
+  /// The best of what has been measured, see best_places().
   [[nodiscard]] std::vector<MobilityRow> best(int count) const;
 
  private:

@@ -29,15 +29,15 @@ export interface Session {
   openSample(name: string, size: number): string;
   openFile(bytes: Uint8Array, format: string): string;
   planarise(how: Planarising): string;
-  /** The same, where another session found the flat mesh: its basePositions(). */
+  /** Takes the flat mesh that another session found: its basePositions(). */
   takePlanarised(found: Float64Array): string;
-  /** For all edits from here on. */
+  /** Sets options for all edits from here on. */
   setOptions(options: EditOptions): string;
-  /** For all edits from here on, one support a line as --support says it; "" for none. */
+  /** Sets supports for all edits from here on, one a line as --support says it; "" for none. */
   setSupports(texts: readonly string[]): string;
-  /** Before the edits of this base, one cut a line as --cut says it; "" for none. Tolerance in mm/m. */
+  /** Cuts made before the edits of this base, one a line as --cut says it; "" for none. Tolerance in mm/m. */
   setCuts(lines: string, tolerance: number): string;
-  /** One more of them, which is not made. */
+  /** Tries one more cut, which is not made. */
   tryCut(text: string, tolerance: number): CutTrial;
   /** `handles`: vertex, x, y, z for each. */
   edit(
@@ -61,9 +61,9 @@ export interface Session {
   ): string;
   /** Does it again on the base that is open, whose hash must be this one; null: it is not known. */
   replay(design: DesignValue, baseHash: number | null): string;
-  /** Of the last one. */
+  /** What the last replay gave. */
   replayed(): Replayed;
-  /** Of the base that is open, before its cuts, as designs name it. */
+  /** The hash of the base that is open, before its cuts, as designs name it. */
   baseHash(): number;
   explore(family: VariationFamily): string;
   vary(coefficients: Float64Array): string;
@@ -75,7 +75,7 @@ export interface Session {
   write(format: "obj" | "off" | "ply"): Uint8Array;
   /** Named runs of faces, one a line: first face, blank, name. */
   groups(): string;
-  /** In their place, for write(). */
+  /** Sets other groups in their place, for write(). */
   setGroups(lines: string): string;
   variationSupport(): Int32Array;
   variationDisplacements(): Float64Array;
@@ -84,7 +84,7 @@ export interface Session {
   beforePlanarising(): Float64Array;
   faceOffsets(): Int32Array;
   faceVertices(): Int32Array;
-  /** Of every panel which of the mesh before the cuts; empty without any. */
+  /** For every panel which one of the mesh before the cuts; empty without any. */
   panelParents(): Int32Array;
   displayBase(): Float32Array;
   takeChanges(): Float32Array;
@@ -102,7 +102,7 @@ export interface Session {
 export interface PlanishModule extends SymmetryModule, EditWays, AnalysisModule, MobilityModule {
   Session: new () => Session;
   EditMode: { drag: EnumValue; release: EnumValue; solve: EnumValue };
-  /** Of a shape, as designs record it. */
+  /** The mark of a shape, as designs record it. */
   markOf(moved: Int32Array, positions: Float64Array): ResultMark;
 }
 

@@ -27,7 +27,7 @@ export interface Analysis {
   show(moved: Int32Array, positions: Float64Array): void;
   /** Gap (model units) and mm/m of every panel. */
   panelFigures(): Float32Array;
-  /** Of every panel: outline, shortest edge, smallest angle (degrees), a PanelChange. */
+  /** The health of every panel: outline, shortest edge, smallest angle (degrees), a PanelChange. */
   panelHealth(): Float32Array;
   nodesToRemake(): NodeCounts;
   /** A PanelDamage for every panel: what became of it since the mesh was opened; 5 where it is none
@@ -49,7 +49,7 @@ export interface Analysis {
     support: Int32Array,
     moves: Float64Array,
   ): void;
-  /** Of each slider: lower stop, its panel, upper stop, its panel; ±∞ and -1 for none. */
+  /** The stops of each slider: lower stop, its panel, upper stop, its panel; ±∞ and -1 for none. */
   sliderStops(values: Float64Array): Float64Array;
   /** null where too many points move. `handles`: vertex, x, y, z for each. */
   freedom(handles: Float64Array, pins: Int32Array): FreedomReport | null;

@@ -9,7 +9,7 @@ import type { Planarising } from "./planish_designs.d.ts";
 export interface CutTrial {
   /** Why it cannot be made; "" where it can. */
   readonly problem: string;
-  /** It, and under a symmetry its images, as --cut says them, one a line. */
+  /** The cut, and under a symmetry its images, as --cut says them, one a line. */
   readonly cuts: string;
   /** x, y, z of both ends of every new side where the design shown has them, display coordinates. */
   readonly lines: Float32Array;

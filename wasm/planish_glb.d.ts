@@ -41,9 +41,9 @@ export interface GlbModule {
   joinedPoints(points: Float64Array, within: number): Int32Array;
   /** Any text: a design, or one sentence that names the field. */
   readDesign(text: string): DesignReading;
-  /** As docs/formats.md describes it; "" without memory. */
+  /** A design's text as docs/formats.md describes it; "" without memory. */
   writeDesign(design: DesignValue): string;
-  /** The same for a link: a file that is UTF-8 rides along as text, which compresses. */
+  /** A design's text for a link: a file that is UTF-8 rides along as text, which compresses. */
   writeLinkText(design: DesignValue): string;
   defaults(): Defaults;
 }

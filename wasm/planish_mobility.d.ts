@@ -8,7 +8,7 @@ export type { MobilityRow };
 export interface MobilityMap {
   /** Up, down and two directions of the surface. */
   measure(vertex: number): MobilityRow[];
-  /** Of what has been measured, the best places first. */
+  /** The best places of what has been measured, the best first. */
   best(count: number): MobilityRow[];
   delete(): void;
 }

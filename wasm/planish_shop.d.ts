@@ -9,7 +9,7 @@ export interface CuttingOptions {
   readonly gap: number;
   /** 0: not known. */
   readonly thickness: number;
-  /** Both 0: no sheets. */
+  /** The size of a sheet; both 0: no sheets. */
   readonly sheetWidth: number;
   readonly sheetHeight: number;
   /** 0: by the size of the panel. */
@@ -80,7 +80,7 @@ export interface CuttingHeader {
     readonly nodes_arms: number;
   } | null;
   readonly flatness_mm_per_m: number;
-  /** The same, or 0 where rounding accounts for it. */
+  /** That flatness, or 0 where rounding accounts for it. */
   readonly excess_mm_per_m: number;
   readonly vanished: readonly string[];
   /** Absent if there is none. */
@@ -103,7 +103,7 @@ export interface CuttingHeader {
 export interface DrawnHeader {
   /** 1 : scale. */
   readonly scale: number;
-  /** The same of each of the drawings. */
+  /** 1 : scale of each drawing. */
   readonly scales: readonly number[];
   /** Sections, from 0, that do not meet the structure. */
   readonly missed: readonly number[];
@@ -130,7 +130,7 @@ export interface CuttingPreview {
   readonly nodesArms: number;
   /** Of the worst panel, mm/m. */
   readonly flatness: number;
-  /** The same, or 0 where rounding accounts for it. */
+  /** That flatness, or 0 where rounding accounts for it. */
   readonly excess: number;
   readonly vanished: readonly string[];
   readonly apart: readonly PanelApart[];

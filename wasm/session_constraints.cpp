@@ -50,7 +50,7 @@ Refusal Session::take_planarised(Positions found) {
   return adopt_planarised(std::move(found));
 }
 
-/// Before its cuts, too.
+/// The mesh before it was made flat and cut.
 Mesh Session::as_opened() const {
   Mesh mesh = uncut();
   const Eigen::Index count = mesh.positions.cols();

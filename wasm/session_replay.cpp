@@ -10,7 +10,7 @@
 namespace planish {
 namespace {
 
-/// As a sentence of the page, not as a clause of the command line.
+/// A clause as a sentence of the page, not as a clause of the command line.
 std::string as_sentence(std::string clause) {
   const bool is_word = clause.size() > 1 && clause[1] >= 'a' && clause[1] <= 'z';
   if (is_word && clause[0] >= 'a' && clause[0] <= 'z') clause[0] += 'A' - 'a';

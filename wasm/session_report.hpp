@@ -47,11 +47,11 @@ struct ShapeReport {
   MotionRange motion;             ///< off the surface of the base and along it, model units
   WorstPanel worst;
   double fold_before = 0.0;    ///< degrees: sharpest at the panels of moved vertices, on the base
-  Fold fold;                   ///< the same of the design
+  Fold fold;                   ///< the sharpest there, of the design
   double fold_growth = 0.0;    ///< degrees: of the fold that sharpened most
   double handle_error = 0.0;   ///< of the design shown, model units: a variation moves handles too
   int continuation = 0;        ///< of the edit, see EditTargets
-  bool lower_at_once = false;  ///< than along the path: the last edit's objective
+  bool lower_at_once = false;  ///< its objective is lower at once than along its path
   double seconds = 0.0;
 };
 

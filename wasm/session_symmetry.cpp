@@ -61,7 +61,7 @@ Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, doub
   return std::nullopt;
 }
 
-/// By variations of the edit shown.
+/// What variations of the edit shown keep.
 KeptByVariations Session::kept() const {
   EditTargets images = targets_;
   (void)add_images(images);  // what cannot have them has none

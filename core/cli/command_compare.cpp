@@ -22,7 +22,7 @@ using comparison::EditTask;
 constexpr int kInnerLimit = 30;     ///< l_max of the product's reference engine
 constexpr int kStepBudget = 12000;  ///< steps of alternating minimisation in all
 
-/// As `planish edit` does it, exact finish included.
+/// An edit as `planish edit` makes it, exact finish included.
 ComparedEdit edit_by_product(const EditTask& task) {
   const HandleEditResult result = solve_handle_edit(task.mesh, task.targets, task.options);
   return {.positions = apply(task.mesh, result),

@@ -70,7 +70,7 @@ void check_design(const Arguments& arguments, const CutInput& input) {
   }
 }
 
-/// Where panels are merged or strips go: points move, so that no design has it.
+/// Merges panels or takes strips away: points move, so that no design has it.
 ExitCode run_fewer_panels(const Arguments& arguments, const std::optional<std::string>& output) {
   const CutInput input = load_input(arguments);
   const FewerRun run = run_fewer(arguments, input.mesh, progress_line());

@@ -12,7 +12,7 @@
 namespace planish::cli {
 namespace {
 
-/// One line a job: its id and its values, separated by tabs.
+/// Prints one line a job: its id and its values, separated by tabs.
 void print_jobs(const SweepPlan& plan) {
   for (std::size_t k = 0; k < plan.job_count(); ++k) {
     const SweepJob job = plan.job(k);

@@ -52,7 +52,7 @@ ShopInput read_glb_input(const std::string& path, const std::string& unit) {
   return input;
 }
 
-/// The same without its extension.
+/// The name of the file at `path`, without its extension.
 std::string stem_of(const std::string& path) {
   const std::string name = file_name_of(path);
   return name.substr(0, name.find_last_of('.'));

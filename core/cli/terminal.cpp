@@ -74,7 +74,7 @@ EditRun run_split_edit(EditRequest asked, LoadedSource source, const std::string
   return run;
 }
 
-/// With what is on its way on a terminal.
+/// Runs an edit, and shows on a terminal how far it is.
 EditRun run_watched(EditRequest asked, LoadedSource source, const std::string& name) {
   if (asked.splits) return run_split_edit(std::move(asked), std::move(source), name);
   return run_edit(std::move(asked), std::move(source), name, progress_line());

@@ -13,7 +13,7 @@
 
 namespace planish::cli {
 
-/// One line on standard error, whatever `message` holds.
+/// Prints one line on standard error, whatever `message` holds.
 void print_message(const std::string& message);
 
 /// Each of them.
@@ -42,8 +42,8 @@ void save_report(const Arguments& arguments, const Json& json);
 
 /// kDone if the result is exact to the tolerance, kToleranceNotMet otherwise.
 [[nodiscard]] ExitCode exit_code(const SolveReport& report);
-/// The same, and kToleranceNotMet where a handle is not at its target in spite of --hard, or more
-/// panels are to be made again than --fewest N allows.
+/// kToleranceNotMet also where a handle is not at its target in spite of --hard, or more panels are
+/// to be made again than --fewest N allows.
 [[nodiscard]] ExitCode exit_code(const EditRun& run);
 
 /// Shows steps on one line of a terminal; empty where standard error is none.

@@ -25,7 +25,7 @@ namespace {
 
 bool is_json(const std::string& path) { return path.ends_with(".json"); }
 
-/// Of the base and then of what was made of it.
+/// Messages about the base, then about what was made of it.
 std::vector<std::string> all_messages(const EditRun& run, const std::vector<std::string>& made) {
   std::vector<std::string> messages = base_messages(run);
   messages.insert(messages.end(), made.begin(), made.end());

@@ -30,7 +30,8 @@ OpenedDesign open_glb(const std::string& path) {
   if (glb.design.empty() || !glb.base) refuse_file(path, "there is no design in this GLB");
   OpenedDesign opened{parse(path, glb.design), std::move(glb.file.mesh)};
   opened.base->positions = std::move(*glb.base);
-  // That is what the cuts left: they are made on the file that the design names or holds.
+  // The base of a GLB is what the cuts left: they are made on the file that the design names or
+  // holds.
   if (!opened.design.cuts.empty()) opened.base.reset();
   return opened;
 }

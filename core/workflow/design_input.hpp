@@ -17,7 +17,8 @@ struct OpenedDesign {
   std::optional<Mesh> base;
 };
 
-/// From JSON, or from a GLB by its extension. Throws RequestError, also for a GLB without a design.
+/// Opens a design from JSON, or from a GLB by its extension. Throws RequestError, also for a GLB
+/// without a design.
 [[nodiscard]] OpenedDesign open_design(const std::string& path);
 
 /// Ends the command: `path` cannot be used, and why.

@@ -17,8 +17,8 @@ namespace planish::workflow {
 [[nodiscard]] Design make_design(const EditRun& run, std::vector<DesignVariation> variations,
                                  const Positions& shape);
 
-/// Its text without the file that it came from: a GLB holds the base itself. With it where there
-/// are cuts, since that base is what they left.
+/// The text of a design without the file that it came from: a GLB holds the base itself. With it
+/// where there are cuts, since that base is what they left.
 [[nodiscard]] std::string design_for_glb(Design design);
 
 /// `shape` (3 × n) in the format of `name`'s extension; a GLB also holds base, design and

@@ -18,7 +18,7 @@ namespace planish::workflow {
 /// Rows of the option table for handles, pins, weights, fairness and solver.
 [[nodiscard]] std::vector<OptionRow> edit_option_rows();
 
-/// The same and what `edit` and `explore` know: --cut and --symmetry.
+/// edit_option_rows() and what `edit` and `explore` know: --cut and --symmetry.
 [[nodiscard]] std::vector<OptionRow> edit_command_rows();
 
 /// The share that --within-handle asks for, as it was without. Throws UsageError.
@@ -26,7 +26,8 @@ void set_within_handle(const Request& request, double& share);
 
 [[nodiscard]] HandleEditOptions edit_options(const Request& request);
 
-/// Beside planarity, with its own tolerance where none is given: "circular" or "circular:1e-6".
+/// The kinds kept beside planarity, each with its own tolerance where none is given: "circular" or
+/// "circular:1e-6".
 /// @param planar mm/m; set by "planar:TOL"
 [[nodiscard]] std::vector<KeptConstraint> parse_constraints(const Request& request, double& planar);
 

@@ -34,7 +34,7 @@ Json parts_of_handle(const std::string& text) {
   return {{"vertex", vertex}, {relative ? "by" : "to", point}};
 }
 
-/// With whether its target is a way from the base.
+/// A handle, and whether its target is a way from the base.
 std::pair<Handle, bool> parse_handle(const Json& stated, const std::string& unit) {
   const Json parts = stated.is_object() ? stated : parts_of_handle(text_of(stated));
   const bool relative = parts.contains("by");

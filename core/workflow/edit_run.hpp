@@ -42,8 +42,8 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  /// Its options with the limits that --fewest adds to those that were given, its cuts with those
-  /// that --split-where-needed adds.
+  /// The request: its options with the limits that --fewest adds to those that were given, its cuts
+  /// with those that --split-where-needed adds.
   EditRequest asked;
   Mesh given;  ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
@@ -60,7 +60,8 @@ struct EditRun {
   SolveReport report;
 };
 
-/// Its targets with the points that cuts added to supports, and with all images under a symmetry.
+/// The targets of `run` with the points that cuts added to supports, and all images under a
+/// symmetry.
 [[nodiscard]] EditTargets targets_with_images(const EditRun& run);
 
 /// Null without one, or where it has the identity alone.

@@ -28,14 +28,14 @@ std::optional<std::string> planarised_sentence(const FlatBase& base) {
 
 namespace {
 
-/// That the base was made symmetric first, and by how much.
+/// The sentence that the base was made symmetric first, and by how much.
 std::optional<std::string> evened_sentence(const EditRun& run) {
   if (run.evened.max_move == 0.0) return std::nullopt;
   return "not exactly symmetric; made so first, which moved " + std::to_string(run.evened.moved) +
          " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
-/// That making the base flat moved what points stand on, and what keeps it where it is.
+/// The sentence that making the base flat moved what points stand on, and what keeps it in place.
 std::optional<std::string> moved_support_sentence(const EditRun& run) {
   if (!run.base.planarised) return std::nullopt;
   double most = 0.0;
@@ -120,7 +120,7 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
          " short of its target (units of the mesh): " + held_by(run, worst->vertex);
 }
 
-/// Those about the handles, with their neighbours, and those at a limit, ascending.
+/// Panels about the handles, with their neighbours, and panels at a limit, ascending.
 std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
   const Mesh& mesh = run.base.mesh;
   std::vector<int> handles;
@@ -139,7 +139,7 @@ std::vector<int> held_panels(const EditRun& run, const Adjacency& adjacency) {
   return panels;
 }
 
-/// As --bound had it.
+/// A limit as --bound had it.
 std::string limit_words(const EditRun& run, std::string_view name) {
   std::string words;
   for (const StatedLimit& limit : run.asked.options.bounds) {
@@ -171,7 +171,8 @@ std::optional<std::string> broken_limits_sentence(const EditRun& run) {
   return std::nullopt;
 }
 
-/// That --bound slide stops a handle on its way along the surface, the one asked to go furthest.
+/// The sentence that --bound slide stops a handle on its way along the surface, the one asked to go
+/// furthest.
 std::optional<std::string> sliding_target_sentence(const EditRun& run) {
   const StatedLimit* least = nullptr;
   for (const StatedLimit& limit : run.asked.options.bounds) {
@@ -210,7 +211,7 @@ std::optional<std::string> motion_sentence(const EditRun& run, const Json& repor
          (limited ? "" : ": --bound slide=MAX limits it");
 }
 
-/// That --fewest held nothing, or how few panels it left.
+/// The sentence that --fewest held nothing, or how few panels it left.
 std::optional<std::string> fewest_sentence(const EditRun& run, const Json& report) {
   if (!run.fewest) return std::nullopt;
   const FewestEdit& found = *run.fewest;

@@ -49,7 +49,7 @@ struct Variation {
   std::optional<ProjectionResult> exact;  ///< set once it was made exact
 };
 
-/// As the sliders show it. @param values options.dimension of them
+/// The variation that the sliders show. @param values options.dimension of them
 [[nodiscard]] Variation with_sliders(const EditRun& run, const Family& family,
                                      const Eigen::VectorXd& values);
 

@@ -13,7 +13,8 @@ namespace planish::workflow {
 inline constexpr OptionRow kModelUnitRow = {
     "--model-unit", "UNIT", "of the coordinates: mm, cm, m, km, in or ft; default m"};
 
-/// Of the coordinates, m unless --model-unit says otherwise. Throws UsageError for another word.
+/// The unit of the coordinates, m unless --model-unit says otherwise. Throws UsageError for another
+/// word.
 [[nodiscard]] std::string model_unit(const Request& request);
 
 /// "5%" as 0.05. Throws UsageError where there is no such sign.
@@ -24,7 +25,7 @@ inline constexpr OptionRow kModelUnitRow = {
 [[nodiscard]] double parse_length(const Json& value, std::string_view what,
                                   const std::string& unit);
 
-/// The same, or a share of `whole` with % behind it.
+/// A length as above, or a share of `whole` with % behind it.
 [[nodiscard]] double parse_length(const Json& value, std::string_view what, const std::string& unit,
                                   double whole);
 
@@ -36,7 +37,7 @@ void read_length(const Request& request, std::string_view option, const std::str
 /// `unit`; whatever else is between '=', ':', ',' and 'x' stays as it is.
 [[nodiscard]] std::string plain_lengths(std::string_view text, const std::string& unit);
 
-/// The same for areas: "area=2.5m2".
+/// `text` with every area that has a unit ("area=2.5m2") as a number in `unit`, squared.
 [[nodiscard]] std::string plain_areas(std::string_view text, const std::string& unit);
 
 }  // namespace planish::workflow

@@ -16,13 +16,13 @@ namespace planish::workflow {
 /// The mesh in `path`, or the sample that "sample:NAME:SIZE" names, checked. Throws RequestError.
 [[nodiscard]] MeshFile open_mesh(const std::string& path);
 
-/// As messages call the file `path`.
+/// The file `path` as messages call it.
 [[nodiscard]] std::string shown_name(const std::string& path);
 
 /// The last part of `path`.
 [[nodiscard]] std::string file_name_of(const std::string& path);
 
-/// In small letters, without its point; "" if the name has none.
+/// The extension in small letters, without its point; "" if the name has none.
 [[nodiscard]] std::string extension_of(const std::string& path);
 
 /// A mesh together with what a design must keep to find it again.
@@ -32,10 +32,11 @@ struct LoadedSource {
   std::vector<std::string> warnings;  ///< of the reader
 };
 
-/// As open_mesh(), for a design. The hash of a FileSource is left to whoever knows the flat base.
+/// Opens a mesh as open_mesh() does, for a design. The hash of a FileSource is left to whoever
+/// knows the flat base.
 [[nodiscard]] LoadedSource open_source(const std::string& path);
 
-/// The same from the bytes of a file. @param name with the extension of its format
+/// The source of a design from the bytes of a file. @param name with the extension of its format
 [[nodiscard]] LoadedSource source_of_bytes(const std::string& name, std::string bytes);
 
 /// The bytes of `path`. Throws RequestError.
@@ -49,7 +50,7 @@ void check_output_name(const std::string& path);
 [[nodiscard]] std::string mesh_bytes(const std::string& name, const Mesh& mesh,
                                      const GlbContent& content = {});
 
-/// The same of `base` with its points at `positions`; a GLB holds both.
+/// `base` with its points at `positions`, in the format of `name`'s extension; a GLB holds both.
 [[nodiscard]] std::string moved_mesh_bytes(const std::string& name, const Mesh& base,
                                            const Positions& positions, GlbContent content = {});
 

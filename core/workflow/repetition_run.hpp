@@ -25,7 +25,7 @@ namespace planish::workflow {
                                          const ProjectionOptions& options,
                                          const std::vector<int>& pins, const Progress& progress);
 
-/// The same as a projection that moved these points.
+/// `fewer` as a projection that moved its points.
 [[nodiscard]] ProjectionResult projection_of(const Mesh& mesh, const FewerTypes& fewer);
 
 [[nodiscard]] Json fewer_types_json(const Mesh& mesh, const FewerTypes& fewer);

@@ -17,8 +17,8 @@ namespace planish::workflow {
 [[nodiscard]] std::string shape_bytes(const std::string& name, Design design,
                                       const Replay& replayed);
 
-/// By how much the result differs from the recorded one; nullopt where every bit is the same or
-/// nothing was recorded.
+/// The sentence how much the result differs from the recorded one; nullopt where every bit is the
+/// same or nothing was recorded.
 [[nodiscard]] std::optional<std::string> deviation_sentence(const Design& design,
                                                             const Replay& replayed);
 

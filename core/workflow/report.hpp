@@ -37,7 +37,7 @@ namespace planish::workflow {
 /// Figures of a mesh as `info` reports them.
 [[nodiscard]] Json info_json(const MeshFile& file);
 
-/// As messages and reports call it: without the points of a model.
+/// A support as messages and reports call it: without the points of a model.
 [[nodiscard]] std::string support_name(const PointSupport& support);
 
 /// How far the points of each support are off it; nothing where there are none.
@@ -48,17 +48,18 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 [[nodiscard]] Json symmetry_json(const MeshSymmetry& symmetry, const Mesh& base,
                                  const Positions& after);
 
-/// Those of `sentences` that there are.
+/// The sentences among `sentences` that are not nullopt.
 [[nodiscard]] std::vector<std::string> said(
     std::initializer_list<std::optional<std::string>> sentences);
 
 /// What `damage_json` found; nullopt where it found nothing.
 [[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);
 
-/// Where `fold_json` has a fold that is much sharper than before; nullopt else.
+/// The sentence where `fold_json` has a fold that is much sharper than before; nullopt else.
 [[nodiscard]] std::optional<std::string> fold_sentence(const Json& fold);
 
-/// Where a solve stopped short of a target or has no certificate; nullopt where all is well.
+/// The sentence where a solve stopped short of a target or has no certificate; nullopt where all is
+/// well.
 [[nodiscard]] std::optional<std::string> outcome_sentence(const SolveReport& report);
 
 [[nodiscard]] Json subspace_json(const SubspaceReport& report, int dimension);

@@ -52,13 +52,13 @@ class Request {
   /// The last value given for `option`, as text; nullopt if there is none.
   [[nodiscard]] std::optional<std::string> value(std::string_view option) const;
 
-  /// The same as it was given; null if there is none.
+  /// The last value given for `option`, as it was given; null if there is none.
   [[nodiscard]] const Json* last(std::string_view option) const;
 
   /// All values given for `option`, in order.
   [[nodiscard]] std::vector<Json> values(std::string_view option) const;
 
-  /// The same as texts.
+  /// All values given for `option` as texts, in order.
   [[nodiscard]] std::vector<std::string> texts(std::string_view option) const;
 
   /// Sets `number` where `option` is given. Throws UsageError.

@@ -42,11 +42,11 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kColumns = {
      {"iterations", "/iterations"},
      {"design", "/design"}}};
 
-/// The same where types of panels were counted, behind them.
+/// Columns behind kColumns where types of panels were counted.
 constexpr std::array<std::pair<const char*, const char*>, 2> kTypeColumns = {
     {{"types_before", "/types/before"}, {"types_after", "/types/after"}}};
 
-/// Those of the table of `results`.
+/// The columns of the table of `results`.
 std::vector<std::pair<const char*, const char*>> columns_of(const std::vector<Json>& results) {
   std::vector<std::pair<const char*, const char*>> columns(kColumns.begin(), kColumns.end());
   const bool counted = std::any_of(results.begin(), results.end(),
@@ -75,7 +75,7 @@ bool is_result_name(const std::string& name) {
          name.find_first_not_of("0123456789abcdef") == kIdLength;
 }
 
-/// By name, which is by id.
+/// The results in a folder, ordered by id.
 std::vector<Json> results_in(const std::string& folder) {
   std::error_code error;
   std::set<std::string> names;

@@ -26,7 +26,7 @@ struct SweepResult {
   std::string seconds;  ///< JSON: what it took here
 };
 
-/// Never throws for what is wrong with one design only: that is a result, too.
+/// Makes one design of a sweep. What is wrong with it alone is a result, too, and throws nothing.
 [[nodiscard]] SweepResult run_job(const SweepJob& job,
                                   const std::optional<TypeCounting>& types = std::nullopt);
 

@@ -30,7 +30,7 @@ class ThreadPool final : public Executor {
 
  private:
   void work();
-  /// One task of those that are left. @param seen state_ as it was; renewed if none was taken
+  /// Takes one task of those that are left. @param seen state_ as it was; renewed if none was taken
   bool take_one(std::uint64_t& seen);
 
   /// Number of the run in the upper half, tasks that nobody has taken in the lower: one word, so
@@ -46,14 +46,14 @@ class ThreadPool final : public Executor {
 inline constexpr OptionRow kThreadsRow = {"--threads", "N",
                                           "of the solver alm, default 1; the result is the same"};
 
-/// More would wait for each other.
+/// Threads at most: more would wait for each other.
 inline constexpr int kMostThreads = 256;
 
 /// What --threads asks for; nullopt without. Throws UsageError.
 [[nodiscard]] std::optional<int> stated_threads(const Request& request);
 
-/// The same as an executor of `engine`'s parallel steps; null for one thread. Throws UsageError
-/// where it has none, or where the system has no more threads.
+/// The threads that --threads asks for as an executor of `engine`'s parallel steps; null for one.
+/// Throws UsageError where `engine` has none, or where the system has no more threads.
 [[nodiscard]] std::shared_ptr<Executor> stated_executor(const Request& request, Engine engine);
 
 }  // namespace planish::workflow

@@ -113,7 +113,8 @@ def edit(
         continuation: steps in which the handles go to their targets, each solved from the last.
         symmetry: an edit of one point edits its images, "x", "axis:4", "x,y" or "auto".
         bounds: {"angle": (25, 160), "fold": "+5", "sheet": (2, 3), "slide": 0.05, "shape": False} or
-            the texts of the command line, ["fold=+5"].
+            the texts of the command line, ["fold=+5"]; {"flat": 60}: panels bent by up to 60 mm/m stay as
+            bent as they are.
         keep_outs: where nothing may go, ["below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3",
             "mesh=core.obj"].
         clearance: kept from every one of them; model units, or a length with its unit such as "50mm", as

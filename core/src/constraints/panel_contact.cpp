@@ -98,7 +98,7 @@ bool one_plane_parts(const PanelPath& first, const PanelPath& second, double cle
          part(widest_gap(first.base, second.base).normal);
 }
 
-/// By halves of the way, each with a plane of its own.
+/// Whether panels stay apart on their ways, by halves of the way, each with a plane of its own.
 bool are_parted(const PanelPath& first, const PanelPath& second, double clearance, int halvings) {
   if (one_plane_parts(first, second, clearance)) return true;
   if (halvings == 0) return false;

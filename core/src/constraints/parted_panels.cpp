@@ -39,7 +39,7 @@ double MeshKeepOuts::part_of_first(const Pair& pair, const std::array<bool, 2>& 
   return moved[0] ? kNearAll : 1.0 - kNearAll;
 }
 
-/// Of the mesh where it is a keep-out itself, and walls; ascending.
+/// Panels near `box`, of the mesh where it is a keep-out itself, and walls; ascending.
 std::vector<int> MeshKeepOuts::panels_near(const Eigen::AlignedBox3d& box) const {
   std::vector<int> panels;
   if (reach_ != nullptr) panels = reach_->near(box);
@@ -86,7 +86,8 @@ bool MeshKeepOuts::may_meet(int first, int second) const {
   });
 }
 
-/// With the plane of the base, in the middle of the room that it leaves, or at the wall.
+/// Adds a pair with the plane of the base, in the middle of the room that it leaves, or at the
+/// wall.
 void MeshKeepOuts::add_pair(int first, int second) {
   const PanelGap gap = widest_gap(base_shape(first), base_shape(second));
   Pair pair{{first, second}, {}};
@@ -153,7 +154,7 @@ bool MeshKeepOuts::part_panels(std::span<const int> faces,
   return std::any_of(pairs_.begin() + static_cast<std::ptrdiff_t>(known), pairs_.end(), acts);
 }
 
-/// Those of `faces` that are elsewhere than in the base.
+/// The panels among `faces` that are elsewhere than in the base.
 std::vector<MeshKeepOuts::Touched> MeshKeepOuts::touched_panels(
     std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point) const {
   std::vector<Touched> touched;

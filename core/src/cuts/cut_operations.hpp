@@ -14,7 +14,7 @@ namespace planish {
 [[nodiscard]] Refusal apply_cut(const RefineCut& cut, PanelNet& net);
 [[nodiscard]] Refusal apply_cut(const TrimCut& cut, PanelNet& net);
 
-/// That there is no panel of that number.
+/// A sentence if there is no panel of number `f`.
 [[nodiscard]] Refusal find_problem_of_panel(const PanelNet& net, int f);
 
 }  // namespace planish

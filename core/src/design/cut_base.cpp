@@ -39,7 +39,7 @@ void add_to_list(PointSupport& support, const CutMesh& cut, const std::vector<in
   }
 }
 
-/// Those on the side between two points, from the first on.
+/// Points that cuts added on the side between two points, from the first on.
 std::vector<int> added_between(int first, int last, const CutMesh& cut) {
   std::vector<std::pair<double, int>> found;
   const auto ends = std::minmax(first, last);

@@ -27,7 +27,7 @@ std::string_view bytes_of(const T* values, std::size_t count) {
   return {reinterpret_cast<const char*>(values), count * sizeof(T)};
 }
 
-/// As the page rounds them, so that the same result has the same mark everywhere.
+/// `value` as the page rounds it, so that the same result has the same mark everywhere.
 double to_twelve_digits(double value) {
   std::string text;
   append_number(text, value, 12);

@@ -19,7 +19,7 @@ class ElementRanking {
   /// 0 for a mesh without elements.
   [[nodiscard]] double worst() const;
 
-  /// Over the elements that are not in `touched`, which ascends; 0 if there are none.
+  /// The worst over the elements that are not in `touched`, which ascends; 0 if there are none.
   [[nodiscard]] double worst_outside(const std::vector<int>& touched) const;
 
  private:
@@ -35,7 +35,7 @@ class BaseViolations {
   [[nodiscard]] Violation worst(std::size_t kind) const {
     return {measures_[kind].worst(), excesses_[kind].worst()};
   }
-  /// Over the elements that are not in `touched`, which ascends.
+  /// The worst of one kind over the elements that are not in `touched`, which ascends.
   [[nodiscard]] Violation worst_outside(std::size_t kind, const std::vector<int>& touched) const {
     return {measures_[kind].worst_outside(touched), excesses_[kind].worst_outside(touched)};
   }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFarSmoothing = 1e-3;  ///< that a frame which goes far comes down from, share
 constexpr double kCoarse = 0.0045;      ///< smoothing that a search within a reach ends at, share
-/// Between two weights of the keep-outs' barrier. [KEE-1]
+/// The ratio of two weights of the keep-outs' barrier, one after the other. [KEE-1]
 constexpr double kKeepOutWeightShrink = 0.1;
 
 /// Whether the handles of a frame are ahead of the last one by a little of what they have moved.
@@ -47,8 +47,8 @@ EngineOutcome EditSearch::follow(bool fresh, DisplacementField& field, const Pro
   return newton_.run_warm(model_.problem(), options, field, progress);
 }
 
-/// As a drag in equal steps would, one that is not acceptable included: the next starts afresh. At
-/// the targets it goes on to a minimum. [PTH-1]
+/// Goes on as a drag in equal steps would, one that is not acceptable included: the next starts
+/// afresh. At the targets it goes on to a minimum. [PTH-1]
 EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
                                              const Progress& progress) {
   const EditTargets targets = model_.targets();
@@ -74,8 +74,8 @@ EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
   return total;
 }
 
-/// From the soft end of the scale, where there is one minimum, down to the softness asked for, each
-/// from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
+/// Goes from the soft end of the scale, where there is one minimum, down to the softness asked for,
+/// each from the last: so the edits of all softnesses lie on one branch, and none is a fold that a
 /// cold start fell into. [SOF-2]
 EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& progress) {
   constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
@@ -127,9 +127,9 @@ void EditSearch::update_active_set(const NewtonOptions& options, const Progress&
   });
 }
 
-/// From where the search kept clear of keep-outs to where they are, along the path of minima as the
-/// barrier on them fades, and one settling at its end. nullopt where that is not certified, with
-/// the search's state back. [KEE-1]
+/// Goes from where the search kept clear of keep-outs to where they are, along the path of minima
+/// as the barrier on them fades, and one settling at its end. nullopt where that is not certified,
+/// with the search's state back. [KEE-1]
 std::optional<ExactDesign> EditSearch::settle_at_keep_outs(const NewtonOptions& options,
                                                            const Progress& progress,
                                                            SolveReport& report) {

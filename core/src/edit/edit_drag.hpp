@@ -14,7 +14,7 @@ class EditDrag {
  public:
   EditDrag(EditModel& model, EditSearch& search);
 
-  /// For the targets that are set, from the last frame. @see HandleEditSolver::drag()
+  /// Solves for the targets that are set, from the last frame. @see HandleEditSolver::drag()
   [[nodiscard]] HandleEditResult frame(double budget_seconds);
 
   /// Marks where the drag stands. Costs what moved.

@@ -30,11 +30,11 @@ class EditModel {
 
   void set_options(const HandleEditOptions& options);
   void set_targets(const EditTargets& targets);
-  /// Other keep-outs than the options': for the images of a symmetry.
+  /// Takes other keep-outs than the options': for the images of a symmetry.
   void keep_out(const FreeSpace& free);
-  /// Those of the options again.
+  /// Takes the keep-outs of the options again.
   void keep_out();
-  /// Another one whenever what was exact before may have moved what cannot move now.
+  /// A number that changes whenever what was exact before may have moved what cannot move now.
   [[nodiscard]] int revision() const { return revision_; }
 
   [[nodiscard]] const HandleEditOptions& options() const { return options_; }
@@ -65,8 +65,8 @@ class EditModel {
   /// The base mesh as a design.
   [[nodiscard]] static ExactDesign unmoved();
 
-  /// By the verdict, and hard handles are where they must be: the base itself is exact and sound,
-  /// and what a solver has left where nothing can follow a handle.
+  /// Whether the verdict accepts it, and hard handles are where they must be: the base itself is
+  /// exact and sound, and what a solver has left where nothing can follow a handle.
   [[nodiscard]] bool is_acceptable(const ExactDesign& design) const;
   /// Largest distance of a handle from its target, solver units.
   [[nodiscard]] double handle_distance(const ExactDesign& design) const;

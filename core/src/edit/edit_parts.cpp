@@ -35,7 +35,7 @@ class HandlesOnTheirWay {
 
 }  // namespace
 
-/// One part of the way, with the active set that it asks for.
+/// Goes one part of the way, with the active set that it asks for.
 ExactDesign EditSearch::advance(bool cold, const NewtonOptions& options, const Progress& progress,
                                 SolveReport& report) {
   const EngineOutcome outcome =
@@ -93,8 +93,8 @@ ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& re
   return best;
 }
 
-/// For targets that no flat design was found for: handles that may stay short of them, approached
-/// in parts. The base mesh is the last resort, and always valid.
+/// What stands for targets that no flat design was found for: handles that may stay short of them,
+/// approached in parts. The base mesh is the last resort, and always valid.
 ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report) {
   EditProblem& problem = model_.problem();
   std::vector<int> hard;

@@ -105,7 +105,7 @@ ExactDesign EditSearch::solve_augmented_lagrangian(const Progress& progress, Sol
   return model_.finish(support, field_);
 }
 
-/// From the state that a search left to a certified design, or to the design of that state.
+/// Goes from the state that a search left to a certified design, or to the design of that state.
 ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& progress,
                                SolveReport& report) {
   ActiveSet& active_set = model_.active_set();

@@ -17,7 +17,7 @@ std::function<Eigen::Vector3d(int)> EditVerdict::places(const ExactDesign& desig
   };
 }
 
-/// By the verdict that reports give.
+/// Whether panels keep their shape by the verdict that reports give.
 bool EditVerdict::keeps_shape(const ExactDesign& design) const {
   const Mesh& base = model_.mesh;
   Positions before;
@@ -44,7 +44,8 @@ bool EditVerdict::keeps_limits(const ExactDesign& design) const {
                      [](const LimitStanding& one) { return one.least_share >= 0.0; });
 }
 
-/// To a billionth of the mean edge: a hard handle may have been sent off its support.
+/// Whether points are on their supports, to a billionth of the mean edge: a hard handle may have
+/// been sent off its support.
 bool EditVerdict::keeps_supports(const ExactDesign& design) const {
   for (std::size_t k = 0; k < design.vertices.size(); ++k) {
     const Eigen::Vector3d d = design.displacement.col(static_cast<Eigen::Index>(k));

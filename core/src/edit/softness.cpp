@@ -34,7 +34,7 @@ double power(double base, double exponent) {
 /// From `hard` to `soft` by equal factors.
 double between(double hard, double soft, double share) { return hard * power(soft / hard, share); }
 
-/// In mean edges.
+/// The reach that `options` allow, mean edges.
 double reach_of(const HandleEditOptions& options, double mean_edge) {
   const double rings = options.reach > 0 ? options.reach : kUnlimited;
   if (!(options.reach_length > 0.0)) return rings;

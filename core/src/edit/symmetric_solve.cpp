@@ -112,7 +112,7 @@ std::optional<ExactDesign> SymmetricSolve::make_symmetric(const ExactDesign& fou
   return even;
 }
 
-/// Of the orbits that mostly move, so that few points do; of all that move at all where those
+/// Evens out the orbits that mostly move, so that few points do; all that move at all where those
 /// cannot be flat: a lop-sided support has hardly an orbit that mostly moves.
 std::optional<ExactDesign> SymmetricSolve::make_symmetric(const ExactDesign& found,
                                                           const MeshSymmetry& symmetry) {
@@ -176,7 +176,7 @@ std::optional<ExactDesign> SymmetricSolve::solve_by_copies(const EditTargets& ta
   return all;
 }
 
-/// All images in one problem.
+/// Solves for all images in one problem.
 ExactDesign SymmetricSolve::solve_together(const Progress& progress, SolveReport& report) {
   const ExactDesign found = search_.find(progress, report);
   std::optional<ExactDesign> even = make_symmetric(found, symmetry_);

@@ -23,12 +23,12 @@ class SwitchingConstraint {
   SwitchingConstraint& operator=(const SwitchingConstraint&) = delete;
   virtual ~SwitchingConstraint() = default;
 
-  /// Before a solve from the base: as if none had been.
+  /// Takes the state of before all solves; called before one from the base.
   virtual void reset() = 0;
-  /// Before a frame of a drag that follows `last`.
+  /// Called before a frame of a drag that follows `last`.
   virtual void resume(const ExactDesign& /*last*/) {}
-  /// To what `design` asks for. @returns whether anything changed: the state is then to be solved
-  /// again
+  /// Switches to what `design` asks for. @returns whether anything changed: the state is then to be
+  /// solved again
   virtual bool update(const ExactDesign& design) = 0;
   /// The part of update() that a design must have which need not be a minimum.
   virtual bool clamp(const ExactDesign& /*design*/) { return false; }

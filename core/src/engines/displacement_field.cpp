@@ -27,7 +27,7 @@ void DisplacementField::touch_equation(int equation) {
   equations_.push_back(equation);
 }
 
-/// For the multipliers of surface rows and of limits: few problems have any.
+/// Makes room for the multipliers of surface rows and of limits: few problems have any.
 void DisplacementField::make_room(int equation) {
   const Eigen::Index before = multipliers_.size();
   multipliers_.conservativeResize(std::max<Eigen::Index>(equation + 1, 2 * before));

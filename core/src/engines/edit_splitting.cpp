@@ -212,7 +212,7 @@ void EditSplitting::shrink(int vertex) {
   }
 }
 
-/// (15) and (16).
+/// z of a face, by (15) and (16).
 void EditSplitting::project_face(int face) {
   const Eigen::Index begin = blocks_.offsets[at(face)];
   const auto size = static_cast<Eigen::Index>(blocks_[face].size());
@@ -227,7 +227,7 @@ void EditSplitting::project_face(int face) {
   for (Eigen::Index k = begin; k < begin + size; ++k) z_.col(k) -= normal * normal.dot(z_.col(k));
 }
 
-/// The same for another row: z − (M(p + d) − λ/μ) along the row's gradient at z, and c(z) = 0.
+/// z of a row that is no face: z − (M(p + d) − λ/μ) along the row's gradient at z, and c(z) = 0.
 template <class Row>
 void EditSplitting::project_row(const Row& row, int block) {
   const Eigen::Index begin = blocks_.offsets[at(block)];

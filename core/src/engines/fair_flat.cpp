@@ -43,7 +43,7 @@ class Hopelessness {
   int since_ = 0;  ///< steps
 };
 
-/// One stage; true when it ended by itself, false where nothing comes of it or it was stopped.
+/// Runs one stage; true when it ended by itself, false where nothing comes of it or it was stopped.
 bool run_stage(PatchNewton& solver, int most_steps, double settled, const Progress& progress,
                EngineOutcome& outcome) {
   Hopelessness hopelessness;

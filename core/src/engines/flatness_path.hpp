@@ -17,7 +17,7 @@ class FlatnessPath {
   /// @param patch fairness and square weights only; must outlive this
   explicit FlatnessPath(const Patch& patch);
 
-  /// The same patch with other tracks.
+  /// Goes on with the patch after its tracks changed.
   void attach(const Patch& patch);
 
   /// @param penalty μ > 0
@@ -26,7 +26,7 @@ class FlatnessPath {
   [[nodiscard]] Eigen::Matrix3Xd settle(double penalty, const Eigen::Matrix3Xd& from,
                                         const Progress& progress);
 
-  /// Of all settles so far; kCancelled after one that was.
+  /// The outcome of all settles so far; kCancelled after one that was.
   [[nodiscard]] const EngineOutcome& outcome() const { return outcome_; }
 
  private:

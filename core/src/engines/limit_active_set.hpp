@@ -26,7 +26,7 @@ class LimitActiveSet {
 
   [[nodiscard]] bool empty() const { return empty_; }
 
-  /// Before a step from `state`: shares and their gradients there. @param penalty μ > 0
+  /// Takes shares and their gradients at `state`, from which a step follows. @param penalty μ > 0
   void begin(PatchState& state, double penalty);
 
   /// zₑ ← z.
@@ -35,15 +35,15 @@ class LimitActiveSet {
   /// @see complementarity()
   [[nodiscard]] double violation(const PatchState& state) const;
 
-  /// For the next factorization: those that press at the state that begin() saw, and those that
-  /// the last step on this patch ended with.
+  /// Activates, for the next factorization, the limits that press at the state that begin() saw,
+  /// and those that the last step on this patch ended with.
   void activate();
-  /// Those alone that press at the state.
+  /// Activates the limits that press at the state, and no others.
   void activate_pressing();
-  /// Those that a share of the direction makes active come, those that press no more at its end go.
-  /// @returns whether any does
+  /// Activates what a share of the direction makes active, and lets go of what presses no more at
+  /// its end. @returns whether anything changed
   bool activate_along(double share);
-  /// Those that the last activate_along() let go are active after all.
+  /// Activates what the last activate_along() let go of.
   void keep_what_goes();
 
   /// out += Gᵀ z: the gradient without what presses.

@@ -18,8 +18,8 @@ namespace planish {
 [[nodiscard]] Optimality optimality_of(const Patch& patch, const Eigen::Matrix3Xd& displacement,
                                        const Eigen::Matrix3Xd& pulls, double rest);
 
-/// The same of a problem without norm terms, with the multipliers that fit best; nullopt where one
-/// vertex has too many rows. [OPT-3]
+/// Optimality of a problem without norm terms, with the multipliers that fit best; nullopt where
+/// one vertex has too many rows. [OPT-3]
 [[nodiscard]] std::optional<Optimality> fitted_optimality(const Patch& patch,
                                                           const Eigen::Matrix3Xd& displacement);
 

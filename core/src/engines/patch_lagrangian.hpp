@@ -39,7 +39,7 @@ class PatchLagrangian {
   /// c(points + d).
   void residuals(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
 
-  /// By how much each inequality with a multiplier is kept, kLimitMargin aside; 1 of the others.
+  /// How well each inequality with a multiplier is kept, kLimitMargin aside; 1 of the others.
   void shares(const Eigen::Matrix3Xd& displacement, Eigen::VectorXd& out) const;
 
   /// Where the row is evaluated: at the state, or on the undisplaced patch for its linearisation.

@@ -44,7 +44,7 @@ class PatchNewton {
   }
   [[nodiscard]] int factorizations() const { return system_.factorizations(); }
   [[nodiscard]] const PatchState& state() const { return state_; }
-  /// To change it, within the bound.
+  /// Sets another state, within the bound.
   void set_state(PatchState state);
   /// ∇F + Jᵀλ at `displacement` without the norms' part, 3 × free.
   void pulls(const Eigen::Matrix3Xd& displacement, Eigen::Matrix3Xd& out) const;

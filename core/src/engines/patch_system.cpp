@@ -47,7 +47,7 @@ Eigen::Matrix3d block_of(const Row& /*row*/, const Barrier& barrier, const Gradi
   return barrier.curvature * g.col(k) * g.col(l).transpose() + barrier.slope * own;
 }
 
-/// The same of a corner, from its vertices in their order around the panel.
+/// Block (k, l) of a corner, from its vertices in their order around the panel.
 Eigen::Matrix3d block_of(const CornerShape& corner, const Barrier& barrier, const RowPoints<3>& g,
                          const CurvatureBlocks<3, false>& hessian, int k, int l) {
   if (l == (k + 2) % 3) return block_of(corner, barrier, g, hessian, l, k).transpose();
@@ -107,7 +107,7 @@ void PatchSystem::analyze(RaggedRows graph) {
   place_edges();
 }
 
-/// One slot per edge of the graph: equations and fairness rows then look edges up by row.
+/// Places one slot per edge of the graph: equations and fairness rows then look edges up by row.
 void PatchSystem::place_edges() {
   edge_slots_.assign(graph_.values.size(), {});
   for (int v = 0; v < graph_.size(); ++v) {
@@ -127,7 +127,7 @@ std::size_t PatchSystem::edge(int row, int column) const {
   return at(graph_.offsets[at(row)]) + static_cast<std::size_t>(found - around.begin());
 }
 
-/// Where the blocks of each row of a batch go.
+/// Finds where the blocks of each row of a batch go.
 template <class Batches>
 void PatchSystem::place_rows(const Batches& rows, RowPlaces& places) const {
   places.free.clear();

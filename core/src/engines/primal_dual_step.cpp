@@ -122,7 +122,7 @@ bool PrimalDualStep::find_step(const PatchState& state) {
   return true;
 }
 
-/// To second order along the rows, with the same factor: `correction_` from `trial_`.
+/// Corrects to second order along the rows, with the same factor: `correction_` from `trial_`.
 void PrimalDualStep::correct(double share) {
   remainder_ = trial_residuals_ - (1.0 - share) * residuals_;
   pulls_.setZero();

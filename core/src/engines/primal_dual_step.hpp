@@ -38,11 +38,11 @@ class PrimalDualStep {
  public:
   enum class Result { kAccepted, kRejected, kBroken };
 
-  /// Before steps on another patch.
+  /// Takes another patch, on which steps follow.
   void attach(PatchSystem& system, int free_count);
 
-  /// Before steps on another function of the same patch: other weights, smoothing or penalty. The
-  /// merit values of one function say nothing about another's.
+  /// Forgets the merit of earlier steps, before steps on another function of the same patch: other
+  /// weights, smoothing or penalty. Values of one function say nothing about another's.
   void restart() { fresh_ = true; }
 
   void forget_shift() { shift_ = 0.0; }

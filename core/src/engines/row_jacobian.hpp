@@ -16,7 +16,7 @@ class RowJacobian {
  public:
   /// Takes the equations' vertices; gradients are unset until evaluate() or set().
   void attach(const Patch& patch) { attach(patch, patch.equations); }
-  /// The same of another batch of the patch; gradients are zero until set().
+  /// Takes the vertices of another batch of the patch; gradients are zero until set().
   template <class Batches>
   void attach(const Patch& patch, const Batches& rows) {
     vertices_.offsets.assign(1, 0);

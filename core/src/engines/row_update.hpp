@@ -22,17 +22,17 @@ class RowUpdate {
   /// x ← K⁻¹ x. @param x 3 × free
   using Inverse = std::function<void(Eigen::Matrix3Xd& x)>;
 
-  /// After a factorization. @param active by row 0 or 1: those that are in K; empty: none
+  /// Starts from a new factorization. @param active by row 0 or 1: those that are in K; empty: none
   void begin(const std::vector<char>& active);
 
-  /// From K to the matrix with these rows in it. Costs a solve for each row that was not asked for
-  /// since begin().
+  /// Goes from K to the matrix with these rows in it. Costs a solve for each row that was not asked
+  /// for since begin().
   /// @returns false, and what was asked for last stands, where more than a few hundred differ or
   /// the matrix would not be positive definite
   [[nodiscard]] bool set(const std::vector<char>& active, double penalty, const RowJacobian& rows,
                          const Inverse& inverse);
 
-  /// From K⁻¹ r to the inverse asked for of r. @param x 3 × free
+  /// Takes K⁻¹ r to the inverse asked for of r. @param x 3 × free
   void apply(const RowJacobian& rows, Eigen::Matrix3Xd& x) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-/// One column of an update: blocks first ≤ k < last of `from` to where map[k] says in `to`.
+/// Adds one column of an update: blocks first ≤ k < last of `from` to where map[k] says in `to`.
 /// @param block their size
 template <class Size>
 void add_blocks(const double* from, const int* map, int first, int last, Size block, double* to) {

@@ -52,7 +52,8 @@ class SparseCholesky {
   /// x ← A⁻¹ x for one right-hand side. @param x b · node_count, node-major in the caller's order
   /// @param executor for subtrees of the elimination tree, if they are large; the bits are the same
   void solve(Eigen::Ref<Eigen::VectorXd> x, Executor* executor = nullptr);
-  /// The same for three at once, block size 1: a column of x per node. @param x 3 × node_count
+  /// x ← A⁻¹ x for three right-hand sides, block size 1: a column of x per node.
+  /// @param x 3 × node_count
   void solve_coordinates(Eigen::Ref<Eigen::Matrix3Xd> x, Executor* executor = nullptr);
 
   /// Entries of L, for reports and benchmarks.

@@ -117,7 +117,7 @@ bool SubspaceVectorSolver::make_admissible(const Eigen::MatrixXd& basis, Eigen::
   return admit(basis, t);
 }
 
-/// As project(), where B is orthonormal and tangent.
+/// Does what project() does where B is orthonormal and tangent.
 bool SubspaceVectorSolver::admit(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t) {
   const double before = t.norm();
   if (!dual_ || !(before > 0.0)) return false;
@@ -129,7 +129,8 @@ bool SubspaceVectorSolver::admit(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd&
   return normalise(before, t);
 }
 
-/// One step of state_.displacement = t, which stays admissible. False when it no longer helps.
+/// Takes one step of state_.displacement = t, which stays admissible. False when it no longer
+/// helps.
 bool SubspaceVectorSolver::newton_step(const Eigen::MatrixXd& basis, double smoothing,
                                        double penalty) {
   constexpr int kMostHalvings = 8;

@@ -20,7 +20,7 @@ namespace planish {
 
 struct SubspaceVectorOptions {
   double first_smoothing = 0.1;   ///< ε as a share of max‖t_i‖, > last
-  double last_smoothing = 1e-5;   ///< the same
+  double last_smoothing = 1e-5;   ///< ε as a share of max‖t_i‖
   double smoothing_shrink = 0.4;  ///< in (0, 1)
   double penalty = 1e6;           ///< μ of [WSN-2]
   double stop = 1e-5;             ///< relative change of the objective, > 0
@@ -46,10 +46,10 @@ class SubspaceVectorSolver {
   double improve(const Eigen::MatrixXd& basis, const SubspaceVectorOptions& options,
                  Eigen::Matrix3Xd& t);
 
-  /// From a vector that improve() left to a first-order point of its problem, its support included:
-  /// ε falls further, Newton's steps have the sphere's curvature, and what is at rest becomes
-  /// exactly zero. Returns how well the conditions hold: stationarity on the support and the bound
-  /// outside it, with the multipliers of J t = 0, Bᵀt = 0 and ‖t‖ = 1. [SUB-8]
+  /// Goes from a vector that improve() left to a first-order point of its problem, its support
+  /// included: ε falls further, Newton's steps have the sphere's curvature, and what is at rest
+  /// becomes exactly zero. Returns how well the conditions hold: stationarity on the support and
+  /// the bound outside it, with the multipliers of J t = 0, Bᵀt = 0 and ‖t‖ = 1. [SUB-8]
   [[nodiscard]] Optimality settle(const Eigen::MatrixXd& basis, Eigen::Matrix3Xd& t);
 
   /// Sets rows that the smoothing left to exactly zero and projects on what remains. Leaves t as it

@@ -17,8 +17,8 @@ namespace {
 struct VectorSettling {
   static constexpr double kFirst = 1e-5;         ///< ε at which improve() ended
   static constexpr double kLast = 1e-11;         ///< last ε
-  static constexpr double kShrink = 0.01;        ///< between two
-  static constexpr double kCarefulShrink = 0.1;  ///< the same where that did not settle
+  static constexpr double kShrink = 0.01;        ///< of ε from stage to stage
+  static constexpr double kCarefulShrink = 0.1;  ///< of ε where that did not settle
   static constexpr double kAtRest = 100.0;       ///< times ε: what is shorter is at rest
   static constexpr double kPenalty = 1e6;        ///< μ ε: far stiffer than norms at rest
   static constexpr double kMostPenalty = 1e16;   ///< μ
@@ -137,7 +137,8 @@ bool SubspaceVectorSolver::settle_step(const Eigen::MatrixXd& basis, double smoo
   return false;
 }
 
-/// At one ε: till the pulls that are left are small, at the last one till steps are rounding.
+/// Settles at one ε: till the pulls that are left are small, at the last one till steps are
+/// rounding.
 /// @returns the longest of them, of the largest C^i/2
 double SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoothing,
                                        bool is_last) {
@@ -155,7 +156,7 @@ double SubspaceVectorSolver::settle_at(const Eigen::MatrixXd& basis, double smoo
   return left;
 }
 
-/// From the minimum at one ε to a start at the next: what is at rest shrinks with ε, so that
+/// Goes from the minimum at one ε to a start at the next: what is at rest shrinks with ε, so that
 /// t/√(‖t‖² + ε²) stays what it is. False where nothing admissible is left.
 bool SubspaceVectorSolver::shrink_rests(const Eigen::MatrixXd& basis, double smoothing,
                                         double share) {

@@ -51,7 +51,7 @@ class TangentNewton {
   [[nodiscard]] bool approach();
   /// Projects the gradient at the state; false if the factorization failed.
   [[nodiscard]] bool look();
-  /// One step of the trust region, taken or not; false when the region has vanished.
+  /// Tries one step of the trust region, taken or not; false when the region has vanished.
   [[nodiscard]] bool descend();
 
   [[nodiscard]] double violation() const { return residuals_.cwiseAbs().maxCoeff(); }

@@ -44,7 +44,7 @@ std::string_view fill_of(const CuttingPlan& plan, int face) {
   return "#f4f4f4";
 }
 
-/// Those that show their outside (`front`) or their inside, the farthest first.
+/// Panels that show their outside (`front`) or their inside, the farthest first.
 std::vector<SeenPanel> seen_panels(const CuttingPlan& plan, const Eigen::Vector3d& towards,
                                    bool front) {
   const ViewAxes view = view_from(front ? towards : Eigen::Vector3d(-towards));
@@ -70,7 +70,7 @@ double room_along(const Outline& outline, const Eigen::Vector2d& middle, Eigen::
   return 2.0 * nearest;
 }
 
-/// Of a name in the middle of a panel; a character is 0.65 of its height wide or less.
+/// The height of a name in the middle of a panel; a character is 0.65 of its height wide or less.
 double name_height(const Outline& outline, const Eigen::Vector2d& middle, std::size_t characters) {
   return std::min({0.22 * std::sqrt(std::abs(area_of(outline))),
                    room_along(outline, middle, 0) / (0.65 * static_cast<double>(characters)),
@@ -88,7 +88,7 @@ void add_text(std::string& svg, const Eigen::Vector2d& at, double height, std::s
   svg.append("\">").append(text).append("</text>\n");
 }
 
-/// Its name; where templates are cut, above that of its type.
+/// Adds the name of a panel; where templates are cut, above that of its type.
 void add_names(std::string& svg, const CuttingPlan& plan, int face, const Eigen::Vector2d& middle,
                double height) {
   if (!plan.options.by_type) {
@@ -118,7 +118,7 @@ void add_panel(std::string& svg, const CuttingPlan& plan, const SeenPanel& panel
   add_names(svg, plan, panel.face, at, height);
 }
 
-/// Where templates are cut, a label says at which node a corner of its panel belongs.
+/// Adds, where templates are cut, labels that say at which node a corner of its panel belongs.
 void add_nodes(std::string& svg, const CuttingPlan& plan, const std::vector<SeenPanel>& panels,
                const Eigen::Vector2d& origin, double scale) {
   if (!plan.options.by_type) return;

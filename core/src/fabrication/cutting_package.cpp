@@ -92,8 +92,8 @@ class PackageWriter {
     return faces;
   }
 
-  /// All panels, or one template a type, in rows of about the length of the column of rows, in
-  /// their order.
+  /// Draws all panels, or one template a type, in rows of about the length of the column of rows,
+  /// in their order.
   Drawing all_items() const {
     const double spacing = sheet_spacing(plan_.options);
     double area = 0.0;

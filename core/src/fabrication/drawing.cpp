@@ -17,8 +17,8 @@ struct LayerStyle {
   std::string_view name;    ///< of the DXF layer: A–Z only
   int colour;               ///< AutoCAD colour index
   std::string_view stroke;  ///< in SVG
-  std::string_view fill;    ///< the same
-  std::string_view width;   ///< the same, pixels at any zoom: 0.26 mm each on paper
+  std::string_view fill;    ///< in SVG
+  std::string_view width;   ///< in SVG, pixels at any zoom: 0.26 mm each on paper
 };
 
 /// In the order of DrawingLayer.
@@ -37,7 +37,7 @@ constexpr std::array<LayerStyle, 12> kLayers = {{{"CUT", 7, "#111", "none", "1"}
 
 const LayerStyle& style_of(DrawingLayer layer) { return kLayers[static_cast<std::size_t>(layer)]; }
 
-/// One pair of a DXF file: the group code and its value, a line each.
+/// Adds one pair of a DXF file: the group code and its value, a line each.
 void add_pair(std::string& dxf, int code, std::string_view value) {
   append_integer(dxf, code);
   dxf += '\n';

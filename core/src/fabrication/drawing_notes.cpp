@@ -233,7 +233,8 @@ class Notes {
     return fixed(size, decimals);
   }
 
-  /// Along x below, along y on the left: from end to end by way of the axes, and the whole.
+  /// Adds sizes along x below, along y on the left: from end to end by way of the axes, and the
+  /// whole.
   void add_sizes(int k) {
     const double low = box_.low[k], high = box_.high[k];
     if (!(high > low)) return;

@@ -26,14 +26,14 @@ struct DrawingNotes {
   std::string title;      ///< the line below
 };
 
-/// Those of a view of what lies in `box`. What is seen edge-on is drawn: axes with their name in a
-/// circle, levels with their height, sections with an arrow along which they are seen. Sizes are of
-/// the whole, and from axis to axis.
+/// The notes of a view of what lies in `box`. What is seen edge-on is drawn: axes with their name
+/// in a circle, levels with their height, sections with an arrow along which they are seen. Sizes
+/// are of the whole, and from axis to axis.
 /// @param paper one millimetre of paper, in the drawing's unit
 [[nodiscard]] Drawing notes_round(const PlanarBox& box, const ViewAxes& view,
                                   const DrawingNotes& notes, double paper);
 
-/// With the texts, whose widths are estimated.
+/// The box of a drawing with its texts, whose widths are estimated.
 [[nodiscard]] PlanarBox box_of(const Drawing& drawing);
 
 }  // namespace planish

@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> hull_of(const Outline& outline) {
   return hull;
 }
 
-/// Around `points`, with its width along `along`.
+/// The rectangle around `points` whose width is along `along`.
 BoundingRectangle rectangle_along(const std::vector<Eigen::Vector2d>& points,
                                   const Eigen::Vector2d& along) {
   const Eigen::Vector2d up(-along.y(), along.x());
@@ -55,7 +55,7 @@ BoundingRectangle rectangle_along(const std::vector<Eigen::Vector2d>& points,
   return {low.x() * along + low.y() * up, along, high.x() - low.x(), high.y() - low.y()};
 }
 
-/// The same rectangle, its width the longer side.
+/// The rectangle `r` with its width as the longer side.
 BoundingRectangle lengthwise(const BoundingRectangle& r) {
   if (r.width >= r.height) return r;
   const Eigen::Vector2d up(-r.along.y(), r.along.x());

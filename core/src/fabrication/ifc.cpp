@@ -186,7 +186,7 @@ class IfcWriter {
               nothing(), nothing(), step_list(std::array{step_reference(wall_)}), building);
   }
 
-  /// All vertices: vertex v is point v + 1.
+  /// Adds all vertices: vertex v is point v + 1.
   int add_points() {
     std::vector<StepValue> points;
     for (const auto p : plan_.mesh.positions.colwise()) points.push_back(reals(p));
@@ -205,7 +205,7 @@ class IfcWriter {
                                     step_list(std::array{step_reference(polygon)}), nothing()));
   }
 
-  /// In the panel's own axes, a shape for each piece that is left of it.
+  /// Adds a shape, in the panel's own axes, for each piece that is left of it.
   std::vector<StepValue> add_cut_panel(int face) {
     const FlatPanel& panel = plan_.panels[at(face)];
     const auto pieces = inset(panel.outline, 0.5 * plan_.options.gap);
@@ -261,8 +261,8 @@ class IfcWriter {
     return plate;
   }
 
-  /// Those that have a plate; a plate keeps its own shape, which is within the tolerance of its
-  /// type's.
+  /// Adds the types that have a plate; a plate keeps its own shape, which is within the tolerance
+  /// of its type's.
   void add_types(const std::vector<std::vector<StepValue>>& of_type) {
     for (std::size_t k = 0; k < of_type.size(); ++k) {
       if (of_type[k].empty()) continue;

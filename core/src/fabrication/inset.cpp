@@ -75,7 +75,7 @@ std::vector<Outline> strips_along(const std::vector<OutlineSide>& sides, double 
   return strips;
 }
 
-/// From the corner nearest to `p` on; how far that is.
+/// Makes the piece start at the corner nearest to `p`; how far that is.
 double start_near(const Eigen::Vector2d& p, CutPiece& piece) {
   Eigen::Index first = 0;
   const double squared = (piece.corners.colwise() - p).colwise().squaredNorm().minCoeff(&first);

@@ -80,7 +80,8 @@ std::string marked_corner(const CuttingPlan& plan, int face) {
          "; its triangle belongs at " + node + ".";
 }
 
-/// To five digits, more only before the point: to know the panel by, not to cut it.
+/// Appends a length to five digits, more only before the point: to know the panel by, not to cut
+/// it.
 void append_rounded(std::string& html, double length) {
   if (length < 1e5) {
     append_number(html, length, 5);

@@ -62,7 +62,8 @@ bool MovedSides::runs_along(const OutlineSide& side, const OutlineSide& rough,
          std::abs(depth(side, rough.to) - deeper) <= near();
 }
 
-/// Of several in one line, the nearest to its middle; −1 if there is none.
+/// The side that a rough one runs along, of several in one line the nearest to its middle; −1 if
+/// there is none.
 int MovedSides::along_which(const OutlineSide& rough, double deeper) const {
   int number = -1;
   double nearest = std::numeric_limits<double>::infinity();

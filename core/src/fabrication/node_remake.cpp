@@ -58,7 +58,7 @@ bool same_axis(const Side& before, const Side& after, int vertex) {
                         node_axis(after.mesh, after.positions, after.adjacency, vertex));
 }
 
-/// Of a node that has the same neighbours and panels on both sides.
+/// The change of a node that has the same neighbours and panels on both sides.
 NodeChange compare_node(const Side& before, const Side& after, int vertex) {
   if (!same_point(before, after, vertex)) return NodeChange::kMoved;
   const bool same = same_arms(before, after, vertex) && same_planes(before, after, vertex) &&
@@ -95,7 +95,8 @@ std::array<int, 2> corners_beside(const Side& side, int f, int vertex) {
   return {face[(k + face.size() - 1) % face.size()], face[(k + 1) % face.size()]};
 }
 
-/// Of a node whose panels or neighbours are others by number: parted panels, divided sides.
+/// The change of a node whose panels or neighbours are others by number: parted panels, divided
+/// sides.
 NodeChange compare_renumbered(const Side& before, const Side& after, int vertex) {
   if (vertex >= before.mesh.vertex_count() || !same_point(before, after, vertex)) {
     return NodeChange::kNew;

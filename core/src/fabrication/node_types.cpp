@@ -60,7 +60,7 @@ class NodeWalk {
     return corner + 1 < end ? corner + 1 : begin;
   }
 
-  /// Between the sides at a corner, inside the panel, 0 … 2π.
+  /// The angle between the sides at a corner, inside the panel, 0 … 2π.
   [[nodiscard]] double angle(int corner) const {
     const Eigen::Vector3d here = mesh_.positions.col(mesh_.face_vertices[at(corner)]);
     const Eigen::Vector3d in = here - mesh_.positions.col(mesh_.face_vertices[at(before(corner))]);

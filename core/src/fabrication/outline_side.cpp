@@ -6,7 +6,8 @@
 namespace planish {
 namespace {
 
-/// By more than rounding: sides that lie in one line do not cross it.
+/// Whether ends lie on both sides by more than rounding: sides that lie in one line do not cross
+/// it.
 bool on_both_sides(const OutlineSide& line, const OutlineSide& other) {
   constexpr double kRounding = 1e-12;
   const double from = turn_of(line.along, other.from - line.from);

@@ -8,23 +8,23 @@
 
 namespace planish {
 
-/// Between two corners; `along`: its direction, of length 1.
+/// A side between two corners; `along`: its direction, of length 1.
 struct OutlineSide {
   Eigen::Vector2d from, to, along;
   double length = 0.0;
   int number = 0;
 };
 
-/// Of two directions or vectors, positive where `b` points to the left of `a`.
+/// The turn between two directions or vectors, positive where `b` points to the left of `a`.
 [[nodiscard]] double turn_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 /// A quarter turn to the left.
 [[nodiscard]] Eigen::Vector2d left_of(const Eigen::Vector2d& along);
 
-/// Those that have a length, numbered from corner 0.
+/// The sides that have a length, numbered from corner 0.
 [[nodiscard]] std::vector<OutlineSide> sides_of(const Outline& outline);
 
-/// From `p` to the nearest point of the side.
+/// The distance from `p` to the nearest point of the side.
 [[nodiscard]] double distance_to(const OutlineSide& side, const Eigen::Vector2d& p);
 
 /// Whether two sides cross between their ends.

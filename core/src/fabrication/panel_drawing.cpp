@@ -125,7 +125,7 @@ struct TakenRoom {
   }
 };
 
-/// As it was asked for, but not above `most`; `otherwise` if it was not.
+/// The height of text that was asked for, but not above `most`; `otherwise` if it was not.
 double text_height(const CuttingPlan& plan, double otherwise, double most) {
   return plan.options.text_height > 0.0 ? std::min(plan.options.text_height, most) : otherwise;
 }
@@ -157,7 +157,8 @@ std::vector<int> neighbours_along(const CuttingPlan& plan, int face, const CutPi
   return neighbours;
 }
 
-/// Inside each side, read from the inside; smaller where there is no room, as in acute corners.
+/// Adds the neighbour's name inside each side, read from the inside; smaller where there is no
+/// room, as in acute corners.
 void add_neighbours(Drawing& drawing, const PanelNames& names, const std::vector<int>& neighbours,
                     double largest, TakenRoom& room_left) {
   const Outline& cut = room_left.cut;

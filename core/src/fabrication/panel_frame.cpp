@@ -11,7 +11,7 @@
 namespace planish {
 namespace {
 
-/// From one end of `side` to the other.
+/// The way from one end of `side` to the other.
 Eigen::Vector3d along(const Positions& positions, std::span<const int> face, int side) {
   const std::size_t next = (at(side) + 1) % face.size();
   return positions.col(face[next]) - positions.col(face[at(side)]);

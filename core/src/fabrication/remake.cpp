@@ -45,7 +45,7 @@ std::vector<std::size_t> kept_sides(const Mesh& base, const Mesh& mesh, int pane
   return sides;
 }
 
-/// By outlines alone.
+/// What became of panels, by their outlines alone.
 std::vector<PanelChange> compare_outlines(const Mesh& base, const Mesh& mesh) {
   std::vector<PanelChange> changes(at(mesh.face_count()), PanelChange::kNew);
   for (int f = 0; f < std::min(mesh.face_count(), base.face_count()); ++f) {

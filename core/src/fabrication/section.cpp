@@ -56,7 +56,7 @@ class SectionCut {
   bool is_above(int vertex) const { return heights_[vertex] >= 0.0; }
   bool is_cut(const Joint& joint) const { return is_above(joint.from) != is_above(joint.to); }
 
-  /// The same for every panel at the edge: it is computed once.
+  /// Where the plane meets a joint: one point for every panel there, to the bit.
   Eigen::Vector3d point_on(const Joint& joint) const {
     const double a = heights_[joint.from];
     const double t = a / (a - heights_[joint.to]);

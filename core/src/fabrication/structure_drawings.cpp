@@ -64,7 +64,7 @@ NamedDrawing draw_view(const Mesh& mesh, const NamedView& view) {
   return result;
 }
 
-/// In which levels and places of sections are said: feet of a model in inches or feet, else metres.
+/// The unit of levels and of places of sections: feet of a model in inches or feet, else metres.
 std::string level_unit(const DrawingOptions& options) {
   return options.model_unit == "in" || options.model_unit == "ft" ? "ft" : "m";
 }
@@ -164,7 +164,7 @@ struct DrawingSet {
   }
 };
 
-/// On paper: mm, everything inside the margin.
+/// A drawing on paper: mm, everything inside the margin.
 std::string paper_svg(const Drawing& drawing, double factor) {
   const PlanarBox box = box_of(drawing);
   const Eigen::Vector2d margin(kMargin, kMargin);
@@ -211,7 +211,7 @@ std::string json_of(const std::vector<DrawingAxis>& axes) {
   return json.empty() ? "[]" : json + "]";
 }
 
-/// Those that are stated, and the levels of the lowest and the highest point.
+/// The axes that are stated, and the levels of the lowest and the highest point.
 std::vector<DrawingAxis> drawn_axes(const Mesh& mesh, const DrawingOptions& options,
                                     double factor) {
   std::vector<DrawingAxis> axes = options.axes;

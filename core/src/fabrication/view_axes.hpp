@@ -17,7 +17,7 @@ struct ViewAxes {
   }
 };
 
-/// With z up; with y up where one looks along z.
+/// Axes of a view with z up; with y up where one looks along z.
 [[nodiscard]] ViewAxes view_from(const Eigen::Vector3d& towards);
 
 struct SeenPanel {

@@ -160,7 +160,8 @@ class Sorting {
     }
   }
 
-  /// With all of `members` that are within the distance; the others found one of their own.
+  /// Adds a family of all of `members` that are within the distance; the others found one of their
+  /// own.
   void add_family(const MeasuredShape& shape, const std::vector<int>& members) {
     const int number = static_cast<int>(result_.families.size());
     Family family{shape.points * unit_, {}, 0.0};

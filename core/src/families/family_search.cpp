@@ -18,7 +18,7 @@ namespace {
 /// rounds, or to templates that move.
 constexpr std::size_t kMostPairs = 1'500'000;
 
-/// Up to so many, templates that stay where they are are tried, too: now and then they are fewer.
+/// Up to this many pairs, templates that stay where they are are tried, too: now and then fewer do.
 constexpr std::size_t kFewPairs = 300'000;
 
 Eigen::MatrixXd keys_of(const std::vector<MeasuredShape>& shapes) {
@@ -37,7 +37,7 @@ Eigen::MatrixXd keys_of(const std::vector<Cluster>& clusters) {
   return keys_of(shapes);
 }
 
-/// Without what is rounding, so that it decides no order.
+/// The distance without what is rounding, so that that decides no order.
 double rounded(double distance) { return std::round(distance / kShapeRounding); }
 
 /// Their numbers, by their distances, nearest first.

@@ -18,8 +18,8 @@ struct MeasuredShape {
   Eigen::VectorXd marks;  ///< per column; two shapes laid on each other differ by no less
   FamilyShape mirrored;   ///< as points, of the mirror image; empty where none is allowed
   Eigen::VectorXd mirrored_marks;
-  Eigen::VectorXd key;  ///< the same for every start; distances are no less than differences of it
-  double hand = 0.0;    ///< the same for every start; another sign for the mirror image
+  Eigen::VectorXd key;  ///< of any start; distances are no less than differences of it
+  double hand = 0.0;    ///< of any start; another sign for the mirror image
 };
 
 /// How a shape, or its mirror image, lies on another.

@@ -21,7 +21,7 @@ Circle around(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return {0.5 * (a + b), 0.25 * (a - b).squaredNorm(), {a, b}};
 }
 
-/// Through three points; infinite where they are on a line.
+/// The circle through three points; infinite where they are on a line.
 Circle around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   const Eigen::Vector2d u = b - a, v = c - a;
   const double doubled = 2.0 * (u.x() * v.y() - u.y() * v.x());
@@ -40,7 +40,7 @@ void keep_smaller(const Circle& candidate, const std::vector<Eigen::Vector2d>& p
   best = candidate;
 }
 
-/// Of up to four points, by trying all pairs and triples.
+/// The smallest circle of up to four points, by trying all pairs and triples.
 Circle of_few(const std::vector<Eigen::Vector2d>& points) {
   Circle best;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -57,7 +57,7 @@ Circle of_few(const std::vector<Eigen::Vector2d>& points) {
 }  // namespace
 
 Eigen::Vector2d smallest_circle_centre(const Eigen::Matrix2Xd& given) {
-  // About one of them, so that rounding is that of their distances.
+  // Coordinates about one of the points, so that rounding is that of their distances.
   const Eigen::Matrix2Xd points = given.colwise() - Eigen::Vector2d(given.col(0));
   // The farthest point joins those on the rim until none is outside: each circle is larger than the
   // one before, so that no rim comes twice; rounding is what the limit is for.

@@ -6,7 +6,8 @@
 
 namespace planish {
 
-/// Its centre, to rounding. O(points × a few). @param points one a column, one at least
+/// The centre of the smallest circle around points, to rounding. O(points × a few). @param points
+/// one a column, one at least
 [[nodiscard]] Eigen::Vector2d smallest_circle_centre(const Eigen::Matrix2Xd& points);
 
 }  // namespace planish

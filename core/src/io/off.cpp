@@ -48,7 +48,7 @@ class OffWords {
     return false;
   }
 
-  /// Of the current line, "" at its end.
+  /// The next word of the current line, "" at its end.
   std::string_view take() { return take_word(words_); }
 
   [[nodiscard]] std::string_view& words() { return words_; }

@@ -62,8 +62,7 @@ class ValueStream {
         lines_(header.body),
         first_line_(header.body_line) {}
 
-  /// Before each row: where it has a line of its own, what is left on the line before is passed
-  /// over.
+  /// Starts a row: where it has a line of its own, what is left on the line before is passed over.
   void start_row() {
     if (row_a_line_) next_line();
   }
@@ -81,7 +80,7 @@ class ValueStream {
     return encoding_ == PlyEncoding::kAscii ? take_text() : take_binary(type);
   }
 
-  /// For messages: "line 12: " in a text file.
+  /// The place as messages say it: "line 12: " in a text file.
   [[nodiscard]] std::string place() const {
     return encoding_ == PlyEncoding::kAscii ? line_text(line(), "") : "";
   }
@@ -168,7 +167,7 @@ bool read_list(const PlyProperty& property, Role role, ValueStream& values, PlyD
   return true;
 }
 
-/// One vertex, face or other row.
+/// Reads one vertex, face or other row.
 bool read_row(const PlyElement& element, const std::vector<Role>& roles, ValueStream& values,
               PlyDraft& draft) {
   double point[3] = {0.0, 0.0, 0.0};
@@ -212,8 +211,8 @@ std::string read_element(const PlyElement& element, ValueStream& values, PlyDraf
   return "";
 }
 
-/// All elements. As text each row has a line of its own, or rows follow word by word: then none of
-/// them can hold more than the header declares.
+/// Reads all elements. As text each row has a line of its own, or rows follow word by word: then
+/// none of them can hold more than the header declares.
 std::variant<PlyDraft, std::string> read_body(const PlyHeader& header, bool row_a_line) {
   PlyDraft draft;
   ValueStream values(header, row_a_line);

@@ -30,7 +30,7 @@ class TextLines {
   /// The line with what text() takes for a comment, without outer blanks.
   [[nodiscard]] std::string_view with_comment() const { return with_comment_; }
 
-  /// Of the line's first part, from 1.
+  /// The number of the line's first part, from 1.
   [[nodiscard]] int number() const { return number_; }
 
   /// What follows the current line, untouched.
@@ -59,7 +59,7 @@ class TextLines {
 /// are more than the 2 GiB that 32-bit counts can index.
 [[nodiscard]] Refusal refuse_as_text(std::string_view bytes);
 
-/// The same limit for binary formats.
+/// A sentence if `bytes` of a binary format are more than 2 GiB.
 [[nodiscard]] Refusal refuse_size(std::string_view bytes);
 
 }  // namespace planish

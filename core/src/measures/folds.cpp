@@ -26,12 +26,12 @@ struct Side {
   }
 };
 
-/// Of length 1, or 0 for a panel without area.
+/// The normal, of length 1, or 0 for a panel without area.
 Eigen::Vector3d normal_of(const Positions& positions, std::span<const int> face) {
   return area_vector(positions, face).stableNormalized();
 }
 
-/// Of all panels, by edge.
+/// The sides of all panels, by edge.
 std::vector<Side> sides_of(const Mesh& mesh, std::span<const int> panels) {
   std::vector<Side> sides;
   for (std::size_t p = 0; p < panels.size(); ++p) {

@@ -107,7 +107,7 @@ void OldSurface::look_at(int face, const Eigen::Vector3d& point, NearestPlace& n
   }
 }
 
-/// At all panels around a vertex that were not passed yet.
+/// Looks at all panels around a vertex that were not passed yet.
 void OldSurface::look_around(int vertex, const Eigen::Vector3d& point, NearestPlace& nearest) {
   for (const int face : adjacency_.faces[vertex]) {
     if (std::find(passed_.begin(), passed_.end(), face) != passed_.end()) continue;
@@ -139,7 +139,7 @@ std::vector<int> OldSurface::faces_at_edge(int a, int b) const {
   return faces;
 }
 
-/// Inside of the panel, radians, 0 … 2π.
+/// The angle inside the panel, radians, 0 … 2π.
 double OldSurface::angle_at(int face, int vertex) const {
   const auto corners = mesh_.face(face);
   const auto place = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
@@ -152,7 +152,7 @@ double OldSurface::angle_at(int face, int vertex) const {
   return angle < 0.0 ? angle + 2.0 * kPi : angle;
 }
 
-/// Of length 1; 0 where the panels have no area or cancel out.
+/// The normal, of length 1; 0 where the panels have no area or cancel out.
 Eigen::Vector3d OldSurface::normal_at(const NearestPlace& place) const {
   if (place.first < 0) return normal_of(place.face);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

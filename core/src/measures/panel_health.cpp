@@ -60,7 +60,7 @@ bool crosses_itself(const Outline& outline) {
   return false;
 }
 
-/// Nothing to make a panel of.
+/// Whether a face leaves nothing to make a panel of.
 bool is_collapsed(const Positions& positions, std::span<const int> face, double shortest_edge) {
   constexpr double kThin = 1e-3;
   double longest = 0.0;

@@ -20,7 +20,7 @@ struct VertexUses {
   std::vector<int> places;
 };
 
-/// By counting sort.
+/// The faces of each vertex and its places in them, by counting sort.
 VertexUses uses_of_vertices(const Mesh& mesh) {
   VertexUses uses;
   RaggedRows& rows = uses.faces;

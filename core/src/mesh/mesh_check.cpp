@@ -303,7 +303,7 @@ std::vector<int> boundary_points(const std::vector<EdgeUse>& uses) {
   return points;
 }
 
-/// Where parts meet, points that differ by rounding.
+/// Warns of points where parts meet that differ by rounding.
 void warn_nearly_coincident(const Mesh& mesh, const std::vector<EdgeUse>& uses,
                             std::vector<std::string>& warnings) {
   if (component_count(mesh) < 2) return;

@@ -46,7 +46,7 @@ void walk_to(int v, std::vector<int>& corners) {
   corners.push_back(v);
 }
 
-/// The same where the last corners meet the first ones.
+/// Drops repeats, and edges gone there and back, where the last corners meet the first ones.
 void close_walk(std::vector<int>& corners) {
   while (corners.size() >= 2) {
     if (corners.back() == corners.front()) {

@@ -69,7 +69,7 @@ int same_place(const std::map<Cell, int>& places, const Eigen::Vector3d& at) {
   return found == places.end() ? -1 : found->second;
 }
 
-/// Of the sides longer than `least`; infinite without any.
+/// The shortest of the sides longer than `least`; infinite without any.
 double shortest_side(const Mesh& mesh, double least) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int f = 0; f < mesh.face_count(); ++f) {

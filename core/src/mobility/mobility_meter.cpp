@@ -56,7 +56,7 @@ Eigen::Vector3d normal_at(const Mesh& mesh, const Adjacency& adjacency, int vert
   return mean.isZero(0.0) ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : mean;
 }
 
-/// Along the first mesh line of the vertex, in the plane with normal `n`; of length 1.
+/// The direction of the first mesh line of the vertex, in the plane with normal `n`; of length 1.
 Eigen::Vector3d first_line(const Mesh& mesh, const Adjacency& adjacency, int vertex,
                            const Eigen::Vector3d& n) {
   for (const int w : adjacency.neighbours[vertex]) {
@@ -175,8 +175,8 @@ class MobilityMeter::State {
   [[nodiscard]] int parts() const { return options_.steps << kHalvings; }
   [[nodiscard]] double length(int part) const { return options_.range * part / parts(); }
 
-  /// Along the path of a drag, with shorter frames where one finds nothing or a panel reaches a
-  /// limit. Where no frame finds anything, edits of their own take over. [MOB-1]
+  /// Goes along the path of a drag, with shorter frames where one finds nothing or a panel reaches
+  /// a limit. Where no frame finds anything, edits of their own take over. [MOB-1]
   void go(Way& way) {
     static_cast<void>(solver_.drag(targets(way, 0.0), kNoBudget));  // forgets the last path
     const int range = parts();
@@ -239,7 +239,8 @@ class MobilityMeter::State {
     return row;
   }
 
-  /// Where no design was found: whether one is once panels need not keep their shape.
+  /// What limits a move where no design was found: whether one is once panels need not keep their
+  /// shape.
   std::string_view limit_at(const Way& way) {
     if (!way.broken.empty()) return way.broken;
     if (!options_.edit.keep_shape) return "search";

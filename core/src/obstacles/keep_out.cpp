@@ -61,7 +61,7 @@ KeptBox box_of(const KeepOut& keep_out, double clearance) {
   return {0.5 * (low + high), Eigen::Vector3d(0.5 * (high - low)).asDiagonal(), clearance};
 }
 
-/// Its panels, behind those that are there.
+/// Adds the panels of `mesh`.
 void append_walls(const ContextMesh& mesh, std::vector<Eigen::Matrix3Xd>& walls) {
   for (const std::vector<int>& panel : mesh.panels) {
     Eigen::Matrix3Xd wall(3, static_cast<Eigen::Index>(panel.size()));

@@ -96,8 +96,8 @@ class Offsetter {
   [[nodiscard]] const std::vector<DirectedEdge>& edges() const { return edges_; }
 
  private:
-  /// Up to what a row counts as kept: rounding of the coordinates and panels that are as good as
-  /// flat tilt the edges by as much.
+  /// The largest residual of a row that counts as kept: rounding of the coordinates and panels that
+  /// are as good as flat tilt the edges by as much.
   [[nodiscard]] double slack(double flatness) const {
     constexpr double kExact = 1e-9;
     constexpr double kCoarsest = 1e-6;

@@ -11,7 +11,7 @@
 
 namespace planish {
 
-/// All of the report for offset.positions but its kind, which must be set.
+/// Measures all of the report for offset.positions but its kind, which must be set.
 void measure_offset(const Mesh& mesh, const std::vector<DirectedEdge>& edges,
                     const OutsideNormals& normals, double distance, MeshOffset& offset);
 

@@ -14,7 +14,8 @@ struct OutsideNormals {
   Positions vertices;  ///< 3 × n: of the area vectors around a vertex added up
 };
 
-/// Outside is the side of most panels of each piece. nullopt for a surface with one side only.
+/// Normals towards the outside, the side of most panels of each piece. nullopt for a surface with
+/// one side only.
 [[nodiscard]] std::optional<OutsideNormals> outside_normals(const Mesh& mesh);
 
 }  // namespace planish

@@ -27,7 +27,7 @@ class ShapeSlides {
   ShapeSlides(const ShapeSlides&) = delete;
   ShapeSlides& operator=(const ShapeSlides&) = delete;
 
-  /// Of the problem on `shape`, whose model this must outlive.
+  /// Holds the problem on `shape`, whose model this must outlive.
   void hold(EditProblem& problem) const;
 
   /// @see VertexSlides::follow() @param displacement from the shape, solver units
@@ -37,7 +37,7 @@ class ShapeSlides {
   [[nodiscard]] bool holds(std::span<const int> vertices,
                            const Eigen::Matrix3Xd& displacement) const;
 
-  /// Of `shape`, the points that stand on something, on it; the others where they are.
+  /// `shape` with the points that stand on something on it; the others where they are.
   [[nodiscard]] Positions shape_on_supports() const;
 
   [[nodiscard]] const VertexSlides& slides() const { return slides_; }

@@ -92,7 +92,7 @@ Station PathWalker::rest() const {
   return here;
 }
 
-/// Again for as long as points take other sides of their outlines.
+/// Settles again for as long as points take other sides of their outlines.
 Eigen::Matrix3Xd PathWalker::settle_on_tracks(double penalty, Eigen::Matrix3Xd from,
                                               const Progress& progress) {
   put_on_tracks(patch_, from);  // of a mesh whose points were on other sides

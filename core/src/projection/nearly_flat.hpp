@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Between a mesh and its flat one: as flat as a largest move lets it, or no flatter than asked
-/// for.
+/// Meshes between a given one and its flat one: as flat as a largest move lets it, or no flatter
+/// than asked for.
 #pragma once
 
 #include <vector>

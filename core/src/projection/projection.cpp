@@ -17,8 +17,8 @@
 namespace planish {
 namespace {
 
-/// On the path to the flat mesh, no farther than asked for: by the α_f asked for, then ten and a
-/// hundred times as much, because a fairer path goes farther before a panel bends.
+/// Projects along the path to the flat mesh, no farther than asked for: by the α_f asked for, then
+/// ten and a hundred times as much, because a fairer path goes farther before a panel bends.
 ProjectionResult project_nearly(const ProjectionTask& task, const Progress& progress) {
   constexpr int kRings = 32;
   ProjectionOptions options = task.options;

@@ -26,9 +26,9 @@ class Projector {
   void penalise_unmoved(const Positions& reference);
   /// Points keep to options.supports, which are about `base`. [SUP-6]
   void stand_on(const Mesh& base);
-  /// No panel loses its shape. [SHP-3]
+  /// Lets no panel lose its shape. [SHP-3]
   void keep_shape() { problem_.shape_weight = kShapeWeight; }
-  /// Only vertices within `rings` face rings of the failing faces may move.
+  /// Holds all vertices but those within `rings` face rings of the failing faces.
   void confine(const std::vector<int>& failing, int rings);
 
   /// Once. The result's moves are those of the engine; planarity is the caller's to measure.

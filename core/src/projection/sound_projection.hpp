@@ -21,14 +21,15 @@ struct SoundProjection {
 
   [[nodiscard]] bool found() const { return positions.cols() > 0; }
   [[nodiscard]] bool is_flat() const { return found() && failing.empty(); }
-  /// Nothing further need be tried: flat, sound and certified.
+  /// Whether nothing further need be tried: flat, sound and certified.
   [[nodiscard]] bool is_final() const {
     return is_flat() && report.status == SolveStatus::kConverged;
   }
-  /// Nothing better need be looked for. What has more points than are factored is never looked at
-  /// twice once it is flat.
+  /// Whether nothing better need be looked for. What has more points than are factored is never
+  /// looked at twice once it is flat.
   [[nodiscard]] bool ends_search(int vertex_count) const;
-  /// Fewer panels that are not flat; of flat ones the certified one, then the nearer one.
+  /// Whether fewer panels are not flat; of flat ones the certified one, then the nearer one is
+  /// better.
   [[nodiscard]] bool is_better_than(const SoundProjection& other) const;
 };
 

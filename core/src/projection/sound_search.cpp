@@ -9,7 +9,7 @@
 
 namespace planish {
 
-/// In growing surroundings of the panels that fail.
+/// Projects in growing surroundings of the panels that fail.
 SoundProjection SoundSearch::project_around(std::span<const Rung> ladder) const {
   const int everything = task_.mesh.vertex_count();
   std::vector<int> last;
@@ -76,8 +76,8 @@ ProjectionResult SoundSearch::run() {
   return result();
 }
 
-/// With a history, what does not become flat stays as it is: a variation half made exact is of no
-/// use.
+/// What was found; with a history, what does not become flat stays as it is: a variation half made
+/// exact is of no use.
 ProjectionResult SoundSearch::result() {
   ProjectionResult result;
   result.report = std::move(best_.report);

@@ -94,7 +94,7 @@ class TypeSearch {
 
   [[nodiscard]] FewerTypes run(double within);
 
-  /// Of the given mesh.
+  /// The types of the given mesh.
   [[nodiscard]] Families types_within(double within) const {
     return find_families(outlines_of(mesh_), family_options(within));
   }
@@ -197,8 +197,8 @@ std::vector<int> TypeSearch::beyond_limits(const Positions& positions) const {
   return beyond;
 }
 
-/// From the best so far through families of one width after the other. @returns whether there are
-/// fewer types, and then `best` has them
+/// Goes from the best so far through families of one width after the other. @returns whether there
+/// are fewer types, and then `best` has them
 bool TypeSearch::descend(double first_width, FewerTypes& best) {
   Eigen::Matrix3Xd displacement = (best.positions - mesh_.positions) / unit_;
   const double within = best.within / unit_;

@@ -17,7 +17,7 @@ constexpr double kFlat = 1000.0;      ///< weight of what is out of a panel's pl
 constexpr double kLimit = 1.0;        ///< weight of a limit's share, squared, below ...
 constexpr double kWithin = 0.02;      ///< ... this
 constexpr double kStay = 1e-4;        ///< weight of the displacements themselves
-constexpr double kHeldBack = 1.0;     ///< the same where one is held back ...
+constexpr double kHeldBack = 1.0;     ///< weight of a displacement that is held back ...
 constexpr double kStaysMore = 10.0;   ///< ... and, said again, so many times that
 constexpr double kWall = 10.0;        ///< weight of what is beyond the farthest move
 constexpr double kBeforeWall = 0.98;  ///< of it: where the wall begins
@@ -41,7 +41,7 @@ RaggedRows coupled_vertices(const Mesh& mesh, const MeshLimits& limits) {
   return cliques.graph(mesh.vertex_count());
 }
 
-/// From each corner of the goal, laid where it fits `outline` best, to the outline's.
+/// The way from each corner of the goal, laid where it fits `outline` best, to the outline's.
 Eigen::Matrix2Xd off_goal(const Outline& outline, const FamilyShape& goal) {
   const Outline to = outline.colwise() - Eigen::Vector2d(outline.rowwise().mean());
   const FamilyShape from = goal.colwise() - Eigen::Vector2d(goal.rowwise().mean());
@@ -72,7 +72,7 @@ Eigen::MatrixXd rigid_free_in_plane(const Outline& centred) {
   return rest;
 }
 
-/// The same of moves out of the plane, which the panel follows by tilting.
+/// What is left of moves out of the plane once the panel follows them by tilting.
 Eigen::MatrixXd rigid_free_out_of_plane(const Outline& centred) {
   const Eigen::Index k = centred.cols();
   Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(k, k);
@@ -141,7 +141,7 @@ void TemplatePull::hold_back(int vertex) {
   stay = stay < kHeldBack ? kHeldBack : kStaysMore * stay;
 }
 
-/// Those that are beyond their bound, or nearly: w ∇s ∇sᵀ and w (s − s₀) ∇s.
+/// Adds the limits that are beyond their bound, or nearly: w ∇s ∇sᵀ and w (s − s₀) ∇s.
 void TemplatePull::add_limits(const Positions& positions, int f) {
   for_each_own_row(limits_, f, [&]<class Row>(const Row& row) {
     const auto k = static_cast<Eigen::Index>(row.vertices.size());
@@ -162,7 +162,8 @@ void TemplatePull::add_limits(const Positions& positions, int f) {
   });
 }
 
-/// Its pull back to where it began, and the wall; where it may not go, the identity.
+/// Adds the pull of a vertex back to where it began, and the wall; where it may not go, the
+/// identity.
 void TemplatePull::add_vertex(int v, const Eigen::Vector3d& moved) {
   const Eigen::Matrix3d& way = ways_[at(v)];
   Eigen::Vector3d pull = stays_[at(v)] * moved;

@@ -35,7 +35,7 @@ class TemplatePull {
   /// A vertex is pulled back to where it began ever more strongly, each time that this is said.
   void hold_back(int vertex);
 
-  /// As many steps as are asked for, fewer once they move nothing.
+  /// Takes as many steps as are asked for, fewer once they move nothing.
   /// @param goals one a panel @param displacement 3 × n, mean edges
   /// @returns how many steps were made
   int pull(const std::vector<PanelGoal>& goals, int steps, Eigen::Matrix3Xd& displacement);

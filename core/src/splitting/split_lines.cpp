@@ -12,7 +12,7 @@
 namespace planish {
 namespace {
 
-/// Up to so many corners every line of a panel is tried.
+/// The most corners of a panel of which every line is tried.
 constexpr int kFewCorners = 5;
 
 bool has_corners(std::span<const int> corners, int a, int b) {
@@ -25,7 +25,7 @@ bool is_tried(int count, int apart, bool from_given) {
   return apart == 2 || apart == count - 2 || apart == count / 2;
 }
 
-/// Of one with corners in ascending order, so that a line is the same both ways.
+/// The image of a line, its corners in ascending order, so that a line is the same both ways.
 SplitLine image_of(const Mesh& mesh, const Adjacency& adjacency, const SplitLine& line,
                    const std::vector<int>& image) {
   const auto corners = mesh.face(line.panel);

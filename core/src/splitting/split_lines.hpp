@@ -20,7 +20,7 @@ struct SplitLine {
   friend bool operator==(const SplitLine&, const SplitLine&) = default;
 };
 
-/// Of each of `panels`: all lines of one with few corners; else those that cut off one corner,
+/// Lines of each of `panels`: all of one with few corners; else those that cut off one corner,
 /// those that halve it, and those from a point of `from`. Whether they lie within the panel is not
 /// asked.
 /// @param from ascending

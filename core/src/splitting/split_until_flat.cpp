@@ -17,7 +17,7 @@ namespace {
 /// Panels that stayed bent are parted first where they are this part of all at most: where most
 /// are bent it says nothing.
 constexpr double kFewBent = 0.25;
-/// Up to so many parted panels each is tried without.
+/// The most parted panels each of which is tried without its cut.
 constexpr std::size_t kFewParted = 12;
 
 /// Whether a reader of the curve wants it behind `before`, which parts fewer panels.
@@ -97,7 +97,7 @@ class HybridSearch {
     return {order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count)};
   }
 
-  /// As many as may be: in two, and where that is not enough in triangles.
+  /// Parts as many as may be: in two, and where that is not enough in triangles.
   bool part_most() {
     const std::vector<int>& failing = best_.result.failing_faces;
     const bool few = static_cast<double>(failing.size()) <= kFewBent * mesh_.face_count();
@@ -110,7 +110,7 @@ class HybridSearch {
     return has_large && may_go_on() && part(first_panels(most_));
   }
 
-  /// With `flat` panels parted the mesh is flat, with `bent` it is not.
+  /// Finds by halves how many must be parted: with `flat` the mesh is flat, with `bent` it is not.
   void halve() {
     std::size_t bent = 0, flat = most_;
     while (flat - bent > 1 && may_go_on()) {
@@ -119,7 +119,7 @@ class HybridSearch {
     }
   }
 
-  /// Where few are parted, each of them that need not be.
+  /// Leaves out, where few are parted, each of them that need not be.
   void leave_out() {
     if (parted_.size() > kFewParted) return;
     for (std::size_t k = 0; k < parted_.size() && parted_.size() > 1 && may_go_on();) {

@@ -18,14 +18,14 @@
 namespace planish {
 namespace {
 
-/// So many sets of cuts of one size are gone on from.
+/// Sets of cuts of one size that are gone on from.
 constexpr std::size_t kBeam = 3;
-/// So many lines at most are tried beside others.
+/// Lines that are tried beside others, at most.
 constexpr std::size_t kMostLines = 16;
 /// Lines are tried that let go of this share at least of what the one that holds most would, and
 /// where the result is certified, of what handles off their targets cost, per radian.
 constexpr double kLeastMoment = 1e-2, kLeastGain = 1e-3;
-/// So many panels at most are asked for that are near no handle, and that a limit holds.
+/// Panels near no handle, held by a limit, that are looked at, at most.
 constexpr std::size_t kMostHeld = 6;
 
 /// Lines by their numbers, ascending.
@@ -108,7 +108,8 @@ class SplitSearch {
     return best_.curve.empty() || tried.error() < best_.curve.back().handle_error;
   }
 
-  /// Of two that arrive the one that the edit itself prefers, else the one that comes nearer.
+  /// Whether `a` is better: of two that arrive what the edit itself prefers, else what comes
+  /// nearer.
   [[nodiscard]] bool comes_before(const Tried& a, const Tried& b) const {
     const bool arrives_a = arrives(a.result), arrives_b = arrives(b.result);
     if (arrives_a != arrives_b) return arrives_a;
@@ -146,7 +147,7 @@ class SplitSearch {
             fold};
   }
 
-  /// Of the panels at a handle, beside them, and of some that a limit holds.
+  /// Lines of the panels at a handle, beside them, and of some that a limit holds.
   [[nodiscard]] std::vector<LineImages> lines_for(const SolveReport& report) const {
     const Adjacency adjacency = build_adjacency(mesh_);
     std::vector<int> corners;
@@ -193,8 +194,8 @@ class SplitSearch {
     }
   }
 
-  /// Those that it has not across which panels would bend, most first; all where forces are
-  /// unknown.
+  /// The lines, beside those tried, across which panels would bend, most first; all where forces
+  /// are unknown.
   [[nodiscard]] LineSet lines_that_hold(const Tried& tried) const {
     const Positions shape = apply(tried.mesh, tried.result);
     std::vector<std::pair<double, int>> by_moment;

@@ -53,7 +53,7 @@ int GuideLines::beside(int vertex, int side) const {
 }
 
 bool GuideLines::is_corner(int vertex) const {
-  constexpr double kLeastCosine = 0.866025403784438647;  // of kSharpTurn
+  constexpr double kLeastCosine = 0.866025403784438647;  // of 30°
   const int before = beside(vertex, 0), after = beside(vertex, 1);
   if (before < 0 || after < 0) return true;
   const Eigen::Vector3d in = mesh_.positions.col(vertex) - mesh_.positions.col(before);

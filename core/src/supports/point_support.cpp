@@ -18,7 +18,7 @@
 namespace planish {
 namespace {
 
-/// From the support to `point`, across it. @param base the same point in the base
+/// The way from the support to `point`, across it. @param base the same point in the base
 Eigen::Vector3d way_off(const PointSupport& support, const Eigen::Vector3d& base,
                         const Eigen::Vector3d& point) {
   if (is_spring(support)) return point - base;
@@ -114,7 +114,7 @@ Refusal find_far_from_surface(const PointSupport& support, const Mesh& mesh, dou
          three_digits(mean_edge) + "; a point slides on what it is near to already";
 }
 
-/// Where a polyline only ends: what stands on another line as well rests there.
+/// Whether a polyline only ends there: what stands on another line as well rests there.
 bool is_end(const PointSupport& support, int v) {
   const std::vector<int>& line = support.vertices;
   return support.kind == PointSupport::Kind::kPolyline && line.front() != line.back() &&

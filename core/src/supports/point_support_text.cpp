@@ -100,7 +100,7 @@ std::string form_text(const PointSupport& support) {
   return text;
 }
 
-/// Of a plane's normal or a line's direction.
+/// The length of a plane's normal or a line's direction.
 double direction_length(const PointSupport& support) {
   const std::size_t first = support.kind == PointSupport::Kind::kPlane ? 0 : 3;
   return Eigen::Map<const Eigen::Vector3d>(support.numbers.data() + first).norm();

@@ -27,7 +27,7 @@ class ReferenceSurface {
   /// The sides that are nearest to a point: several along a sharp edge.
   [[nodiscard]] std::vector<int> sides_at(const Eigen::Vector3d& point, std::size_t most) const;
 
-  /// On a side. @param near a place on it; the better, the sooner
+  /// The foot of a point on a side. @param near a place on it; the better, the sooner
   [[nodiscard]] SurfaceFoot foot(const Eigen::Vector3d& point, int side,
                                  const Eigen::Vector3d& near) const;
 

@@ -24,7 +24,7 @@ Eigen::Vector3d VertexSlides::place_of(int vertex, const Eigen::Vector3d& d) con
   return mesh_.positions.col(vertex) + unit_ * d;
 }
 
-/// Of a point that is `height` too high with displacement `d`, solver units.
+/// The row of a point that is `height` too high with displacement `d`, solver units.
 SurfaceRow VertexSlides::row_at(const SurfaceFoot& found, const Eigen::Vector3d& d,
                                 double height) const {
   SurfaceRow row;
@@ -58,7 +58,7 @@ void VertexSlides::add_feet(const PointSupport& support, const std::vector<int>&
   }
 }
 
-/// Those of a vertex beside each other.
+/// Puts the feet of a vertex beside each other.
 void VertexSlides::order_feet() {
   if (feet_.empty()) return;
   std::stable_sort(feet_.begin(), feet_.end(),

@@ -10,7 +10,7 @@
 
 namespace planish {
 
-/// Of each of `points`, by how much it is farther above a side of the surface in `shape` than in
+/// How much each of `points` is farther above a side of the surface in `shape` than in
 /// the base, at most; model units.
 /// @param support of kind kSurface @param shape 3 × n
 [[nodiscard]] std::vector<double> ways_off_surface(const PointSupport& support, const Mesh& base,

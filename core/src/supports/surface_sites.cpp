@@ -63,7 +63,7 @@ SurfaceSites::SurfaceSites(const Mesh& mesh) {
   }
 }
 
-/// One site for each point and side that it is part of.
+/// Places one site for each point and side that it is part of.
 void SurfaceSites::place_sites(const Mesh& mesh) {
   std::vector<std::vector<std::pair<int, int>>> of_vertex(at(mesh.vertex_count()));
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -144,7 +144,7 @@ void SurfaceSites::fit(int number, const Eigen::Vector3d& normal) {
   site.bend = frame * bend * frame.transpose() / (-length * mean);
 }
 
-/// With the weight (1 − r²)³ of a site, r the distance in reaches.
+/// Adds a site with its weight (1 − r²)³, r the distance in reaches.
 void SurfaceSites::add(const Site& site, const Eigen::Vector3d& place, Sum& sum) {
   const Eigen::Vector3d way = place - site.point;
   const double scale = 1.0 / (site.reach * site.reach);

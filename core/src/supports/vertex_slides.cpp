@@ -105,7 +105,7 @@ void VertexSlides::add_runner(int vertex) {
   runners_.push_back(runner);
 }
 
-/// From one vertex of the base to another, solver units.
+/// The way from one vertex of the base to another, solver units.
 Eigen::Vector3d VertexSlides::way(int from, int to) const {
   return (mesh_.positions.col(to) - mesh_.positions.col(from)) / unit_;
 }
@@ -141,7 +141,7 @@ void VertexSlides::open() {
   if (has_rests()) let_all_go();
 }
 
-/// Where `d` leaves the side at one of its ends: across the corner there, or to rest at it.
+/// Goes on where `d` leaves the side at one of its ends: across the corner there, or to rest at it.
 bool VertexSlides::follow(Runner& runner, const Eigen::Vector3d& d) {
   constexpr int kMostTurns = 6;  // then it rests: it may go to and fro
   constexpr double kNothing = 1e-12;

@@ -60,9 +60,9 @@ class Random {
     z = (z ^ z >> 27) * 0x94d049bb133111ebu;
     return z ^ z >> 31;
   }
-  /// In [0, 1), 53 bits.
+  /// A number in [0, 1), 53 bits.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-  /// Below `bound`, without bias.
+  /// A whole number below `bound`, without bias.
   std::size_t below(std::size_t bound) {
     const std::uint64_t limit = UINT64_MAX - UINT64_MAX % bound;
     std::uint64_t drawn = next();

@@ -87,7 +87,8 @@ class PointGrid {
   std::vector<int> next_;                         ///< the next one in the same cell, or −1
 };
 
-/// By 2π/order about an axis, or the mirror at right angles to it. Quarter turns are exact.
+/// The turn by 2π/order about an axis, or the mirror at right angles to it. Quarter turns are
+/// exact.
 Eigen::Matrix3d turn_of(const SymmetryElement& element) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   if (element.order == 0) {
@@ -160,7 +161,8 @@ class SymmetryFinder {
       const bool flips = std::any_of(turns.begin(), turns.end(),
                                      [&](const auto& turn) { return turn(c, c) == -1.0; });
       if (flips) centre[c] = box_[c];
-      // Through 0, where it nearly is: mirrored coordinates then only change their sign.
+      // The centre goes through 0 where it nearly does: mirrored coordinates then only change their
+      // sign.
       if (std::abs(centre[c]) <= kSymmetric * edge_) centre[c] = 0.0;
     }
     return centre;

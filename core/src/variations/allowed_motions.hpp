@@ -41,7 +41,8 @@ class AllowedMotions {
     for (const SymmetryOperation& one : symmetry_->operations) visit(one.image[at(v)]);
   }
 
-  /// The same vector for all images; without a symmetry nothing.
+  /// Makes `t` symmetric: each image gets the mean over all motions. Does nothing without a
+  /// symmetry.
   void even_out(const Patch& patch, Eigen::Matrix3Xd& t) const;
 
   /// Takes out what rounding left uneven, and norms again. False where that was more: the vector's
@@ -64,7 +65,7 @@ class AllowedMotions {
   std::shared_ptr<const MeshSymmetry> symmetry_;  ///< null: none
 };
 
-/// Only what of `t` goes along the tracks of its vertices; vectors have no offsets.
+/// Leaves of `t` only what goes along the tracks of its vertices; vectors have no offsets.
 void put_along_tracks(const Patch& patch, Eigen::Matrix3Xd& t);
 
 }  // namespace planish

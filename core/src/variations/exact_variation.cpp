@@ -102,7 +102,7 @@ class Judge {
   }
 
  private:
-  /// By the variation; the edit had none of them.
+  /// Panels that the variation spoilt; the edit had none of them.
   [[nodiscard]] std::vector<int> newly_spoilt(const Positions& shape) const {
     const Mesh& base = variation_.base;
     std::vector<int> faces = spoilt_faces(base, base.positions, shape);
@@ -155,7 +155,7 @@ Positions after(Positions shape, const ProjectionResult& result) {
   return shape;
 }
 
-/// The same with every point and its images at their mean, and flat again: what that takes from
+/// Puts every point and its images at their mean, and makes that flat again: what it takes from
 /// flatness is of the second order, so a few rounds make both. Where they do not, kToleranceNotMet.
 /// [SYM-3]
 void make_even(const ShownVariation& variation, const ProjectionOptions& exact,

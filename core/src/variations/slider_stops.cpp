@@ -67,7 +67,7 @@ class MovingPoints {
     return points;
   }
 
-  /// With all sliders at 0.
+  /// The corner with all sliders at 0.
   [[nodiscard]] RowPoints<3> edited(const CornerShape& corner) const {
     RowPoints<3> points;
     for (int k = 0; k < 3; ++k) points.col(k) = edited_.col(corner.vertices[at(k)]);
@@ -85,7 +85,7 @@ class MovingPoints {
   }
 
  private:
-  /// Of a vertex in the support; −1 outside it.
+  /// The place of a vertex in the support; −1 outside it.
   [[nodiscard]] Eigen::Index place_of(int v) const {
     const auto found = std::lower_bound(subspace_.support.begin(), subspace_.support.end(), v);
     const bool here = found != subspace_.support.end() && *found == v;

@@ -20,7 +20,7 @@ export class Core {
 
 let loading: Promise<Core> | undefined;
 
-/** The same for all callers. A load that failed is tried again by the next one. */
+/** One core for all callers. A load that failed is tried again by the next one. */
 export function loadCore(): Promise<Core> {
   loading ??= wasmBytes()
     .then((wasmBinary) => createPackage({ wasmBinary }))

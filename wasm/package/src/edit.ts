@@ -12,7 +12,7 @@ import { type Progress, Shape } from "./shape.ts";
 /** Options of `planish edit`, by the same names; what is left out has the core's default. */
 export interface EditOptions {
   readonly handles: readonly HandleTarget[];
-  /** Before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
+  /** Cuts made before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
   readonly cuts?: readonly string[];
   /** Few to make again: points are held as long as the handles arrive; they are pins of the design.
    * A number: until at most so many panels are made again. */
@@ -136,7 +136,7 @@ export class Family {
   }
 
   /**
-   * One of them, as the sliders show it.
+   * One variation, as the sliders show it.
    * @param coefficients as many as were asked for; 1 moves some point by the edit's largest move
    */
   at(coefficients: ArrayLike<number>): Variation {

@@ -11,7 +11,7 @@ export type MobilityRow = MobilityValue;
 
 /** Options of `planish mobility`, by the same names; what is left out has the core's default. */
 export interface MobilityOptions {
-  /** These alone; all without. */
+  /** The points to measure; all without. */
   readonly vertices?: Iterable<number>;
   /** Model units: moves are tried up to there. */
   readonly range?: number;
@@ -20,7 +20,7 @@ export interface MobilityOptions {
   readonly constraints?: Constraints;
   readonly reach?: number | string;
   readonly softness?: number;
-  /** After every few vertices; false stops, and what is there is returned. */
+  /** Called after every few vertices; false stops, and what is there is returned. */
   readonly progress?: (done: number, total: number) => boolean | undefined;
   readonly [name: string]: unknown;
 }

@@ -16,7 +16,7 @@ export type EditorTheme = "light" | "dark" | "auto";
 export interface SetOutcome {
   /** Whether it was computed again with the result that it holds, but for rounding. */
   readonly verified: boolean;
-  /** The same in words. */
+  /** `verified` in words. */
   readonly sentence: string;
 }
 
@@ -153,7 +153,7 @@ export class PlanishEditor extends HTMLElement {
     this.toggleAttribute("sandbox", on);
   }
 
-  /** Of the model: what its numbers are. */
+  /** The unit of the model's numbers. */
   get unit(): EditorUnit | null {
     return this.getAttribute("unit") as EditorUnit | null;
   }

@@ -8,7 +8,7 @@ import { request } from "./request.ts";
 
 /** Options of `planish types`, by the same names; lengths are in `unit`, mm without. */
 export interface TypesOptions {
-  /** Between which widths joints may vary when one template a type is cut. */
+  /** The widths between which joints may vary when one template a type is cut. */
   readonly joint?: readonly [least: number, most: number];
   /** How far a corner may be from its template's, or a share of the mean edge as "0.5%". */
   readonly within?: number | string;

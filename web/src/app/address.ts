@@ -51,7 +51,7 @@ async function keepAside(page: Page, kept: Design, { mark }: Steps): Promise<str
   return takeSnapshot(page, "Before the link");
 }
 
-/** The same over a design that was kept. */
+/** Opens what the address names over a design that was kept. */
 export async function openAddressOverKept(page: Page): Promise<boolean> {
   const parts = isLink(location.hash) ? await linkParts(page) : null;
   const recipe = parts && (await parts.readLink(page, location.hash));

@@ -80,7 +80,7 @@ export function Catalogue({ table }: { readonly table: Table }) {
     table.designs.filter((design) => passes(design, filter)),
     order,
   );
-  /** From a field: the axes follow. */
+  /** Takes what a field says: the axes follow. */
   const say = (said: typeof EVERYTHING): void => {
     setFilter(said);
     chart.current?.show(said);

@@ -2,7 +2,7 @@
 // Which designs are looked at, and in what order.
 import type { Cell, DesignRow } from "./table.ts";
 
-/** Both ends included; null: open. */
+/** From one value to another, both included; null: open. */
 export interface Interval {
   readonly from: number | null;
   readonly to: number | null;
@@ -28,7 +28,7 @@ export const passes = ({ cells }: DesignRow, { intervals, words }: Filter): bool
   [...intervals].every(([column, interval]) => inside(cells[column] ?? null, interval)) &&
   [...words].every(([column, word]) => cells[column] === word);
 
-/** With `interval` in place of what was said of `column`; an open one says nothing. */
+/** `filter` with `interval` in place of what it said of `column`; an open one says nothing. */
 export function withInterval(filter: Filter, column: number, interval: Interval): Filter {
   const intervals = new Map(filter.intervals);
   intervals.delete(column);

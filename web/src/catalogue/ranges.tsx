@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same as brushing, with the keyboard: from and to of every axis, and choices of words.
+// Ranges of the axes for the keyboard: from and to of every axis, and choices of words.
 import { type Filter, type Interval, withInterval, withWord } from "./filter.ts";
 import type { Axis, Choice } from "./table.ts";
 

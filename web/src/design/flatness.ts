@@ -6,7 +6,7 @@ import { formatGap, type Unit } from "../quantity/units.ts";
 /** mm/m: what a finished design promises. What is below is rounding, and no figure worth reading. */
 export const FLAT = usual.tolerance;
 
-/** The same without a power of ten: "0.000001". */
+/** FLAT without a power of ten: "0.000001". */
 export const FLAT_TEXT = FLAT.toFixed(Math.round(-Math.log10(FLAT)));
 
 const PROMISE = `< ${FLAT_TEXT}`;

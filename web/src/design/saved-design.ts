@@ -34,7 +34,7 @@ export function keptFile(files: KeptFiles, mark: FileMark): Blob | null {
   return file instanceof Blob ? file : null;
 }
 
-/** Without the memory that its arrays may be a part of, which would be kept whole. */
+/** A shape without the memory that its arrays may be a part of, which would be kept whole. */
 const apart = ({ moved, positions }: Shape): Shape => ({
   moved: moved.slice(),
   positions: positions.slice(),

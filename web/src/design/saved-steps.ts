@@ -24,7 +24,7 @@ const newKey = (): string =>
 
 const shapeSize = ({ moved, positions }: Shape): number => moved.byteLength + positions.byteLength;
 
-/** All but the shapes is small. */
+/** About how many bytes a design takes: all but the shapes is small. */
 const sizeOf = ({ shape, handles, variation }: Design): number =>
   2000 + 100 * handles.length + shapeSize(shape) + (variation ? shapeSize(variation.centre) : 0);
 
@@ -37,7 +37,7 @@ async function read(kept: unknown, files: KeptFiles): Promise<Design | null> {
   return decodeStep(new Uint8Array(await kept.arrayBuffer()), files);
 }
 
-/** Of the steps of one page. */
+/** The files of the steps of one page. */
 export class StepFiles {
   readonly #kept = new WeakMap<Design, KeptStep>();
 

@@ -23,7 +23,7 @@ const isOfBoundary = (support: string): boolean =>
 /** Whether it speaks of points by their numbers, which are those of one mesh. */
 export const isListed = (support: string): boolean => /\d$/.test(support);
 
-/** Those that say something of whatever mesh. */
+/** The supports that mean something on any mesh. */
 export const ofAnyMesh = (supports: readonly string[]): readonly string[] =>
   supports.filter((support) => !isListed(support));
 
@@ -40,7 +40,7 @@ export const areAllOnSurface = (supports: readonly string[]): boolean =>
 /** Whether it takes a point along a line of the mesh or a surface: there is one such for a point. */
 const isFollowed = (support: string): boolean => /^(?:outline|polyline|surface)\b/.test(support);
 
-/** All points on the surface, and on nothing else that they would follow; or no longer so. */
+/** Puts all points on the surface, and on nothing else that they would follow; or no longer so. */
 export const withAllOnSurface = (supports: readonly string[], on: boolean): readonly string[] =>
   on
     ? [ALL_ON_SURFACE, ...supports.filter((one) => !isFollowed(one))]

@@ -25,7 +25,7 @@ export function setLook(page: Page, { readonly, unit: wanted }: EditorLook): nul
   return null;
 }
 
-/** In the words that the page says, too. */
+/** A failure in the words that the page says, too. */
 const failed = (end: Result<unknown> | undefined, otherwise: string): Error =>
   new Error((end && !end.ok && end.reason) || otherwise);
 

@@ -49,6 +49,6 @@ export class Host {
   }
 }
 
-/** Of whatever version. */
+/** Whether it is a request, of whatever version. */
 const isRequest = (data: unknown): data is EditorRequest =>
   typeof data === "object" && data !== null && "planish" in data && "ask" in data;

@@ -36,14 +36,14 @@ async function recipe(page: Page, whole: boolean): Promise<Result<DesignValue>> 
   return part.ok ? part.value.designValue(page, whole) : part;
 }
 
-/** Of a file that opens again, here and on the command line. */
+/** What writes a file that opens again, here and on the command line. */
 async function glbFile(page: Page): Promise<Result<Question>> {
   const design = await recipe(page, false);
   const offset = page.offsetLayer.value?.positions ?? null;
   return design.ok ? done({ kind: "export", format: "glb", design: design.value, offset }) : design;
 }
 
-/** Of the panels' groups OBJ has names: those of the file, as it has them, unless they were changed. */
+/** What writes a mesh. OBJ names groups of panels: those of the file, as it has them, unless changed. */
 async function meshFile(page: Page, format: "obj" | "off" | "ply"): Promise<Result<Question>> {
   const changed = changedGroups(page);
   if (!changed) return done({ kind: "export", format, design: null, groups: null });
@@ -81,7 +81,7 @@ async function exportNow(page: Page, format: FileFormat | "json", ending: string
   return file;
 }
 
-/** The same for whoever has no use for a download. */
+/** The file of the design for whoever has no use for a download. */
 export const bytesOf = (page: Page, format: FileFormat | "json"): Outcome<Blob> =>
   inTurn(page, () => fileNow(page, format));
 

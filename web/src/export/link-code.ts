@@ -6,7 +6,7 @@ import type { LinkCode } from "../solver/protocol.ts";
 /** As in core/include/planish/fabrication/labels.hpp: with these the standard leaves one answer. */
 const FIXED = { ecc: "M", boostEcc: false, maskPattern: 2, maxVersion: 30, border: 0 } as const;
 
-/** Without a code where the link is too long for one. */
+/** A link and its code; without a code where the link is too long for one. */
 export function linkCode(link: string): LinkCode {
   if (link === "") return { link, size: 0, dark: [] };
   try {

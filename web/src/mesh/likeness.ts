@@ -8,7 +8,7 @@ const NEAR = 1.5;
 const equal = (a: Int32Array, b: Int32Array): boolean =>
   a.length === b.length && a.every((value, k) => value === b[k]);
 
-/** The same faces, and no point far from where it was: a view of the one also suits the other. */
+/** Whether faces are the same and no point is far from where it was: a view of the one suits the other. */
 export function isSameStructure(before: Polygons, now: Polygons): boolean {
   const [from, to] = [before.display, now.display];
   if (from.length !== to.length) return false;

@@ -67,7 +67,7 @@ const scaledArray = (values: readonly number[] | Float64Array, { times, per }: F
 export const inUnit = (mesh: Faces, unit: FileUnit): Faces =>
   unit.times === unit.per ? mesh : { ...mesh, points: scaledArray(mesh.points, unit) };
 
-/** The same for lists of coordinates that are drawn. */
+/** Lists of coordinates that are drawn, in the unit that the page has. */
 export const drawnInUnit = <
   T extends Readonly<Record<"lines" | "triangles" | "points", Float64Array>>,
 >(

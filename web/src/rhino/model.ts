@@ -12,7 +12,7 @@ export interface Faces {
   readonly faces: readonly (readonly number[])[];
 }
 
-/** Below the layer `Planish`. */
+/** The layers below `Planish`. */
 export const LAYERS = ["Panels", "Outlines", "Mesh", "Remake", "Text"] as const;
 export type LayerName = (typeof LAYERS)[number];
 export const ROOT = "Planish";

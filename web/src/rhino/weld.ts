@@ -35,7 +35,7 @@ function shortestSide({ points, faces }: Faces): number {
   return shortest;
 }
 
-/** Never above a tenth of the shortest side, so that no side is lost. */
+/** `tolerance`, but at most a tenth of the shortest side, so that no side is lost. */
 const safeTolerance = (mesh: Faces, tolerance: number): number =>
   Math.min(tolerance, shortestSide(mesh) / 10);
 

@@ -123,7 +123,7 @@ class Hairlines extends EdgeLines {
   setSize(): void {}
 }
 
-/** Of a thousand edges, evenly from the list: all of a million would take a frame's time. */
+/** The mean length of a thousand edges, evenly from the list: all of a million would take a frame's time. */
 export function meanEdge({ edges }: Topology, points: Float32Array): number {
   const count = edges.length / 2;
   const step = Math.max(1, Math.floor(count / 1000));

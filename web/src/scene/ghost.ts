@@ -35,9 +35,9 @@ export class Ghost {
     for (const material of this.#materials) {
       const lines = new LineSegments(this.#geometry, material);
       lines.frustumCulled = false;
-      // After the panels, whose depth tells what they hide.
+      // Drawn after the panels, whose depth tells what they hide.
       lines.renderOrder = 1;
-      // Nothing to draw, and no reason to send a large mesh's points to the graphics card.
+      // Hidden: nothing to draw, and no reason to send a large mesh's points to the graphics card.
       lines.visible = false;
       this.object.add(lines);
     }

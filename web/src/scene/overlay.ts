@@ -101,7 +101,7 @@ export class Overlay {
     this.#placeFigure(view);
   }
 
-  /** Above the panel, or below it where the drag tools would cover the figure. */
+  /** Puts the figure above the panel, or below it where the drag tools would cover the figure. */
   #placeFigure(view: View): void {
     const { figure } = this.#parts;
     const seen = this.#panel && spanOf(this.#panel, view);
@@ -124,7 +124,7 @@ export class Overlay {
       return;
     }
     const side = sideOf(place, this.#markers.places(points, view, seen), view);
-    // Above or below a chosen point it would hide what follows it, beside a selected panel the panel.
+    // Above or below a chosen point the note would hide what follows it, beside a selected panel the panel.
     const aside = side === "left" || side === "right";
     putAt(element, hovered || (aside && this.#panel === null) ? place : null);
     element.dataset.side = side;

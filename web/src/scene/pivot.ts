@@ -20,7 +20,7 @@ export class Pivot {
     orbit.addEventListener("end", () => this.set(null));
   }
 
-  /** Until the controls are let go; null for what the camera looks at. */
+  /** What the camera turns about until the controls are let go; null for what it looks at. */
   set(point: Vector3 | null): void {
     this.#point = point;
     this.#remember();

@@ -96,7 +96,7 @@ export class PointerTool {
     this.#stage = stage;
     this.#events = events;
     const { signal } = this.#off;
-    // Before the camera controls see it: a press on a point must not turn the view.
+    // Heard before the camera controls hear it: a press on a point must not turn the view.
     canvas.addEventListener("pointerdown", (e) => this.#down(e), { capture: true, signal });
     const onWheel = (event: WheelEvent): void => {
       const { x, y } = this.#place(event);
@@ -111,7 +111,7 @@ export class PointerTool {
     canvas.addEventListener("pointermove", (e) => this.#move(e), { signal });
     canvas.addEventListener("pointerup", (e) => this.#up(e), { signal });
     canvas.addEventListener("pointercancel", () => this.abandon(), { signal });
-    // Before the shortcuts, which have digits for views.
+    // Heard before the shortcuts, which have digits for views.
     window.addEventListener("keydown", (e) => this.#type(e), { capture: true, signal });
     // A finger that is lifted leaves what it showed.
     const onLeave = (event: PointerEvent): void => {

@@ -22,6 +22,6 @@ export function writeRamp(ramp: Ramp, t: number, out: Float32Array, offset: numb
 /** Place on the ramp by the core's PanelChange: unchanged, cut again at the end, a new bevel between. */
 export const remakePlace = (change: number): number => [0, 1, 0.5][change] ?? 0;
 
-/** The same ramp for a legend. */
+/** A ramp for a legend. */
 export const cssGradient = (stops: readonly string[]): string =>
   `linear-gradient(to right in oklab, ${stops.join(", ")})`;

@@ -67,7 +67,7 @@ export class ReachFollower {
     const chosen = page.selected.value;
     const next = chosen === null || !page.baseFlat.value ? [] : [chosen];
     const length = limits.reachLength * opened.report.scale;
-    // Around panels that are out of the picture it would lead through the air.
+    // Around panels that are out of the picture the line would lead through the air.
     const whole = hiddenPanels(page).value.size === 0;
     const seeds = !whole ? [] : pulled.length > 0 ? pulled : next;
     this.#line.draw(shell, seeds, { rings: limits.reach, length });

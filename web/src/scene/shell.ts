@@ -80,7 +80,7 @@ export class Shell {
     return this.#cuts.triangles;
   }
 
-  /** With those edges alone that are in the picture. */
+  /** The topology with those edges alone that are in the picture. */
   get drawn(): Topology {
     return this.#lines.topology;
   }

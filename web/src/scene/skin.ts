@@ -18,7 +18,7 @@ export const mattMaterial = (): MeshStandardMaterial =>
 /** Another look of the panels than their colours. */
 export interface Skin {
   readonly material: Material;
-  /** After points moved. */
+  /** Called after points moved. */
   update(geometry: BufferGeometry, offsets: Int32Array, topology: Topology): void;
   dispose(): void;
 }

@@ -14,7 +14,7 @@ const SHADOW_DELAY = 1000;
 export interface StructureEvents {
   /** A new one takes its place on the stage. */
   readonly making: () => void;
-  /** It stands there; `kept`: it is much the same as the one before. */
+  /** A mesh stands in the view; `kept`: it is much the same as the one before. */
   readonly made: (shown: DisplayMesh, kept: boolean) => void;
   readonly moved: () => void;
 }

@@ -171,7 +171,7 @@ export class Viewport {
     this.#reach.setColour(palette.ghost);
   }
 
-  /** In this order: a new structure stands before anything is drawn on it. */
+  /** Starts the followers, in this order: a new structure stands before anything is drawn on it. */
   #follow(): void {
     const palette = (): Palette => this.#palette();
     this.#stop.push(

@@ -4,7 +4,7 @@ import type { CuttingOptions } from "@wasm/planish_documents.mjs";
 /** Every panel is drawn by itself. */
 export const WITHOUT_TYPES = { jointBy: 0, mirrored: false, byType: false } as const;
 
-/** All panels, without joints, thickness, sheets or a name. */
+/** Options of all panels, without joints, thickness, sheets or a name. */
 export const plainOptions = (modelUnit: string, unit: string): CuttingOptions => ({
   name: "",
   modelUnit,

@@ -15,7 +15,7 @@ interface OpenedGlb {
   readonly stored: StoredDesign | null;
 }
 
-/** With the mesh that is open as its base. */
+/** A design with the mesh that is open as its base. */
 const withBase = (session: Session, { source, ...design }: DesignValue): DesignValue => ({
   ...design,
   source: "sample" in source ? source : { ...source, hash: session.baseHash() },

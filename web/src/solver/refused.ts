@@ -15,13 +15,13 @@ export function insistReadable(name: string, refusal: string): void {
   insist(refusal && refusal !== NO_MEMORY ? aboutFile(name, refusal) : refusal);
 }
 
-/** After these the module's memory is full or in no known state. */
+/** Whether the module's memory is full or in no known state after `error`. */
 export const isFatal = (error: unknown): boolean =>
   error instanceof WebAssembly.RuntimeError ||
   error instanceof RangeError ||
   (error instanceof Refused && error.message === NO_MEMORY);
 
-/** For the user. */
+/** What an error says to the user. */
 export function sentence(error: unknown): string {
   // "OOM" is how the module's allocator ends.
   if (error instanceof WebAssembly.RuntimeError && !error.message.includes("OOM"))

@@ -11,7 +11,7 @@ const FRAMES = 20;
 
 const nextTurn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
-/** One small edit at a time, so that a request never waits for more than that. */
+/** Warms up by one small edit at a time, so that a request never waits for more than that. */
 export async function warmUp(planish: PlanishModule): Promise<void> {
   const session = new planish.Session();
   try {

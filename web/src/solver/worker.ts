@@ -60,7 +60,7 @@ scope.onmessage = async ({ data }: MessageEvent<Request>): Promise<void> => {
   const started = await solver;
   await started?.dispatcher.handle(data);
   if (!started || warm) return;
-  // After the first mesh is open, when there is time.
+  // Warms up after the first mesh is open, when there is time.
   warm = true;
   await warmUp(started.planish).catch(() => {});
 };

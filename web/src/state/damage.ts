@@ -7,7 +7,7 @@ import { PER_PANEL } from "../solver/protocol.ts";
 import { formatDegrees } from "./fold.ts";
 import { kept } from "./page.ts";
 
-/** One panel, several panels: by the core's PanelDamage, the most serious first; then new slivers. */
+/** Words for one panel and for several: by the core's PanelDamage, the most serious first; then new slivers. */
 export const DAMAGES: readonly (readonly [string, string])[] = [
   ["", ""],
   ["crosses itself", "cross themselves"],
@@ -54,7 +54,7 @@ export function damageWords(damage: Uint8Array, health: Float32Array | null = nu
     .join(", ");
 }
 
-/** Of the design shown; null while it changes or is not measured yet. */
+/** The damage of the design shown; null while it changes or is not measured yet. */
 export const damage = kept((page) =>
   computed(() =>
     page.draft.value === page.history.value?.present ? page.panelDamage.value : null,

@@ -12,7 +12,7 @@ export interface Figure {
   readonly link: string;
 }
 
-/** None until the page can be used. */
+/** The paper's figures that are offered; none until the page can be used. */
 export const offeredFigures = kept(() => signal<readonly Figure[]>([]));
 
 /** What the mesh on screen came from, as long as no other mesh is opened. */
@@ -44,7 +44,7 @@ export async function loadFigures(page: Page): Promise<void> {
   offeredFigures(page).value = part?.default ?? [];
 }
 
-/** By the page's address, as any link. False if there is no such figure. */
+/** Opens a figure by the page's address, as any link. False if there is no such figure. */
 export function openFigure(page: Page, name: string): boolean {
   const figure = offeredFigures(page).value.find((f) => f.name === name);
   if (figure) location.hash = figure.link;

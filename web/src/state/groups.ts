@@ -111,7 +111,7 @@ export function selectGroup(page: Page, group: Group): void {
   page.selection.value = membersOf(page, group).points;
 }
 
-/** As a text, which frames of a drag leave as it is. */
+/** The pinned points as a text, which frames of a drag leave as it is. */
 const pinned = kept((page) =>
   computed(() =>
     (page.draft.value?.handles ?? []).flatMap((row) => (row.pinned ? row.vertex : [])).join(),
@@ -134,7 +134,7 @@ export function lockGroup(page: Page, group: Group): Outcome {
 export const isGroupHidden = (page: Page, group: Group): boolean =>
   panelsOfGroup(page, group).every((panel) => hiddenPanels(page).value.has(panel));
 
-/** Its panels leave the view, or come back. */
+/** Takes the panels of a group out of the view, or brings them back. */
 export function hideGroup(page: Page, group: Group): void {
   const of = page.displayMesh.value;
   if (!of) return;

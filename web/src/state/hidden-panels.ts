@@ -16,7 +16,7 @@ interface Hidden {
 
 export const hidden = kept(() => signal<Hidden | null>(null));
 
-/** Of the mesh that is shown; another mesh is shown whole. */
+/** Hidden panels of the mesh that is shown; another mesh is shown whole. */
 export const hiddenPanels = kept((page) =>
   computed(() => {
     const { value } = hidden(page);

@@ -27,7 +27,7 @@ export const shownRule = kept(() => signal<Rule | null>(null));
 /** Whether what changes the view alone is in sight, beside its buttons. */
 export const viewOptionsShown = kept(() => signal(false));
 
-/** For whatever leads to a section of that tab. */
+/** Shows a tab, for whatever leads to a section of it. */
 export function goToTab(page: Page, tab: Tab): void {
   shownTab(page).value = tab;
   page.sheetFolded.value = false;

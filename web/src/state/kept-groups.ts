@@ -70,10 +70,10 @@ const changed = kept((page) =>
   }),
 );
 
-/** Those of the mesh that is open; null where those of its file hold. */
+/** The groups of the mesh that is open; null where those of its file hold. */
 export const changedGroups = (page: Page): readonly Group[] | null => changed(page).value;
 
-/** These are those of the mesh that is open, and of the others that its numbers are of. */
+/** Keeps `list` as the groups of the open mesh, and of the others that its numbers are of. */
 export function keepGroups(page: Page, list: readonly Group[]): void {
   const [own, shown] = [keptGroups(page).value, meshShown(page)];
   if (!shown) return;
@@ -81,7 +81,7 @@ export function keepGroups(page: Page, list: readonly Group[]): void {
   keptGroups(page).value = { meshes: own && same ? own.meshes : [shown], list };
 }
 
-/** Those of the mesh that is open hold for another with the same points and panels, too. */
+/** Keeps the groups of the open mesh for another with the same points and panels, too. */
 export function holdAlsoFor(page: Page, next: Source): void {
   const list = changedGroups(page);
   if (!list) return;

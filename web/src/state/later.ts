@@ -10,7 +10,7 @@ const NOT_LOADED = refuse("A part of the page could not be loaded. Try again whe
 export const loadPart = <T>(load: () => Promise<T>): Promise<Result<T>> =>
   load().then(done, () => NOT_LOADED);
 
-/** The same for whoever was asked by a person; null, with the problem said, if it cannot be had. */
+/** A part that a person asked for; null, with the problem said, if it cannot be had. */
 export async function fetchPart<T>(page: Page, load: () => Promise<T>): Promise<T | null> {
   // Whoever asks while it is drawn is not drawn again for this.
   page.fetching.value = page.fetching.peek() + 1;

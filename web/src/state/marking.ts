@@ -5,13 +5,13 @@ import type { ResultMark, Shape } from "../solver/protocol.ts";
 import { runUnseen } from "./connection.ts";
 import type { Page } from "./page.ts";
 
-/** By what a result is recognised. */
+/** The mark by which a result is recognised. */
 export async function readMark(page: Page, shape: Shape): Promise<Result<ResultMark>> {
   const answer = await runUnseen(page, "reading the result", { kind: "mark", shape }, "marked");
   return answer.ok ? done(answer.value.mark) : answer;
 }
 
-/** The same where nobody asked for it: null if the solver cannot say. */
+/** The mark where nobody asked for it: null if the solver cannot say. */
 export async function markOf(page: Page, shape: Shape): Promise<ResultMark | null> {
   const read = await readMark(page, shape);
   return read.ok ? read.value : null;

@@ -7,7 +7,7 @@ import { kept } from "./page.ts";
 import type { MeasuredPanels } from "./panel-rows.ts";
 import { urgencyOf } from "./panel-trouble.ts";
 
-/** Of every panel the worst of its points; -1 where none is bound. */
+/** The worst defect at the points of every panel; -1 where none is bound. */
 export function worstOfPoints(
   defects: Float32Array,
   faces: Pick<Polygons, "offsets" | "vertices">,

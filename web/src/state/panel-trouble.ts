@@ -17,7 +17,7 @@ export const TROUBLES = [
 
 /** Places in the core's PanelDamage. */
 const [TURNED_OVER, COLLAPSED] = [2, 3];
-/** Beyond every class. */
+/** Beyond every class of damage. */
 const NOT_FLAT = 10;
 /** A class is one; the sharpest fold of all is less. */
 const FOLDS = 1 / 360;
@@ -31,7 +31,7 @@ function troubleOf(outline: number, angle: number, damage: number): number {
   return angle < sliverAngle ? 1 : 0;
 }
 
-/** Of every panel its place in TROUBLES. `damage`: since the mesh was opened. */
+/** The place of every panel in TROUBLES. `damage`: since the mesh was opened. */
 export const troublesOf = (health: Float32Array, damage: Uint8Array): Float32Array =>
   Float32Array.from(damage, (kind, panel) =>
     troubleOf(health[HEALTH * panel] ?? 0, health[HEALTH * panel + 2] ?? 180, kind),

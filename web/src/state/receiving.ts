@@ -74,7 +74,7 @@ function keepViews(page: Page, views: readonly NamedView[]): void {
 const isOfMesh = ({ of, members }: Group, { vertices, faces }: MeshReport): boolean =>
   (members.at(-1) ?? 0) < (of === "points" ? vertices : faces);
 
-/** With the mesh that came: those of the mesh that was open are its own. */
+/** Groups that came with their mesh: those of the mesh that was open are its own. */
 function groupsThatCame(page: Page, came: readonly Group[]): readonly Group[] {
   const mesh = page.mesh.value;
   const list = mesh ? came.filter((group) => isOfMesh(group, mesh.report)) : [];
@@ -82,7 +82,7 @@ function groupsThatCame(page: Page, came: readonly Group[]): readonly Group[] {
   return list;
 }
 
-/** One's own note stays below the one that came. */
+/** Keeps a note that came; one's own stays below it. */
 function keepNote(page: Page, came: string): void {
   const own = note(page);
   if (!came || own.value.includes(came)) return;

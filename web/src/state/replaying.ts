@@ -18,7 +18,7 @@ import { showPresent, takeMesh } from "./showing.ts";
 import { sliderLeads } from "./slider-leads.ts";
 import { inTurn } from "./turns.ts";
 
-/** Of the mesh, model units: display coordinates span ten. */
+/** The size of the mesh, model units: display coordinates span ten. */
 export const sizeOf = ({ scale }: OpenedMesh["report"]): number => 10 / scale;
 
 interface Replayed {
@@ -136,8 +136,8 @@ async function openAndCompute(
   return end.ok ? done({ ...end.value, mesh }) : end;
 }
 
-/** Within a turn; gives in how far the design that is there now differs from what was recorded, in words,
- * "" where it does not. */
+/** Does a design again, within a turn; says how far what is there now differs from what was recorded, ""
+ * where it does not. */
 export async function replayNow(page: Page, recipe: Steps): Promise<Result<string>> {
   const end = await openAndCompute(page, recipe);
   if (!end.ok) {
@@ -176,7 +176,7 @@ export async function replay(page: Page, recipe: Steps): Promise<boolean> {
   return opened;
 }
 
-/** More than rounding is no mere notice: then these are the words. */
+/** Notes that the design is as recorded; how it differs, in words, where it is more than rounding. */
 function compared(page: Page, { mark }: Steps, off: number, opened: OpenedMesh): string {
   if (!mark) {
     page.notice.value = "Opened: the design holds no result to compare with.";

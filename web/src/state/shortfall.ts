@@ -15,7 +15,7 @@ export interface Shortfall {
   readonly vertex: number;
   /** Model units. */
   readonly length: number;
-  /** More than a soft handle always is. */
+  /** Whether it is more than of any soft handle. */
   readonly noticeable: boolean;
 }
 
@@ -32,7 +32,7 @@ function shortfallOf(
   return { vertex, length, noticeable };
 }
 
-/** Of the last finished design; pinned points have no target. */
+/** The shortfalls of the last finished design; pinned points have no target. */
 export const shortfalls = kept((page) =>
   computed((): readonly Shortfall[] => {
     const design = page.history.value?.present;

@@ -29,7 +29,7 @@ function freeName(page: Page): string {
 
 const newId = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
-/** Of a design that is not the one shown: without a picture. */
+/** A snapshot of a design that is not the one shown: without a picture. */
 export const newSnapshot = (name: string, design: Design): Snapshot => ({
   id: newId(),
   name,

@@ -23,7 +23,7 @@ export const growthOf = (degrees: number): number | null =>
 /** The last pull that was held back; whether it still belongs to what is shown, see `beyond`. */
 export const wanted = kept(() => signal<Wanted | null>(null));
 
-/** Of the pull that goes on, or of the design that the last one ended as. */
+/** What is wanted of the pull that goes on, or of the design that the last one ended as. */
 export const beyond = kept((page) =>
   computed((): Wanted | null => {
     const pull = wanted(page).value;

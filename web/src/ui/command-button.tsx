@@ -4,10 +4,10 @@ import { type Command, refusalOf, titleOf } from "./commands/command.ts";
 import { usePage } from "./page-context.ts";
 
 interface CommandButtonProps {
-  /** Its classes. */
+  /** Classes of the button. */
   readonly look: string;
   readonly command: Command;
-  /** Before the label, which gives way to it where there is little room. */
+  /** Stands before the label, which gives way to it where there is little room. */
   readonly icon?: ComponentChild;
   /** A few words for its title. */
   readonly hint?: string;

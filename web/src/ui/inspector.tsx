@@ -30,19 +30,19 @@ const SelectionStrip = later(() =>
 
 const CutStrip = later(() => import("../features/cut/cut-strip.tsx").then((part) => part.CutStrip));
 
-/** Where several points are selected, or about to be; beside the view, so that it covers none of them. */
+/** The strip where several points are selected, or about to be; beside the view, to cover none of them. */
 function Several() {
   const page = usePage();
   const asked = page.areaTool.value ?? page.typedMove.value;
   return page.selection.value.length > 1 || asked ? <SelectionStrip /> : null;
 }
 
-/** Beside the view in which clicks cut. */
+/** The strip beside the view in which clicks cut. */
 function Cutting() {
   return usePage().cutting.value ? <CutStrip /> : null;
 }
 
-/** On a telephone the controls are a sheet under the view: folded, they leave it all the room. */
+/** Folds the controls, which are a sheet under the view on a telephone: folded, they leave it the room. */
 export function SheetFold() {
   const page = usePage();
   const folded = page.sheetFolded;
@@ -119,7 +119,7 @@ function Tabs() {
   );
 }
 
-/** All three are there, one is in sight: what was typed or unfolded in the others stays. */
+/** A tab's panel. All three are there, one is in sight: what was typed or unfolded in the others stays. */
 function Panel({ tab }: { tab: Tab }) {
   const page = usePage();
   return (
@@ -142,7 +142,7 @@ export function Inspector() {
   const under = useRef<HTMLDivElement>(null);
   const tab = shownTab(page).value;
   useEffect(() => under.current?.scrollTo(0, 0), [tab]);
-  // It is read before anything else is done with the file.
+  // The import report is read before anything else is done with the file.
   useSignalEffect(() => {
     if (page.importReport.value) shownTab(page).value = "edit";
   });

@@ -30,7 +30,7 @@ export function enterRegion(region: Region): void {
   [...candidates].find(canTakeIt)?.focus();
 }
 
-/** The same in the next region, or with −1 in the one before. */
+/** Focuses the next region, or with −1 the one before. */
 export function goToRegion(step: 1 | -1): void {
   const count = NAMES.length;
   const start = here();

@@ -16,7 +16,7 @@ interface Section {
   readonly Content: ComponentType;
 }
 
-/** One that comes once the page can be used: the component `Name` of a module of its feature. */
+/** A section that comes once the page can be used: the component `Name` of a module of its feature. */
 const section = <Name extends string>(
   place: Place,
   name: Name,

@@ -68,7 +68,7 @@ function motionWords(page: Page): string {
   return `${way} ${height}, joints slide up to ${along}${held ? ", the limit" : ""}`;
 }
 
-/** Only where nothing else is to be said: a sentence needs the room. */
+/** How points moved, where nothing else is to be said: a sentence needs the room. */
 function MotionNote() {
   const page = usePage();
   const words = motionWords(page);

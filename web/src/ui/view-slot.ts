@@ -8,7 +8,7 @@ const slot = kept((): { view: Viewport | null } => ({ view: null }));
 /** null while there is none. */
 export const viewOf = (page: Page): Viewport | null => slot(page).view;
 
-/** From now on this is the view; it shows the focus unless that came by the pointer. Returns how to
+/** Makes a canvas the view; it shows the focus unless that came by the pointer. Returns how to
  * take it away again. */
 export function offerView(page: Page, canvas: HTMLCanvasElement, view: Viewport): () => void {
   const off = new AbortController();

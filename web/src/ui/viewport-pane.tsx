@@ -31,7 +31,7 @@ const PointFigure = later(() => import("./point-figure.tsx").then((part) => part
 
 const VIEWS = [COMMANDS.perspective, COMMANDS.top, COMMANDS.front, COMMANDS.side] as const;
 
-/** Of the design; a preview has words of its own. */
+/** The words that sum up the design; a preview has words of its own. */
 function summaryWords(page: Page, { faces, vertices }: MeshReport): string {
   const panels = isFlat(page.figures.value) ? "flat panels" : "panels, not all of them flat,";
   const { movedVertices } = page.figures.value;

@@ -41,7 +41,7 @@ struct CornerShape {
   double offset = 0.0;
 };
 
-/// Of the base: no share of a side is kept, but a turn is let in.
+/// Whether the corner is straight in the base: no share of a side is kept, but a turn is let in.
 [[nodiscard]] inline bool is_straight(const CornerShape& corner) { return corner.offset > 0.0; }
 
 /// s: 1 in the base mesh, 0 at the bound.

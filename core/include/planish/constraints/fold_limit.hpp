@@ -30,7 +30,8 @@ struct FoldLimit {
   static constexpr std::string_view kName = "fold";
   static constexpr std::string_view kForm = "MAX or +MAX";
   using Row = FoldRow;
-  /// One row for each edge that `face` shares with exactly one other face of a higher number.
+  /// Appends one row for each edge that `face` shares with exactly one other face of a higher
+  /// number.
   static void append_rows(const LimitBase& base, int face, const StatedLimit& limit,
                           std::vector<Row>& out);
 };

@@ -30,7 +30,7 @@ struct KeepOutRow {
   int panel = -1;      ///< that stays out of a box; −1: the row is no box's
   int box = -1;
 
-  /// Of the point at `place`: 1/2 or more where no force acts, 0 at the bound.
+  /// The share of the point at `place`: 1/2 or more where no force acts, 0 at the bound.
   [[nodiscard]] double share(const Eigen::Vector3d& place) const {
     return scale.share(normal.dot(place));
   }

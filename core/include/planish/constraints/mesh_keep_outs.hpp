@@ -45,10 +45,10 @@ class MeshKeepOuts {
   /// are panels of other models [KEE-5].
   /// @returns whether a new one acts: the edit is then to be made again from the base
   bool part_panels(std::span<const int> faces, const std::function<Eigen::Vector3d(int)>& point);
-  /// Without the planes that part_panels() made.
+  /// Drops the planes that part_panels() made.
   void forget_parted();
 
-  /// Of `faces`; what it holds back are points. @see limit_standing()
+  /// How `faces` stand to the keep-outs; what is held back are points. @see limit_standing()
   [[nodiscard]] LimitStanding standing(std::span<const int> faces,
                                        const std::function<Eigen::Vector3d(int)>& point) const;
 

@@ -88,15 +88,15 @@ struct LimitExcess {
   std::vector<int> panels;  ///< ascending
 };
 
-/// Of every limit that some panel breaks, in the order of LimitKinds.
+/// The excess of every limit that some panel breaks, in the order of LimitKinds.
 [[nodiscard]] std::vector<LimitExcess> limit_excess(const MeshLimits& limits, int face_count);
 
 /// The share below which a limit counts as holding something back: what presses ends a millionth
 /// from its bound, see kLimitMargin.
 inline constexpr double kBindingShare = 1e-4;
 
-/// Of every limit that rows hang on, in the order of LimitKinds, keep-outs last; of `faces`
-/// (ascending). @param point a vertex's place, in the unit that the limits were made in
+/// The standing of every limit that rows hang on, in the order of LimitKinds, keep-outs last; of
+/// `faces` (ascending). @param point a vertex's place, in the unit that the limits were made in
 [[nodiscard]] std::vector<LimitStanding> limit_standing(
     const MeshLimits& limits, std::span<const int> faces,
     const std::function<Eigen::Vector3d(int)>& point);

@@ -9,7 +9,7 @@
 
 namespace planish {
 
-/// Between two panels along a direction.
+/// The gap between two panels along a direction.
 struct PanelGap {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length 1, from the second to the first
   double lowest = 0.0;                                ///< of the first, along the normal
@@ -19,8 +19,8 @@ struct PanelGap {
   [[nodiscard]] double width() const { return lowest - highest; }
 };
 
-/// Along the normals of both panels, across their edges in their planes, and at right angles to an
-/// edge of each. @param first, second 3 × corners
+/// The widest gap along the normals of both panels, across their edges in their planes, and at
+/// right angles to an edge of each. @param first, second 3 × corners
 [[nodiscard]] PanelGap widest_gap(const Positions& first, const Positions& second);
 
 /// A panel in the base and now; 3 × corners each.

@@ -33,7 +33,7 @@ struct SlideLimit {
   static constexpr std::string_view kName = "slide";
   static constexpr std::string_view kForm = "MAX";
   using Row = SlideRow;
-  /// One row for each corner of `face` that no face of a lower number has.
+  /// Appends one row for each corner of `face` that no face of a lower number has.
   static void append_rows(const LimitBase& base, int face, const StatedLimit& limit,
                           std::vector<Row>& out);
 };

@@ -87,7 +87,7 @@ struct Design {
 
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
-/// The same, of what moved alone.
+/// The mark of a shape of which only the moved vertices are at hand.
 /// @param vertices ascending
 /// @param positions 3 × |vertices|, none where its base has it
 [[nodiscard]] DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions);
@@ -96,8 +96,9 @@ struct Design {
 /// to the last bit.
 [[nodiscard]] double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape);
 
-/// Up to which deviation two results are the same, model units: a billionth of the mesh's diagonal.
-/// Compilers round in another order; certified results agree far below it, and nobody sees it.
+/// The largest deviation between results that are the same, model units: a billionth of the mesh's
+/// diagonal. Compilers round in another order; certified results agree far below it, and nobody
+/// sees it.
 [[nodiscard]] double agreement(const Mesh& base);
 
 /// What each slider does at value 1, for a GLB's morph targets: in slider order and scale.
@@ -120,7 +121,7 @@ struct Replay {
   double deviation = 0.0;                ///< from the recorded probes, model units
 };
 
-/// Does it again, for everybody: page, packages and command.
+/// Does `design` again, for everybody: page, packages and command.
 /// @param given the mesh of a FileSource that does not ride along; otherwise not used
 /// @return the result, or one sentence that says why there is none
 [[nodiscard]] std::variant<Replay, std::string> replay(const Design& design,
@@ -133,8 +134,9 @@ struct Replay {
 [[nodiscard]] std::variant<CutMesh, std::string> cuts_that_left(const Positions& base,
                                                                 const Design& design);
 
-/// The same on a base that was opened, made flat, symmetric and cut, already, with supports that
-/// have the points of the cuts (supports_after_cuts()) and are not told in the result.
+/// Does `design` again on a base that was opened, made flat, symmetric and cut, already, with
+/// supports that have the points of the cuts (supports_after_cuts()) and are not told in the
+/// result.
 /// @param symmetry of that base, which is the design's; null: none, and designs with one are
 /// refused
 [[nodiscard]] std::variant<Replay, std::string> replay_on(

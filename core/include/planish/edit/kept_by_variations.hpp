@@ -24,8 +24,8 @@ struct KeptByVariations {
   std::shared_ptr<const MeshSymmetry> symmetry = nullptr;
 };
 
-/// Of an edit of `mesh`: vertices that it holds, and points that rest on a keep-out in the base,
-/// stay where the edit put them. O(n).
+/// What variations of an edit of `mesh` keep: vertices that it holds, and points that rest on a
+/// keep-out in the base, stay where the edit put them. O(n).
 /// @param targets with all images, where there is a symmetry
 [[nodiscard]] KeptByVariations kept_by_variations(
     const Mesh& mesh, const EditTargets& targets, const HandleEditOptions& options,

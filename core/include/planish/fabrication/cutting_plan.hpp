@@ -68,7 +68,7 @@ struct PanelApart {
 struct DrawnReport {
   int drawn = 0;              ///< panels that the drawings or the model show
   double flatness = 0.0;      ///< of the worst panel, mm/m
-  double excess = 0.0;        ///< the same, less what rounding accounts for: see FacePlanarity
+  double excess = 0.0;        ///< `flatness` less what rounding accounts for: see FacePlanarity
   std::vector<int> vanished;  ///< the gap leaves nothing of them, or they cross themselves
   std::vector<PanelApart> apart;
   std::vector<int> lost_sides;  ///< the gap leaves one piece, but not every side of it

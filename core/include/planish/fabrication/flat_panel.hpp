@@ -37,7 +37,7 @@ struct FlatPanel {
 /// Length of side k, from corner k to the next.
 [[nodiscard]] double side_length(const Outline& outline, Eigen::Index side);
 
-/// Inside the panel at corner k, radians, 0 … 2π.
+/// The angle inside the panel at corner k, radians, 0 … 2π.
 [[nodiscard]] double interior_angle(const Outline& outline, Eigen::Index corner);
 
 /// The smallest rectangle around `outline` by area. O(k²).

@@ -13,7 +13,7 @@
 
 namespace planish {
 
-/// Between which widths the joint of two panels may vary, ≥ 0.
+/// The widths between which the joint of two panels may vary, ≥ 0.
 struct JointRange {
   double min = 0.0, max = 0.0;
 };

@@ -6,7 +6,7 @@
 
 namespace planish {
 
-/// Between panels on a sheet and along its edge, metres.
+/// The gap between panels on a sheet and along its edge, metres.
 inline constexpr double kSheetSpacing = 0.010;
 
 struct SheetSize {

@@ -27,7 +27,7 @@ struct DrawingOptions {
 /// The first rule that `options` breaks, naming its field; nullopt if none.
 [[nodiscard]] Refusal find_problem(const DrawingOptions& options);
 
-/// The same, and axes so far off `mesh` that nothing of it would be seen.
+/// The first rule that `options` breaks for `mesh`, of which axes too far off would show nothing.
 [[nodiscard]] Refusal find_problem(const DrawingOptions& options, const Mesh& mesh);
 
 struct StructureDrawings {

@@ -7,14 +7,16 @@
 
 namespace planish {
 
-/// One row a panel; the fields are described in docs/types.md.
+/// A table of one row a panel; the fields are described in docs/types.md.
 /// @param plan with types
 [[nodiscard]] TableText type_table(const CuttingPlan& plan);
 
-/// One row a type: its template, and how many panels are cut from it. The same.
+/// A table of one row a type: its template, and how many panels are cut from it. @param plan with
+/// types
 [[nodiscard]] TableText template_table(const CuttingPlan& plan);
 
-/// One row a type of bars, and of nodes: how many there are, and what they measure. The same.
+/// Tables of one row a type of bars, and of nodes: how many there are, and what they measure.
+/// @param plan with types
 [[nodiscard]] TableText bar_type_table(const CuttingPlan& plan);
 [[nodiscard]] TableText node_type_table(const CuttingPlan& plan);
 

@@ -11,8 +11,8 @@
 
 namespace planish {
 
-/// One group a line: first face, blank, name, which a tab precedes where it is one name with
-/// blanks. Names may hold any other bytes; line ends become blanks.
+/// Groups as text, one a line: first face, blank, name, which a tab precedes where it is one name
+/// with blanks. Names may hold any other bytes; line ends become blanks.
 [[nodiscard]] std::string face_groups_text(const std::vector<FaceGroup>& groups);
 
 /// What face_groups_text() writes; nullopt where a line has no face of the mesh, or none behind the

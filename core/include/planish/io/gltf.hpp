@@ -48,7 +48,7 @@ struct GlbFile {
 /// @param bytes the file, up to 2 GiB
 [[nodiscard]] ReadResult read_glb(std::string_view bytes);
 
-/// The same with everything a design needs.
+/// A GLB with all that its design needs, read as read_glb() does.
 [[nodiscard]] std::variant<GlbFile, ReadError> read_glb_design(std::string_view bytes);
 
 }  // namespace planish

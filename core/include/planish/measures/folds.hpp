@@ -26,8 +26,9 @@ struct Fold {
 [[nodiscard]] Fold sharpest_fold(const Mesh& mesh, const Adjacency& adjacency,
                                  const Positions& positions, std::span<const int> faces);
 
-/// By how many degrees the fold that sharpened most did, of all folds that sharpest_fold() looks
-/// at; at least 0. A crease in a smooth place so counts in full, whatever folds elsewhere. [MET-4]
+/// How many degrees the fold that sharpened most became sharper, of all folds that sharpest_fold()
+/// looks at; at least 0. A crease in a smooth place so counts in full, whatever folds elsewhere.
+/// [MET-4]
 /// @param before, after 3 × n of the whole mesh
 [[nodiscard]] double largest_fold_growth(const Mesh& mesh, const Adjacency& adjacency,
                                          const Positions& before, const Positions& after,

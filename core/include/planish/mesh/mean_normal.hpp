@@ -10,8 +10,8 @@
 
 namespace planish {
 
-/// Of the area vectors of `faces`, added up; of length 1, 0 where they cancel or there are none.
-/// `positions` is 3 × n of the whole mesh.
+/// The direction of the area vectors of `faces`, added up; of length 1, 0 where they cancel or
+/// there are none. `positions` is 3 × n of the whole mesh.
 [[nodiscard]] Eigen::Vector3d mean_normal(const Mesh& mesh, const Positions& positions,
                                           std::span<const int> faces);
 

@@ -13,7 +13,7 @@ constexpr std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// The same for a column or row of an Eigen matrix.
+/// A column or row of an Eigen matrix as an index of a list.
 constexpr std::size_t at(std::ptrdiff_t index) {
   assert(index >= 0);
   return static_cast<std::size_t>(index);

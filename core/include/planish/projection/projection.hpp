@@ -58,7 +58,8 @@ enum class ConfinedBecause {
   kSpoiltByVariation,  ///< no other flat mesh near it keeps the shape of panels either
 };
 
-/// For reports, for example "weighted distance: panels would lose their shape"; "" for kNothing.
+/// The reason as reports say it, for example "weighted distance: panels would lose their shape"; ""
+/// for kNothing.
 [[nodiscard]] std::string_view reason(ConfinedBecause because);
 
 struct ProjectionResult {
@@ -82,8 +83,8 @@ struct ProjectionResult {
                                                  const std::vector<int>& pins = {},
                                                  const Progress& progress = {});
 
-/// The same with a history: vertices of `mesh` that still sit where `reference` has them are
-/// penalised by w_i ‖t̃_i‖, so a local design stays local. Faces are `mesh`'s. [PRO-3]
+/// Projects a mesh with a history: vertices that still sit where `reference` has them are penalised
+/// by w_i ‖t̃_i‖, so a local design stays local. Faces are `mesh`'s. [PRO-3]
 /// @param reference p⁰, 3 × n
 [[nodiscard]] ProjectionResult project_to_planar(const Mesh& mesh, const Positions& reference,
                                                  const ProjectionOptions& options = {},

@@ -32,8 +32,8 @@ struct FewerTypesOptions {
 
 [[nodiscard]] Refusal find_problem(const FewerTypesOptions& options);
 
-/// The same, and whether the mesh is flat and has no more kinds of polygons than types are asked
-/// for.
+/// The first rule that `options` break on `mesh`, which must be flat and have no more kinds of
+/// polygons than types are asked for.
 [[nodiscard]] Refusal find_problem(const FewerTypesOptions& options, const Mesh& mesh);
 
 /// A mesh with as few types as were found: flat, no panel spoilt that was not, within the limits,

@@ -57,7 +57,8 @@ struct PointSupport {
 /// round away. It keeps that distance.
 inline constexpr double kSupportReach = 1e-4;
 
-/// The same from a surface: half a mean edge, a panel's sag and what rounding a design took.
+/// How far a point may be from its surface in the base, share of the mean edge: a panel's sag and
+/// what rounding a design took.
 inline constexpr double kSurfaceReach = 0.5;
 
 /// The first rule that `supports` break on `mesh`: vertices that it does not have, points that are

@@ -34,7 +34,7 @@ class SweepPlan {
   /// A plan, or one sentence that names the field.
   [[nodiscard]] static std::variant<SweepPlan, std::string> read(std::string_view text);
 
-  /// At most 10^9; the same job may be listed twice where values repeat.
+  /// The number of jobs, at most 10^9; the same job may be listed twice where values repeat.
   [[nodiscard]] std::size_t job_count() const;
 
   /// @param index < job_count()

@@ -54,7 +54,8 @@ struct StatedSymmetry {
 /// away, and far below what a shop can measure.
 inline constexpr double kSymmetryReach = 1e-4;
 
-/// The same for a mesh that is symmetric: such a one is left as it is.
+/// How far points of a symmetric mesh are from images at most, share of the mean edge: such a mesh
+/// is left as it is.
 inline constexpr double kSymmetric = 1e-10;
 
 /// A motion that takes the mesh onto itself.
@@ -93,7 +94,7 @@ struct MeshSymmetry {
 /// columns of `shape` keep their bits. [SYM-2]
 void even_out(const MeshSymmetry& symmetry, std::span<const int> vertices, Positions& shape);
 
-/// The same of displacements: each becomes the mean over all motions, turned where it is.
+/// Displacements evened out: each becomes the mean over all motions, turned where it is.
 /// @param vertices with all their images @param displacement 3 × |vertices|
 void even_out_directions(const MeshSymmetry& symmetry, std::span<const int> vertices,
                          Eigen::Matrix3Xd& displacement);

@@ -43,7 +43,7 @@ function Curve({ residuals }: { residuals: readonly number[] }) {
   );
 }
 
-/** Of the points that move alone: how many ways are left to move them together. */
+/** How many ways are left to move together the points that move. */
 function freedomFacts(page: Page): readonly (readonly [string, string])[] {
   const report = page.freedom.value;
   if (!report) return [];
@@ -79,7 +79,7 @@ function certificateFact(page: Page): readonly (readonly [string, string])[] {
   return [["Local minimum", `${status === "converged" ? "proven" : "not proven"}, ${words}`]];
 }
 
-/** Of what is kept beside planarity, the worst in the design. */
+/** The worst in the design of what is kept beside planarity. */
 const violationFacts = (page: Page): readonly (readonly [string, string])[] =>
   Object.entries(page.figures.value.violations ?? {}).map(([kind, { after }]) => [
     `Worst, of ${kind}`,

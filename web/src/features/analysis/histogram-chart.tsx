@@ -26,7 +26,7 @@ interface Shown {
   readonly rest: string;
 }
 
-/** Of a change of shape every point that moved is counted, of a slide those that slid. */
+/** The histogram of a motion: of a change of shape every point that moved, of a slide those that slid. */
 function ofMotion(page: Page, base: OpenedMesh, kind: "shape" | "slide"): Shown {
   const moves = movesShown(page);
   const figures = Array.from(moves?.motions.values() ?? [], (motion) => motion[kind]);

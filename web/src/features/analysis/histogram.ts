@@ -52,7 +52,7 @@ export function ofDisplacement({ positions: base }: OpenedMesh, shape: Shape): H
   return linear(lengths);
 }
 
-/** The same while points move, from how far each is by now; `total` points in all. */
+/** How far points moved while they move, from how far each is by now; `total` points in all. */
 export function ofMoves(lengths: Iterable<number>, total: number): Histogram {
   const moved = linear([...lengths]);
   return { ...moved, rest: total - moved.bins.reduce((sum, n) => sum + n, 0) };

@@ -100,7 +100,7 @@ export class Occlusion {
     this.#quad = new FullScreenQuad(this.#material);
   }
 
-  /** Over what the renderer has just drawn. */
+  /** Draws the shade over what the renderer has just drawn. */
   draw(renderer: WebGLRenderer): void {
     const { width, height } = renderer.getSize(new Vector2());
     this.#pass.setSize(width, height);

@@ -90,7 +90,7 @@ export class Zebra implements Skin {
     polygonOffsetUnits: 1,
   });
 
-  /** After points moved. */
+  /** Takes new normals after points moved. */
   update(geometry: BufferGeometry, offsets: Int32Array, topology: Topology): void {
     const { position, normal } = geometry.attributes;
     if (!(position instanceof BufferAttribute)) return;

@@ -13,7 +13,7 @@ import { makeCut, type TryCut } from "./cuts.ts";
 
 export const cutKind = kept(() => signal<CutKind>("split"));
 
-/** Of the two sides of a corner that is cut off. */
+/** The share of the two sides of a corner that is cut off. */
 export const cornerShare = kept(() => signal(1));
 
 /** Whether the panels beside refined ones are split, too. */
@@ -102,7 +102,7 @@ export const wantedCut = kept((page) =>
   computed((): string | null => pointed(page)?.cut ?? (begun(page) ? null : formCut(page))),
 );
 
-/** What it would leave, once that is known. */
+/** What the cut that is shown would leave, once that is known. */
 export function trialNow(page: Page): CutTrial | null {
   const trial = cutting(page).trial.value;
   return trial && trial.cut === wantedCut(page).value ? trial : null;

@@ -21,7 +21,7 @@ export function continuedName(name: string): string {
 const SAID =
   "This shape is the new start: handles and variations are cleared. Undo brings them back.";
 
-/** One step of the history; OBJ keeps every bit of every coordinate. */
+/** Goes on from the shape as a mesh, one step of the history; OBJ keeps every bit of every coordinate. */
 export const continueFromShape = (page: Page): Outcome =>
   inTurn(page, async () => {
     const design = page.history.value?.present;

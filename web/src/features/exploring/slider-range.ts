@@ -30,7 +30,7 @@ export function wayWords(move: Point, normal: Point): string {
   return Math.abs(out) > OUT ? side : `${side} and along it`;
 }
 
-/** Within what a slider can show. */
+/** The stops within what a slider can show. */
 export const stopsWithin = (
   { lower, upper }: SliderRange,
   end: number,

@@ -16,7 +16,7 @@ const stillPreferred = (): boolean => matchMedia("(prefers-reduced-motion: reduc
 const written = (moment: HowLine["moments"][number]): string =>
   moment.map((point) => point.map((x) => x.toFixed(1)).join(",")).join(" ");
 
-/** There and back. */
+/** The values there and back. */
 const rounds = (values: readonly string[]): string =>
   [...values, ...values.slice(0, -1).reverse()].join(";");
 
@@ -35,7 +35,7 @@ function Animated({ name, values }: { name: string; values: readonly string[] })
   );
 }
 
-/** Without motion: the last moment. */
+/** A line of a picture; without motion its last moment. */
 function Line({ look, moments }: HowLine) {
   const last = moments.at(-1) ?? [];
   if (look !== "point")

@@ -32,7 +32,7 @@ export function SightTools() {
   );
 }
 
-/** That the view does not show everything, and the way back. */
+/** Says that the view does not show everything, and offers the way back. */
 export function HiddenNote() {
   const page = usePage();
   const { size } = hiddenPanels(page).value;

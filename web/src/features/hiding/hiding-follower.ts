@@ -14,7 +14,7 @@ export function followHiding(sight: Sight): () => void {
     const panels = hiddenPanels(page).value;
     if (!shell) return;
     const whole = panels.size === 0;
-    // At once, since the page says so and nobody shall hit what is hidden; its edges go a little later.
+    // Panels hide at once, since the page says so and nobody shall hit what is hidden; its edges go a little later.
     shell.hide(panels, whole ? shell.topology : shell.drawn);
     stage.moved();
     const part = whole ? null : await fetchPart(page, () => import("../../mesh/panel-edges.ts"));

@@ -100,7 +100,7 @@ function Facts({ report }: { report: MeshReport }) {
   );
 }
 
-/** Where the size in the unit chosen is that of no building, and in another it is. */
+/** Offers a unit where the size in the one chosen is that of no building, and in another it is. */
 function UnitGuess() {
   const page = usePage();
   const points = page.mesh.value?.positions;

@@ -55,7 +55,7 @@ const commitAll = (page: Page, all: readonly KeepOut[]): Outcome =>
       : { keepOuts: [], clearance: FIRST_SETTINGS.clearance },
   );
 
-/** Beside the design that is shown, or the points that are selected. */
+/** Adds a keep-out beside the design that is shown, or the points that are selected. */
 export function addKeepOut(page: Page, kind: PlainKind): Outcome {
   const mesh = page.mesh.value;
   if (!mesh) return Promise.resolve(undefined);

@@ -82,7 +82,7 @@ export function measureMobility(page: Page): void {
   order(page, { kind: "go" });
 }
 
-/** After the point that is being measured. */
+/** Stops after the point that is being measured. */
 export function stopMobility(page: Page): void {
   order(page, { kind: "stop" });
   update(page, { running: false });

@@ -39,7 +39,7 @@ export class Cover {
     const right = Math.floor(Math.min(width, Math.max(ax, bx, cx)) / SQUARE);
     const bottom = Math.floor(Math.min(height, Math.max(ay, by, cy)) / SQUARE);
     const [left, top] = [Math.min(ax, bx, cx), Math.min(ay, by, cy)];
-    // Behind the camera, one of them is no number: no square then.
+    // Behind the camera, a coordinate is no number: then no square is covered.
     for (let column = Math.floor(Math.max(0, left) / SQUARE); column <= right; ++column) {
       for (let line = Math.floor(Math.max(0, top) / SQUARE); line <= bottom; ++line) {
         const square = squareOf(column, line);

@@ -9,7 +9,7 @@ import { hiddenPanels } from "../../state/hidden-panels.ts";
 import type { Page } from "../../state/page.ts";
 import { Cover } from "./cover.ts";
 
-/** More would hide the model. */
+/** Labels at most: more would hide the model. */
 const MOST = 300;
 /** Pixels that a panel, or the edges at a point, must span. */
 const ROOM = 22;
@@ -38,7 +38,7 @@ interface Candidate extends Label, Place {
 /** Whether a place, display coordinates, is cut away; null: nothing is. */
 export type Cut = ((at: Vector3) => boolean) | null;
 
-/** Those of them, in their order, that are in sight and touch none before. */
+/** The candidates, in their order, that are in sight and touch none before. */
 function apart(candidates: readonly Candidate[], cover: Cover): Candidate[] {
   const kept: Candidate[] = [];
   const width = ({ number }: Label): number => DIGIT * String(number).length;
@@ -115,7 +115,7 @@ export class NumberLabels {
     this.#layer.remove();
   }
 
-  /** Those that are large enough and in view, whether or not something is in front of them. */
+  /** Panels and points that are large enough and in view, whether or not something is in front. */
   #candidates(shell: Shell, view: View, { panels, points }: Numbered, cut: Cut): Candidate[] {
     const found: Candidate[] = [];
     const add = (label: Label, size: number): void => {

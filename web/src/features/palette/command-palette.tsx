@@ -17,7 +17,7 @@ function rank(label: string, typed: string): number {
   return at === 0 ? 0 : label[at - 1] === " " ? 1 : 2;
 }
 
-/** Those whose labels have every word that was typed, the best first. */
+/** The commands whose labels have every word that was typed, the best first. */
 export function found(typed: string, commands: readonly Command[] = LISTED): readonly Command[] {
   const sought = typed.trim().toLowerCase();
   const words = sought.split(/\s+/);
@@ -82,7 +82,7 @@ export function CommandPalette() {
   const field = useRef<HTMLInputElement>(null);
   const typed = useSignal("");
   const at = useSignal(0);
-  // Before the next key.
+  // The field takes the next key.
   useLayoutEffect(() => field.current?.focus(), []);
   const offered = found(typed.value, [...LISTED, ...viewCommands(page)]);
   const onKeyDown = (event: KeyboardEvent): void => {

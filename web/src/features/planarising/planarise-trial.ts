@@ -11,7 +11,7 @@ interface Wanted {
   readonly source: Source;
   readonly cuts: readonly string[];
   readonly how: Planarising;
-  /** So many panels may be split for it; 0: none. */
+  /** How many panels may be split for it; 0: none. */
   readonly split: number;
 }
 

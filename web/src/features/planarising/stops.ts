@@ -51,6 +51,6 @@ const within = (share: number, how: Planarising, opened: OpenedMesh): Planarisin
 export const nearWay = (how: Planarising, opened: OpenedMesh): Planarising =>
   within(STOPS[stopOf(how.smooth)]?.near ?? FAR, how, opened);
 
-/** The same for the smallest share, which is soon known. */
+/** As flat as panels get within the smallest share of all stops, which is soon known. */
 export const quickWay = (how: Planarising, opened: OpenedMesh): Planarising =>
   within(Math.min(...STOPS.map(({ near }) => near)), how, opened);

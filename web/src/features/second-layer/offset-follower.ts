@@ -13,7 +13,7 @@ export function followOffset(sight: Sight, palette: () => Palette): () => void {
   let shown: { dispose(): void } | null = null;
   const lay = async (): Promise<void> => {
     const [shell, layer] = [sight.shell, page.offsetLayer.value];
-    // It leaves out what the structure does.
+    // The layer leaves out the panels that the structure does.
     hiddenPanels(page).value;
     if (!shell || (!layer && !shown)) return;
     const part = await fetchPart(page, () => import("./offset-layer.ts"));

@@ -38,7 +38,7 @@ interface Shown {
   readonly of: PackageChoice;
 }
 
-/** While somebody types. */
+/** Milliseconds to wait while somebody types. */
 const PAUSE_MS = 150;
 
 /** Follows the options and the design. */

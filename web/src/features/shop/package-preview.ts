@@ -46,7 +46,7 @@ const NOTHING: CuttingPreview = {
   drawing: "",
 };
 
-/** The same as the package itself would say it. */
+/** The preview as the header of the package itself would say it. */
 export const headerOf = (preview: CuttingPreview, choice: PackageChoice): CuttingHeader => ({
   counts: { panels: preview.panels, drawn: preview.drawn },
   remake: {

@@ -129,7 +129,7 @@ function Running({ steps, curve }: Extract<Search, { kind: "running" }>) {
   );
 }
 
-/** Below the other ways on. */
+/** The way on by parting panels, below the others. */
 export function SplitWay({ design }: { design: Design }) {
   const page = usePage();
   useEffect(() => () => endSearch(page), [page, design]);

@@ -25,7 +25,7 @@ export function uncutStanding(
     cuts: [],
     handleError: Math.max(0, ...short),
     movedVertices: design.report.movedVertices,
-    // Those with a moved corner.
+    // Panels with a moved corner.
     remadePanels: new Set(Array.from(design.shape.moved).flatMap((v) => facesAt(mesh, v))).size,
     sharpestFold: fold.after,
   };

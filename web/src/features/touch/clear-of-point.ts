@@ -15,7 +15,7 @@ const CLEAR = 72;
 /** Pixels at the top of the view that the tools cover, and at its bottom the colours. */
 const [TOOLS, FOOT] = [52, 88];
 
-/** Its upper left corner, whole pixels: at the foot of the view, or at its top where the point is low. */
+/** The upper left corner of an offer clear of `point`, whole pixels: at the foot of the view, or its top. */
 export function clearOfPoint(point: Place, size: Size, view: Size): Place {
   const low = view.height - FOOT - size.height;
   return {

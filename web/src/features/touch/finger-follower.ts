@@ -34,7 +34,7 @@ export class FingerFollower {
     this.#sight.stage.invalidate();
   }
 
-  /** It dragged this point, which ends so. */
+  /** The finger that dragged this point was lifted; the drag ends so. */
   async lifted(vertex: number, ended: Outcome): Promise<void> {
     await this.#coming;
     await this.#help?.lifted(vertex, ended);

@@ -30,7 +30,7 @@ export class FingerHelp {
     this.#loupe.hide();
   }
 
-  /** It dragged a point, which ends so. */
+  /** The finger that dragged a point was lifted; the drag ends so. */
   async lifted(vertex: number, ended: Outcome): Promise<void> {
     await offerToTakeBack(this.#sight.page, vertex, ended);
     this.#sight.stage.invalidate();
@@ -50,7 +50,7 @@ export class FingerHelp {
     this.#placeOffer(at, view);
   }
 
-  /** Its buttons stay where they are while the camera turns. */
+  /** Places the offer; its buttons stay where they are while the camera turns. */
   #placeOffer(at: (vertex: number) => Place | null, view: Size): void {
     const drag = fingerDrag(this.#sight.page).value;
     if (drag === this.#offered) return;

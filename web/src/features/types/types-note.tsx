@@ -6,7 +6,7 @@ import { usePage } from "../../ui/page-context.ts";
 
 /** Of larger meshes only their colours count: the solver would have no time for anything else. */
 const MOST_PANELS = 3000;
-/** After the last change. */
+/** Milliseconds after the last change. */
 const PAUSE_MS = 200;
 
 /** How an edit changes the number of types, once they were asked for. */

@@ -9,7 +9,7 @@ import type { Page } from "../../state/page.ts";
 import type { ShownTypes } from "../../state/page-state.ts";
 import type { NamedPanels } from "../../ui/named-panels.tsx";
 
-/** After the last change. */
+/** Milliseconds after the last change. */
 const PAUSE_MS = 150;
 
 async function findTypes(page: Page): Promise<void> {

@@ -40,7 +40,7 @@ export const KEEP_VIEW: Command = {
   label: "Keep this view",
   refusal: (page) => {
     if (!readCamera(page)) return "There is no 3D view.";
-    // More would be left out of links, files and what is kept for the next visit.
+    // Views beyond these would be left out of links, files and what is kept for the next visit.
     return page.views.value.length < MOST_VIEWS
       ? ""
       : `${MOST_VIEWS} views are kept: delete one first.`;

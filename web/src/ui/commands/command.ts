@@ -15,7 +15,7 @@ export interface Command {
   readonly refusal?: (page: Page) => string;
   /** @param key the one that was pressed; "" for a button */
   readonly run: (page: Page, key: string) => unknown;
-  /** Its key was let go of, or the window left while it was held. */
+  /** Called when its key is let go of, or the window left while it is held. */
   readonly release?: (page: Page) => void;
   /** Means something by its keys alone: the palette does not list it. */
   readonly unlisted?: true;

@@ -12,7 +12,7 @@ interface ExportCommand extends Command {
   readonly about: string;
 }
 
-/** By a part that is fetched when something is exported. */
+/** Writes a file by a part that is fetched when something is exported. */
 const file = (
   name: string,
   about: string,
