@@ -12,6 +12,7 @@
 #include "analysis.hpp"
 #include "arrays.hpp"
 #include "planish/constraints/registry.hpp"
+#include "planish/design/link_dictionary.hpp"
 #include "planish/edit/edit_option_table.hpp"
 #include "planish/measures/panel_health.hpp"
 #include "session.hpp"
@@ -70,7 +71,7 @@ void take(const val& given, Value& value) {
   value = value_of(given.as<std::string>(), words_for(value)).value_or(value);
 }
 
-/// Of an option that is one of a few; null for any other.
+/// The words of an option that is one of a few; null for any other.
 template <class Value>
 val words_value(Value) {
   return val::null();
@@ -258,6 +259,8 @@ val defaults_value() {
   value.set("variationWeights", weights_value(SubspaceOptions{}));
   value.set("sliverAngle", kSliverAngle);
   value.set("newSliver", static_cast<int>(kNewSliver));
+  value.set("buildableCorners", std::string(kBuildableCorners));
+  value.set("linkDictionary", std::string(kLinkDictionary));
   return value;
 }
 

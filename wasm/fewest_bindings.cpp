@@ -25,7 +25,6 @@ std::string fewest(Session& s, const val& handles, const val& pins, double withi
 val fewest_found(const Session& s) {
   const planish::FewestFound& found = s.fewest_found();
   val value = val::object();
-  value.set("panelsBefore", found.panels_before);
   value.set("panels", found.panels);
   value.set("held", copy(found.held));
   value.set("reached", found.reached);

@@ -25,6 +25,10 @@ export interface Defaults {
   readonly sliverAngle: number;
   /** What panel_damage() says of a panel that became one. */
   readonly newSliver: number;
+  /** The limit on corners with which panels can be built. */
+  readonly buildableCorners: string;
+  /** zlib's preset dictionary of links "#v2=": ASCII. */
+  readonly linkDictionary: string;
 }
 
 /** Opaque enumerator: how an edit is computed. */
@@ -50,10 +54,12 @@ export interface EditOptions {
   readonly keepShape: boolean;
   /** Face rings around the handles that may move; 0: no limit. */
   readonly reach: number;
-  /** The same as a distance from a handle, model units; 0: no limit. */
+  /** How far from a handle points may move, model units; 0: no limit. */
   readonly reachLength: number;
   /** Points on a boundary stay, handles excepted. */
   readonly keepBoundary: boolean;
+  /** Panels that move stay as bent as they are: none bends more. `tolerance` is the most that the base may be bent. */
+  readonly keepBends: boolean;
   /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See design/kept-kind.ts. */
   readonly constraints: readonly string[];
   /** As --bound says them: "fold=25"; degrees and model units. See design/stated-limit.ts. */
@@ -144,7 +150,7 @@ export interface DesignValue {
   readonly continuation: number;
   /** As --symmetry says it, one each. */
   readonly symmetry: readonly string[];
-  /** Before the edit, as --cut says them. */
+  /** Made before the edit, as --cut says them. */
   readonly cuts: readonly string[];
   readonly options: EditOptions;
   readonly variations: readonly DesignVariation[];

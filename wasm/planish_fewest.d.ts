@@ -6,8 +6,7 @@ import type { SplitModule } from "./planish_cuts.d.ts";
 
 /** The edit that makes few panels again, beside its shape. */
 export interface FewestFound {
-  /** To be made again where nothing is held. */
-  readonly panelsBefore: number;
+  /** To be made again. */
   readonly panels: number;
   /** Points held beside the pins that were asked for, ascending. */
   readonly held: Int32Array;
@@ -32,6 +31,6 @@ export interface EditWays extends SplitModule {
     withinHandle: number,
     mostPanels: number,
   ): string;
-  /** Of the last one. */
+  /** What the last fewest() found. */
   fewestFound(session: Session): FewestFound;
 }

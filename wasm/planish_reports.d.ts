@@ -10,7 +10,6 @@ export interface MeshReport {
   readonly boundaryLoops: number;
   readonly components: number;
   readonly nonmanifoldEdges: number;
-  readonly isolatedVertices: number;
   readonly meanEdge: number;
   readonly degreesOfFreedom: number;
   readonly worstGap: number;
@@ -93,7 +92,6 @@ export interface VariationsReport {
   readonly status: string;
   readonly dimension: number;
   readonly correlation: readonly number[];
-  readonly supportSizes: readonly number[];
   readonly seconds: number;
 }
 

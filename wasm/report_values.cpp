@@ -71,14 +71,14 @@ val optimality_value(const SolveReport& solve) {
   return object.value();
 }
 
-/// By the name of each stated limit.
+/// What each stated limit binds, by its name.
 val bounds_value(const SolveReport& solve) {
   Object object;
   for (const BoundStanding& bound : solve.bounds) object.put(bound.name, to_value(bound.binding));
   return object.value();
 }
 
-/// By the name of each kind that is kept beside planarity.
+/// Violations by the name of each kind that is kept beside planarity.
 val violations_value(const SolveReport& solve) {
   Object object;
   for (const KindViolation& one : solve.violations) {
@@ -136,7 +136,6 @@ val to_value(const VariationsReport& report) {
       .add("status", status_name(subspace.status))
       .add("dimension", report.dimension)
       .add("correlation", subspace.correlation)
-      .add("supportSizes", subspace.support_sizes)
       .add("seconds", report.seconds)
       .value();
 }
@@ -163,7 +162,6 @@ val to_value(const MeshReport& report) {
       .add("boundaryLoops", summary.boundary_loops)
       .add("components", summary.components)
       .add("nonmanifoldEdges", summary.nonmanifold_edges)
-      .add("isolatedVertices", summary.isolated_vertices)
       .add("meanEdge", summary.mean_edge)
       .add("degreesOfFreedom", report.degrees_of_freedom)
       .put("planarising", planarising.value())

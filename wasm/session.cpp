@@ -138,6 +138,7 @@ Refusal Session::explore(SubspaceOptions options) {
   options.engine = options_.engine;
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
+  if (options_.keep_bends) return "Variations make panels flat: there are none of bent panels.";
   if (moved_.empty()) return "Move a point first: variations are found around an edit.";
   const std::vector<int> close = handle_vertices(targets_);
   const Stopwatch watch;
@@ -153,8 +154,8 @@ Refusal Session::explore(SubspaceOptions options) {
   return std::nullopt;
 }
 
-/// Around the design shown. Vertices of the edit that no vector moves belong to every variation
-/// too.
+/// Takes a subspace around the design shown. Vertices of the edit that no vector moves belong to
+/// every variation too.
 void Session::take_subspace(Subspace found) {
   subspace_ = std::move(found);
   varied_shape_.moved.clear();

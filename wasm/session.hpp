@@ -61,8 +61,7 @@ struct Replayed {
 
 /// What fewest() found beside the shape that is shown.
 struct FewestFound {
-  int panels_before = 0;  ///< to be made again where nothing is held
-  int panels = 0;
+  int panels = 0;         ///< to be made again
   std::vector<int> held;  ///< beside the pins that were asked for, ascending
   bool reached = false;   ///< the handles arrive; if not, nothing is held
   bool minimal = false;   ///< see FewestEdit
@@ -89,23 +88,23 @@ class Session {
   /// edit must be redone after it. Where the panels' shape
   /// does not allow that, the base becomes as flat as it does: see is_base_flat().
   [[nodiscard]] Refusal planarise(const Planarising& how = {});
-  /// The same, where another session found the flat mesh already.
+  /// Replaces the base by the flat mesh that another session found.
   /// @param found 3 × n, model units
   [[nodiscard]] Refusal take_planarised(Positions found);
 
   // Editing. A refused operation leaves the design as it was.
   /// For all edits from here on. An edit needs a base that keeps the constraints.
   [[nodiscard]] Refusal set_options(HandleEditOptions options);
-  /// For all edits of this base, as --symmetry says it: each edits its images, too. Looked for in
-  /// what was opened; the base, which must be flat, is evened out where it needs that, as by
-  /// planarise(). @param tolerance mm/m
+  /// Sets a symmetry for all edits of this base, as --symmetry says it: each edits its images, too.
+  /// Looked for in what was opened; the base, which must be flat, is evened out where it needs
+  /// that, as by planarise(). @param tolerance mm/m
   [[nodiscard]] Refusal set_symmetry(const std::string& text, double tolerance);
-  /// Before the edits of this base, one cut a line as --cut says it; "" for none. The base becomes
-  /// what they leave, its symmetry that of it; edits must be redone. Whoever makes the mesh flat
-  /// makes that of before the cuts flat, which are then made again.
+  /// Makes cuts before the edits of this base, one a line as --cut says it; "" for none. The base
+  /// becomes what they leave, its symmetry that of it; edits must be redone. Whoever makes the mesh
+  /// flat makes that of before the cuts flat, which are then made again.
   /// @param tolerance mm/m
   [[nodiscard]] Refusal set_cuts(const std::string& lines, double tolerance);
-  /// One more of them, which is not made; a new side may be listed once for each of its panels.
+  /// Tries one more cut, which is not made; a new side may be listed once for each of its panels.
   [[nodiscard]] CutTrial try_cut(const std::string& text, double tolerance) const;
   /// What lines through panels more let the handles of an edit do; the design stays as it is. A
   /// sentence where that cannot be looked for. `targets` as those of edit().
@@ -114,11 +113,11 @@ class Session {
   /// As planarise(), with so many panels parted at most, and as few as let all become flat: the
   /// base, which must have no cuts, becomes the parted mesh. All numbers but of parted panels stay.
   [[nodiscard]] Refusal split_until_flat(const Planarising& how, int most_panels);
-  /// Of the last split_until_flat(): how many panels it parted, and what that left bent.
+  /// What the last split_until_flat() gave: how many panels it parted, and what that left bent.
   [[nodiscard]] const HybridStanding& hybrid() const { return hybrid_; }
   /// Null without one.
   [[nodiscard]] const MeshSymmetry* symmetry() const { return symmetry_.get(); }
-  /// For all edits from here on, each as --support says it.
+  /// Sets supports for all edits from here on, each as --support says it.
   [[nodiscard]] Refusal set_supports(const std::vector<std::string>& texts);
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
   /// report says it, and whether a solve at once ends lower.
@@ -126,7 +125,7 @@ class Session {
   /// The edit that makes few panels again, see find_buildable_fewest(). From here on what it holds
   /// are pins of the targets, its limits those of all edits.
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
-  /// Of the last fewest().
+  /// What the last fewest() found.
   [[nodiscard]] const FewestFound& fewest_found() const { return fewest_found_; }
   /// Keeps the edit that is shown, and where a drag stands.
   void keep_edit();
@@ -144,7 +143,7 @@ class Session {
   /// @param base_hash that of the base, before its cuts; nullopt where it is not known
   [[nodiscard]] Refusal replay(Design design,
                                std::optional<std::uint32_t> base_hash = std::nullopt);
-  /// Of the last replay().
+  /// What the last replay() gave.
   [[nodiscard]] const Replayed& replayed() const { return replayed_; }
 
   // Exploring: variations around the design shown.
@@ -161,7 +160,7 @@ class Session {
   [[nodiscard]] const Mesh& base() const { return base_; }
   /// The base before its cuts.
   [[nodiscard]] const Mesh& uncut() const { return cut_ ? cut_->before : base_; }
-  /// Of every panel of the base which of uncut(); empty without cuts.
+  /// For every panel of the base which one of uncut(); empty without cuts.
   [[nodiscard]] std::vector<int> panel_parents() const {
     return cut_ ? cut_->made.parents : std::vector<int>();
   }
@@ -173,12 +172,12 @@ class Session {
   [[nodiscard]] Positions moved_positions() const;
   /// What project_variation() found.
   [[nodiscard]] const Shape& projected() const { return projected_; }
-  /// As shape_report() would be after showing it.
+  /// shape_report() as it would be after showing it.
   [[nodiscard]] const ShapeReport& projected_report() const { return projected_report_; }
   [[nodiscard]] MeshReport mesh_report() const;
-  /// Of the design shown.
+  /// The report of the design shown.
   [[nodiscard]] const ShapeReport& shape_report() const { return shape_report_; }
-  /// Of the last explore().
+  /// The report of the last explore().
   [[nodiscard]] const VariationsReport& variations_report() const { return variations_report_; }
   /// Vertex, x, y, z of every vertex that changed since the last call, in display coordinates:
   /// (p − centre) · scale, so that float32 keeps its digits wherever the model lies.
@@ -190,7 +189,7 @@ class Session {
   [[nodiscard]] std::optional<std::string> write(const std::string& format) const;
   /// The named runs of faces of the base, as face_groups_text() writes them.
   [[nodiscard]] std::string groups() const;
-  /// In their place, for write(): of the same text. The base itself stays.
+  /// Sets other groups in their place, for write(): of the same text. The base itself stays.
   [[nodiscard]] Refusal set_groups(const std::string& lines);
   /// What each slider does at value 1; nothing without variations.
   [[nodiscard]] GlbVariations variations() const;
@@ -224,14 +223,14 @@ class Session {
       const std::vector<PointSupport>& supports) const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
-  /// The same for an edit, whose base must be flat and keep its constraints.
+  /// take_targets() for an edit, whose base must be flat and keep its constraints.
   [[nodiscard]] Refusal begin_edit(EditTargets& targets);
   /// `targets` without the steps of an engine that knows none; a sentence where it knows more of
   /// the edit not.
   [[nodiscard]] Refusal require_engine(EditTargets& targets) const;
   [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
-  /// Nothing without a symmetry.
+  /// Adds images to `targets`; none without a symmetry.
   [[nodiscard]] Refusal add_images(EditTargets& targets) const;
   [[nodiscard]] Refusal solve_symmetric(EditMode mode, const EditTargets& targets,
                                         double budget_seconds, HandleEditResult& result);
@@ -259,7 +258,7 @@ class Session {
   [[nodiscard]] ShapeReport report_of(const Positions& positions, const std::vector<int>& moved,
                                       SolveReport solve, double seconds) const;
   void renew_report(SolveReport solve, double seconds);
-  /// Of a design that nothing had to be solved for.
+  /// Reports a design that nothing had to be solved for.
   void report_unsolved(double seconds);
 
   Mesh base_;
@@ -277,9 +276,9 @@ class Session {
   std::optional<KeptEdit> kept_;
   EditTargets targets_;
   bool follows_path_ = false;   ///< a drag's frame is shown: others may belong to its targets
-  bool lower_at_once_ = false;  ///< than along the path: the last edit's objective
+  bool lower_at_once_ = false;  ///< the last edit's objective is lower at once than along its path
   std::vector<PointSupport> stated_supports_;  ///< of all edits
-  std::vector<PointSupport> supports_;         ///< the same with the points that cuts added
+  std::vector<PointSupport> supports_;         ///< stated_supports_ with the points that cuts added
   bool supports_fit_ = true;                   ///< they were checked on this base
   bool constraints_fit_ = true;                ///< this base keeps those of options_
   Positions current_;                          ///< 3 × n, the design shown

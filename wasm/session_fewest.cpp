@@ -28,8 +28,7 @@ Refusal Session::fewest(EditTargets targets, const FewestOptions& asked) {
   targets_.pins.insert(targets_.pins.end(), found.edit.held.begin(), found.edit.held.end());
   show(result.moved, result.moved_positions);
   renew_report(result.report, watch.seconds());
-  fewest_found_ = {.panels_before = found.edit.panels_before,
-                   .panels = found.edit.panels,
+  fewest_found_ = {.panels = found.edit.panels,
                    .held = std::move(found.edit.held),
                    .reached = found.edit.reached,
                    .minimal = found.edit.minimal,

@@ -15,7 +15,10 @@ ExitCode run_types_command(const Arguments& arguments) {
   if (output) check_types_name(*output);
   const ShopInput input = load_shop_input(arguments);
   const CuttingPlan plan = plan_types(arguments, input);
-  if (output) save_bytes(*output, types_bytes(*output, plan));
+  if (output) {
+    save_bytes(*output, types_bytes(*output, plan));
+    print_messages({type_count_sentence(plan)});
+  }
   const std::vector<std::string> sentences = types_sentences(plan, input.tolerance);
   print_messages(sentences);
   save_report(arguments, types_json(plan));

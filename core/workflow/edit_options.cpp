@@ -94,7 +94,8 @@ std::vector<OptionRow> edit_option_rows() {
            "turned over or collapsed that was not; limits of panels, each at most\n"
            "as broken as in MESH: fold=MAX degrees or fold=+MAX beyond what it was,\n"
            "angle=MIN:MAX, edge=MIN:MAX, area=MAX, sheet=WxH; of points, handles too:\n"
-           "slide=MAX across the normal of MESH there (repeatable)"},
+           "slide=MAX across the normal of MESH there; flat=MM_PER_M: panels bent by up to\n"
+           "that stay as bent as they are, none bends more (repeatable)"},
           {"--keep-out", "KIND=VALUE",
            "where no point may go: below=Z, above=Z or plane=a,b,c,d (where\n"
            "a·x + b·y + c·z > d); where no panel may: box=x0,y0,z0,x1,y1,z1; "
@@ -204,7 +205,7 @@ ContextMesh to_context(const Mesh& mesh) {
   return context;
 }
 
-/// As designs say it; a model may also be a file.
+/// A keep-out as designs say it; a model may also be a file.
 KeepOut to_keep_out(const std::string& text, const std::string& unit) {
   constexpr std::string_view kMesh = "mesh=";
   const bool is_mesh = text.starts_with(kMesh);
@@ -262,9 +263,9 @@ HandleEditOptions edit_options(const Request& request) {
   read_table(request, options);
   Bounds bounds = parse_bounds(request);
   if (bounds.flat) {
-    throw UsageError(
-        "--bound: flat=MM_PER_M is for project; an edit leaves out of flat what "
-        "--tolerance allows");
+    if (request.has("--tolerance")) throw UsageError("--bound: flat=MM_PER_M takes no --tolerance");
+    options.tolerance = *bounds.flat;
+    options.keep_bends = true;
   }
   options.keep_shape = bounds.keep_shape;
   options.bounds = std::move(bounds.limits);
@@ -296,7 +297,7 @@ void check_vertices(const std::vector<int>& vertices, std::string_view option, c
 
 namespace {
 
-/// As designs say it; a surface may also be a file.
+/// A support as designs say it; a surface may also be a file.
 std::optional<PointSupport> to_support(const std::string& text, const std::string& unit) {
   constexpr std::string_view kSurface = "surface=";
   const bool placed = text.starts_with("plane=") || text.starts_with("line=");

@@ -25,9 +25,12 @@ EditTargets all_images(const EditTargets& targets, const Mesh& base, const MeshS
 FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Progress& progress) {
   FlatBase base{mesh, {}, std::nullopt};
   if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
+  if (options.keep_bends) base.how.flat_within = options.tolerance;
   base.planarised = planarise(mesh, base.how, progress);
   if (base.planarised->report.status == SolveStatus::kToleranceNotMet) {
+    const double flat_within = base.how.flat_within;
     base.how = kNearestFlat;  // an edit needs a flat base: what this spoils is reported
+    base.how.flat_within = flat_within;
     base.planarised = planarise(mesh, base.how, progress);
   }
   base.mesh.positions(Eigen::all, base.planarised->moved) = base.planarised->moved_positions;

@@ -49,6 +49,7 @@ std::vector<OptionRow> family_option_rows() {
 }
 
 FamilyRequest family_request(const Request& request, const HandleEditOptions& edit) {
+  if (const auto problem = find_variation_problem(edit)) throw UsageError(*problem);
   FamilyRequest asked;
   SubspaceOptions& options = asked.options;
   if (!request.has("--dimension")) throw UsageError("--dimension is missing");
@@ -123,14 +124,14 @@ Design variation_design(const EditRun& run, const Family& family, const Variatio
 
 namespace {
 
-/// Where making it exact has no certificate.
+/// The sentence where making it exact has no certificate.
 std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
   if (!variation.exact) return std::nullopt;
   const auto sentence = outcome_sentence(variation.exact->report);
   return sentence ? std::optional("made exact: " + *sentence) : std::nullopt;
 }
 
-/// By how much a variation that was not made exact is out of flat.
+/// The sentence how much a variation that was not made exact is out of flat.
 std::optional<std::string> not_exact_sentence(const EditRun& run, const Variation& variation) {
   if (variation.exact) return std::nullopt;
   const KeptKinds kept = kinds_of(run);
@@ -150,7 +151,8 @@ Json stop_json(const SliderStop& stop) {
   return {{"value", stop.value}, {"face", stop.face}};
 }
 
-/// Of each slider: how far it goes either way, the others where they are, and what stops it there.
+/// The stops of each slider: how far it goes either way, the others where they are, and what stops
+/// it there.
 Json stops_json(const std::vector<SliderRange>& ranges) {
   Json json = Json::array();
   for (const SliderRange& range : ranges) {

@@ -111,9 +111,11 @@ Json projected_json(const ProjectedMesh& projected, const Mesh* reference,
 std::vector<std::string> projected_messages(const ProjectedMesh& projected, const Json& report,
                                             const ProjectionOptions& options) {
   const ProjectionResult& result = projected.result;
+  const std::optional<std::string> lost = lost_height_sentence(projected.mesh, result);
   return said({damage_sentence(report["spoilt_faces"]), not_flat_sentence(result, options),
-               projected_sentence(projected), lost_height_sentence(projected.mesh, result),
-               confined_sentence(result), outcome_sentence(result.report)});
+               projected_sentence(projected),
+               lost ? lost : moved_far_sentence(projected.mesh, result), confined_sentence(result),
+               outcome_sentence(result.report)});
 }
 
 }  // namespace planish::workflow

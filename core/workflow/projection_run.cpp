@@ -186,4 +186,15 @@ std::optional<std::string> lost_height_sentence(const Mesh& mesh, const Projecti
          "; --within D stays nearer and less flat, --bound shape=off lets panels be concave";
 }
 
+std::optional<std::string> moved_far_sentence(const Mesh& mesh, const ProjectionResult& result) {
+  constexpr double kFar = 0.01;  // of the diagonal of the mesh's box
+  const Positions& p = mesh.positions;
+  if (p.cols() == 0) return std::nullopt;
+  const double size = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+  if (!(result.max_move > kFar * size)) return std::nullopt;
+  return "points move by up to " + three_digits(result.max_move) + " (units of the mesh), " +
+         three_digits(100.0 * result.max_move / size) +
+         " % of its size; --within D stays nearer and less flat";
+}
+
 }  // namespace planish::workflow

@@ -36,16 +36,20 @@ namespace planish::workflow {
                                    const ProjectionResult& result,
                                    const ProjectionOptions& options);
 
-/// That another problem than (8) had to serve, and why; nullopt where it did not.
+/// The sentence that another problem than (8) had to serve, and why; nullopt where it did not.
 [[nodiscard]] std::optional<std::string> confined_sentence(const ProjectionResult& result);
 
 /// What to do where shape and flatness cannot both be had; nullopt where they can.
 [[nodiscard]] std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
                                                            const ProjectionOptions& options);
 
-/// That a mesh lost half or more of its height, or rise, and what keeps it; nullopt where it did
-/// not.
+/// The sentence that a mesh lost half or more of its height, or rise, and what keeps it; nullopt
+/// where it did not.
 [[nodiscard]] std::optional<std::string> lost_height_sentence(const Mesh& mesh,
                                                               const ProjectionResult& result);
+
+/// That points move by more than a hundredth of the mesh's size; nullopt where they do not.
+[[nodiscard]] std::optional<std::string> moved_far_sentence(const Mesh& mesh,
+                                                            const ProjectionResult& result);
 
 }  // namespace planish::workflow

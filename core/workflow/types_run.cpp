@@ -158,6 +158,16 @@ std::string types_bytes(const std::string& name, const CuttingPlan& plan) {
   return type_table(plan).csv;
 }
 
+std::string type_count_sentence(const CuttingPlan& plan) {
+  const StructureTypes& types = plan.types.value();
+  const auto among = [](std::size_t kinds, std::size_t all, const char* what) {
+    return std::to_string(kinds) + " types of " + std::to_string(all) + what;
+  };
+  return among(types.panels.types.size(), types.panels.panels.size(), " panels, ") +
+         among(types.nodes.sizes.size(), plan.vertex_of_node.size(), " nodes, ") +
+         among(types.bars.sizes.size(), types.bars.of_joint.size(), " bars");
+}
+
 std::vector<std::string> types_sentences(const CuttingPlan& plan, double tolerance) {
   std::vector<std::string> sentences;
   const PlanaritySummary planarity = planarity_summary(plan.mesh);

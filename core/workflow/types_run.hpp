@@ -20,7 +20,8 @@ struct ShopInput {
   std::optional<Mesh> base;
   std::string model_unit;
   double tolerance = PlanarPolygon::kTolerance;  ///< mm/m, up to which a panel is flat
-  /// Of its file, without folder and extension. Given a value since gcc asks for one in aggregates.
+  /// The name of its file, without folder and extension. Given a value since gcc asks for one in
+  /// aggregates.
   std::string name = "";  // NOLINT(readability-redundant-string-init)
   PanelNames names = PanelNames();
 
@@ -47,6 +48,9 @@ void check_types_name(const std::string& name);
 /// The table of types as the file `name`. Throws RequestError.
 /// @param plan with types
 [[nodiscard]] std::string types_bytes(const std::string& name, const CuttingPlan& plan);
+
+/// How many types of panels, nodes and bars there are. @param plan with types
+[[nodiscard]] std::string type_count_sentence(const CuttingPlan& plan);
 
 /// What whoever cuts by these types should know; one sentence each.
 [[nodiscard]] std::vector<std::string> types_sentences(const CuttingPlan& plan, double tolerance);

@@ -78,8 +78,9 @@ class Design:
 
     def link(self, page: str) -> str:
         """The address that opens the design in the editor at `page`, which verifies its result."""
-        packed = zlib.compress(self.text.encode(), 9)
-        return page + "#d1=" + base64.urlsafe_b64encode(packed).decode().rstrip("=")
+        packer = zlib.compressobj(9, zdict=_core.link_dictionary())
+        packed = packer.compress(self._core.link_text.encode()) + packer.flush()
+        return page + "#v2=" + base64.urlsafe_b64encode(packed).decode().rstrip("=")
 
     def replay(self, base: Mesh | None = None, *, progress: Progress | None = None) -> Replay:
         """Does it again.

@@ -8,6 +8,7 @@
 #include "mesh_files.hpp"
 #include "mobility_run.hpp"
 #include "planish/design/design_text.hpp"
+#include "planish/design/link_dictionary.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "sweep_run.hpp"
@@ -141,11 +142,15 @@ void bind_edit(py::module_& module) {
 }
 
 void bind_design(py::module_& module) {
+  module.def("link_dictionary", [] { return py::bytes(kLinkDictionary); });
   py::class_<OpenedDesign>(module, "Design")
       .def(py::init(&design_of_text))
       .def_static("load", &open_design)
       .def_property_readonly("text",
                              [](const OpenedDesign& self) { return write_design(self.design); })
+      .def_property_readonly(
+          "link_text",
+          [](const OpenedDesign& self) { return write_design(self.design, FileText::kPlain); })
       .def("save",
            [](const OpenedDesign& self, const std::string& path) { save(self.design, path); })
       .def(

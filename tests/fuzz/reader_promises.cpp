@@ -158,7 +158,6 @@ void check_design(std::string_view text, MemoryBound bound) {
   const auto& design = std::get<Design>(result);
   require(!find_problem(design), "an accepted design keeps the rules");
   const std::string written = write_design(design);
-  require(is_design_text(written), "a written design is recognised as one");
   const auto again = read_design(written);
   if (const auto* sentence = std::get_if<std::string>(&again)) {
     std::fprintf(stderr, "read again: %s\n", sentence->c_str());

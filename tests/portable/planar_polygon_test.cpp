@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "support/scenes.hpp"
 
@@ -24,17 +26,46 @@ const FlatnessEquation kEquation{{0, 1, 2, 3}, 0.7, 0.0};
 
 FourPoints four_points(unsigned seed) { return random_points(seed, 4); }
 
+/// The residual's derivative by coordinate k, by a central difference.
+double slope_of_residual(const FlatnessEquation& equation, const FourPoints& points, int k) {
+  FourPoints ahead = points, behind = points;
+  ahead(k % 3, k / 3) += kStep;
+  behind(k % 3, k / 3) -= kStep;
+  return (residual(equation, ahead) - residual(equation, behind)) / (2 * kStep);
+}
+
+/// The gradient's.
+Eigen::Matrix<double, 12, 1> slope_of_gradient(const FlatnessEquation& equation,
+                                               const FourPoints& points, int k) {
+  FourPoints ahead = points, behind = points;
+  ahead(k % 3, k / 3) += kStep;
+  behind(k % 3, k / 3) -= kStep;
+  const FourPoints column = (gradient(equation, ahead) - gradient(equation, behind)) / (2 * kStep);
+  return Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data());
+}
+
+/// hessian(), all of it.
+Eigen::Matrix<double, 12, 12> dense_hessian(const FlatnessEquation& equation,
+                                            const FourPoints& points) {
+  const auto blocks = hessian(equation, points);
+  Eigen::Matrix<double, 12, 12> dense;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const Eigen::Matrix3d& block = blocks[block_index<FlatnessEquation>(i, j)];
+      dense.block<3, 3>(3 * j, 3 * i) = block.transpose();
+      dense.block<3, 3>(3 * i, 3 * j) = block;
+    }
+  }
+  return dense;
+}
+
 class FlatnessEquationAt : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(FlatnessEquationAt, GradientIsTheDerivativeOfTheResidual) {
   const FourPoints points = four_points(GetParam());
   const FourPoints derivative = gradient(kEquation, points);
   for (int k = 0; k < 12; ++k) {
-    FourPoints ahead = points, behind = points;
-    ahead(k % 3, k / 3) += kStep;
-    behind(k % 3, k / 3) -= kStep;
-    const double difference =
-        (residual(kEquation, ahead) - residual(kEquation, behind)) / (2 * kStep);
+    const double difference = slope_of_residual(kEquation, points, k);
     EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
   }
 }
@@ -46,11 +77,7 @@ TEST_P(FlatnessEquationAt, GradientFollowsTheScaleOfAPolygon) {
     const FourPoints points = four_points(GetParam());
     const FourPoints derivative = gradient(equation, points);
     for (int k = 0; k < 12; ++k) {
-      FourPoints ahead = points, behind = points;
-      ahead(k % 3, k / 3) += kStep;
-      behind(k % 3, k / 3) -= kStep;
-      const double difference =
-          (residual(equation, ahead) - residual(equation, behind)) / (2 * kStep);
+      const double difference = slope_of_residual(equation, points, k);
       EXPECT_NEAR(derivative(k % 3, k / 3), difference, 1e-7 * (1 + derivative.norm()));
     }
   }
@@ -58,25 +85,61 @@ TEST_P(FlatnessEquationAt, GradientFollowsTheScaleOfAPolygon) {
 
 TEST_P(FlatnessEquationAt, HessianIsTheDerivativeOfTheGradient) {
   const FourPoints points = four_points(GetParam());
-  const auto blocks = hessian(kEquation, points);
-  Eigen::Matrix<double, 12, 12> dense = Eigen::Matrix<double, 12, 12>::Zero();
-  int pair = 0;
-  for (int i = 1; i < 4; ++i) {
-    for (int j = 0; j < i; ++j, ++pair) {
-      dense.block<3, 3>(3 * i, 3 * j) = blocks[static_cast<std::size_t>(pair)];
-      dense.block<3, 3>(3 * j, 3 * i) = blocks[static_cast<std::size_t>(pair)].transpose();
-    }
-  }
+  const Eigen::Matrix<double, 12, 12> dense = dense_hessian(kEquation, points);
   for (int k = 0; k < 12; ++k) {
-    FourPoints ahead = points, behind = points;
-    ahead(k % 3, k / 3) += kStep;
-    behind(k % 3, k / 3) -= kStep;
-    const FourPoints column =
-        (gradient(kEquation, ahead) - gradient(kEquation, behind)) / (2 * kStep);
-    EXPECT_LT((dense.col(k) - Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data()))
-                  .lpNorm<Eigen::Infinity>(),
+    EXPECT_LT((dense.col(k) - slope_of_gradient(kEquation, points, k)).lpNorm<Eigen::Infinity>(),
               kDifferenceError)
         << "column " << k;
+  }
+}
+
+/// Four points that are out of flat, and the equations by which they stay so: of a quad, and of
+/// four corners of a larger panel.
+std::vector<std::pair<FlatnessEquation, FourPoints>> bent_equations(unsigned seed) {
+  std::vector<std::pair<FlatnessEquation, FourPoints>> found;
+  const FourPoints square{{0, 1.3, 1, 0}, {0, 0, 1.1, 1}, {0, 0, 0, 0}};
+  const FourPoints points = square + 0.1 * four_points(seed);
+  for (const bool is_quad : {true, false}) {
+    const FlatnessEquation bent = bent_equation(points, kEquation, is_quad);
+    found.emplace_back(bent, points(Eigen::all, bent.vertices));
+  }
+  return found;
+}
+
+TEST_P(FlatnessEquationAt, ABentPanelMeetsItsOwnEquationAtEverySizeAndPlace) {
+  for (const auto& [equation, points] : bent_equations(GetParam())) {
+    EXPECT_GT(std::abs(equation.bend), 1e-4);
+    EXPECT_NEAR(residual(equation, points), 0.0, kUnitRounding);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    const FourPoints elsewhere = (1.7 * turn * points).colwise() + Eigen::Vector3d(3, -2, 5);
+    EXPECT_NEAR(residual(equation, elsewhere), 0.0, 1e-11);
+  }
+}
+
+TEST_P(FlatnessEquationAt, GradientOfABentPanelIsTheDerivativeOfItsResidual) {
+  for (const auto& [equation, points] : bent_equations(GetParam())) {
+    const FourPoints derivative = gradient(equation, points);
+    for (int k = 0; k < 12; ++k) {
+      const double difference = slope_of_residual(equation, points, k);
+      EXPECT_NEAR(derivative(k % 3, k / 3), difference, kDifferenceError);
+    }
+  }
+}
+
+/// Along directions that keep the bend.
+TEST_P(FlatnessEquationAt, HessianOfABentPanelIsTheDerivativeOfItsGradient) {
+  using Flat = Eigen::Matrix<double, 12, 1>;
+  using Square = Eigen::Matrix<double, 12, 12>;
+  for (const auto& [equation, points] : bent_equations(GetParam())) {
+    Square differences;
+    for (int k = 0; k < 12; ++k) differences.col(k) = slope_of_gradient(equation, points, k);
+    const FourPoints slope = gradient(equation, points);
+    const Flat normal = Eigen::Map<const Flat>(slope.data()).normalized();
+    const Square along = Square::Identity() - normal * normal.transpose();
+    EXPECT_LT(
+        (along * (dense_hessian(equation, points) - differences) * along).cwiseAbs().maxCoeff(),
+        1e-7);
   }
 }
 

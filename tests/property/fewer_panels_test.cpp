@@ -134,11 +134,14 @@ TEST(FewerPanels, OfAFlatGridMoveNothingWhereTheyMerge) {
   mesh.positions << 0, 1, 2, 0, 1, 2, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0;
   mesh.face_vertices = {0, 1, 4, 3, 1, 2, 5, 4};
   mesh.face_offsets = {0, 4, 8};
-  mesh.groups = {{"left", 0}, {"right", 1}};
+  mesh.groups = {{"left", 0}, {"right", 1}, {"none", 2}};
   const auto merged = std::get<FewerPanels>(merge_panels(mesh, 1, 0, {}));
   EXPECT_EQ(merged.mesh.face_count(), 1);
   EXPECT_EQ(merged.mesh.face(0).size(), 6U);
   EXPECT_EQ(merged.parents, std::vector<int>{1});
+  // One that begins behind the last panel has none, as before.
+  ASSERT_EQ(merged.mesh.groups.size(), 3U);
+  EXPECT_EQ(merged.mesh.groups.back().first_face, 1);
   EXPECT_TRUE(merged.moved.empty());
   const auto gone = std::get<FewerPanels>(collapse_strip(mesh, 0, 1, {}));
   EXPECT_EQ(gone.mesh.face_count(), 1);

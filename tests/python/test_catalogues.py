@@ -50,8 +50,9 @@ class Catalogues(InFolder):
         for vertex in (36, 37):
             row = doors[vertex]
             self.assertIn("<polygon", Path("catalogue", row["picture"]).read_text())
-            packed = row["link"].removeprefix("../page/#d1=")
-            text = zlib.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)))
+            packed = row["link"].removeprefix("../page/#v2=")
+            unpacker = zlib.decompressobj(zdict=planish._core.link_dictionary())
+            text = unpacker.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)))
             self.assertEqual(planish.Design(text.decode()),
                              planish.Design.load(Path("catalogue", row["file"])))
         self.assertEqual({doors[4000][key] for key in ("picture", "file", "link")}, {None})

@@ -21,9 +21,13 @@ using testing::contents;
 
 TEST_F(Cli, TypesOfASampleAreATableAndAReport) {
   ASSERT_EQ(run("types sample:vault:12 --joint 4:24 -o t.csv --report r.json"), 0) << err();
-  EXPECT_EQ(err(), "");
   const json report = json::parse(contents(directory_ / "r.json"));
   const json& types = report["types"];
+  const auto counted = [&](const char* kind) {
+    return report[kind]["types"].dump() + " types of " + report[kind][kind].dump() + " " + kind;
+  };
+  EXPECT_EQ(err(), "planish: " + types["types"].dump() + " types of 121 panels, " +
+                       counted("nodes") + ", " + counted("bars") + "\n");
   EXPECT_EQ(report["unit"], "mm");
   EXPECT_EQ(types["panels"], 121);
   EXPECT_EQ(types["within"], 5.0);

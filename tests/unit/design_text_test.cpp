@@ -101,7 +101,6 @@ TEST_P(DesignText, WhatIsWrittenReadsBackToTheSameText) {
   EXPECT_EQ(write_design(std::get<Design>(read)), text);
   EXPECT_EQ(std::get<Design>(read).targets.handles.size(), design.targets.handles.size());
   EXPECT_EQ(std::get<Design>(read).options.locality, design.options.locality);
-  EXPECT_TRUE(is_design_text(text));
 }
 
 TEST(DesignTextConstraints, AreWrittenOnlyWhereThereAreAny) {
@@ -317,7 +316,6 @@ TEST(DesignTextFields, WhatIsNoDesignIsRefused) {
   EXPECT_EQ(sentence_of("{\"name\":\"package\"}"), "format is missing: it must be planish-design");
   EXPECT_EQ(sentence_of(std::string(100'000, '[')), "the design is nested too deeply");
   EXPECT_EQ(sentence_of("{\"handles\":[[1,1e999,0,0]]}"), "the design is not JSON");
-  EXPECT_FALSE(is_design_text("v 0 0 0"));
 }
 
 /// Older readers refuse a field that they do not know.

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -101,7 +102,103 @@ void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector
   }
 }
 
+namespace {
+
+/// What the scale of a bent panel's equation follows: the doubled area of the panel, or of the
+/// triangle that carries its plane, and an edge.
+struct BentSize {
+  FourPoints area_slope = FourPoints::Zero();
+  FourPoints edge_slope = FourPoints::Zero();
+  double area = 0.0, edge = 0.0;
+};
+
+/// The corners between which the sides of that area run: a quad's diagonals, or of the triangle.
+std::array<int, 4> area_sides(const FlatnessEquation& equation) {
+  return equation.is_quad ? std::array{0, 2, 1, 3} : std::array{0, 1, 0, 2};
+}
+
+BentSize bent_size(const FlatnessEquation& equation, const FourPoints& points) {
+  const auto [a, b, c, d] = area_sides(equation);
+  const Eigen::Vector3d first = points.col(b) - points.col(a);
+  const Eigen::Vector3d second = points.col(d) - points.col(c);
+  const Eigen::Vector3d normal = first.cross(second);
+  const Eigen::Vector3d edge = points.col(1) - points.col(0);
+  BentSize size;
+  size.area = normal.norm();
+  size.edge = edge.norm();
+  const Eigen::Vector3d unit = normal / size.area;
+  size.area_slope.col(b) += second.cross(unit);
+  size.area_slope.col(a) -= second.cross(unit);
+  size.area_slope.col(d) += unit.cross(first);
+  size.area_slope.col(c) -= unit.cross(first);
+  size.edge_slope.col(1) = edge / size.edge;
+  size.edge_slope.col(0) = -edge / size.edge;
+  return size;
+}
+
+using SizeHessian = Eigen::Matrix<double, 12, 12>;
+
+/// ∂²(area · edge) / (area · edge).
+SizeHessian bent_size_curvature(const FlatnessEquation& equation, const FourPoints& points) {
+  const BentSize size = bent_size(equation, points);
+  const auto [a, b, c, d] = area_sides(equation);
+  const Eigen::Vector3d first = points.col(b) - points.col(a);
+  const Eigen::Vector3d second = points.col(d) - points.col(c);
+  const Eigen::Vector3d normal = first.cross(second) / size.area;
+  const Eigen::Vector3d along = (points.col(1) - points.col(0)) / size.edge;
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  // ∂(first × second) by each of them.
+  const Eigen::Matrix3d by_first = -cross_matrix(second);
+  const Eigen::Matrix3d by_second = cross_matrix(first);
+  const Eigen::Matrix3d mixed =
+      by_first.transpose() * across * by_second / size.area - cross_matrix(normal);
+  Eigen::Matrix<double, 3, 12> side = Eigen::Matrix<double, 3, 12>::Zero();
+  Eigen::Matrix<double, 3, 12> other = side;
+  Eigen::Matrix<double, 3, 12> edge = side;
+  side.middleCols<3>(3 * b) += Eigen::Matrix3d::Identity();
+  side.middleCols<3>(3 * a) -= Eigen::Matrix3d::Identity();
+  other.middleCols<3>(3 * d) += Eigen::Matrix3d::Identity();
+  other.middleCols<3>(3 * c) -= Eigen::Matrix3d::Identity();
+  edge.middleCols<3>(3) += Eigen::Matrix3d::Identity();
+  edge.middleCols<3>(0) -= Eigen::Matrix3d::Identity();
+  const SizeHessian cross = side.transpose() * mixed * other;
+  const Eigen::Map<const Eigen::Matrix<double, 12, 1>> area_slope(size.area_slope.data());
+  const Eigen::Map<const Eigen::Matrix<double, 12, 1>> edge_slope(size.edge_slope.data());
+  const SizeHessian product = area_slope * edge_slope.transpose();
+  const Eigen::Matrix3d turning = Eigen::Matrix3d::Identity() - along * along.transpose();
+  SizeHessian area = cross + cross.transpose();
+  area += side.transpose() * (by_first.transpose() * across * by_first / size.area) * side;
+  area += other.transpose() * (by_second.transpose() * across * by_second / size.area) * other;
+  return area / size.area + (product + product.transpose()) / (size.area * size.edge) +
+         edge.transpose() * turning * edge / (size.edge * size.edge);
+}
+
+}  // namespace
+
+FlatnessEquation bent_equation(const Positions& positions, FlatnessEquation equation,
+                               bool is_quad) {
+  const auto length = [&](std::size_t k) {
+    return (positions.col(equation.vertices[(k + 1) % 4]) - positions.col(equation.vertices[k]))
+        .norm();
+  };
+  // A bend is measured by the longest edge.
+  std::size_t longest = 0;
+  for (std::size_t k = 1; is_quad && k < 4; ++k) {
+    if (length(k) > length(longest)) longest = k;
+  }
+  std::rotate(equation.vertices.begin(), equation.vertices.begin() + longest,
+              equation.vertices.end());
+  equation.is_quad = is_quad;
+  equation.edge = length(0);
+  equation.bend = residual(equation, positions(Eigen::all, equation.vertices));
+  return equation;
+}
+
 double scale_at(const FlatnessEquation& equation, const FourPoints& points) {
+  if (equation.edge > 0.0) {
+    const BentSize size = bent_size(equation, points);
+    return equation.edge / (size.area * size.edge);
+  }
   if (equation.least_area <= 0.0) return equation.scale;
   const Eigen::Vector3d b = points.col(1) - points.col(0);
   const Eigen::Vector3d c = points.col(2) - points.col(0);
@@ -112,7 +209,7 @@ double residual(const FlatnessEquation& equation, const FourPoints& points) {
   const Eigen::Vector3d b = points.col(1) - points.col(0);
   const Eigen::Vector3d c = points.col(2) - points.col(0);
   const Eigen::Vector3d d = points.col(3) - points.col(0);
-  return scale_at(equation, points) * b.cross(c).dot(d);
+  return scale_at(equation, points) * b.cross(c).dot(d) - equation.bend;
 }
 
 FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) {
@@ -125,6 +222,12 @@ FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) 
   result.col(1) = scale * c.cross(d);
   result.col(2) = scale * d.cross(b);
   result.col(3) = scale * normal;
+  if (equation.edge > 0.0) {
+    const BentSize size = bent_size(equation, points);
+    result.col(0) = -(result.col(1) + result.col(2) + result.col(3));
+    const double distance = scale * normal.dot(d);
+    return result - distance * (size.area_slope / size.area + size.edge_slope / size.edge);
+  }
   if (equation.least_area > 0.0 && scale * equation.least_area < 1.0) {
     // c = det / |b × c|: the quotient's second term, −c ∇|b × c| / |b × c|.
     const Eigen::Vector3d unit = scale * normal;
@@ -136,11 +239,12 @@ FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points) 
   return result;
 }
 
-CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation, const FourPoints& points) {
+CurvatureBlocks<4, true> hessian(const FlatnessEquation& equation, const FourPoints& points) {
   const double scale = scale_at(equation, points);
   const Eigen::Matrix3d b = scale * cross_matrix(points.col(1) - points.col(0));
   const Eigen::Matrix3d c = scale * cross_matrix(points.col(2) - points.col(0));
   const Eigen::Matrix3d d = scale * cross_matrix(points.col(3) - points.col(0));
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
   // ∂(d × b)/∂b = [d]×, ∂(b × c)/∂b = −[c]×, ∂(b × c)/∂c = [b]×; the blocks of vertex 0 follow
   // because moving all four points together changes nothing.
   const Eigen::Matrix3d& h21 = d;
@@ -149,7 +253,17 @@ CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation, const FourPo
   const Eigen::Matrix3d h10 = -(h21.transpose() + h31.transpose());
   const Eigen::Matrix3d h20 = -(h21 + h32.transpose());
   const Eigen::Matrix3d h30 = -(h31 + h32);
-  return {h10, h20, h21, h30, h31, h32};
+  CurvatureBlocks<4, true> blocks{none, h10, none, h20, h21, none, h30, h31, h32, none};
+  if (equation.edge > 0.0) {
+    const double distance = residual(equation, points) + equation.bend;
+    const SizeHessian size = bent_size_curvature(equation, points);
+    for (int k = 0; k < 4; ++k) {
+      for (int l = 0; l <= k; ++l) {
+        blocks[block_index<FlatnessEquation>(k, l)] -= distance * size.block<3, 3>(3 * k, 3 * l);
+      }
+    }
+  }
+  return blocks;
 }
 
 namespace {

@@ -46,6 +46,9 @@ Refusal find_problem(const Design& design) {
           find_engine_problem(design.options, design.targets, !design.symmetry.empty())) {
     return problem;
   }
+  if (!design.variations.empty()) {
+    if (auto problem = find_variation_problem(design.options)) return problem;
+  }
   for (std::size_t k = 0; k < design.variations.size(); ++k) {
     if (const auto problem = find_problem(design.variations[k])) {
       return "variations[" + std::to_string(k) + "]: " + *problem;

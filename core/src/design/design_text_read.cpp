@@ -327,7 +327,7 @@ std::optional<Planarising> read_planarised(const Field& root) {
   return how;
 }
 
-/// Before the names of the fields: what is no design has its own.
+/// Refuses what is no design, before the names of its fields are looked at.
 void read_format(const Field& root) {
   const std::string format(kDesignFormat);
   if (!root.is_object()) root.refuse("an object");
@@ -380,12 +380,6 @@ std::variant<Design, std::string> read_design(std::string_view text) {
   } catch (const Refused& refused) {
     return refused.sentence;
   }
-}
-
-bool is_design_text(std::string_view text) {
-  constexpr std::size_t kSight = 200;
-  const std::string_view start = text.substr(0, kSight);
-  return start.find("\"planish-design\"") != std::string_view::npos;
 }
 
 }  // namespace planish

@@ -35,7 +35,7 @@ BaseViolations::BaseViolations(const MeshModel& model) {
     excesses.reserve(at(count));
     for (int e = 0; e < count; ++e) {
       const Violation here =
-          violation_of<Kind>(model.mesh.positions, elements.of(Kind::kElement, e));
+          model.violation<Kind>(e, model.mesh.positions, elements.of(Kind::kElement, e));
       measures.push_back(here.measure);
       excesses.push_back(here.excess);
     }

@@ -5,8 +5,15 @@
 
 namespace planish {
 
+KeptKinds kept_kinds(const HandleEditOptions& options) {
+  if (!options.keep_bends) return kept_kinds(options.tolerance, options.constraints);
+  KeptKinds kept = kept_kinds(PlanarPolygon::kTolerance, options.constraints);
+  kept.keep_bends();
+  return kept;
+}
+
 Refusal find_broken_constraint(const Mesh& mesh, const HandleEditOptions& options) {
-  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
+  const KeptKinds kept = kept_kinds(options);
   if (options.constraints.empty()) return std::nullopt;
   Refusal broken;
   const Adjacency adjacency = build_adjacency(mesh);

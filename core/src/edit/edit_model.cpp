@@ -6,6 +6,7 @@
 
 #include "edit/edit_reach.hpp"
 #include "edit/switching/guided_points.hpp"
+#include "edit/switching/kept_bends.hpp"
 #include "edit/switching/parting_planes.hpp"
 #include "edit/switching/resting_points.hpp"
 #include "planish/constraints/mesh_keep_outs.hpp"
@@ -26,7 +27,7 @@ Eigen::Vector3d displacement_of(const ExactDesign& design, int vertex) {
 }  // namespace
 
 EditModel::EditModel(const Mesh& mesh, const HandleEditOptions& options)
-    : options_(options), kept_(kept_kinds(options.tolerance, options.constraints)) {
+    : options_(options), kept_(kept_kinds(options)) {
   const Stopwatch watch;
   model_ = std::make_unique<MeshModel>(mesh, options.fairness, kept_);
   base_ = std::make_unique<BaseViolations>(*model_);
@@ -37,7 +38,7 @@ EditModel::EditModel(const Mesh& mesh, const HandleEditOptions& options)
 EditModel::~EditModel() = default;
 
 void EditModel::set_options(const HandleEditOptions& options) {
-  const KeptKinds kept = kept_kinds(options.tolerance, options.constraints);
+  const KeptKinds kept = kept_kinds(options);
   const bool same_kinds = kept.same_kinds(kept_);
   const bool same_model = same_kinds && options.fairness == options_.fairness;
   options_ = options;
@@ -112,6 +113,7 @@ void EditModel::make_slides() {
 void EditModel::list_switching() {
   active_set_.clear();
   parted_panels_.reset();
+  if (options_.keep_bends) active_set_.add(std::make_unique<KeptBends>(*model_));
   const bool has_keep_outs = !options_.keep_outs.empty();
   if (has_keep_outs) {
     MeshKeepOuts& keep_outs = *limits_->keep_outs();

@@ -63,7 +63,14 @@ Refusal find_engine_problem(const HandleEditOptions& options, const EditTargets&
   ask_for(Beyond::kSupports, !targets.supports.empty());
   ask_for(Beyond::kKeepOuts, !options.keep_outs.empty());
   ask_for(Beyond::kSymmetry, symmetric);
+  ask_for(Beyond::kBends, options.keep_bends);
   return problem;
+}
+
+Refusal find_variation_problem(const HandleEditOptions& options) {
+  if (!options.keep_bends) return std::nullopt;
+  return "keep_bends: variations make panels flat, so none are found around an edit whose panels "
+         "stay bent";
 }
 
 Refusal find_problem(const EditTargets& targets, const Mesh& mesh) {

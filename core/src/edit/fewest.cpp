@@ -52,7 +52,7 @@ class FewestSearch {
   }
 
  private:
-  /// With these points held beside those of the best so far.
+  /// Solves with these points held beside those of the best so far.
   HandleEditResult solve(const std::vector<int>& points) {
     ++best_.solves;
     EditTargets targets = targets_;
@@ -161,7 +161,8 @@ class FewestSearch {
     return points;
   }
 
-  /// As many as can be held at once, by halves: most of what moves moves for the sake of fairness.
+  /// Holds as many as can be held at once, by halves: most of what moves moves for the sake of
+  /// fairness.
   void hold_most() {
     std::vector<Mover> movers = moving_panels();
     for (std::size_t count = worth_holding(movers); count > 1 && may_go_on();) {
@@ -174,7 +175,7 @@ class FewestSearch {
     }
   }
 
-  /// One panel after the other.
+  /// Holds one panel after the other.
   void hold_panels() {
     std::vector<Mover> movers = moving_panels();
     for (std::size_t k = 0; k < movers.size() && may_go_on(); ++k) {
@@ -186,7 +187,7 @@ class FewestSearch {
     }
   }
 
-  /// One point after the other, until none can be held. Whether all of them were tried.
+  /// Holds one point after the other, until none can be held. @returns whether all were tried
   bool hold_points() {
     for (bool any = true; any;) {
       any = false;
@@ -233,7 +234,7 @@ std::vector<StatedLimit> buildable_limits(const Mesh& mesh,
                                           const std::vector<StatedLimit>& stated) {
   const double edge = mean_edge_length(mesh);
   // With few digits, as designs and reports have the words.
-  const std::array texts = {std::string("angle=20:170"),
+  const std::array texts = {std::string(kBuildableCorners),
                             "edge=" + three_digits(0.2 * edge) + ":" + three_digits(5.0 * edge)};
   std::vector<StatedLimit> limits;
   for (const std::string& text : texts) {

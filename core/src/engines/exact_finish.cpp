@@ -21,7 +21,7 @@ constexpr int kMostPasses = 8;
 /// moves that an edit wants are above 1e-9.
 constexpr double kNoMove = 1e-11;
 
-/// Up to there a move is rounding, mean edges: four steps of the largest coordinate, or more.
+/// The largest move that is rounding, mean edges: four steps of the largest coordinate, or more.
 double largest_rounding(const MeshModel& model) {
   constexpr double kSteps = 4.0 * std::numeric_limits<double>::epsilon();
   const double largest = model.mesh.positions.cwiseAbs().maxCoeff();
@@ -124,7 +124,7 @@ void ExactFinish::measure(ExactDesign& design) {
       if (face_mark_[at(f)] == stamp_) continue;
       face_mark_[at(f)] = stamp_;
       design.faces.push_back(f);
-      measure_element(Element::kFace, model_.face(f), design);
+      measure_element(Element::kFace, f, model_.face(f), design);
     }
   }
   std::sort(design.faces.begin(), design.faces.end());
@@ -137,12 +137,12 @@ void ExactFinish::find_stars(ExactDesign& design) {
   design.stars = grower_.neighbourhood(design.vertices);
   MeshElements elements(model_.mesh, model_.adjacency);
   for (const int v : design.stars) {
-    measure_element(Element::kVertex, elements.of(Element::kVertex, v), design);
+    measure_element(Element::kVertex, v, elements.of(Element::kVertex, v), design);
   }
 }
 
 /// Raises the worst of each kept kind that hangs on such elements to that of one of them.
-void ExactFinish::measure_element(Element element, std::span<const int> vertices,
+void ExactFinish::measure_element(Element element, int index, std::span<const int> vertices,
                                   ExactDesign& design) {
   corners_.resize(3, static_cast<Eigen::Index>(vertices.size()));
   order_.resize(vertices.size());
@@ -158,7 +158,7 @@ void ExactFinish::measure_element(Element element, std::span<const int> vertices
   model_.kept.for_each([&](auto tag, std::size_t kind) {
     using Kind = typename decltype(tag)::type;
     if (Kind::kElement != element) return;
-    design.worst[kind].raise_to(violation_of<Kind>(corners_, order_));
+    design.worst[kind].raise_to(model_.violation<Kind>(index, corners_, order_));
   });
 }
 

@@ -49,7 +49,8 @@ class ExactFinish {
                                              const KeptKinds& kept);
   void measure(ExactDesign& design);
   void find_stars(ExactDesign& design);
-  void measure_element(Element element, std::span<const int> vertices, ExactDesign& design);
+  void measure_element(Element element, int index, std::span<const int> vertices,
+                       ExactDesign& design);
 
   const MeshModel& model_;
   PatchCutter cutter_;

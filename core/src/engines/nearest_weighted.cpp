@@ -27,7 +27,7 @@ struct NearestWeightedTuning {
   static constexpr double kFirstPenalty = 1e6;  ///< μ at least
   static constexpr double kLastPenalty = 1e13;  ///< μ at most: beyond it rounding is all there is
   static constexpr double kFollowed = 1e-6;  ///< ‖∇L‖ over the largest w/2 that ends a stage
-  static constexpr double kStationary = 5e-7;  ///< the same for the last one
+  static constexpr double kStationary = 5e-7;  ///< ‖∇L‖ so scaled that ends the last one
   static constexpr double kCounted = 1e-6;     ///< of the longest move: less counts as at rest
   static constexpr int kStepsPerSet = 60;      ///< at one ε on one working set
   static constexpr int kLastSteps = 30;        ///< at the last ε
@@ -48,7 +48,7 @@ NearestWeighted::NearestWeighted(const MeshModel& model)
       newton_(PatchNewton::Factors::kFresh) {}
 
 /// The working set and everything that shares a row with it; the state comes from the field.
-void NearestWeighted::lay_open(const EditProblem& problem) {
+void NearestWeighted::open_patch(const EditProblem& problem) {
   cutter_.cut_open(problem, working_, patch_);
   PatchState state;
   field_.load(patch_, state);
@@ -103,11 +103,11 @@ void NearestWeighted::scale_what_rests(double smoothing, double factor) {
 }
 
 /// Takes movers at the rim into the working set; false where there are none.
-bool NearestWeighted::let_in_movers(const EditProblem& problem, double smoothing) {
+bool NearestWeighted::add_movers(const EditProblem& problem, double smoothing) {
   const std::vector<int> movers = movers_at_rim(smoothing);
   if (movers.empty()) return false;
   working_ = set_union(working_, movers);
-  lay_open(problem);
+  open_patch(problem);
   return true;
 }
 
@@ -129,7 +129,7 @@ bool NearestWeighted::follow(const EditProblem& problem, int most_steps, const P
         solve_at(smoothing, stationary * largest_pull(patch_), steps, progress, outcome);
     field_.store(patch_, newton_.state());
     if (outcome.status == SolveStatus::kCancelled) return false;
-    if (let_in_movers(problem, smoothing)) {
+    if (add_movers(problem, smoothing)) {
       before.reset();
       continue;
     }
@@ -155,7 +155,7 @@ EngineOutcome NearestWeighted::run(const EditProblem& problem, std::span<const i
   EngineOutcome outcome;
   working_ = grower_.grow(seeds, Tuning::kRings);
   field_.clear();
-  lay_open(problem);
+  open_patch(problem);
   if (patch_.free_count == 0) return outcome;
   scale_ = std::max(newton_.violation(), Tuning::kLeastScale);
   double smoothing = scale_;

@@ -25,7 +25,8 @@ class NearestWeighted {
  public:
   explicit NearestWeighted(const MeshModel& model);
 
-  /// From t = 0. kConverged: flat, and followed down to the last ε; optimality() tells how well.
+  /// Runs from t = 0. kConverged: flat, and followed down to the last ε; optimality() tells how
+  /// well.
   /// @param problem norm weights on all free vertices
   /// @param seeds vertices of the failing elements
   EngineOutcome run(const EditProblem& problem, std::span<const int> seeds,
@@ -41,12 +42,12 @@ class NearestWeighted {
                                       const Eigen::Matrix3Xd& displacement) const;
 
  private:
-  void lay_open(const EditProblem& problem);
+  void open_patch(const EditProblem& problem);
   [[nodiscard]] bool solve_at(double smoothing, double stationary, int most_steps,
                               const Progress& progress, EngineOutcome& outcome);
   [[nodiscard]] bool follow(const EditProblem& problem, int most_steps, const Progress& progress,
                             double& smoothing, EngineOutcome& outcome);
-  [[nodiscard]] bool let_in_movers(const EditProblem& problem, double smoothing);
+  [[nodiscard]] bool add_movers(const EditProblem& problem, double smoothing);
   [[nodiscard]] std::vector<int> movers_at_rim(double smoothing) const;
   void scale_what_rests(double smoothing, double factor);
   void keep_support(double smoothing);

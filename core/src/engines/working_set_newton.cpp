@@ -27,7 +27,7 @@ double handle_scale(const EditProblem& problem) {
 WorkingSetNewton::WorkingSetNewton(const MeshModel& model)
     : model_(model), cutter_(model), grower_(model) {}
 
-void WorkingSetNewton::lay_out(const EditProblem& problem, const StartSet& start) {
+void WorkingSetNewton::set_start(const EditProblem& problem, const StartSet& start) {
   const std::vector<int>& handles = problem.handles;
   start_ = grower_.grow(handles, std::max(start.rings, model_.kept.start_rings()));
   std::vector<int> lines;
@@ -42,7 +42,7 @@ EngineOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const Start
                                          const NewtonOptions& options, DisplacementField& field,
                                          const Progress& progress) {
   support_ = problem.handles;
-  lay_out(problem, start);
+  set_start(problem, start);
   NewtonOptions cold = options;
   cold.first_smoothing = start.first_smoothing;
   return run(problem, handle_scale(problem), cold, field, progress);
@@ -51,7 +51,7 @@ EngineOutcome WorkingSetNewton::run_cold(const EditProblem& problem, const Start
 EngineOutcome WorkingSetNewton::run_on(const EditProblem& problem, const StartSet& start,
                                        const NewtonOptions& options, DisplacementField& field,
                                        const Progress& progress) {
-  lay_out(problem, start);
+  set_start(problem, start);
   return run(problem, handle_scale(problem), options, field, progress);
 }
 

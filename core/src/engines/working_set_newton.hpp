@@ -58,7 +58,7 @@ class WorkingSetNewton {
  public:
   explicit WorkingSetNewton(const MeshModel& model);
 
-  /// From `field` = 0 with the vertices of `start` in the first working set.
+  /// Runs from `field` = 0 with the vertices of `start` in the first working set.
   EngineOutcome run_cold(const EditProblem& problem, const StartSet& start,
                          const NewtonOptions& options, DisplacementField& field,
                          const Progress& progress);
@@ -69,31 +69,31 @@ class WorkingSetNewton {
                        const NewtonOptions& options, DisplacementField& field,
                        const Progress& progress);
 
-  /// From the field of an earlier run and its support().
+  /// Runs from the field of an earlier run and its support().
   EngineOutcome run_warm(const EditProblem& problem, const NewtonOptions& options,
                          DisplacementField& field, const Progress& progress);
 
-  /// From `field` = 0 on the whole mesh or, where a support is sought, around `seeds`, which need
-  /// not be handles.
+  /// Runs from `field` = 0 on the whole mesh or, where a support is sought, around `seeds`, which
+  /// need not be handles.
   /// @param scale the length that smoothing is a share of, > 0
   EngineOutcome run_around(const EditProblem& problem, std::span<const int> seeds, double scale,
                            const NewtonOptions& options, DisplacementField& field,
                            const Progress& progress);
 
-  /// From the field of a run and its support() to a first-order point of the problem: the working
-  /// set grows by what moves at its rim, ε falls until it is nothing, and what is at rest then
-  /// leaves the support. kConverged: so it ended; otherwise the budget did. [OPT-2]
+  /// Goes from the field of a run and its support() to a first-order point of the problem: the
+  /// working set grows by what moves at its rim, ε falls until it is nothing, and what is at rest
+  /// then leaves the support. kConverged: so it ended; otherwise the budget did. [OPT-2]
   EngineOutcome settle(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field, const Progress& progress);
 
-  /// After settle(): what was taken to rest stays there, and steps at the ε that it ended at bring
-  /// the rest to a minimum of its own whose rows hold to rounding, so that a finish changes
-  /// nothing. Where rows are nearly dependent, the shortest way from 1e-11 to there leads far from
-  /// the minimum.
+  /// Goes on after settle(): what was taken to rest stays there, and steps at the ε that it ended
+  /// at bring the rest to a minimum of its own whose rows hold to rounding, so that a finish
+  /// changes nothing. Where rows are nearly dependent, the shortest way from 1e-11 to there leads
+  /// far from the minimum.
   EngineOutcome refine(const EditProblem& problem, const NewtonOptions& options,
                        DisplacementField& field);
 
-  /// After settle(): what moves by so little that it was taken to rest moves after all. Where rows
+  /// Lets move after all what moved by so little that settle() took it to rest. Where rows
   /// are stiff, stopping it costs the certificate.
   void keep_slow_movers(DisplacementField& field);
 
@@ -119,7 +119,7 @@ class WorkingSetNewton {
 
  private:
   /// Sets start_ to the vertices of `start`.
-  void lay_out(const EditProblem& problem, const StartSet& start);
+  void set_start(const EditProblem& problem, const StartSet& start);
   EngineOutcome run(const EditProblem& problem, double scale, const NewtonOptions& options,
                     DisplacementField& field, const Progress& progress);
   void choose_working_set(const EditProblem& problem, const NewtonOptions& options,
@@ -127,8 +127,8 @@ class WorkingSetNewton {
   /// Whether the problem's region is.
   [[nodiscard]] static bool is_working_set_at_once(const EditProblem& problem);
   void find_support(double smoothing);
-  void set_out(const EditProblem& problem);
-  void lay_open(const EditProblem& problem, DisplacementField& field);
+  void choose_first_working_set(const EditProblem& problem);
+  void open_patch(const EditProblem& problem, DisplacementField& field);
   [[nodiscard]] std::vector<int> movers_at_rim(double rest) const;
   void extend(const std::vector<int>& movers, bool first_stage, int extensions);
   [[nodiscard]] double rounding() const;

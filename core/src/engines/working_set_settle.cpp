@@ -20,15 +20,15 @@ constexpr double kShrink = 1e-2;        ///< between two
 constexpr double kAtRest = 100.0;       ///< ε: what moves less follows ε from stage to stage
 constexpr double kRestsAtLast = 700.0;  ///< ε: w is 1 to within kStationary, so it may as well rest
 constexpr double kMovesAtRimFirst = 30;  ///< ε: what moves further joins the working set
-constexpr double kMovesAtRimLater = 10;  ///< the same once the first ε has been followed
+constexpr double kMovesAtRimLater = 10;  ///< ε: what joins it once the first has been followed
 constexpr int kLinesAhead = 2;           ///< edges along which it then brings its lines with it
-constexpr int kMostLinesAhead = 32;      ///< the same where set after set was too small
+constexpr int kMostLinesAhead = 32;      ///< edges where set after set was too small
 constexpr int kShortOnes = 3;            ///< sets that were, before lines are followed further
 constexpr double kPenalty = 10.0;        ///< μ ε: the constraints of vertices at rest are stiff
 constexpr double kMostPenalty = 1e11;    ///< μ: above it λ is what rounding makes of c
 constexpr double kFollowed = 1e-2;       ///< ‖∇L‖ at which a stage ends, solver units
-constexpr double kStationary = 5e-7;     ///< the same for the last stage
-constexpr double kNearlyStationary = 1e-5;  ///< the same where steps hardly lower it any more
+constexpr double kStationary = 5e-7;     ///< ‖∇L‖ at which the last stage ends
+constexpr double kNearlyStationary = 1e-5;  ///< ... where steps hardly lower it any more
 constexpr double kSlow = 0.5;               ///< share of it that such steps leave
 constexpr double kHeld = 10.0;              ///< |c| / ε at which a stage ends
 constexpr double kCounted = 1e-6;           ///< of the pull: who moves less counts as at rest
@@ -46,7 +46,7 @@ constexpr double kMostWork = 1e6;     ///< points × steps, all runs
 /// The first working set: a small region as a whole; elsewhere the support, and the neighbours of
 /// handles that are fixed, whose rows belong to no free vertex of the support; everything where no
 /// support is sought.
-void WorkingSetNewton::set_out(const EditProblem& problem) {
+void WorkingSetNewton::choose_first_working_set(const EditProblem& problem) {
   std::vector<int> fixed;
   std::copy_if(problem.handles.begin(), problem.handles.end(), std::back_inserter(fixed),
                [&](int v) { return problem.terms[at(v)].fixed; });
@@ -58,7 +58,7 @@ void WorkingSetNewton::set_out(const EditProblem& problem) {
 }
 
 /// The working set and everything that shares a row with it; the state comes from `field`.
-void WorkingSetNewton::lay_open(const EditProblem& problem, DisplacementField& field) {
+void WorkingSetNewton::open_patch(const EditProblem& problem, DisplacementField& field) {
   cutter_.cut_open(problem, working_, patch_);
   system_.attach(patch_);
   step_.attach(system_, patch_.free_count);
@@ -94,7 +94,7 @@ double WorkingSetNewton::rounding() const {
   return kUlps * patch_.points.cwiseAbs().maxCoeff();
 }
 
-/// By how much the limits are broken, or kept where they press: complementarity.
+/// How much the limits are broken, or kept where they press: complementarity.
 double WorkingSetNewton::limit_violation() {
   if (!system_.has_limits()) return 0.0;
   system_.lagrangian().shares(state_.displacement, shares_);
@@ -150,13 +150,13 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
   seeks_support_ = problem.seeks_support;
   NewtonOptions exact = options;
   exact.step.limits_may_stay = false;
-  set_out(problem);
+  choose_first_working_set(problem);
   double smoothing = seeks_support_ ? kFirst * scale : kLast * scale;
   double work = 0.0;
   double last_slope = std::numeric_limits<double>::infinity();
   int extensions = 0;  // at this ε
   step_.forget_shift();
-  lay_open(problem, field);
+  open_patch(problem, field);
   settled_ = state_;
   settled_smoothing_ = smoothing;
   if (patch_.free_count == 0 ||
@@ -190,7 +190,7 @@ EngineOutcome WorkingSetNewton::settle(const EditProblem& problem, const NewtonO
         movers_at_rim((first_stage ? kMovesAtRimFirst : kMovesAtRimLater) * smoothing);
     if (!movers.empty()) {
       extend(movers, first_stage, ++extensions);
-      lay_open(problem, field);
+      open_patch(problem, field);
       continue;
     }
     const double slope = longest_column(gradient_);
@@ -240,7 +240,7 @@ EngineOutcome WorkingSetNewton::refine(const EditProblem& problem, const NewtonO
   return outcome;
 }
 
-/// Beside the support nothing of the patch may move.
+/// Holds all of the patch but the support.
 void WorkingSetNewton::hold_what_rests() {
   std::vector<Slide> slides;
   auto given = patch_.slides.begin();

@@ -9,11 +9,9 @@
 
 namespace planish {
 
-/// Coordinates on the grid are below this; those of a caller, times its scale, must be too.
-inline constexpr double kGridReach = 2147483647.0;
-
 /// The parts of `outline` that no polygon of `taken` covers, anticlockwise, sides rounded to the
 /// grid of 1 / `scale`. Boost.Polygon, exact up to that rounding (decision 50).
+/// @param scale times any coordinate it is below 2³¹
 [[nodiscard]] std::vector<Outline> grid_difference(const Outline& outline,
                                                    const std::vector<Outline>& taken, double scale);
 

@@ -22,6 +22,8 @@ std::string_view name_of(Beyond beyond) {
       return "splits";
     case Beyond::kMobility:
       return "mobility";
+    case Beyond::kBends:
+      return "keep_bends";
   }
   return "";
 }

@@ -36,6 +36,43 @@ MeshModel::MeshModel(const Mesh& given, FairnessKind kind, const KeptKinds& kind
       offsets.push_back(static_cast<int>(equations.of<Kind>().size()));
     }
   });
+  if (kept.keeps_bends()) keep_bends();
+}
+
+/// Rounding bends no panel: what is flat stays so.
+void MeshModel::keep_bends() {
+  constexpr std::size_t kPlanar = ConstraintKinds::index_of<PlanarPolygon>();
+  std::vector<FlatnessEquation>& rows = equations.of<PlanarPolygon>();
+  const std::vector<int>& offsets = element_offsets[kPlanar];
+  bends_.assign(at(mesh.face_count()), 0.0);
+  bent_rows_.assign(rows.size(), 0.0);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const double excess = violation_of<PlanarPolygon>(mesh.positions, mesh.face(f)).excess;
+    if (!(excess > PlanarPolygon::kTolerance)) continue;
+    bends_[at(f)] = excess;
+    for (int e = offsets[at(f)]; e < offsets[at(f) + 1]; ++e) {
+      rows[at(e)] = bent_equation(points, rows[at(e)], mesh.face(f).size() == 4);
+      bent_rows_[at(e)] = rows[at(e)].bend;
+    }
+  }
+}
+
+void MeshModel::ease_bend(int face, double share) {
+  const std::vector<int>& offsets = element_offsets[ConstraintKinds::index_of<PlanarPolygon>()];
+  for (int e = offsets[at(face)]; e < offsets[at(face) + 1]; ++e) {
+    equations.of<PlanarPolygon>()[at(e)].bend *= share;
+  }
+  eased_.push_back(face);
+}
+
+void MeshModel::restore_bends() {
+  const std::vector<int>& offsets = element_offsets[ConstraintKinds::index_of<PlanarPolygon>()];
+  for (const int f : eased_) {
+    for (int e = offsets[at(f)]; e < offsets[at(f) + 1]; ++e) {
+      equations.of<PlanarPolygon>()[at(e)].bend = bent_rows_[at(e)];
+    }
+  }
+  eased_.clear();
 }
 
 bool MeshModel::has_star_rows(int vertex) const {
@@ -276,8 +313,8 @@ void PatchCutter::number_inequalities(const MeshModel& model, Patch& patch) cons
   for (const int place : straight_places_) patch.inequality_ids.push_back(first_straight + place);
 }
 
-/// Of the free vertices that stand on a surface. Their multipliers have the numbers after all
-/// others.
+/// Adds rows of the free vertices that stand on a surface. Their multipliers have the numbers after
+/// all others.
 void PatchCutter::add_surface_rows(const EditProblem& problem, Patch& patch) {
   for (int k = 0; k < patch.free_count; ++k) {
     const int v = patch.vertices[at(k)];

@@ -13,16 +13,13 @@ namespace planish {
 /// Who comes before and after a vertex on its line; O(n) once.
 class GuideLines {
  public:
-  /// A turn of a line, in degrees, from which on a vertex is a corner that no point passes.
-  static constexpr double kSharpTurn = 30.0;
-
   /// @param supports those that are no lines are passed over; they must have no problem
   GuideLines(const Mesh& mesh, const std::vector<PointSupport>& supports);
 
   /// The vertex after `vertex` where `side` is 1, before it where it is 0; −1 where the line ends
   /// or branches there.
   [[nodiscard]] int beside(int vertex, int side) const;
-  /// Whether the line turns sharply at `vertex`, ends or branches.
+  /// Whether no point passes `vertex`: the line turns by 30° or more there, ends or branches.
   [[nodiscard]] bool is_corner(int vertex) const;
 
  private:

@@ -121,9 +121,9 @@ Eigen::Vector3d VertexSlides::left_of(int vertex, const Eigen::Vector3d& force) 
   return left;
 }
 
-/// All that are pulled away the first time; then the one that is pulled most: several that go to
-/// and fro together would go on for ever.
-bool VertexSlides::let_go(std::span<const TrackForce> forces, double rest) {
+/// Lets go of all that are pulled away the first time; then of the one that is pulled most: several
+/// that go to and fro together would go on for ever.
+bool VertexSlides::release(std::span<const TrackForce> forces, double rest) {
   constexpr int kMostReleases = 4;  // then it is held
   constexpr double kNothing = 1e-5;
   bool changed = false;

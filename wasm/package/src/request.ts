@@ -14,6 +14,8 @@ export interface Bounds {
   readonly sheet?: readonly [width: number | string, height: number | string];
   /** How far any point may go across the mean normal of the panels around it. */
   readonly slide?: number | string;
+  /** Panels bent by up to so much, mm/m, stay as bent as they are: none bends more. */
+  readonly flat?: number;
 }
 
 /** One point and where it goes: by a displacement or to a place. */

@@ -41,6 +41,11 @@ class KeptKinds {
     });
   }
 
+  /// Panels stay as bent as they are in the mesh, instead of becoming flat where they move: a
+  /// violation is then what a panel is bent beyond that. [MET-6]
+  void keep_bends() { keeps_bends_ = true; }
+  [[nodiscard]] bool keeps_bends() const { return keeps_bends_; }
+
   [[nodiscard]] bool has(std::size_t kind) const { return tolerances_[kind] > 0.0; }
   [[nodiscard]] double tolerance(std::size_t kind) const { return tolerances_[kind]; }
 
@@ -49,7 +54,7 @@ class KeptKinds {
     for (std::size_t k = 0; k < tolerances_.size(); ++k) {
       if (has(k) != other.has(k)) return false;
     }
-    return true;
+    return keeps_bends_ == other.keeps_bends_;
   }
 
   /// Face rings around the handles that a kept kind needs in a first working set; 0: any.
@@ -83,6 +88,7 @@ class KeptKinds {
 
  private:
   std::array<double, ConstraintKinds::kCount> tolerances_{};  ///< 0: not kept
+  bool keeps_bends_ = false;
 };
 
 /// How far elements are from keeping one kind.
@@ -97,7 +103,7 @@ struct Violation {
   }
 };
 
-/// Of one element. @param positions 3 × n
+/// The violation of one element. @param positions 3 × n
 template <ConstraintKind Kind>
 [[nodiscard]] Violation violation_of(const Positions& positions, std::span<const int> element) {
   if constexpr (std::is_same_v<Kind, PlanarPolygon>) {

@@ -28,23 +28,28 @@ namespace planish {
 /// @param normal in: last normal or zero; out: the plane's unit normal
 void project_to_plane_centred(Eigen::Ref<Eigen::Matrix3Xd> points, Eigen::Vector3d& normal);
 
+/// Four points, one a column, in the order of FlatnessEquation::vertices.
+using FourPoints = RowPoints<4>;
+
 /// One scalar equation of flatness among four vertices a, b, c, d:
-///   c(p) = scale · det(b − a, c − a, d − a) = 0,                                       [PL-2]
+///   c(p) = scale · det(b − a, c − a, d − a) − bend = 0,                                [PL-2]
 /// trilinear, so all derivatives are closed form. `scale` turns it into a distance on the mesh it
 /// was made for, in the unit of the positions. A polygon of n vertices has n − 3 of them.
 struct FlatnessEquation {
   static constexpr int kArity = 4;
-  static constexpr bool kCurvedDiagonal = false;  ///< linear in each corner
+  static constexpr bool kCurvedDiagonal = true;  ///< of a bent panel; else linear in each corner
   std::array<int, 4> vertices{};
   double scale = 1.0;
   /// > 0 where a, b, c carry the plane of a larger polygon: then the scale follows their triangle,
   /// down to this doubled area. Otherwise "all three on a line" would solve every equation of the
   /// polygon at once without making it flat.
   double least_area = 0.0;
+  /// > 0: the equation of a panel that stays bent. This is then the length of one of its edges in
+  /// the mesh, and the scale follows the panel: a distance, for every length of that edge. [PL-5]
+  double edge = 0.0;
+  double bend = 0.0;     ///< what the determinant's part is to be: 0 in a plane
+  bool is_quad = false;  ///< of a panel that stays bent: the corners are all of it
 };
-
-/// Four points, one a column, in the order of FlatnessEquation::vertices.
-using FourPoints = RowPoints<FlatnessEquation::kArity>;
 
 /// The factor of det() for the equation with its corners at `points`.
 [[nodiscard]] double scale_at(const FlatnessEquation& equation, const FourPoints& points);
@@ -55,11 +60,11 @@ using FourPoints = RowPoints<FlatnessEquation::kArity>;
 /// ∂c/∂(vertex k) in column k. [PL-3]
 [[nodiscard]] FourPoints gradient(const FlatnessEquation& equation, const FourPoints& points);
 
-/// ∂²c/∂(vertex k)∂(vertex l) for k > l, each a skew matrix; those on the diagonal are zero. [PL-4]
-/// Where the scale follows the triangle it is held constant here: the terms left out are multiples
-/// of c and of ∇c, which do not change a Newton step on the constraints.
-[[nodiscard]] CurvatureBlocks<4, false> hessian(const FlatnessEquation& equation,
-                                                const FourPoints& points);
+/// ∂²c/∂(vertex k)∂(vertex l): of a flat panel skew matrices, and zero where k = l. [PL-4] [PL-5]
+/// Where the scale follows the panel, multiples of c and of ∇c are left out, which do not change a
+/// Newton step on the constraints.
+[[nodiscard]] CurvatureBlocks<4, true> hessian(const FlatnessEquation& equation,
+                                               const FourPoints& points);
 
 /// Places in `face` of three vertices that are far apart: they carry the plane of a larger polygon,
 /// and its circle. @param face at least three vertices
@@ -70,6 +75,11 @@ using FourPoints = RowPoints<FlatnessEquation::kArity>;
 /// gives one equation. Appends nothing for a triangle.
 void append_flatness_equations(const Positions& positions, std::span<const int> face,
                                std::vector<FlatnessEquation>& out);
+
+/// The equation by which a panel that is bent at `positions` stays so, from one of its equations of
+/// flatness. @param is_quad whether it is the panel's only one
+[[nodiscard]] FlatnessEquation bent_equation(const Positions& positions, FlatnessEquation equation,
+                                             bool is_quad);
 
 /// Flatness of one panel.
 struct FacePlanarity {

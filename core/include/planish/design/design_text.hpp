@@ -26,7 +26,4 @@ enum class FileText {
 /// @param text at most 256 MiB, nested at most 8 deep
 [[nodiscard]] std::variant<Design, std::string> read_design(std::string_view text);
 
-/// Whether `text` claims to be a design, whatever is wrong with it otherwise.
-[[nodiscard]] bool is_design_text(std::string_view text);
-
 }  // namespace planish

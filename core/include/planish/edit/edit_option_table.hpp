@@ -62,6 +62,7 @@ void for_each_edit_option(const Visit& visit) {
   visit(EditOption<std::vector<StatedLimit>>{"bounds", "limits", &O::bounds, kOff});
   visit(EditOption<std::vector<KeepOut>>{"keep_out", "keepOuts", &O::keep_outs, kOff});
   visit(EditOption<double>{"clearance", "clearance", &O::clearance, kOff, kFromZero});
+  visit(EditOption<bool>{"keep_bends", "keepBends", &O::keep_bends, kOff});
   visit(EditOption<double>{"softness", "softness", &O::softness, kOff, kSoftnessScale});
 }
 

@@ -2,6 +2,7 @@
 /// An edit that makes few panels again: points are held as long as the handles still arrive.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "planish/edit/handle_edit.hpp"
@@ -30,6 +31,9 @@ struct FewestOptions {
 [[nodiscard]] Refusal find_problem(const FewestOptions& options, const HandleEditOptions& edit,
                                    const EditTargets& targets);
 
+/// The limit on corners with which panels can be built.
+inline constexpr std::string_view kBuildableCorners = "angle=20:170";
+
 /// What keeps few panels such that they can be built: corners from 20° to 170°, edges from 0.2 to 5
 /// mean edges, each where `stated` has no limit of its name. Without them a panel that takes up the
 /// whole move becomes a sliver.
@@ -42,7 +46,7 @@ struct FewestEdit {
   /// bit for bit.
   std::vector<int> held;
   int panels_before = 0;  ///< with a moved corner, where nothing is held
-  int panels = 0;         ///< the same of `result`
+  int panels = 0;         ///< with a moved corner, in `result`
   /// Whether the handles come within reach of their targets where nothing is held. If not, nothing
   /// is held.
   bool reached = false;

@@ -73,8 +73,8 @@ struct HandleEditOptions {
   /// Face rings ≥ 0 around the handles that may move; 0 is no limit. Few: panels fold to follow the
   /// handle, or it stops short. [RCH-1]
   int reach = 0;
-  /// The same as a straight distance from a handle's base position, model units, ≥ 0; 0 is no
-  /// limit. Where both are given, both hold.
+  /// How far from a handle's base position vertices may move, straight, model units, ≥ 0; 0 is no
+  /// limit. Where `reach` is given too, both hold.
   double reach_length = 0.0;
   /// Points on a boundary stay, handles excepted.
   bool keep_boundary = false;
@@ -87,6 +87,10 @@ struct HandleEditOptions {
   /// Worst panel of a finished edit, mm/m, > 0; far from the origin as far as the coordinates can
   /// hold it, see FacePlanarity::excess. [MET-3]
   double tolerance = PlanarPolygon::kTolerance;
+  /// Panels that move stay as bent as they are, instead of becoming flat: none bends more, and what
+  /// is flat to PlanarPolygon::kTolerance stays so. `tolerance` is then the most that the base may
+  /// be bent. Engine::kNewton. [MET-6]
+  bool keep_bends = false;
   /// At most one of each kind. They hold in absolute terms: see find_broken_constraint().
   std::vector<KeptConstraint> constraints = {};
   /// Outer steps ≥ 1; 0 picks the engine's own limit.
@@ -99,6 +103,9 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 /// The first rule that `options` breaks, naming the field; nullopt if none.
 [[nodiscard]] Refusal find_problem(const HandleEditOptions& options);
 
+/// Planarity and the constraints of `options`, which break no rule.
+[[nodiscard]] KeptKinds kept_kinds(const HandleEditOptions& options);
+
 /// Why `mesh` is no base for an edit with these constraints: the constraint beside planarity that
 /// it breaks itself, and its worst panel; nullopt if it keeps them all. O(n).
 [[nodiscard]] Refusal find_broken_constraint(const Mesh& mesh, const HandleEditOptions& options);
@@ -110,6 +117,9 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 [[nodiscard]] Refusal find_engine_problem(const HandleEditOptions& options,
                                           const EditTargets& targets, bool symmetric);
 
+/// Why an edit with these options has no variations around it.
+[[nodiscard]] Refusal find_variation_problem(const HandleEditOptions& options);
+
 /// The first rule that `targets` break on `mesh`, naming the vertex; nullopt if none.
 [[nodiscard]] Refusal find_problem(const EditTargets& targets, const Mesh& mesh);
 
@@ -118,7 +128,7 @@ inline constexpr double kHardest = 1.0, kSoftest = 10.0;
 [[nodiscard]] std::vector<int> held_vertices(const Mesh& mesh, const EditTargets& targets,
                                              const HandleEditOptions& options);
 
-/// Only what moved: everything else is the base mesh, bit for bit.
+/// What an edit moved: everything else is the base mesh, bit for bit.
 struct HandleEditResult {
   std::vector<int> moved;     ///< ascending vertex indices
   Positions moved_positions;  ///< 3 × |moved|, model units, same order
@@ -141,10 +151,10 @@ class HandleEditSolver {
   /// unless `fairness` changes.
   void set_options(const HandleEditOptions& options);
 
-  /// From the base mesh. The result depends on mesh, options and targets alone.
+  /// Solves from the base mesh. The result depends on mesh, options and targets alone.
   [[nodiscard]] HandleEditResult solve(const EditTargets& targets, const Progress& progress = {});
 
-  /// The same under a symmetry: the result is symmetric to 1e-9 of the mean edge where the base is,
+  /// solve() under a symmetry: the result is symmetric to 1e-9 of the mean edge where the base is,
   /// mirror planes of an axis through 0 to the bit. Forgets the drag. [SYM-2]
   /// @param targets closed under `symmetry`: see with_images()
   /// @param symmetry of the mesh, which has it within kSymmetric
@@ -156,8 +166,8 @@ class HandleEditSolver {
   /// nothing at all under the paper's engine.
   [[nodiscard]] std::vector<CornerForce> corner_forces() const;
 
-  /// From the last result: for a drag frame. Exact like solve(), but may follow the path.
-  /// Stops early, with the last exact state, once `budget_seconds` is spent.
+  /// Solves from the last result, for a frame of a drag. Exact like solve(), but may follow the
+  /// path. Stops early, with the last exact state, once `budget_seconds` is spent.
   [[nodiscard]] HandleEditResult drag(const EditTargets& targets, double budget_seconds);
 
   /// Marks where the drag stands, for go_back(). Costs what moved.

@@ -14,7 +14,16 @@ enum class Engine {
 
 /// What may be asked for beyond the paper's problems, which know panels and other equations,
 /// weights, handles and pins.
-enum class Beyond { kSupports, kKeepOuts, kSymmetry, kContinuation, kFewest, kSplits, kMobility };
+enum class Beyond {
+  kSupports,
+  kKeepOuts,
+  kSymmetry,
+  kContinuation,
+  kFewest,
+  kSplits,
+  kMobility,
+  kBends,
+};
 
 /// The one rule of what an engine solves: Newton's method everything, the paper's none of `beyond`.
 /// @returns why not, with the name of `beyond` in designs; nullopt where it does

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "planish/constraints/inequality_rows.hpp"
@@ -48,7 +49,35 @@ class MeshModel {
   /// Whether rows of a kind that hangs on vertices hang on this one's star.
   [[nodiscard]] bool has_star_rows(int vertex) const;
 
+  /// How far out of flat a panel may stay, mm/m: as far as it is in a mesh whose panels keep their
+  /// bends, else 0. [MET-6]
+  [[nodiscard]] double bend(int face) const {
+    return bends_.empty() ? 0.0 : bends_[static_cast<std::size_t>(face)];
+  }
+  /// A panel's rows ask for `share` of the bend that they asked for, 0 to 1.
+  void ease_bend(int face, double share);
+  /// Every panel's rows ask for its own bend again.
+  void restore_bends();
+
+  /// What an element with its corners at `positions` misses a kind by: of a panel that keeps its
+  /// bend, what it is bent beyond that.
+  template <ConstraintKind Kind>
+  [[nodiscard]] Violation violation(int element, const Positions& positions,
+                                    std::span<const int> vertices) const {
+    Violation found = violation_of<Kind>(positions, vertices);
+    if constexpr (std::is_same_v<Kind, PlanarPolygon>) {
+      const double kept_bend = bend(element);
+      found.excess = found.excess <= kept_bend ? 0.0 : found.excess - kept_bend;
+    }
+    return found;
+  }
+
  private:
+  void keep_bends();
+
+  std::vector<double> bends_;      ///< of each face, mm/m; empty: panels become flat
+  std::vector<double> bent_rows_;  ///< what each equation of flatness has of that, solver units
+  std::vector<int> eased_;         ///< faces whose rows ask for less
   double unit_ = 1.0;
 };
 
@@ -113,16 +142,16 @@ struct Slide {
 struct Patch {
   std::vector<int> vertices;  ///< local → mesh
   int free_count = 0;
-  Positions points;                     ///< 3 × local, solver units, undisplaced
-  Positions displacement;               ///< 3 × local; the halo's columns are constant
-  std::vector<VertexTerm> terms;        ///< free_count
-  std::vector<Slide> slides;            ///< ascending
-  ConstraintRows equations;             ///< local vertices; each touches a free one
-  std::vector<int> equation_ids;        ///< the same in MeshModel::equations; then of surface rows
-  RaggedRows faces;                     ///< local vertices of the same faces
-  std::vector<int> face_ids;            ///< mesh face of each row of `faces`
-  std::vector<int> star_ids;            ///< mesh vertices whose stars have rows here
-  RaggedRows fairness_vertices;         ///< local vertices of each fairness row
+  Positions points;               ///< 3 × local, solver units, undisplaced
+  Positions displacement;         ///< 3 × local; the halo's columns are constant
+  std::vector<VertexTerm> terms;  ///< free_count
+  std::vector<Slide> slides;      ///< ascending
+  ConstraintRows equations;       ///< local vertices; each touches a free one
+  std::vector<int> equation_ids;  ///< their rows in MeshModel::equations; then of surface rows
+  RaggedRows faces;               ///< local vertices of the same faces
+  std::vector<int> face_ids;      ///< mesh face of each row of `faces`
+  std::vector<int> star_ids;      ///< mesh vertices whose stars have rows here
+  RaggedRows fairness_vertices;   ///< local vertices of each fairness row
   std::vector<double> fairness_values;  ///< same layout
   InequalityRows inequalities;          ///< local vertices; each touches a free one
   /// Of their multipliers in a field, −1: it has none; empty: none of them has.
@@ -148,7 +177,7 @@ struct Patch {
 /// @param displacement 3 × at least free_count
 void put_on_tracks(const Patch& patch, Eigen::Matrix3Xd& displacement);
 
-/// No displacement, or the nearest one on its track where that leads past it; 3 × free.
+/// The displacements nearest to none: 0, or the nearest on a track that leads past it; 3 × free.
 [[nodiscard]] Eigen::Matrix3Xd on_tracks(const Patch& patch);
 
 /// Cuts patches out of a problem without touching the rest of the mesh. Keeps O(n) marks.
@@ -159,8 +188,8 @@ class PatchCutter {
   /// @param free mesh vertices, no duplicates; fixed ones among them are left out
   void cut(const EditProblem& problem, std::span<const int> free, Patch& patch);
 
-  /// The same, and every vertex that shares an equation or a fairness row with `inner` is free too,
-  /// but has no further rows: a relaxation of the problem on the whole mesh. Where its minimum
+  /// cut() of `inner`, where every vertex that shares an equation or a fairness row with it is free
+  /// too, but has no further rows: a relaxation of the problem on the whole mesh. Where its minimum
   /// leaves those vertices at rest, it is the minimum with everything free. [OPT-2]
   void cut_open(const EditProblem& problem, std::span<const int> inner, Patch& patch);
 
@@ -215,7 +244,7 @@ template <class Row>
   return result;
 }
 
-/// The same, displaced by the patch's own displacement.
+/// The corners of `row`, displaced by the patch's own displacement.
 template <ConstraintRow Row>
 [[nodiscard]] RowPoints<Row::kArity> corners(const Patch& patch, const Row& row) {
   return corners_at(patch, patch.displacement, row);

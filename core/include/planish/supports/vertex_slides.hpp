@@ -46,7 +46,7 @@ struct TrackForce {
 /// How often a state is solved again for points that take another side of their outline, or another
 /// place on a surface.
 inline constexpr int kMostOutlineTurns = 8;
-/// The same where points may rest on keep-outs.
+/// How often it is solved again where points may rest on keep-outs.
 inline constexpr int kMostRestTurns = 24;
 
 /// Sides of a surface that a vertex may stand on at once.
@@ -84,11 +84,12 @@ class VertexSlides {
   /// Whether any vertex stands on a surface.
   [[nodiscard]] bool has_feet() const { return !feet_.empty(); }
 
-  /// Of a vertex, where has_feet(): an equation for each side of a surface that it stands on, three
-  /// at most, their centres displacements, solver units.
+  /// The rows of a vertex, where has_feet(): an equation for each side of a surface that it stands
+  /// on, three at most, their centres displacements, solver units.
   [[nodiscard]] std::span<const SurfaceRow> surface_rows(int vertex) const;
 
-  /// From `d` along the vertex's track onto its surface; `d` of vertices on none. Where has_feet().
+  /// `d` taken along the vertex's track onto its surface; `d` itself of vertices on none. Where
+  /// has_feet().
   [[nodiscard]] Eigen::Vector3d on_surface(int vertex, const Eigen::Vector3d& d) const;
 
   /// Whether any vertex may come to rest on a keep-out.
@@ -120,7 +121,7 @@ class VertexSlides {
 
   /// Lets go of the planes that points are pulled away from, of each a few times.
   /// @param rest what moves no farther is at rest @returns whether any track changed
-  bool let_go(std::span<const TrackForce> forces, double rest);
+  bool release(std::span<const TrackForce> forces, double rest);
 
   /// What is left of the force on `vertex` once its supports and the planes that hold it, which
   /// push and never pull, have taken what they can.
@@ -146,8 +147,8 @@ class VertexSlides {
     std::shared_ptr<const ReferenceSurface> surface;
     int side = 0;
     double height = 0.0;                              ///< above it, in the base; solver units
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< place of the side; model units
-    Eigen::Vector3d last = Eigen::Vector3d::Zero();   ///< the same where it was last
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< place of the side at first; model units
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();   ///< place of the side where it was last
     SurfaceRow base;
     int turns = 0;  ///< since open()
   };

@@ -18,7 +18,7 @@ class RestingPoints : public SwitchingConstraint {
     return slides_.hold_deeper(design.vertices, design.displacement);
   }
   bool release(std::span<const TrackForce> forces, double rest) override {
-    return slides_.let_go(forces, rest);
+    return slides_.release(forces, rest);
   }
   [[nodiscard]] bool may_switch() const override { return slides_.has_rests(); }
   [[nodiscard]] bool may_release() const override { return slides_.has_rests(); }
