@@ -19,7 +19,7 @@ export default defineConfig({
   resolve: { alias: { "@wasm": wasm } },
   server: { fs: { allow: [here(".."), wasm] } },
   plugins: [coreDefaults(wasm), firstMesh(wasm), smallFont(), guide(), offline()],
-  worker: { format: "es", plugins: () => [noCodeFromText()] },
+  worker: { format: "es", plugins: () => [coreDefaults(wasm), noCodeFromText()] },
   build: {
     outDir: here("../dist"),
     emptyOutDir: true,

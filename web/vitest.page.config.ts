@@ -32,6 +32,7 @@ export default mergeConfig(
       setupFiles: [fileURLToPath(new URL("../tests/page/support/each-file.ts", import.meta.url))],
       // The page and the core are read and compiled once, not for each of forty files.
       isolate: false,
+      expect: { poll: { interval: 5 } },
       fileParallelism: true,
     },
   }),

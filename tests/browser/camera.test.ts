@@ -3,7 +3,7 @@
 // The camera follows the work: it zooms to the pointer, turns about the edit and fits what is selected.
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { idle, typeTarget } from "./support/page.ts";
+import { idle, still, typeTarget } from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, type Place, press, viewBox } from "./support/view.ts";
 
@@ -33,21 +33,6 @@ const size = async (page: Page): Promise<number> => {
   return gap(a, b);
 };
 
-/** Until what is asked for has been drawn, and drawn again the same. */
-async function rest(page: Page): Promise<void> {
-  let last = await marks(page);
-  await expect
-    .poll(async () => {
-      await page.evaluate(
-        () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))),
-      );
-      const [before, now] = [last, await marks(page)];
-      last = now;
-      return Math.max(0, ...now.map((at, k) => gap(at, before[k] ?? at)));
-    })
-    .toBeLessThan(0.01);
-}
-
 /** A place at the lower edge of the view where a press turns it, whatever is selected. */
 async function emptyPlace(page: Page): Promise<Place> {
   const { x, y, width, height } = await viewBox(page);
@@ -62,18 +47,18 @@ describe("a turn", () => {
     await page.keyboard.press("Control+ArrowRight");
     await page.keyboard.press("Control+ArrowUp");
     await expect.poll(async () => (await marks(page)).length).toBe(3);
-    await rest(page);
+    await still(page);
     const [from, before] = [await emptyPlace(page), await marks(page)];
     await press(page, from, { x: from.x + 140, y: from.y - 60 });
     await page.mouse.up();
-    await rest(page);
+    await still(page);
     const after = await marks(page);
     const moved = after.map((place, k) => gap(place, before[k] ?? place));
     // The point chosen last leads; about it the others go round.
     expect(moved[2]).toBeLessThan(2);
     expect(moved[0]).toBeGreaterThan(5);
     for (let k = 0; k < 4; ++k) await page.keyboard.press("Shift+ArrowLeft");
-    await rest(page);
+    await still(page);
     const turned = await marks(page);
     expect(gap(turned[2] ?? from, before[2] ?? from)).toBeLessThan(2);
     expect(gap(turned[0] ?? from, after[0] ?? from)).toBeGreaterThan(2);
@@ -91,12 +76,12 @@ describe("a turn", () => {
     // Near enough to tell what a turn is about, and to the side of the middle.
     await page.mouse.move(at.x, at.y);
     for (let tick = 0; tick < 25; ++tick) await page.mouse.wheel(0, -120);
-    await rest(page);
+    await still(page);
     const handle = await mark(page);
     const from = { x: handle.x + 26, y: handle.y + 22 };
     await press(page, from, { x: from.x + 160, y: from.y + 10 });
     await page.mouse.up();
-    await rest(page);
+    await still(page);
     expect(gap(await mark(page), handle)).toBeGreaterThan(1);
     expect(gap(await mark(page), handle)).toBeLessThan(60);
     await page.context().close();
@@ -106,10 +91,10 @@ describe("a turn", () => {
 /** F fits the selection, Shift F all of the model. */
 async function fitSelection(page: Page): Promise<void> {
   await page.keyboard.press("Shift+F");
-  await rest(page);
+  await still(page);
   const [at, before] = [await mark(page), await size(page)];
   await page.keyboard.press("f");
-  await rest(page);
+  await still(page);
   expect(await size(page)).toBeGreaterThan(3 * before);
   const { x, y, width, height } = await viewBox(page);
   for (const place of await marks(page)) {
@@ -117,7 +102,7 @@ async function fitSelection(page: Page): Promise<void> {
     expect(Math.abs(place.y - y - height / 2)).toBeLessThan(height / 4);
   }
   await page.keyboard.press("Shift+F");
-  await rest(page);
+  await still(page);
   expect(gap(await mark(page), at)).toBeLessThan(2);
   expect(Math.abs((await size(page)) - before)).toBeLessThan(1);
 }

@@ -7,6 +7,7 @@ import { describe, expect, it } from "vitest";
 import { expectLocalAndFlat, type ObjMesh, readObj } from "./support/obj.ts";
 import { exportAs, idle, movedCount } from "./support/page.ts";
 import { site } from "./support/site.ts";
+import { hintedPoint, press } from "./support/view.ts";
 
 const exportObj = async (page: Page): Promise<ObjMesh> =>
   readObj((await exportAs(page, "OBJ")).toString());
@@ -15,12 +16,8 @@ describe("the first minute", () => {
   it("moves a point by dragging, undoes and redoes it", async () => {
     const page = await site.open();
     const before = await exportObj(page);
-    const box = await page.getByLabel("3D view").boundingBox();
-    if (!box) throw new Error("no 3D view");
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    for (let k = 1; k <= 6; ++k) await page.mouse.move(x, y - 5 * k);
+    const at = await hintedPoint(page);
+    await press(page, at, { x: at.x, y: at.y - 30 });
     await page.mouse.up();
     await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
     await idle(page);

@@ -82,7 +82,7 @@ async function expectHandedOver(page: Page, { link, sent, shown }: HandedOver): 
   await arrived.waitFor();
   expect(await arrived.locator("p").innerText()).toBe(NOTE);
   await expectClean(page, "a design that was handed over");
-  await page.getByRole("button", { name: "Put the note aside" }).click();
+  await page.getByRole("button", { name: "Dismiss the note" }).click();
   expect(await arrived.count()).toBe(0);
   await showTab(page, "Check and make");
   expect(await page.getByRole("textbox", { name: "Note" }).inputValue()).toBe(NOTE);

@@ -108,6 +108,22 @@ async function expectNoLineForTheSlide(page: Page): Promise<void> {
   expect(said).toBe(unsaid);
 }
 
+/** A long sentence there lies over the work; below, on telephones, it takes of the controls. */
+async function expectViewToStay(page: Page): Promise<void> {
+  const [unsaid, said] = await page.evaluate<number[]>(`(() => {
+    const view = document.querySelector(".viewport");
+    const unsaid = view.offsetHeight;
+    const notice = document.createElement("div");
+    notice.className = "notice";
+    notice.textContent = "Something to be said in three lines. ".repeat(9);
+    document.querySelector(".status-line").append(notice);
+    const said = view.offsetHeight;
+    notice.remove();
+    return [unsaid, said];
+  })()`);
+  expect(said).toBe(unsaid);
+}
+
 it("everything has its place at every size, the import report too, and bars are no text to select", async () => {
   const page = await site.open();
   for (const [width, height] of [[1100, 680] as const, ...SIZES]) {
@@ -119,6 +135,7 @@ it("everything has its place at every size, the import report too, and bars are 
     await page.setViewportSize({ width, height });
     await expectPlaces(page, width, height);
     await expectNoLineForTheSlide(page);
+    await expectViewToStay(page);
   }
   await page.setViewportSize({ width: 900, height: 640 });
   await dragOverBars(page);

@@ -11,7 +11,7 @@ async function layOut(page: Page, distance: string, keeps?: string): Promise<str
   await page.getByRole("button", { name: "Second layer…" }).click();
   const dialog = page.getByRole("dialog", { name: "Second layer" });
   await dialog.getByRole("spinbutton").fill(distance);
-  if (keeps) await dialog.getByRole("combobox", { name: "Keeps" }).selectOption(keeps);
+  if (keeps) await dialog.getByRole("combobox", { name: "Offset kind" }).selectOption(keeps);
   await dialog.getByRole("button", { name: "Show" }).click();
   const said = dialog.locator("[aria-live]");
   await expect.poll(() => said.innerText()).not.toBe("");

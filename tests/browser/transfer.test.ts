@@ -7,6 +7,7 @@ import type { Response } from "playwright-core";
 import { expect, it } from "vitest";
 import { movedCount } from "./support/page.ts";
 import { site } from "./support/site.ts";
+import { hintedPoint, press } from "./support/view.ts";
 
 /** What "ready in 1.5 s at 10 Mbit/s, and soon to the first drag" leaves room for. */
 const LIMIT = 1_000_000;
@@ -18,19 +19,15 @@ it("is at most 1 MB for everything that a drag needs", async () => {
   const sizes: (readonly [string, Promise<number>])[] = [];
   const packed = async (answer: Response): Promise<number> =>
     gzipSync(await answer.body(), { level: 9 }).length;
-  const page = await site.open({}, "", async (context) => {
+  const page = await site.open({ holdsBack: true }, "", async (context) => {
     // Held back for ever, so that the drag below shows that it does without.
     await context.route(LATER, () => {});
     context.on("response", (answer) => {
       sizes.push([new URL(answer.url()).pathname.split("/").at(-1) ?? "", packed(answer)]);
     });
   });
-  const box = await page.getByLabel("3D view").boundingBox();
-  if (!box) throw new Error("no 3D view");
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let k = 1; k <= 6; ++k) await page.mouse.move(x, y - 5 * k);
+  const at = await hintedPoint(page);
+  await press(page, at, { x: at.x, y: at.y - 30 });
   await expect.poll(() => movedCount(page)).toBeGreaterThan(0);
   await page.mouse.up();
   const needed = await Promise.all(sizes.map(async ([name, size]) => [name, await size] as const));

@@ -105,7 +105,7 @@ describe("fingers", () => {
     }
     await page.getByText(/Keep it, or take it back$/).waitFor({ state: "attached" });
     await expectClean(page, "after a drag by a finger");
-    await offer.getByRole("button", { name: "Take back" }).tap();
+    await offer.getByRole("button", { name: "Discard" }).tap();
     await expect.poll(() => movedCount(page)).toBe(0);
     expect(await offer.count()).toBe(0);
     await idle(page);

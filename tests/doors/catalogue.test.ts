@@ -127,7 +127,7 @@ it("a design opens in the editor, which verifies it", async () => {
   await editor.context().close();
   await link.focus();
   await page.keyboard.press("Enter");
-  await page.waitForURL(/\/under\/a\/path\/#d1=/);
+  await page.waitForURL(/\/under\/a\/path\/#v2=/);
   await page.context().close();
 });
 
@@ -143,7 +143,7 @@ it("a link that was changed on the way is refused in words", async () => {
   for (const [damaged, words] of [
     [turned, /damaged: part of it is missing or was changed/],
     [hash.slice(0, -9), /damaged/],
-    [hash.replace("#d1=", "#d7="), /This link is of version 7/],
+    [hash.replace("#v2=", "#v7="), /This link is of version 7/],
   ] as const) {
     const editor = await site.open({}, damaged);
     await idle(editor);

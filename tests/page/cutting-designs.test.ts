@@ -81,12 +81,10 @@ it("each cut is taken back with those after it, and with the handles at points t
   await typed(page, "Strip", "30-31@0.25");
   await typed(page, "Refine", "100");
   expect(await listed(page)).toEqual(["Corner 0:0", "Strip 30-31@0.25", "Refine 100"]);
-  await page
-    .getByRole("button", { name: "Take back: Strip 30-31@0.25 and the 1 after it" })
-    .click();
+  await page.getByRole("button", { name: "Remove: Strip 30-31@0.25 and the 1 after it" }).click();
   await idle(page);
   expect(await listed(page)).toEqual(["Corner 0:0"]);
-  await page.getByText("Taken back: Strip 30-31@0.25; Refine 100.").waitFor();
+  await page.getByText("Removed: Strip 30-31@0.25; Refine 100.").waitFor();
   // A handle at the one point that refining adds inside a panel.
   await typed(page, "Refine", "100");
   const added = readObj(await obj(page)).points.length - 1;
@@ -94,9 +92,9 @@ it("each cut is taken back with those after it, and with the handles at points t
   state.selection.value = [added];
   await typeTarget(page, "+5cm");
   const edited = await obj(page);
-  await page.getByRole("button", { name: "Take back: Refine 100" }).click();
+  await page.getByRole("button", { name: "Remove: Refine 100" }).click();
   await idle(page);
-  const gone = `Point ${added} is gone with its panels, and its handle is taken off.`;
+  const gone = `Point ${added} is gone with its panels, and its handle is removed.`;
   await page.getByText(gone).waitFor();
   expect(await listed(page)).toEqual(["Corner 0:0"]);
   await page.getByRole("button", { name: "Undo" }).click();
@@ -108,7 +106,7 @@ it("each cut is taken back with those after it, and with the handles at points t
     await idle(page);
   }
   expect(await listed(page)).toEqual(["Corner 0:0"]);
-  await page.getByRole("button", { name: "Take back: Corner 0:0" }).click();
+  await page.getByRole("button", { name: "Remove: Corner 0:0" }).click();
   await idle(page);
   expect(await listed(page)).toEqual([]);
   expect(await obj(page)).toBe(whole);

@@ -104,7 +104,7 @@ it("a trim that takes a handle's panels takes the handle off, says so, and the l
   await typed(page, "Trim", "0,0,1,1.5");
   const [words] = await page.getByText(/^Cut: Trim/).allTextContents();
   expect(words).toMatch(
-    /^Cut: Trim 0,0,1,1.5\. Point \d+ is gone with its panels, and its handle is taken off\.$/,
+    /^Cut: Trim 0,0,1,1.5\. Point \d+ is gone with its panels, and its handle is removed\.$/,
   );
   expect(await handleRows(page)).toEqual([]);
   expect(await movedCount(page)).toBe(0);

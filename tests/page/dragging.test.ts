@@ -8,6 +8,7 @@ import {
   type HandleRow,
   handleRows,
   hintedPoint,
+  middleOf,
   type Place,
   press,
   viewBox,
@@ -112,9 +113,8 @@ describe("a drag without a lock", () => {
       await page.getByRole("button", { name: "Add handle" }).click();
       await idle(page);
       const [before] = await handleRows(page);
-      const box = await page.locator(".marker").first().boundingBox();
-      if (!before || !box) throw new Error("no handle");
-      const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      if (!before) throw new Error("no handle");
+      const from = await middleOf(page, page.locator(".marker").first());
       await press(page, from, { x: from.x + 30, y: from.y + 24 });
       await page.mouse.up();
       await idle(page);

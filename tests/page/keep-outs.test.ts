@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
 import { idle, obj, openRule, pickFile, ruleChip, typeTarget } from "../browser/support/page.ts";
-import { press } from "../browser/support/view.ts";
+import { middleOf, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 async function add(page: Page, words: string): Promise<void> {
@@ -77,10 +77,7 @@ it("a box is moved by its arrows as one step, and a wrong corner is refused with
     Promise.all(fields.map((field) => numberIn(page, `${name}, ${field}`)));
   const before = await numbers();
   await page.getByRole("button", { name: `Move in the view: ${name}` }).click();
-  await idle(page);
-  const box = await marker.boundingBox();
-  if (!box) throw new Error("no point");
-  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const middle = await middleOf(page, marker);
   await press(page, middle, { x: middle.x + 60, y: middle.y });
   await page.mouse.up();
   await idle(page);

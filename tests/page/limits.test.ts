@@ -14,7 +14,7 @@ import {
   status,
   typeTarget,
 } from "../browser/support/page.ts";
-import { hintedPoint, press } from "../browser/support/view.ts";
+import { handleRows, hintedPoint, press } from "../browser/support/view.ts";
 import { decodeLink } from "../web/support/links.ts";
 import { site } from "./support/site.ts";
 
@@ -135,7 +135,7 @@ it("a limit that cannot be is refused at its field, and the others hold", async 
   expect(await first.getAttribute("aria-invalid")).toBe("false");
   // They are the shop's, not the mesh's; the next one says so.
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Dome");
-  await page.getByText("The limits of the mesh before hold here, too: see Limits.").waitFor();
+  await page.getByText("The limits set for the mesh before apply here, too: see Limits.").waitFor();
   await idle(page);
   expect(await page.getByRole("checkbox", { name: "Folds sharper by" }).isChecked()).toBe(true);
   await page.context().close();
@@ -170,6 +170,14 @@ it("joints slide no further than their limit, in the page's unit, and it is what
   await openVault(page);
   await typeTarget(page, "+50cm");
   const free = await status(page);
+  const said = page.getByText(/^raised \d+ mm, joints slide up to \d+ mm$/);
+  const [, slides] = /up to (\d+) mm/.exec((await said.textContent()) ?? "") ?? [];
+  await unfold(page);
+  const offered = Number(
+    await page.getByRole("textbox", { name: "Joints slide at most" }).inputValue(),
+  );
+  expect(1000 * offered).toBeGreaterThan(Number(slides) / 4);
+  expect(1000 * offered).toBeLessThan(Number(slides));
   await type(page, "Joints slide at most", "100 mm");
   expect(await page.getByRole("checkbox", { name: "Joints slide at most" }).isChecked()).toBe(true);
   await page
@@ -185,5 +193,43 @@ it("joints slide no further than their limit, in the page's unit, and it is what
   await page.getByRole("button", { name: "Joints slide twice as far" }).click();
   await idle(page);
   await page.getByText(/joints slide up to 200 mm, the limit$/).waitFor();
+  await page.context().close();
+});
+
+it("a typed move makes no slivers where its handles get as far without, by a limit that is said", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+300cm");
+  await page
+    .getByText(
+      "Folds are kept to 10° sharper than they were. Corners are kept between 20° and 170°. To let them go, use Limits.",
+    )
+    .waitFor();
+  expect(await page.getByText(/became slivers?/).count()).toBe(0);
+  await unfold(page);
+  expect(await page.getByRole("checkbox", { name: "Angles" }).isChecked()).toBe(true);
+  const text = (await exportAs(page, "JSON")).toString();
+  expect(JSON.parse(text).options.bounds).toEqual(["fold=+10", "angle=20:170"]);
+  // Let go, it stays away from what is shown.
+  await page.getByRole("checkbox", { name: "Angles" }).uncheck();
+  await page.getByText(/became slivers?/).waitFor();
+  await typeTarget(page, "+301cm");
+  await page.getByText(/became slivers?/).waitFor();
+  await page.context().close();
+});
+
+it("slivers of an edit can be avoided by one press, which states a limit on corners", async () => {
+  const page = await site.open();
+  await typeTarget(page, "+300cm");
+  await unfold(page);
+  await page.getByRole("checkbox", { name: "Angles" }).uncheck();
+  const slivers = page.getByText(/became slivers? \(corners? (from )?[\d.]+°\): show/);
+  await slivers.waitFor();
+  const far = (await handleRows(page))[0]?.target[2] ?? 0;
+  await page.getByRole("button", { name: "avoid", exact: true }).click();
+  await idle(page);
+  expect(await slivers.count()).toBe(0);
+  expect((await handleRows(page))[0]?.target[2]).toBe(far);
+  expect(await page.getByText(/^Panels allow/).count()).toBe(0);
+  expect(await page.getByRole("checkbox", { name: "Angles" }).isChecked()).toBe(true);
   await page.context().close();
 });

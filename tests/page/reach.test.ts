@@ -14,7 +14,7 @@ import {
   status,
   typeTarget,
 } from "../browser/support/page.ts";
-import { handleRows, hintedPoint, press } from "../browser/support/view.ts";
+import { handleRows, hintedPoint, middleOf, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 async function slide(page: Page, name: string, value: string): Promise<void> {
@@ -294,7 +294,8 @@ it("each way on says how far it gets, the furthest first, and a press gets there
   const texts = await ways.locator(".way-on").allTextContents();
   expect(texts.length).toBeGreaterThan(1);
   const got = texts.map((text) => {
-    const [, far] = /(all the way|no further|[\d.]+ m?m)(?:, [\d.]+°)?$/.exec(text) ?? [];
+    const [, far] =
+      /(all the way|no further|[\d.]+ m?m)(?:, [\d.]+°)?(?:spoils \d+ panels?)?$/.exec(text) ?? [];
     if (far === "all the way") return Number.POSITIVE_INFINITY;
     return far === "no further"
       ? 0
@@ -313,5 +314,43 @@ it("each way on says how far it gets, the furthest first, and a press gets there
   await page.getByRole("button", { name: first ?? "", exact: true }).click();
   await idle(page);
   expect(await page.getByText(/^Panels allow/).count()).toBe(0);
+  await page.context().close();
+});
+
+it("a way on that gets less far leaves the design as it was; the others get as far as they say", async () => {
+  const page = await site.openSmall();
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("ArrowUp");
+  // On the boundary, where frames get further than an edit of the whole pull.
+  for (let k = 0; k < 5; ++k) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowUp");
+  const { x, y } = await middleOf(page, page.locator(".marker:not([hidden])").first());
+  await page.keyboard.press("Escape");
+  await press(page, { x, y }, ...Array.from({ length: 20 }, (_, k) => ({ x, y: y - 8 * k - 8 })));
+  await page.mouse.up();
+  await idle(page);
+  const [held] = await allowed(page);
+  const edited = await exported(page);
+  await page.getByRole("button", { name: "Within the limit", exact: true }).click();
+  await idle(page);
+  await page.getByText(/^Within the limit gets no further: \d+ of \d+ mm\.$/).waitFor();
+  expect((await allowed(page))[0]).toBe(held);
+  expect((await exported(page)).lines).toEqual(edited.lines);
+  const ways = page.getByRole("group", { name: "Get further" });
+  await expect.poll(() => ways.locator(".way-on .quiet").count()).toBeGreaterThan(0);
+  await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 60_000 }).toBe("false");
+  expect(await ways.getByRole("button", { name: "Within the limit" }).count()).toBe(0);
+  // What keeps the limit says so: its figure is of an edit with the limit.
+  const reach = await ways.locator(".way-on", { hasText: "Reach 9 panels" }).allTextContents();
+  for (const text of reach) {
+    expect(Number(/, ([\d.]+)°/.exec(text)?.[1])).toBeLessThan(31);
+  }
+  const [first = ""] = await ways.locator(".way-on").allTextContents();
+  const [, label = "", far] = /^(.*?)(all the way|[\d.]+ mm)/.exec(first) ?? [];
+  await page.getByRole("button", { name: label, exact: true }).click();
+  await idle(page);
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  if (far === "all the way") expect(await why.count()).toBe(0);
+  else expect((await allowed(page))[0]).toBe(Number.parseFloat(far ?? ""));
   await page.context().close();
 });

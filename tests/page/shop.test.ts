@@ -8,8 +8,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { downloaded, obj, typeTarget } from "../browser/support/page.ts";
+import { downloaded, idle, obj, openFile, typeTarget } from "../browser/support/page.ts";
 import { site } from "./support/site.ts";
+import { setPace } from "./support/surroundings.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
 
@@ -77,6 +78,7 @@ it("draws what is selected, plans and models with the bytes of the command line"
 });
 
 it("says what is wrong with a sheet of one length, and saves nothing", async () => {
+  setPace("own"); // the press comes before the preview says so, too
   const page = await site.open();
   const dialog = await openDialog(page, "Cutting package…");
   await dialog.getByLabel("Sheet width").fill("6000");
@@ -89,6 +91,24 @@ it("says what is wrong with a sheet of one length, and saves nothing", async () 
   await dialog.getByLabel("Sheet height").fill("3000");
   await expect.poll(() => save.isDisabled()).toBe(false);
   await dialog.getByText(/^\d+ panels drawn/).waitFor();
+  await page.context().close();
+});
+
+it("says before saving that a link is too long for a code", async () => {
+  const page = await site.open();
+  const said = page.getByText(/too long for a code: the labels will carry none/);
+  const dialog = await openDialog(page, "Cutting package…");
+  await dialog.getByText(/^\d+ panels drawn/).waitFor();
+  expect(await said.count()).toBe(0);
+  await page.keyboard.press("Escape");
+  // A mesh that no sample gives: the link carries its coordinates.
+  const larger = (await obj(page)).replace(/-?\d+\.\d+(e-?\d+)?/g, (x) => String(1.1 * Number(x)));
+  await openFile(page, "larger.obj", larger);
+  await idle(page);
+  await openDialog(page, "Cutting package…");
+  await said.waitFor();
+  await dialog.getByLabel("Labels with a QR code").uncheck();
+  await expect.poll(() => said.count()).toBe(0);
   await page.context().close();
 });
 

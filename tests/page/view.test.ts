@@ -13,7 +13,7 @@ it("a mouse that dragged a point is asked nothing", async () => {
   await press(page, at, { x: at.x, y: at.y - 40 });
   await page.mouse.up();
   await idle(page);
-  expect(await page.getByRole("button", { name: "Take back" }).count()).toBe(0);
+  expect(await page.getByRole("button", { name: "Discard" }).count()).toBe(0);
   await page.context().close();
 });
 

@@ -49,7 +49,8 @@ it.each(["vault", "dome"])("every frame on a %s holds the limit and moves", asyn
       settings: FIRST_SETTINGS,
       budget: 10,
       limit: { degrees: LIMIT, short: 0, from, base: from },
-      fairWay: null,
+      reaches: [],
+      sought: null,
     });
     if (frame?.kind !== "shown") throw new Error(`frame ${k} was refused`);
     const { sharpestFold, maxDisplacement } = frame.report;

@@ -64,7 +64,8 @@ class Page {
       settings,
       budget: 10,
       limit: null,
-      fairWay: null,
+      reaches: [],
+      sought: null,
     } as const;
     const answer = await this.ask(request);
     if (answer.kind !== "shown") throw new Error(answer.kind);

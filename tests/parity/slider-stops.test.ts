@@ -77,7 +77,8 @@ it.each(["roof", "vault", "dome", "hex"])(
         settings: FIRST_SETTINGS,
         budget: 0,
         limit: null,
-        fairWay: null,
+        reaches: [],
+        sought: null,
       },
       "shown",
     );

@@ -3,8 +3,9 @@ import { expect, it } from "vitest";
 import { begin } from "../../web/src/design/history.ts";
 import { recipeOf } from "../../web/src/design/recipe.ts";
 import { commitVariation, explore, makeExact } from "../../web/src/features/exploring/exploring.ts";
+import { furthestBetween, reachOf } from "../../web/src/features/exploring/furthest.ts";
 import { fillGallery, gallery } from "../../web/src/features/exploring/gallery.ts";
-import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
+import { commitSettings, setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { markOf } from "../../web/src/state/marking.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { replay } from "../../web/src/state/replaying.ts";
@@ -73,6 +74,27 @@ it("fills a gallery of flat designs, and only around the variation that is shown
   expect(items.length).toBeGreaterThan(0);
   expect(gallery(page).value?.planned).toBe(items.length);
   for (const { report } of items) expect(report.worstExcess).toBeLessThanOrEqual(1e-6);
+});
+
+it("where limits hold variations back, its designs still differ to the eye, and those left out are counted", async () => {
+  const page = await openedPage();
+  const [x, y, z] = shownPoint(page, MIDDLE);
+  await setTarget(page, MIDDLE, [x, y, z + 0.2]);
+  await commitSettings(page, { limits: ["slide=0.2"] });
+  await explore(page);
+  await fillGallery(page);
+  const { centre, items = [], alike = 0 } = gallery(page).value ?? {};
+  const base = page.mesh.value?.positions;
+  if (!centre || !base) throw new Error("no gallery");
+  expect(items.length).toBeGreaterThan(0);
+  expect(alike).toBeGreaterThan(0);
+  const shapes = [centre, ...items.map(({ shape }) => shape)];
+  shapes.forEach((shape, k) => {
+    for (const other of shapes.slice(0, k)) {
+      const { move = [0, 0, 0] } = furthestBetween(other, shape, base) ?? {};
+      expect(Math.hypot(...move)).toBeGreaterThan(0.01 * reachOf(centre, base));
+    }
+  });
 });
 
 it("its recipe replayed by another page gives the same bits, and is verified", async () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
 import { fallOffWeights, middleOf } from "../../web/src/mesh/fall-off.ts";
-import type { Vector } from "../../web/src/mesh/point-frame.ts";
+import type { Vector } from "../../web/src/mesh/vector.ts";
 
 /** Points 1 apart on a line, the middle one at 0. */
 const line: readonly Vector[] = [-3, -2, -1, 0, 1, 2, 3].map((x) => [x, 5, -2]);

@@ -4,10 +4,10 @@ import { clearOfPoint, OFFER } from "../../web/src/features/touch/clear-of-point
 import { beginDrag } from "../../web/src/state/dragging.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
 import {
+  discardDrag,
   fingerDrag,
   keepDrag,
   offerToTakeBack,
-  takeBackDrag,
 } from "../../web/src/state/finger-drag.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { openedPage } from "./support/page-here.ts";
@@ -28,12 +28,12 @@ it("a drag by a finger is taken back as one step, which can be done again", asyn
   const before = page.history.value?.present;
   await dragged(page, 0.2);
   expect([fingerDrag(page).value?.vertex, steps(page)]).toEqual([MIDDLE, 1]);
-  await takeBackDrag(page);
+  await discardDrag(page);
   expect(fingerDrag(page).value).toBeNull();
   expect(page.history.value?.present).toBe(before);
   expect(page.canRedo.value).toBe(true);
   // There is nothing more to take back.
-  await takeBackDrag(page);
+  await discardDrag(page);
   expect(page.history.value?.present).toBe(before);
 });
 
@@ -42,7 +42,7 @@ it("one that is kept is offered no longer", async () => {
   await dragged(page, 0.2);
   keepDrag(page);
   expect(fingerDrag(page).value).toBeNull();
-  await takeBackDrag(page);
+  await discardDrag(page);
   expect(steps(page)).toBe(1);
 });
 
@@ -56,12 +56,12 @@ it("another drag or step ends the offer; only the last one is taken back", async
   await drag?.abandon();
   expect(fingerDrag(page).value).toBeNull();
   await dragged(page, 0.1);
-  await takeBackDrag(page);
+  await discardDrag(page);
   expect(page.history.value?.present).toBe(first);
   await dragged(page, 0.1);
   const [x, y, z] = shownPoint(page, MIDDLE);
   const typed = setTarget(page, MIDDLE, [x, y, z + 0.05]);
-  await takeBackDrag(page);
+  await discardDrag(page);
   await typed;
   expect([fingerDrag(page).value, steps(page)]).toEqual([null, 3]);
 });

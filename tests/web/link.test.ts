@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 import { readFileSync } from "node:fs";
 import { deflateSync, inflateSync } from "node:zlib";
+import { linkDictionary } from "virtual:core-defaults";
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../web/src/bytes/crc32.ts";
 import { DEFAULT_SETTINGS, toTargets } from "../../web/src/design/design.ts";
 import { isLink } from "../../web/src/design/fragment.ts";
 import { packLink, unpackLink } from "../../web/src/design/link.ts";
-import { DICTIONARY } from "../../web/src/design/link-dictionary.ts";
 import type { Recipe, Steps } from "../../web/src/design/recipe.ts";
 import type { Result } from "../../web/src/result/result.ts";
 import { GOLDEN_LINKS } from "./support/golden-links.ts";
@@ -130,7 +130,7 @@ describe("links", () => {
 
   it("are zlib and base64url, which every script has, with the dictionary or without", async () => {
     const text = JSON.stringify({ format: "planish-design", version: 1, name: "Dachfl\u00e4che" });
-    const dictionary = Buffer.from(DICTIONARY);
+    const dictionary = Buffer.from(linkDictionary);
     const packed = Buffer.from(packLink(text).slice(4), "base64url");
     expect(inflateSync(packed, { dictionary }).toString()).toBe(text);
     const plain = deflateSync(text).toString("base64url");
@@ -141,8 +141,8 @@ describe("links", () => {
   });
 
   it("of an older page open: their dictionary is part of them", () => {
-    expect(DICTIONARY).toMatch(/^[ -~\n]*$/);
-    expect(crc32(new TextEncoder().encode(DICTIONARY))).toBe(0x73a20112);
+    expect(linkDictionary).toMatch(/^[ -~\n]*$/);
+    expect(crc32(new TextEncoder().encode(linkDictionary))).toBe(0x73a20112);
   });
 
   it.each([

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
 import { measures } from "../../web/src/mesh/measuring.ts";
-import type { Vector } from "../../web/src/mesh/point-frame.ts";
+import type { Vector } from "../../web/src/mesh/vector.ts";
 
 const named = (...points: Vector[]): Record<string, number> =>
   Object.fromEntries(measures(points).map(({ name, value }) => [name, value]));

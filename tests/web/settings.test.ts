@@ -35,6 +35,7 @@ it("another mesh starts with what the page has controls for, and with nothing un
     hardHandles: true,
     keepShape: false,
     tolerance: 0.001,
+    keepBends: false,
     maxIterations: 5,
     reach: 3,
     reachLength: 1.5,
@@ -54,6 +55,9 @@ it("another mesh starts with what the page has controls for, and with nothing un
   const steps = { sparsity, maxIterations, reachLength, continuation };
   const unseen = { attraction, keepOuts, clearance, symmetry, cuts, ...steps };
   expect(settingsForNew(shown)).toEqual({ ...shown, ...unseen });
+  const bent = { ...shown, tolerance: 67, keepBends: true };
+  const { tolerance } = DEFAULT_SETTINGS;
+  expect(settingsForNew(bent)).toEqual({ ...shown, ...unseen, tolerance });
   const raw = { ...shown, softness: 0 };
   expect(settingsForNew(raw).attraction).toBe(DEFAULT_SETTINGS.attraction);
   expect(settingsForNew(DEFAULT_SETTINGS)).toEqual(DEFAULT_SETTINGS);

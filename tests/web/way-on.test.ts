@@ -150,24 +150,33 @@ describe("what a way on gains", () => {
   const before = { vertex: 7, asked: 3, got: 1 };
 
   it("is how far it gets and how it folds there, or that it is no more than before", () => {
-    expect(gainWords({ got: 2.168, fold: 15.6 }, before, "m")).toBe("2168 mm, 16°");
-    expect(gainWords({ got: null, fold: 46 }, before, "m")).toBe("all the way, 46°");
-    expect(gainWords({ got: 1.009, fold: 8 }, before, "m")).toBe("no further");
-    expect(gainWords({ got: 0, fold: null }, before, "m")).toBe("no further");
+    expect(gainWords({ got: 2.168, fold: 15.6, spoilt: 0, damage: "" }, before, "m")).toBe(
+      "2168 mm, 16°",
+    );
+    expect(gainWords({ got: null, fold: 46, spoilt: 0, damage: "" }, before, "m")).toBe(
+      "all the way, 46°",
+    );
+    expect(gainWords({ got: 1.009, fold: 8, spoilt: 0, damage: "" }, before, "m")).toBe(
+      "no further",
+    );
+    expect(gainWords({ got: 0, fold: null, spoilt: 0, damage: "" }, before, "m")).toBe(
+      "no further",
+    );
   });
 
   it("sorts those that gain: all the way first, there the least fold, and what is not known last", () => {
     const way = (label: string) => ({ label, title: "", change: {}, growth: null });
     const gains = new Map([
-      ["a", { got: 1.2, fold: 9 }],
-      ["c", { got: null, fold: 40 }],
-      ["d", { got: null, fold: 16 }],
-      ["e", { got: 2, fold: 20 }],
-      ["f", { got: 1, fold: 5 }],
+      ["a", { got: 1.2, fold: 9, spoilt: 0, damage: "" }],
+      ["c", { got: null, fold: 40, spoilt: 0, damage: "" }],
+      ["d", { got: null, fold: 16, spoilt: 0, damage: "" }],
+      ["e", { got: 2, fold: 20, spoilt: 0, damage: "" }],
+      ["f", { got: 1, fold: 5, spoilt: 0, damage: "" }],
+      ["g", { got: null, fold: 9, spoilt: 2, damage: "2 panels became slivers" }],
     ]);
     const sorted = (labels: string): string[] =>
       byGain([...labels].map(way), gains, before).map(({ label }) => label);
-    expect(sorted("abcdef")).toEqual(["d", "c", "e", "a", "b"]);
+    expect(sorted("gabcdef")).toEqual(["d", "c", "g", "e", "a", "b"]); // as far, but spoilt: behind
     expect(sorted("f")).toEqual(["f"]); // where nothing helps, what there is
   });
 });

@@ -26,4 +26,6 @@ declare module "virtual:core-defaults" {
   export const variationWeights: Defaults["variationWeights"];
   export const sliverAngle: Defaults["sliverAngle"];
   export const newSliver: Defaults["newSliver"];
+  export const buildableCorners: Defaults["buildableCorners"];
+  export const linkDictionary: Defaults["linkDictionary"];
 }

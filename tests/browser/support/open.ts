@@ -19,6 +19,8 @@ export interface Visit extends BrowserContextOptions {
   /** The 3D view is drawn. Drawing without a graphics card is half of what a test costs: only tests that
    * look at pixels ask for it. */
   readonly draws?: boolean;
+  /** Not all that is asked for ever comes: nobody waits for the page's load event, which would wait for it. */
+  readonly holdsBack?: boolean;
 }
 
 /** A visit with what keeps the page for use without a network; others have none. */
@@ -57,15 +59,19 @@ export async function openSite(directory: string | null = null): Promise<Site> {
   const url = own?.url ?? inject("site");
   const browser = await chromium.connect(inject("browser"));
   const complaints: string[] = [];
-  const tabIn = async (context: BrowserContext, hash: string): Promise<Page> => {
+  const tabIn = async (
+    context: BrowserContext,
+    hash: string,
+    waitUntil: "load" | "domcontentloaded" = "load",
+  ): Promise<Page> => {
     const page = await context.newPage();
     watch(page, new URL(url).origin, complaints);
-    await page.goto(url + hash);
+    await page.goto(url + hash, { waitUntil });
     await usable(page);
     return page;
   };
   const open: Site["open"] = async (visit = {}, hash = "", prepare = async () => {}) => {
-    const { draws = false, ...options } = visit;
+    const { draws = false, holdsBack = false, ...options } = visit;
     const viewport = { width: 900, height: 640 };
     // What pulses is drawn without a graphics card here, and takes half a core from the solver. A service
     // worker fetches and keeps all files at every visit: a quarter of what opening a page costs.
@@ -78,7 +84,7 @@ export async function openSite(directory: string | null = null): Promise<Site> {
     context.setDefaultTimeout(PATIENCE);
     if (!draws) await drawNothing(context);
     await prepare(context);
-    return tabIn(context, hash);
+    return tabIn(context, hash, holdsBack ? "domcontentloaded" : "load");
   };
   return {
     url,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where things are in the 3D view, by what the page itself says and shows.
-import type { Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 import { still } from "./page.ts";
 
@@ -11,6 +11,14 @@ export interface Place {
 
 /** Pixels from the tip of the first visit's sentence to its point. */
 const TIP = 26;
+
+/** Where a mark over the view is, once the view is still: a mark is put in its place with a picture. */
+export async function middleOf(page: Page, mark: Locator): Promise<Place> {
+  await still(page);
+  const box = await mark.boundingBox();
+  if (!box) throw new Error("no mark");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
 
 /** The point that the first key of the view takes, which is the one in the middle; none stays chosen. */
 async function middlePoint(page: Page): Promise<Place> {
@@ -23,10 +31,9 @@ async function middlePoint(page: Page): Promise<Place> {
     (await marker.evaluate((element: HTMLElement) => element.style.transform)) ?? "";
   await still(page);
   await expect.poll(place).not.toBe("");
-  const box = await marker.boundingBox();
-  if (!box) throw new Error("no point");
+  const middle = await middleOf(page, marker);
   await page.keyboard.press("Escape");
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  return middle;
 }
 
 /** The point that the first visit's sentence speaks of, or on a page without it would speak of. */

@@ -32,8 +32,9 @@ const LEFT = /^(Error: )?Failed to load .* A ServiceWorker intercepted the reque
 export const usable = ({ status }: Visitor): Promise<void> =>
   expect.poll(status).toMatch(/points move/);
 
-/** Goes there; the page may still be loading. */
-export async function visit(): Promise<Visitor> {
+/** Goes there; the page may still be loading.
+ * @param preferences of Firefox, beside its own */
+export async function visit(preferences: Record<string, unknown> = {}): Promise<Visitor> {
   const { server, url } = await serve(SITE, { prefix: "/under/a/path/" });
   const saved = await mkdtemp(join(tmpdir(), "planish-firefox-"));
   const browser = await puppeteer.launch({
@@ -45,6 +46,7 @@ export async function visit(): Promise<Visitor> {
       "browser.download.folderList": 2,
       "browser.download.dir": saved,
       "browser.download.always_ask_before_handling_new_types": false,
+      ...preferences,
     },
   });
   const complaints: string[] = [];

@@ -22,7 +22,7 @@ export const field = (page: Page) => strip(page).getByRole("textbox").first();
 export const listed = async (page: Page): Promise<string[]> =>
   Promise.all(
     (await page.getByRole("list", { name: "Cuts made" }).getByRole("listitem").all()).map(
-      async (item) => ((await item.textContent()) ?? "").replace(/(Take back|Back to before)$/, ""),
+      async (item) => ((await item.textContent()) ?? "").replace(/(Remove|Remove from here)$/, ""),
     ),
   );
 
@@ -70,6 +70,7 @@ export async function roofFromAbove(
   await page.mouse.move(view.x + view.width - 1, view.y + view.height - 1, { steps: 3 });
   await page.mouse.up();
   await expect.poll(async () => (await marks()).length).toBe((n + 1) ** 2);
+  await still(page);
   const seen = await marks();
   await page.keyboard.press("Escape");
   await expect.poll(async () => (await marks()).length).toBe(0);

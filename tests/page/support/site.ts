@@ -15,7 +15,7 @@ import type { Page } from "../../../web/src/state/page.ts";
 import { say } from "../../../web/src/state/telling.ts";
 import { PageProvider } from "../../../web/src/ui/page-context.ts";
 import { encodeLink } from "../../web/support/links.ts";
-import { pageHere } from "../../web/support/page-here.ts";
+import { endWorkers, pageHere } from "../../web/support/page-here.ts";
 import { vault } from "../../web/support/vault.ts";
 import { heldKeys, keyDown, keyUp, pressKey } from "./hands.ts";
 import { LocatorHere, turn, until } from "./locator.ts";
@@ -218,6 +218,7 @@ async function openPage(size: Size, hash: string): Promise<BrowserPage> {
     show(visitor);
     render(null, root);
     park();
+    endWorkers(page);
   };
   await begin(page);
   page.ready.value = true;

@@ -18,6 +18,18 @@ Object.assign(globalThis, {
 
 provideView();
 
+/** Nobody looks at what the page shows for a while: its pauses take this part of their time. */
+const HURRIED = 1 / 8;
+let pace = HURRIED;
+const { setTimeout: wait } = globalThis;
+globalThis.setTimeout = ((act: () => void, milliseconds = 0, ...given: []) =>
+  wait(act, milliseconds * pace, ...given)) as typeof setTimeout;
+
+/** In a test of what comes first, a pause or an answer, pauses take all of their time. */
+export const setPace = (own: "hurried" | "own"): void => {
+  pace = own === "own" ? 1 : HURRIED;
+};
+
 /** Errors that the page has logged since the test began (each-file.ts). */
 export const complaints: string[] = [];
 window.addEventListener("error", (event) => complaints.push(String(event.message)));

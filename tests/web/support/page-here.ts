@@ -14,19 +14,50 @@ type Job = Exclude<Request, { kind: "start" }>;
 /** What happens to requests: null lets the core answer; of several the last may be missing. */
 export type Fate = (request: Job) => Reply | readonly Reply[] | null;
 
+/** What every object of the core has. */
+interface Made {
+  isDeleted(): boolean;
+  delete(): void;
+}
+
+/** The core as one worker has it: what that makes is freed with it, as with a worker that ends. */
+function owned(module: PlanishModule): { readonly own: PlanishModule; readonly free: () => void } {
+  const made: Made[] = [];
+  const noted = <T extends new (...given: never[]) => object>(kind: T): T =>
+    new Proxy(kind, {
+      construct(target, given: never[]) {
+        const one = new target(...given);
+        made.push(one as Made);
+        return one;
+      },
+    });
+  const { Session, Analysis } = module;
+  const own = Object.create(module, {
+    Session: { value: noted(Session) },
+    Analysis: { value: noted(Analysis) },
+  });
+  const free = (): void => {
+    for (const one of made.splice(0)) if (!one.isDeleted()) one.delete();
+  };
+  return { own, free };
+}
+
 /** As much of a Worker as the page uses. Answers come later, in order, as messages do. */
 class WorkerHere extends EventTarget {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
   readonly #dispatcher: Dispatcher;
   readonly #fate: Fate;
+  readonly #free: () => void;
   #gone = false;
   #working: Promise<void> = Promise.resolve();
 
   constructor(module: PlanishModule, fate: Fate) {
     super();
     this.#fate = fate;
-    this.#dispatcher = new Dispatcher(module, (reply) => this.#say(reply));
+    const { own, free } = owned(module);
+    this.#free = free;
+    this.#dispatcher = new Dispatcher(own, (reply) => this.#say(reply));
     this.#say({ kind: "ready", job: 0 });
   }
 
@@ -42,6 +73,7 @@ class WorkerHere extends EventTarget {
 
   terminate(): void {
     this.#gone = true;
+    void this.#working.then(this.#free, this.#free);
   }
 
   #say(data: Reply): void {
@@ -57,16 +89,27 @@ class WorkerHere extends EventTarget {
 /** Loaded once for all pages of a test file. */
 let loaded: Promise<PlanishModule> | null = null;
 
-function spawnHere(fate: Fate): SpawnWorker {
+function spawnHere(fate: Fate, all: WorkerHere[]): SpawnWorker {
   return async () => {
     loaded ??= loadPlanish();
-    return new WorkerHere(await loaded, fate) as unknown as Worker;
+    const worker = new WorkerHere(await loaded, fate);
+    all.push(worker);
+    return worker as unknown as Worker;
   };
+}
+
+const workers = new WeakMap<Page, WorkerHere[]>();
+
+/** A page that is left ends its workers. */
+export function endWorkers(page: Page): void {
+  for (const worker of workers.get(page)?.splice(0) ?? []) worker.terminate();
 }
 
 /** One with nothing open yet. */
 export function pageHere(fate: Fate = () => null): Page {
-  const page = new Page(spawnHere(fate));
+  const all: WorkerHere[] = [];
+  const page = new Page(spawnHere(fate, all));
+  workers.set(page, all);
   recoverFromDeath(page);
   page.ready.value = true;
   return page;

@@ -12,7 +12,6 @@ import { readKept } from "./kept-kind.ts";
 import { readFormat } from "./reading.ts";
 import type { Steps } from "./recipe.ts";
 import { readLimits } from "./stated-limit.ts";
-import { readSymmetry } from "./symmetry.ts";
 
 /** What is read: a recipe, and what its source says. */
 export interface DesignText extends Omit<Steps, "source" | "camera"> {
@@ -56,8 +55,7 @@ type Read = NonNullable<DesignReading["design"]>;
 
 /** What the page has no control for, in words; null if it can show all. */
 function whatIsUnknown(design: Read): string | null {
-  const { options, symmetry, variations, planarised, source } = design;
-  if (!readSymmetry(symmetry)) return "symmetry: this page does not know one of them.";
+  const { options, variations, planarised, source } = design;
   if (!readLimits(options.limits)) return "options.bounds: this page knows each limit once.";
   const kinds = "this page knows the kinds circular and conical, each once.";
   if (!readKept(options.constraints)) return `options.constraints: ${kinds}`;

@@ -95,7 +95,7 @@ export const SOFT_LIMITS: Partial<EditSettings> = {
  * What another mesh starts with: everything that the page has a control for stays as the controls
  * show it, so that nothing changes behind the user's back. What has none goes back to its default:
  * a link or a file may have set it, and nobody could see that it is still there. So do keep-outs, which
- * are somewhere: where another mesh is they mean nothing; and so do symmetry and cuts, which are a mesh's own.
+ * are somewhere: where another mesh is they mean nothing; and so do symmetry, cuts and bends, which are a mesh's own.
  * A limit on folds that the page itself found goes, too, see freshDesign().
  */
 export function settingsForNew(shown: EditSettings): EditSettings {
@@ -104,7 +104,9 @@ export function settingsForNew(shown: EditSettings): EditSettings {
   const { attraction } = shown.softness > 0 ? FIRST_SETTINGS : DEFAULT_SETTINGS;
   const own = { attraction, sparsity, maxIterations, reachLength, continuation };
   const supports = ofAnyMesh(shown.supports);
-  return { ...shown, ...own, keepOuts, clearance, symmetry, cuts, supports };
+  const flat = shown.keepBends ? DEFAULT_SETTINGS.tolerance : shown.tolerance;
+  const flatness = { tolerance: flat, keepBends: false };
+  return { ...shown, ...own, ...flatness, keepOuts, clearance, symmetry, cuts, supports };
 }
 
 export const NO_SHAPE: Shape = { moved: new Int32Array(0), positions: new Float64Array(0) };

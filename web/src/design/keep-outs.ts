@@ -2,6 +2,7 @@
 // Where nothing of an edit may go, in the words of the command line: "below=0", "box=0,0,0,1,1,1", "self",
 // "mesh=0,0,0;1,0,0;1,1,0/0,1,2".
 import type { Extent } from "../mesh/extent.ts";
+import { cross, minus } from "../mesh/vector.ts";
 import type { Model } from "../solver/protocol.ts";
 import type { Point } from "./design.ts";
 
@@ -46,7 +47,7 @@ function modelText({ numbers, panels = [] }: KeepOut): string {
   return `mesh=${points.join(";")}/${panels.map((panel) => panel.join(",")).join(";")}`;
 }
 
-/** The points that no panel has are left out. */
+/** A model as a keep-out, without the points that no panel has. */
 export function keepOutOf({ points, offsets, vertices }: Model): KeepOut {
   const places = new Map<number, number>();
   for (const v of vertices) if (!places.has(v)) places.set(v, places.size);
@@ -57,7 +58,7 @@ export function keepOutOf({ points, offsets, vertices }: Model): KeepOut {
   return { kind: "mesh", numbers, panels };
 }
 
-/** Of three corners of each triangle, one after the other: corners at one place are one point, and
+/** A model of triangles, three corners each, one after the other: corners at one place are one point, and
  * what then has no three is left out. */
 export function keepOutOfTriangles(corners: Float64Array): KeepOut {
   const places = new Map<string, number>();
@@ -103,7 +104,7 @@ export function problemOf({ kind, numbers, panels = [] }: KeepOut): string | nul
   return null;
 }
 
-/** The same somewhere else. */
+/** A keep-out moved by a vector. */
 export function keepOutMoved(one: KeepOut, by: Point): KeepOut {
   const { kind, numbers } = one;
   const [a = 0, b = 0, c = 0, d = 0] = numbers;
@@ -115,13 +116,11 @@ export function keepOutMoved(one: KeepOut, by: Point): KeepOut {
 /** The plane through three points as a, b, c of length 1, upwards where it can be, and d; null where
  * they are in one line. */
 function planeThrough([p, q, r]: readonly [Point, Point, Point]): readonly number[] | null {
-  const u = q.map((x, k) => x - (p[k] ?? 0));
-  const v = r.map((x, k) => x - (p[k] ?? 0));
-  const at = (w: readonly number[], k: number): number => w[k % 3] ?? 0;
-  const n = [0, 1, 2].map((k) => at(u, k + 1) * at(v, k + 2) - at(u, k + 2) * at(v, k + 1));
+  const [u, v] = [minus(q, p), minus(r, p)];
+  const n = cross(u, v);
   const length = Math.hypot(...n);
   if (!(length > 1e-9 * Math.hypot(...u) * Math.hypot(...v))) return null;
-  const up = n.map((x) => x * (at(n, 2) < 0 ? -1 : 1)).map((x) => x / length);
+  const up = n.map((x) => x * (n[2] < 0 ? -1 : 1)).map((x) => x / length);
   return [...up, up.reduce((sum, x, k) => sum + x * (p[k] ?? 0), 0)];
 }
 
@@ -134,7 +133,7 @@ export interface Surroundings {
   readonly step: number;
 }
 
-/** One that a person has just asked for: it touches nothing yet, and is a little work away from right. */
+/** A keep-out that a person has just asked for: it touches nothing yet, and is a little work away from right. */
 export function firstKeepOut(kind: PlainKind, { extent, chosen, step }: Surroundings): KeepOut {
   const { low, high } = extent;
   const down = (x: number): number => Number((Math.floor(x / step) * step).toPrecision(12));

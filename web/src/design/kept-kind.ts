@@ -15,7 +15,7 @@ const toleranceOf = (kind: Kind): number => kinds[kind] ?? Number.NaN;
 export const kindOf = (kept: string): Kind | undefined =>
   KINDS.find((kind) => kept.startsWith(`${kind}:`));
 
-export const kindTolerance = (kept: string): number => Number(kept.slice(kept.indexOf(":") + 1));
+const kindTolerance = (kept: string): number => Number(kept.slice(kept.indexOf(":") + 1));
 
 const isKept = (value: unknown): value is string =>
   typeof value === "string" && value.length <= 100 && /^[a-z]+:[\d.e+-]+$/.test(value);
@@ -27,7 +27,7 @@ export function readKept(value: unknown): readonly string[] | null {
   return right && new Set(value.map(kindOf)).size === value.length ? value : null;
 }
 
-/** Those of `kept` and `kind`, in the order of KINDS. */
+/** The kinds of `kept` and `kind`, in the order of KINDS. */
 export function withKind(kept: readonly string[], kind: Kind): readonly string[] {
   return KINDS.flatMap((name) => {
     const same = kept.filter((one) => kindOf(one) === name);

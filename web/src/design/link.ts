@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A design's text as the fragment of a link: "#v2=" and base64url of its JSON, which zlib compressed, by the
-// dictionary of link-dictionary.ts or by none. "#d1=" is the same without one.
+// core's link dictionary or by none. "#d1=" is the same without one.
 
+import { linkDictionary } from "virtual:core-defaults";
 import { fromBase64Url, toBase64Url } from "../bytes/base64url.ts";
 import { compress, decompress } from "../bytes/zlib.ts";
 import { type Result, refuse } from "../result/result.ts";
-import { DICTIONARY } from "./link-dictionary.ts";
 import { DAMAGED_LINK } from "./refusal.ts";
 
 const PREFIX = "#v2=";
@@ -13,7 +13,7 @@ const PREFIX = "#v2=";
 /** Bytes; what a design may have as a file. */
 const LARGEST = 64 * 1024 * 1024;
 
-const dictionary = (): Uint8Array => new TextEncoder().encode(DICTIONARY);
+const dictionary = (): Uint8Array => new TextEncoder().encode(linkDictionary);
 
 /** The fragment for a design's text, "#" included. */
 export const packLink = (text: string): string =>

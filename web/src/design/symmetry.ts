@@ -3,17 +3,6 @@
 import type { EditSettings, Symmetry } from "../solver/protocol.ts";
 import type { HandleRow } from "./design.ts";
 
-/** A mirror plane across an axis, or turns about one. */
-export const isSymmetry = (value: unknown): value is string =>
-  typeof value === "string" && /^(?:[xyz]|axis:[xyz]:\d{1,3})$/.test(value);
-
-/** More say nothing new. */
-const MOST = 64;
-
-/** A stranger's list; null if it is none. */
-export const readSymmetry = (value: unknown): readonly string[] | null =>
-  Array.isArray(value) && value.length <= MOST && value.every(isSymmetry) ? value : null;
-
 export interface Mirrors {
   /** Of x, y, z: mirrored across it. */
   readonly across: readonly boolean[];
@@ -23,7 +12,7 @@ export interface Mirrors {
 
 const AXES = ["x", "y", "z"] as const;
 
-/** As controls show it. */
+/** A symmetry as controls show it. */
 export function mirrorsIn(symmetry: readonly string[]): Mirrors {
   const turnsAbout = (axis: string): number => {
     const found = symmetry.find((one) => one.startsWith(`axis:${axis}:`));
@@ -48,7 +37,7 @@ export const symmetryIn = ({ symmetry, tolerance }: EditSettings): Symmetry | nu
 export const sameSymmetry = (a: Symmetry | null, b: Symmetry | null): boolean =>
   a?.tolerance === b?.tolerance && a?.elements.join() === b?.elements.join();
 
-/** Those that follow `vertices`. @param orbits see MeshSymmetry */
+/** The points that follow `vertices`. @param orbits see MeshSymmetry */
 export function imagesOf(orbits: Int32Array, vertices: readonly number[]): number[] {
   const chosen = new Set(vertices.map((vertex) => orbits[vertex]));
   const images: number[] = [];

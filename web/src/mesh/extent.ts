@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { Vector } from "./point-frame.ts";
+import type { Vector } from "./vector.ts";
 
 /** The lowest and the highest x, y and z. */
 export interface Extent {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a group moves as a bump: the middle all the way, what lies further out less.
-import { add, type Vector } from "./point-frame.ts";
+import { add, minus, type Vector } from "./vector.ts";
 
 /**
  * The share of a move, above 0 and up to 1, that each place takes part in. Those nearest to `middle`
@@ -14,7 +14,7 @@ export function fallOffWeights(
   share: number,
   spacing: number,
 ): number[] {
-  const gaps = places.map((place) => Math.hypot(...add(place, middle, -1)));
+  const gaps = places.map((place) => Math.hypot(...minus(place, middle)));
   const near = Math.min(...gaps);
   const span = Math.max(...gaps) - near + spacing;
   return gaps.map((gap) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What can be measured between points, in the order in which they were chosen.
-import { add, type Vector } from "./point-frame.ts";
+import { add, minus, type Vector } from "./vector.ts";
 
 export interface Measure {
   readonly name: string;
@@ -14,7 +14,7 @@ const degrees = (name: string, value: number): Measure => ({ name, value, kind: 
 
 const toDegrees = (radians: number): number => (radians * 180) / Math.PI;
 
-const gap = (a: Vector, b: Vector): Vector => add(b, a, -1);
+const gap = (a: Vector, b: Vector): Vector => minus(b, a);
 
 const distance = (a: Vector, b: Vector): number => Math.hypot(...gap(a, b));
 
@@ -35,13 +35,13 @@ function ofTwo(a: Vector, b: Vector): Measure[] {
 function angleAt(a: Vector, b: Vector, c: Vector): number {
   const [u, v] = [gap(b, a), gap(b, c)];
   const [p, q] = [Math.hypot(...u), Math.hypot(...v)];
-  const [along, across] = [add(scale(u, q), scale(v, p)), add(scale(u, q), scale(v, p), -1)];
+  const [along, across] = [add(scale(u, q), scale(v, p)), minus(scale(u, q), scale(v, p))];
   return toDegrees(2 * Math.atan2(Math.hypot(...across), Math.hypot(...along)));
 }
 
 const scale = ([x, y, z]: Vector, by: number): Vector => [x * by, y * by, z * by];
 
-/** More points were hardly chosen one after the other. */
+/** Points at most: more were hardly chosen one after the other. */
 const MOST_ON_A_WAY = 20;
 
 function ofMany(points: readonly Vector[]): Measure[] {

@@ -2,6 +2,7 @@
 // Lines of a mesh: along its edges, straight on at every point, and across the edges of a strip.
 import { row, type Topology } from "./topology.ts";
 import { panelAt } from "./triangulation.ts";
+import { dot, type Vector } from "./vector.ts";
 
 export interface LinedMesh {
   /** Three coordinates per point, in any scale. */
@@ -38,11 +39,12 @@ function panelsAlong(mesh: LinedMesh, [a, b]: Edge): number[] {
 
 /** Cosine of the bend from one edge into the next. */
 function straightness({ points }: LinedMesh, a: number, b: number, c: number): number {
-  const along = (from: number, to: number): number[] =>
-    [0, 1, 2].map((k) => (points[3 * to + k] ?? 0) - (points[3 * from + k] ?? 0));
+  const along = (from: number, to: number): Vector => {
+    const at = (k: number): number => (points[3 * to + k] ?? 0) - (points[3 * from + k] ?? 0);
+    return [at(0), at(1), at(2)];
+  };
   const [u, v] = [along(a, b), along(b, c)];
-  const dot = u.reduce((sum, x, k) => sum + x * (v[k] ?? 0), 0);
-  return dot / (Math.hypot(...u) * Math.hypot(...v) || 1);
+  return dot(u, v) / (Math.hypot(...u) * Math.hypot(...v) || 1);
 }
 
 /**

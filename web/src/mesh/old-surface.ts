@@ -2,9 +2,10 @@
 // How far a point is off the surface that it was part of, and how far it went along it: the core's
 // measures/motion again, for the colours of whatever the page shows, solved or only tried out. Figures
 // in words are the core's; tests/parity/motion.test.ts holds the two together.
-import { add, cross, dot, type Faces, type Vector } from "./point-frame.ts";
+import type { Faces } from "./point-frame.ts";
 import { row } from "./topology.ts";
 import { panelAt } from "./triangulation.ts";
+import { add, cross, dot, minus, type Vector } from "./vector.ts";
 
 export interface Motion {
   /** Distance from the old surface, positive on its outside. */
@@ -46,7 +47,7 @@ export class OldSurface {
 
   /** Of a vertex that is now at `point`. */
   motion(vertex: number, point: Vector): Motion {
-    const move = add(point, this.#at(vertex), -1);
+    const move = minus(point, this.#at(vertex));
     const normal = this.#meanNormal(vertex);
     const slide = Math.hypot(...add(move, normal, -dot(normal, move)));
     if (!this.#walk(vertex, point)) return { shape: 0, slide };
@@ -78,7 +79,7 @@ export class OldSurface {
     let area = NOTHING;
     corners.forEach((v, k) => {
       const next = corners[(k + 1) % corners.length] ?? v;
-      area = add(area, cross(add(this.#at(v), origin, -1), add(this.#at(next), origin, -1)));
+      area = add(area, cross(minus(this.#at(v), origin), minus(this.#at(next), origin)));
     });
     return area;
   }
@@ -204,12 +205,12 @@ export class OldSurface {
     });
   }
 
-  /** Inside of the panel, radians. */
+  /** The angle inside the panel, radians. */
   #angleAt(panel: number, vertex: number): number {
     const corners = this.#cornersOf(panel);
     const k = corners.indexOf(vertex);
     const arm = (place: number): Vector =>
-      add(this.#at(corners[place % corners.length] ?? vertex), this.#at(vertex), -1);
+      minus(this.#at(corners[place % corners.length] ?? vertex), this.#at(vertex));
     const [next, previous] = [arm(k + 1), arm(k + corners.length - 1)];
     const normal = this.#normalOf(panel);
     const angle = Math.atan2(dot(normal, cross(next, previous)), dot(next, previous));

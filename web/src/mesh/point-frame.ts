@@ -2,8 +2,7 @@
 // Directions that belong to a point of a mesh: two along its surface and one out of it.
 import { row, type Topology } from "./topology.ts";
 import { panelAt } from "./triangulation.ts";
-
-export type Vector = readonly [number, number, number];
+import { add, cross, dot, minus, type Vector } from "./vector.ts";
 
 /** Three unit vectors at right angles, right-handed: along × across = normal. */
 export interface Frame {
@@ -17,21 +16,6 @@ export interface Faces {
   readonly vertices: Int32Array;
   readonly topology: Topology;
 }
-
-export const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-export const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
-/** `a` + `t` · `b`. */
-export const add = (a: Vector, b: Vector, t = 1): Vector => [
-  a[0] + t * b[0],
-  a[1] + t * b[1],
-  a[2] + t * b[2],
-];
 
 const unit = (a: Vector): Vector | null => {
   const length = Math.hypot(...a);
@@ -48,8 +32,8 @@ function normalAt(faces: Faces, at: (vertex: number) => Vector, vertex: number):
     for (let c = begin; c < end; ++c) {
       const next = c + 1 < end ? c + 1 : begin;
       // Relative to the point itself: far from the origin the areas would drown in rounding.
-      const here = add(at(vertices[c] ?? 0), at(vertex), -1);
-      const there = add(at(vertices[next] ?? 0), at(vertex), -1);
+      const here = minus(at(vertices[c] ?? 0), at(vertex));
+      const there = minus(at(vertices[next] ?? 0), at(vertex));
       sum = add(sum, cross(here, there));
     }
   }
@@ -66,7 +50,7 @@ export function pointFrame(faces: Faces, at: (vertex: number) => Vector, vertex:
   let along: Vector | null = null;
   let best = 0;
   for (const end of row(edgeEnds, vertex)) {
-    const edge = add(at(edges[end ^ 1] ?? vertex), at(vertex), -1);
+    const edge = minus(at(edges[end ^ 1] ?? vertex), at(vertex));
     const flat = unit(add(edge, normal, -dot(edge, normal)));
     if (flat && Math.abs(flat[0]) > best) {
       best = Math.abs(flat[0]);

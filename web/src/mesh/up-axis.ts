@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which axis of a file goes up, and what the mesh is with that as its third.
-import type { Vector } from "./point-frame.ts";
+import type { Vector } from "./vector.ts";
 
 /** Z: as the file has it. */
 export type UpAxis = "z" | "y" | "x";

@@ -17,7 +17,7 @@ export interface Context {
 /** Lines to one span of a curve. */
 const STEPS = 16;
 /** Above this many coordinates a drawing would hold the page up: what comes later stays out. */
-export const MOST_COORDINATES = 6_000_000;
+const MOST_COORDINATES = 6_000_000;
 
 /** A list that grows to millions. */
 class Coordinates {
@@ -113,7 +113,7 @@ export class ContextCollector {
     return true;
   }
 
-  /** Span after span, so that corners stay corners. */
+  /** Adds a curve span after span, so that corners stay corners. */
   #curve(curve: Curve): void {
     const nurbs = curve.toNurbsCurve();
     if (!nurbs) return;
@@ -131,7 +131,7 @@ export class ContextCollector {
     }
   }
 
-  /** Its edges, and the meshes by which Rhino showed it where they were saved. */
+  /** Adds the edges of a solid, and the meshes by which Rhino showed it where they were saved. */
   #brep(brep: Brep): void {
     const [edges, faces] = [brep.edges(), brep.faces()];
     for (let k = 0; k < edges.count; ++k) this.#curve(edges.get(k));

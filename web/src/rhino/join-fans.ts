@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mesh from Rhino has triangles and quads only: panels with more corners come as triangles. They
 // are put together where that is certain, and stay triangles where it is not.
+import { cross, dot, minus, type Vector } from "../mesh/vector.ts";
 import type { Faces } from "./model.ts";
 
 export interface JoinedFans {
@@ -16,15 +17,6 @@ export interface JoinedFans {
 /** Out of plane over extent. What single precision keeps of a flat panel; a fold that is meant is larger. */
 const COPLANAR = 1e-6;
 
-type Vector = readonly [number, number, number];
-
-const sub = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 const unit = (a: Vector): Vector => {
   const length = Math.hypot(...a) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
@@ -55,7 +47,7 @@ class FanFinder {
   #normal(f: number): Vector {
     const [a = 0, b = 0, c = 0] = this.#faces[f] ?? [];
     const at = this.#at(a);
-    return unit(cross(sub(this.#at(b), at), sub(this.#at(c), at)));
+    return unit(cross(minus(this.#at(b), at), minus(this.#at(c), at)));
   }
 
   /** Faces of at most `most` corners in the plane of face `first` that hang together, `first` among them, none in `done`. */
@@ -64,7 +56,7 @@ class FanFinder {
     const isIn = (f: number): boolean => {
       const face = this.#faces[f] ?? [];
       if (done.has(f) || face.length > most || dot(normal, this.#normal(f)) <= 0) return false;
-      const offsets = face.map((v) => sub(this.#at(v), origin));
+      const offsets = face.map((v) => minus(this.#at(v), origin));
       const extent = Math.max(...offsets.map((offset) => Math.hypot(...offset)));
       return offsets.every((offset) => Math.abs(dot(offset, normal)) <= COPLANAR * extent);
     };
@@ -101,8 +93,8 @@ class FanFinder {
   #isConvex(corners: readonly number[], normal: Vector): boolean {
     return corners.every((v, k) => {
       const [before = 0, after = 0] = [corners.at(k - 1), corners[(k + 1) % corners.length]];
-      const to = unit(sub(this.#at(v), this.#at(before)));
-      return dot(cross(to, unit(sub(this.#at(after), this.#at(v)))), normal) > COPLANAR;
+      const to = unit(minus(this.#at(v), this.#at(before)));
+      return dot(cross(to, unit(minus(this.#at(after), this.#at(v)))), normal) > COPLANAR;
     });
   }
 }

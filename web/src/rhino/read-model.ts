@@ -31,14 +31,14 @@ export interface ReadModel {
   readonly remarks: readonly string[];
 }
 
-/** Its message is for the user: what is wrong with the file. */
+/** A file that cannot be read; the message says to the user what is wrong with it. */
 export class UnreadableModel extends Error {}
 
 /** Corners, x, y, z one after the other, without the closing point. */
 type Outline = readonly number[];
 
 interface Found {
-  /** Those that the page wrote. */
+  /** Outlines that the page wrote. */
   readonly own: { readonly name: string; readonly outline: Outline }[];
   readonly polylines: Outline[];
   readonly meshes: Faces[];
@@ -187,11 +187,11 @@ function meshOf(found: Found, tolerance: number, join: JoinPoints, remarks: stri
     );
   if (joins.uncertain > 0)
     remarks.push(
-      `${times(joins.uncertain, "group", "groups")} of coplanar triangles stayed triangles: where their panels end is not certain. Closed polylines say it.`,
+      `${times(joins.uncertain, "group", "groups")} of coplanar triangles stayed triangles: where their panels end is not certain. Closed polylines around panels say where.`,
     );
   if (joins.quads > 0)
     remarks.push(
-      `${times(joins.quads, "group", "groups")} of quads in one plane may be one panel each; they stay as they are. Closed polylines say it.`,
+      `${times(joins.quads, "group", "groups")} of quads in one plane may be one panel each; they stay as they are. Closed polylines around panels say which.`,
     );
   return { points, faces: joins.faces };
 }

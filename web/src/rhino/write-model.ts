@@ -2,6 +2,7 @@
 // A design as a .3dm file: its panels as trimmed planes, outlines and a mesh, each with its row of
 // panels.csv, and the design itself, so that the file opens again as that.
 import type { CommonObject, Layer, ObjectAttributes, PolylineCurve } from "rhino3dm";
+import { cross } from "../mesh/vector.ts";
 import { convert, type Unit } from "../quantity/units.ts";
 import {
   DESIGN_KEY,
@@ -15,7 +16,7 @@ import {
 } from "./model.ts";
 
 /** A trimmed plane takes five times the room and ten times the time of an outline. */
-export const MOST_SURFACES = 5_000;
+const MOST_SURFACES = 5_000;
 
 export interface Model {
   /** Of the mesh, x, y, z one after the other, model units. */
@@ -54,12 +55,6 @@ const numbers = (cell: string | undefined): Point => {
   const [x = 0, y = 0, z = 0] = (cell ?? "").split(" ").map(Number);
   return [x, y, z];
 };
-
-const cross = (a: Point, b: Point): Point => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 class ModelWriter {
   readonly #rhino: RhinoModule;

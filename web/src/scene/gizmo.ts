@@ -54,7 +54,9 @@ export class Gizmo {
   async #fetch(): Promise<void> {
     if (this.#asked) return;
     this.#asked = true;
-    const { TransformControls } = await import("three/addons/controls/TransformControls.js");
+    const { TransformControls } = await this.#stage.expecting(
+      import("three/addons/controls/TransformControls.js"),
+    );
     if (!this.#asked) return;
     const controls = new TransformControls(this.#stage.camera, null);
     controls.setSize(this.#size());

@@ -3,6 +3,7 @@
 // far ones first, without WebGL.
 import { Color } from "three";
 import { NO_SHAPE } from "../design/design.ts";
+import { add, cross, dot, type Vector } from "../mesh/vector.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { DARK, LIGHT, type Palette } from "./palette.ts";
 import { makeRamp, type Ramp, writeRamp } from "./ramp.ts";
@@ -20,29 +21,25 @@ export interface Patch {
   readonly signed: boolean;
 }
 
-type Vec = readonly [number, number, number];
-
 /** Unit axes of the picture: to the right, upwards, towards the eye. */
-const RIGHT: Vec = [0.8706, -0.4921, 0];
-const UP: Vec = [0.249, 0.4405, 0.8625];
-const EYE: Vec = [-0.4244, -0.7509, 0.506];
-const LIGHT_FROM: Vec = [-0.62, -0.24, 0.75];
+const RIGHT: Vector = [0.8706, -0.4921, 0];
+const UP: Vector = [0.249, 0.4405, 0.8625];
+const EYE: Vector = [-0.4244, -0.7509, 0.506];
+const LIGHT_FROM: Vector = [-0.62, -0.24, 0.75];
 
 /** More panels than this would be dots. */
 const MOST_PANELS = 1500;
 
-const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
 /** Display coordinates of `shape` on `mesh`, by vertex. */
-function placesOf(mesh: OpenedMesh, shape: Shape): (vertex: number) => Vec {
+function placesOf(mesh: OpenedMesh, shape: Shape): (vertex: number) => Vector {
   const { display } = mesh;
   const { centre, scale } = mesh.report;
-  const moved = new Map<number, Vec>();
+  const moved = new Map<number, Vector>();
   shape.moved.forEach((v, k) => {
     const at = (c: 0 | 1 | 2): number => ((shape.positions[3 * k + c] ?? 0) - centre[c]) * scale;
     moved.set(v, [at(0), at(1), at(2)]);
   });
-  const base = (v: number): Vec => [
+  const base = (v: number): Vector => [
     display[3 * v] ?? 0,
     display[3 * v + 1] ?? 0,
     display[3 * v + 2] ?? 0,
@@ -136,7 +133,7 @@ export function patchOf(
 /** Moves smaller than this share of a picture's own largest one do not widen it. */
 const NOTED = 0.4;
 
-/** The same picture from near by, where `shape` differs from the others; the colours mean the same. */
+/** `patch` from near by, where `shape` differs from the others; the colours mean what they meant. */
 export function zoomedTo(mesh: OpenedMesh, patch: Patch, shape: Shape): Patch {
   const found = differences(mesh, patch.from, shape);
   const most = [...found.values()].reduce((m, length) => Math.max(m, length), 0);
@@ -147,26 +144,22 @@ export function zoomedTo(mesh: OpenedMesh, patch: Patch, shape: Shape): Patch {
 }
 
 /** The panel's area vector, twice. */
-function normalOf(points: readonly Vec[]): Vec {
-  const normal: [number, number, number] = [0, 0, 0];
-  points.forEach((a, k) => {
-    const b = points[(k + 1) % points.length] ?? a;
-    normal[0] += a[1] * b[2] - a[2] * b[1];
-    normal[1] += a[2] * b[0] - a[0] * b[2];
-    normal[2] += a[0] * b[1] - a[1] * b[0];
-  });
-  return normal;
+function normalOf(points: readonly Vector[]): Vector {
+  return points.reduce<Vector>(
+    (sum, a, k) => add(sum, cross(a, points[(k + 1) % points.length] ?? a)),
+    [0, 0, 0],
+  );
 }
 
 /** How much light a panel takes. */
-function brightness(points: readonly Vec[]): number {
+function brightness(points: readonly Vector[]): number {
   const normal = normalOf(points);
   const length = Math.hypot(...normal);
   return length > 0 ? 0.72 + 0.28 * Math.abs(dot(normal, LIGHT_FROM) / length) : 1;
 }
 
 /** Whether a panel went away from the eye, along its normal. */
-function wentAway(before: readonly Vec[], after: readonly Vec[]): boolean {
+function wentAway(before: readonly Vector[], after: readonly Vector[]): boolean {
   const normal = normalOf(before);
   const along = after.reduce((sum, q, k) => {
     const p = before[k] ?? q;
@@ -180,11 +173,15 @@ interface Pen {
   /** For what comes towards the eye, or whichever way it goes; for what goes away from it. */
   readonly ramps: readonly [Ramp, Ramp];
   readonly palette: Palette;
-  readonly onPaper: (point: Vec) => readonly [number, number];
+  readonly onPaper: (point: Vector) => readonly [number, number];
 }
 
 /** `share` of the ramp; below 0 of the one for what goes away. */
-function drawPanel({ context, ramps, palette, onPaper }: Pen, points: Vec[], share: number): void {
+function drawPanel(
+  { context, ramps, palette, onPaper }: Pen,
+  points: Vector[],
+  share: number,
+): void {
   const rgb = new Float32Array(3);
   writeRamp(ramps[share < 0 ? 1 : 0], Math.abs(share), rgb, 0);
   const light = brightness(points);
@@ -220,7 +217,7 @@ export function drawPatch(
   const [left, top, right, bottom] = patch.bounds;
   const room = 1 - 2 * MARGIN;
   const size = room * Math.min(width / (right - left || 1), height / (bottom - top || 1));
-  const onPaper = (point: Vec): readonly [number, number] => [
+  const onPaper = (point: Vector): readonly [number, number] => [
     width / 2 + size * (dot(point, RIGHT) - (left + right) / 2),
     height / 2 + size * (-dot(point, UP) - (top + bottom) / 2),
   ];

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The line beyond which an edit moves nothing, softly over the panels' edges, with a knob that drags it.
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { outlineOf, type ReachLimit, ringsWithin } from "../mesh/reach.ts";
+import { LineOverlay } from "./line-overlay.ts";
 import { type Place, project, type View } from "./picking.ts";
 import type { Shell } from "./shell.ts";
 
@@ -13,23 +11,17 @@ const MOST = 12;
 const WIDTH = 6;
 const OPACITY = 0.32;
 
-export class ReachLine {
-  readonly object = new LineSegments2(
-    new LineSegmentsGeometry(),
-    new LineMaterial({ linewidth: WIDTH, transparent: true, opacity: OPACITY, depthWrite: false }),
-  );
+export class ReachLine extends LineOverlay {
   /** Where it runs. */
   #points: readonly number[] = [];
   #seeds: readonly number[] = [];
   #key = "";
 
   constructor() {
-    this.object.visible = false;
-    this.object.frustumCulled = false;
-    this.object.renderOrder = 1;
+    super({ linewidth: WIDTH, transparent: true, opacity: OPACITY, depthWrite: false });
   }
 
-  /** Around `seeds`; none, or no limit: no line. */
+  /** Draws the line around `seeds`; none, or no limit: no line. */
   draw(shell: Shell, seeds: readonly number[], limit: ReachLimit): void {
     const key = [seeds, limit.rings, limit.length].join();
     if (key === this.#key) return;
@@ -40,9 +32,7 @@ export class ReachLine {
       ? outlineOf(structureOf(shell), ringsWithin(structureOf(shell), seeds, limit).keys())
       : [];
     const lines = this.#points.flatMap((v) => [...shell.base.subarray(3 * v, 3 * v + 3)]);
-    this.object.geometry.dispose();
-    this.object.geometry = new LineSegmentsGeometry().setPositions(lines);
-    this.object.visible = lines.length > 0;
+    this.set(lines);
   }
 
   /** Another mesh is shown. */
@@ -71,19 +61,6 @@ export class ReachLine {
       if (gap < nearest) [nearest, rings] = [gap, ring];
     }
     return Math.min(MOST, Math.max(1, rings - 1));
-  }
-
-  setColour(colour: string): void {
-    this.object.material.color.set(colour);
-  }
-
-  setSize(width: number, height: number): void {
-    this.object.material.resolution.set(width, height);
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
   }
 }
 

@@ -79,6 +79,7 @@ export class Stage {
   #shadowTimer: ReturnType<typeof setTimeout> | undefined;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
   #stillTimer: ReturnType<typeof setTimeout> | undefined;
+  #expected = 0;
   #finish: Finish | null = null;
   readonly #drawn = new Set<() => void>();
   #target: Object3D | null = null;
@@ -103,7 +104,7 @@ export class Stage {
     this.#glide = new Glide(this.camera, this.orbit);
     this.#pivot = new Pivot(this.camera, this.orbit);
     this.#lightUp();
-    // After the renderer's own listener, which makes its state and buffers again, but plain black.
+    // Comes after the renderer's own listener, which makes its state and buffers again, but plain black.
     canvas.addEventListener("webglcontextrestored", () => {
       this.renderer.setClearColor(this.#paper);
       this.castShadows();
@@ -243,7 +244,7 @@ export class Stage {
     if (width === 0 || height === 0) return;
     const ratio = Math.min(window.devicePixelRatio, 2);
     const size = `${width} × ${height} × ${ratio}`;
-    // The same size again would still wait for the graphics card.
+    // To set a size that is set would still wait for the graphics card.
     if (size === this.#size) return;
     this.#size = size;
     this.renderer.setPixelRatio(ratio);
@@ -282,8 +283,20 @@ export class Stage {
     dataset.still = "false";
     clearTimeout(this.#stillTimer);
     this.#stillTimer = setTimeout(() => {
-      dataset.still = "true";
+      dataset.still = `${this.#pending === 0 && this.#expected === 0}`;
     }, 2 * REST);
+  }
+
+  /** What is fetched to be drawn: until then the picture still changes. */
+  async expecting<T>(part: Promise<T>): Promise<T> {
+    this.#expected += 1;
+    this.#stir();
+    try {
+      return await part;
+    } finally {
+      this.#expected -= 1;
+      this.#stir();
+    }
   }
 
   draw(): void {
@@ -306,14 +319,14 @@ export class Stage {
     return () => this.#drawn.delete(drawn);
   }
 
-  /** As it is at rest. */
+  /** Draws the view as it is at rest. */
   drawFinished(): void {
     this.draw();
     clearTimeout(this.#restTimer);
     this.#finish?.draw(this.renderer);
   }
 
-  /** As it is at rest, without what is there for the hand: a picture that is kept. */
+  /** Draws the view at rest, without what is there for the hand: a picture that is kept. */
   drawClean(): void {
     const shown = [...this.aids].filter(({ visible }) => visible);
     for (const aid of shown) aid.visible = false;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is measured on a finished design.
+
+import { newSliver } from "virtual:core-defaults";
 import type { Analysis, PlanishModule, Session } from "@wasm/planish.mjs";
 import type { AlsoMeasured, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
 
@@ -17,7 +19,7 @@ export class DesignAnalysis {
   readonly #module: PlanishModule;
   readonly #session: Session;
   #analysis: Analysis | null = null;
-  /** That it knows. */
+  /** The family that it knows. */
   #family: ShapeFamily | null = null;
 
   constructor(module: PlanishModule, session: Session) {
@@ -45,7 +47,14 @@ export class DesignAnalysis {
     };
   }
 
-  /** Of a shape that need not be shown. */
+  /** How many panels became slivers. */
+  slivers(): number {
+    return this.#current()
+      .panelDamage()
+      .reduce((count, kind) => count + (kind === newSliver ? 1 : 0), 0);
+  }
+
+  /** Measures a shape that need not be shown. */
   measure({ moved, positions }: Shape): PanelMeasures {
     const analysis = this.#current();
     analysis.show(moved, positions);
@@ -60,7 +69,7 @@ export class DesignAnalysis {
     };
   }
 
-  /** Of each slider of a family, all others where they are: lower stop, its panel, upper stop, its panel. */
+  /** Stops of each slider of a family, the others where they are: lower stop, its panel, upper stop, its panel. */
   stops(family: ShapeFamily, values: readonly number[]): Float64Array {
     const analysis = this.#current();
     if (this.#family !== family) {
@@ -75,7 +84,7 @@ export class DesignAnalysis {
     return this.#current().freedom(Float64Array.from(handles), Int32Array.from(pins));
   }
 
-  /** Of what the session shows now. */
+  /** The analysis of what the session shows now. */
   #current(): Analysis {
     const session = this.#session;
     this.#analysis ??= new this.#module.Analysis(

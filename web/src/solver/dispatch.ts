@@ -45,11 +45,11 @@ type Waited =
   | "model"
   | "offset";
 
-const AS_ASKED: Edited = { taken: null, stated: null, placed: null };
+const AS_ASKED: Edited = { taken: null, found: [], reach: null, placed: null };
 
 const asIs = (mesh: Uint8Array, { format }: { format: FileFormat }) => ({ mesh, format });
 
-/** Between two steps that are told: many solves in a row take thousands. */
+/** Milliseconds between two steps that are told: many solves in a row take thousands. */
 const SAYING_MS = 25;
 
 /** Answers requests in order on one session. A request that fails leaves the session as it was. */
@@ -71,8 +71,8 @@ export class Dispatcher {
   constructor(module: PlanishModule, post: Post) {
     this.#module = module;
     this.#session = new module.Session();
-    this.#edits = new Edits(module, this.#session);
     this.#analysis = new DesignAnalysis(module, this.#session);
+    this.#edits = new Edits(module, this.#session, () => this.#analysis.slivers());
     this.#post = post;
     const parts = { edits: this.#edits, analysis: this.#analysis, post };
     this.#splits = new SplitJobs(module, this.#session, parts);

@@ -27,6 +27,14 @@ export interface EditSettings extends EditOptions {
 /** Handles are vertex, x, y, z for each, model units. */
 export type HandleList = readonly number[];
 
+/** What an edit gets unasked, where that costs its handles nothing: see found-limits.ts. */
+export interface SoughtLimits {
+  /** Of the handle that goes furthest, from the base to its target; model units. */
+  readonly way: number;
+  readonly folds: boolean;
+  readonly corners: boolean;
+}
+
 export interface PullLimit {
   /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
   readonly degrees: number;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
-import { fairLimit } from "./fair-folds.ts";
-import { furthest } from "./how-far.ts";
+import { cornerLimit, foldLimit, type LimitedEdit } from "./found-limits.ts";
+import { furthest, MET, NOTICEABLE } from "./how-far.ts";
 import type {
   EditMode,
   EditSettings,
@@ -10,6 +10,7 @@ import type {
   PullLimit,
   Reply,
   Request,
+  ShapeReport,
   SplitFinding,
   SplitStanding,
 } from "./protocol.ts";
@@ -24,13 +25,14 @@ import {
   ownBound,
   PullHold,
 } from "./pull-limit.ts";
+import { ReachSteps, suffices } from "./reach-steps.ts";
 import { insist, Refused } from "./refused.ts";
 
 type EditRequest = Extract<Request, { kind: "edit" }>;
 
 type FewestAnswer = Omit<Extract<Reply, { kind: "fewest" }>, "kind" | "job">;
 
-/** That a drag may wait for its limit. */
+/** How long a drag may wait for its limit. */
 const SEARCH_MS = 2000;
 /** Frames more that one takes where its time is over before anything holds it back: else a pointer that
  * stands would say nothing. */
@@ -38,27 +40,32 @@ const CATCHING_UP = 6;
 /** For the frame at the end of a drag, if it was not shown: longer than any takes. */
 const FRAME_SECONDS = 10;
 
-/** With the limit that acts on a drag alone as one that is stated. */
+/** `settings` with the limit that acts on a drag alone as one that is stated. */
 function bounded(settings: EditSettings, limit: PullLimit): EditSettings {
   const own = ownBound(limit);
   return own === null ? settings : { ...settings, limits: [...settings.limits, own] };
 }
 
+const withReach = (request: EditRequest, reach: number | null): EditRequest =>
+  reach === null ? request : { ...request, settings: { ...request.settings, reach } };
+
 export interface Edited {
   /** Where the handles were held back to; null where they are as asked. */
   readonly taken: HandleList | null;
-  /** The limit on folds that the edit has beside those asked for; null for none. */
-  readonly stated: string | null;
+  /** Limits that the edit has beside those asked for. */
+  readonly found: readonly string[];
+  /** Of those tried; null: that of the settings. */
+  readonly reach: number | null;
   /** The handles, where some are on a mirror plane or an axis and were to leave it; else null. */
   readonly placed: HandleList | null;
 }
 
-/** Of a drag. */
+/** The last frame of a drag. */
 interface LastFrame {
   readonly arrives: boolean;
   /** Panels are at a limit. */
   readonly bound: boolean;
-  /** Its handles, or where they were held back to. */
+  /** The handles asked for, or where they were held back to. */
   readonly shown: HandleList;
 }
 
@@ -67,17 +74,26 @@ export class Edits {
   readonly #module: PlanishModule;
   readonly #session: Session;
   #hold = new PullHold();
+  #reach = new ReachSteps();
+  readonly #slivers: () => number;
   #settings: EditSettings | null = null;
 
-  constructor(module: PlanishModule, session: Session) {
+  /** @param slivers how many panels became slivers in what the session shows */
+  constructor(module: PlanishModule, session: Session, slivers: () => number) {
     this.#module = module;
     this.#session = session;
+    this.#slivers = slivers;
   }
 
   /** The session has other options now, and no drag goes on. */
   forget(): void {
-    this.#hold = new PullHold();
+    this.#forgetDrag();
     this.#settings = null;
+  }
+
+  #forgetDrag(): void {
+    this.#hold = new PullHold();
+    this.#reach = new ReachSteps();
   }
 
   edit(request: EditRequest): Edited {
@@ -88,14 +104,11 @@ export class Edits {
   }
 
   #edit(request: EditRequest): Omit<Edited, "placed"> {
-    const { mode, settings, targets, limit } = request;
-    if (limit && mode === "drag") return { taken: this.#frame(limit, request), stated: null };
-    if (limit) return this.#rest(limit, request);
-    this.#hold = new PullHold();
-    this.#setOptions(settings);
-    const once = (): void => this.#attempt(request, targets.handles, mode);
-    once();
-    return { taken: null, stated: this.#unfold(request, once) };
+    const { mode, limit } = request;
+    if (limit && mode === "drag") return this.#frame(limit, request);
+    if (limit) return this.#rest(limit, this.#asDragged(limit, request));
+    this.#forgetDrag();
+    return this.#given(request);
   }
 
   /** null where they are there already. */
@@ -105,7 +118,7 @@ export class Edits {
   }
 
   restore({ targets, settings, shape, keep }: Extract<Request, { kind: "restore" }>): void {
-    this.#hold = new PullHold();
+    this.#forgetDrag();
     this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
@@ -116,7 +129,7 @@ export class Edits {
     { targets, settings, most }: Extract<Request, { kind: "splitEdit" }>,
     found: (standing: SplitStanding) => void,
   ): SplitFinding {
-    this.#hold = new PullHold();
+    this.#forgetDrag();
     this.#setOptions(settings);
     const handles = Float64Array.from(targets.handles);
     const pins = Int32Array.from(targets.pins);
@@ -133,7 +146,7 @@ export class Edits {
     withinHandle,
     mostPanels,
   }: Extract<Request, { kind: "fewest" }>): FewestAnswer {
-    this.#hold = new PullHold();
+    this.#forgetDrag();
     this.#setOptions(settings);
     const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
     const session = this.#session;
@@ -149,17 +162,70 @@ export class Edits {
     insist(this.#session.edit(this.#module.EditMode[how], handles, pins, steps, budget));
   }
 
-  /** A frame of a drag; null where its handles arrive. */
-  #frame(limit: PullLimit, request: EditRequest): HandleList | null {
+  /** Targets that are given, with the smallest reach of those tried that suffices. */
+  #given(request: EditRequest): Omit<Edited, "placed"> {
+    const { reaches, settings, targets, mode, sought } = request;
+    const last = reaches.at(-1) ?? null;
+    for (const reach of sought ? reaches.slice(0, -1) : []) {
+      this.#setOptions({ ...settings, reach });
+      this.#attempt(request, targets.handles, mode);
+      const report = this.#session.shapeReport();
+      const isDone = report.status === "converged" && suffices(report, sought?.way ?? 0, MET);
+      if (isDone && this.#slivers() === 0) return { taken: null, found: [], reach };
+    }
+    const asked = withReach(request, last);
+    this.#setOptions(asked.settings);
+    this.#attempt(asked, targets.handles, mode);
+    return { taken: null, found: this.#findLimits(asked), reach: last };
+  }
+
+  /** With the reach of the drag that ends, whose own last frame need not have been shown. */
+  #asDragged(limit: PullLimit, request: EditRequest): EditRequest {
+    this.#growReach(limit, { ...request, budget: FRAME_SECONDS });
+    return withReach(request, this.#reach.now);
+  }
+
+  #growReach(limit: PullLimit, request: EditRequest): void {
+    if (this.#reach.begins(limit.from, request.reaches)) this.#session.keepEdit();
+    while (!this.#reach.isLast && !this.#follows(limit, request)) this.#reach.grow();
+  }
+
+  /** A frame of a drag. */
+  #frame(limit: PullLimit, request: EditRequest): Omit<Edited, "placed"> {
+    this.#growReach(limit, request);
+    const { isLast, now: reach } = this.#reach;
+    const taken = isLast ? this.#held(limit, withReach(request, reach)) : null;
+    return { taken, found: [], reach };
+  }
+
+  /** Whether a frame of the reach that there is suffices: else what is shown is the frame before. */
+  #follows(limit: PullLimit, request: EditRequest): boolean {
+    const { handles } = request.targets;
+    this.#setOptions(bounded(withReach(request, this.#reach.now).settings, limit));
+    this.#follow(limit, request, handles);
+    const way = longestWay(limit.base, handles);
+    const done = suffices(this.#session.shapeReport(), way, NOTICEABLE);
+    if (done) this.#session.keepEdit();
+    else this.#session.showKept();
+    return done;
+  }
+
+  /** A frame, which may take the time of several to catch up. */
+  #follow(limit: PullLimit, request: EditRequest, handles: HandleList): void {
+    this.#attempt(request, handles, "drag");
+    for (let k = 0; k < CATCHING_UP && lags(limit, handles, this.#session.shapeReport()); ++k)
+      this.#attempt(request, handles, "drag");
+  }
+
+  /** A frame that a limit may hold back; null where its handles arrive. */
+  #held(limit: PullLimit, request: EditRequest): HandleList | null {
     const to = request.targets.handles;
     const session = this.#session;
     this.#setOptions(bounded(request.settings, limit));
     const frames = {
       edit: (handles: HandleList, settled: boolean): boolean => {
         if (settled) session.goBack();
-        this.#attempt(request, handles, "drag");
-        for (let k = 0; k < CATCHING_UP && lags(limit, handles, session.shapeReport()); ++k)
-          this.#attempt(request, handles, "drag");
+        this.#follow(limit, request, handles);
         return arrives(limit, handles, session.shapeReport());
       },
       keep: () => session.keepEdit(),
@@ -177,16 +243,18 @@ export class Edits {
   #rest(limit: PullLimit, request: EditRequest): Omit<Edited, "placed"> {
     const { settings, targets, mode } = request;
     const own = ownBound(limit);
+    const reach = this.#reach.now;
+    const found = own === null ? [] : [own];
     const last = this.#lastFrame(limit, request);
     if (own !== null && (last === null || (last.arrives && !last.bound))) {
       this.#setOptions(settings);
       this.#attempt(request, targets.handles, mode);
-      if (keepsOwn(limit, this.#session.shapeReport())) return { taken: null, stated: null };
+      if (keepsOwn(limit, this.#session.shapeReport())) return { taken: null, found: [], reach };
     }
     this.#setOptions(bounded(settings, limit));
     if (last && !last.arrives && this.#comesTo(limit, request, last.shown))
-      return { taken: last.shown, stated: own };
-    return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), stated: own };
+      return { taken: last.shown, found, reach };
+    return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), found, reach };
   }
 
   /** Whether an edit of handles that a drag showed meets them; they are ahead of where it began. */
@@ -197,11 +265,11 @@ export class Edits {
     return arrivalOf(limit, shown, this.#session.shapeReport(), length).over <= 0;
   }
 
-  /** At the end of a drag, which its own last frame need not have shown; null without a drag. */
+  /** How a drag ended, which its own last frame need not have shown; null without a drag. */
   #lastFrame(limit: PullLimit, request: EditRequest): LastFrame | null {
     const dragged = this.#hold.goesOn(limit.from);
     const shown = this.#hold.taken;
-    this.#hold = new PullHold();
+    this.#forgetDrag();
     if (!dragged) return null;
     const { handles } = request.targets;
     this.#attempt({ ...request, budget: FRAME_SECONDS }, handles, "drag");
@@ -226,22 +294,31 @@ export class Edits {
     return share === 1 ? null : between(limit.from, to, share);
   }
 
-  /** Makes the edit again with the limit on folds that costs its handles nothing, if there is one. */
-  #unfold(request: Extract<Request, { kind: "edit" }>, again: () => void): string | null {
-    const { settings, fairWay } = request;
-    if (fairWay === null) return null;
-    let tried = false;
-    const stated = fairLimit(this.#session.shapeReport(), fairWay, (limit) => {
-      tried = true;
-      this.#setOptions({ ...settings, limits: [...settings.limits, limit] });
-      again();
-      return this.#session.shapeReport();
-    });
-    if (tried && stated === null) {
-      this.#setOptions(settings);
-      again();
-    }
-    return stated;
+  /** Makes the edit again with the limits that cost its handles nothing: these. */
+  #findLimits(request: EditRequest): readonly string[] {
+    const { settings, sought, targets, mode } = request;
+    if (!sought) return [];
+    let found: readonly string[] = [];
+    const tryOne = (find: (edit: LimitedEdit) => string | null): void => {
+      const edit = (limits: readonly string[]): ShapeReport => {
+        this.#setOptions({ ...settings, limits: [...settings.limits, ...limits] });
+        this.#attempt(request, targets.handles, mode);
+        return this.#session.shapeReport();
+      };
+      let tried = false;
+      const limit = find((one) => {
+        tried = true;
+        return edit([...found, one]);
+      });
+      if (limit !== null) found = [...found, limit];
+      else if (tried) edit(found);
+    };
+    const report = (): ShapeReport => this.#session.shapeReport();
+    if (sought.folds) tryOne((edit) => foldLimit(report(), sought.way, edit));
+    const counted = (shown: ShapeReport) => ({ report: shown, slivers: this.#slivers() });
+    if (sought.corners)
+      tryOne((edit) => cornerLimit(counted(report()), sought.way, (one) => counted(edit(one))));
+    return found;
   }
 
   /** Options that stay the same keep the solver's warm start; each message is a copy. */

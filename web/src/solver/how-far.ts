@@ -3,16 +3,19 @@
 
 /** Share of its way: as near to its target a handle meets it. */
 export const MET = 0.05;
+/** Share of its way: a handle that stops short by less is not said to. Soft handles stop short by a hundredth, raw weights by a tenth. */
+export const NOTICEABLE = 0.15;
 /** Edits beside the one at the end of the pull. */
 const TRIES = 4;
-/** Between a share that is met and one that is not: finer is not looked for. */
+/** The ratio of a share that is not met to one that is: finer is not looked for. */
 const FINE = 1.03;
 /** The next share beyond one that is met closely, and beyond one that is met with ease: the line to one
  * that is not met says little where the two are of different minima. */
 const FURTHER = { close: 1.2, easy: 1.5 };
 /** Of shares: from here on the two are of different minima. */
 const WIDE = 1.3;
-/** Up to so many times as short as they may be handles nearly meet their targets; so much is that worth. */
+/** Handles that stop up to `most` times as short as they may nearly meet their targets; their share counts
+ * `worth` of its length. */
 const NEARLY = { most: 3, worth: 0.5 };
 /** Of a share at which handles get nowhere: the next. */
 const BACK = 0.4;
@@ -75,7 +78,7 @@ function worth(tried: Tried): number {
   return tried.short <= NEARLY.most * allowed(tried) ? NEARLY.worth * reached : 0;
 }
 
-/** Where none is met yet: on the line through the last two, about where the handles stopped. */
+/** The share to try where none is met yet: on the line through the last two, about where the handles stopped. */
 function before(high: Tried, beyond: Tried | null): number {
   const { share, short, over } = high;
   if (short >= share) return BACK * share;
@@ -84,7 +87,7 @@ function before(high: Tried, beyond: Tried | null): number {
   return Math.max(share - 2 * short, Math.min(share - short, line));
 }
 
-/** Between the two: on the line, where they are alike, and at the middle at most. */
+/** A share between two: on the line, where they are alike, and at the middle at most. */
 function between(low: Tried, high: Tried): number {
   const gap = high.share - low.share;
   const middle = low.share + gap / 2;

@@ -28,6 +28,7 @@ import type {
   Fairness,
   HandleList,
   PullLimit,
+  SoughtLimits,
   Targets,
 } from "./edit-asked.ts";
 
@@ -140,8 +141,10 @@ export type Request =
       budget: number;
       /** Holds the handles back to where they get within it; null: no limit of a drag. */
       limit: PullLimit | null;
-      /** Looks for a limit on folds, see fairLimit(), to which this is the way; null: for none. */
-      fairWay: number | null;
+      /** Tried in this order in place of that of the settings, see reach-steps.ts; empty: only that. */
+      reaches: readonly number[];
+      /** Limits that are looked for, see found-limits.ts; null: none. */
+      sought: SoughtLimits | null;
     } // → shown
   /** The edit that makes few panels again, at once. `withinHandle`: of the longest way of a handle, so
    * near to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. */
@@ -170,7 +173,7 @@ export type Request =
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "panels"; job: number; also: AlsoMeasured } // → panels
-  /** The same of any shape of the mesh that is open, with folds; the design shown stays. */
+  /** Measures any shape of the mesh that is open, with folds; the design shown stays. */
   | { kind: "measure"; job: number; shape: Shape } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
   /** Does a design again on the mesh that is open. */
@@ -312,7 +315,7 @@ export type Reply =
   /**
    * `changes`: vertex, x, y, z in display coordinates. `shape` is absent during a drag. `taken`: the
    * handles that were edited, where a limit held them back; null: those that were asked for.
-   * `stated`: the limit on folds that was found, which the edit has beside those asked for.
+   * `found`: limits that the edit has beside those asked for. `reach`: of those tried; null: that asked for.
    */
   | {
       kind: "shown";
@@ -321,7 +324,8 @@ export type Reply =
       report: ShapeReport;
       shape: Shape | null;
       taken: HandleList | null;
-      stated: string | null;
+      found: readonly string[];
+      reach: number | null;
       /** The handles, where some are on a mirror plane or an axis and were to leave it; else null. */
       placed: HandleList | null;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A drag is held back where its limits, bounds of every frame, do not let its handles follow.
 import { boundNames } from "./bounds.ts";
-import { foldGrowth } from "./fair-folds.ts";
+import { foldGrowth } from "./found-limits.ts";
 import { type Arrival, MET } from "./how-far.ts";
 import type { HandleList, PullLimit, ShapeReport } from "./protocol.ts";
 
@@ -11,11 +11,11 @@ export const ownBound = ({ degrees }: PullLimit): string | null =>
 
 export const isBound = (report: ShapeReport): boolean => boundNames(report).length > 0;
 
-/** Found no way to move, or only a part of the way. */
-const isStuck = ({ status, movedVertices }: ShapeReport): boolean =>
+/** Whether an edit found no way to move, or only a part of the way. */
+export const isStuck = ({ status, movedVertices }: ShapeReport): boolean =>
   status === "infeasible_handles" || (status === "iteration_limit" && movedVertices === 0);
 
-/** From one place to the other of the handle that goes furthest. */
+/** The way of the handle that goes furthest from its base. */
 export function longestWay(base: HandleList, handles: HandleList): number {
   let longest = 0;
   for (let k = 0; k < handles.length; k += 4) {
@@ -40,7 +40,7 @@ export const lags = (limit: PullLimit, handles: HandleList, report: ShapeReport)
   !isBound(report) &&
   report.handleError > allowed(limit) * longestWay(limit.base, handles);
 
-/** The same as shares of a pull `length` long. */
+/** How far handles stop short, and beyond what `limit` allows, as shares of a pull `length` long. */
 export function arrivalOf(
   limit: PullLimit,
   handles: HandleList,
@@ -184,12 +184,12 @@ export class PullHold {
   ): void {
     let low = this.#held < this.#broke ? this.#held : 0;
     for (let k = 0; k < TRIES && this.#broke - low > FINE * length && !over(); ++k) {
-      // From below: edits that fold little are found soon, those that fold much late.
+      // Tried from below: edits that fold little are found soon, those that fold much late.
       const tried = low > 0 ? Math.min(LEAP * low, (low + this.#broke) / 2) : this.#broke / START;
       if (holds(tried, true)) low = tried;
       else this.#broke = tried;
     }
-    // One that held before, of which the last frames came back, or the base of a pull that turned.
+    // A share that held before, of which the last frames came back, or the base of a pull that turned.
     if (this.#at !== low && !over() && !holds(low, true) && low > 0) {
       this.#broke = low;
       low = Number.isNaN(this.#at) ? 0 : this.#at;

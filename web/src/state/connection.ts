@@ -63,7 +63,7 @@ type BaseSteps = Pick<Design, "source" | "planarised" | "settings">;
 export const openQuestion = ({ source, planarised, symmetry, cuts }: Base) =>
   ({ kind: "open", source, planarise: planarised, symmetry, cuts }) as const;
 
-/** The same of a second solver, where the points of the mesh after all that are known. */
+/** What makes a second solver open it, where the points of the mesh after all that are known. */
 export const openKnownQuestion = (base: Base, { positions }: Pick<OpenedMesh, "positions">) => {
   const question = openQuestion(base);
   return base.planarised ? { ...question, found: positions.slice() } : question;
@@ -155,7 +155,7 @@ function account(page: Page, question: Question, answer: Answer | null): void {
   }
 }
 
-/** With the symmetry that was found, where any was asked for. */
+/** The base that was opened, with the symmetry that was found, where any was asked for. */
 function openedBase(question: Extract<Question, { kind: "open" }>, answer: Answer): Base {
   const { source, planarise: planarised, symmetry, cuts } = question;
   const elements = (answer.kind === "opened" && answer.mesh.symmetry?.elements) || [];
@@ -183,42 +183,33 @@ function show(page: Page, answer: Answer): void {
 
 type AnswerTo<K extends Answer["kind"]> = Extract<Answer, { kind: K }>;
 
-async function attempt<K extends Answer["kind"]>(
-  page: Page,
-  label: string,
-  question: Question,
-  kind: K,
-  visibly: boolean,
-): Promise<Result<AnswerTo<K>>> {
-  own(page).running += 1;
-  page.activity.value = { label, step: 0 };
-  try {
-    const answer = await ask(page, question);
-    if (visibly) show(page, answer);
-    return answer.kind === kind ? done(answer as AnswerTo<K>) : GIVEN_UP;
-  } catch (error) {
-    return refusalOf(error);
-  } finally {
-    own(page).running -= 1;
-    if (own(page).running === 0) page.activity.value = null;
-  }
-}
+const asking =
+  (visibly: boolean) =>
+  async <K extends Answer["kind"]>(
+    page: Page,
+    label: string,
+    question: Question,
+    kind: K,
+  ): Promise<Result<AnswerTo<K>>> => {
+    own(page).running += 1;
+    page.activity.value = { label, step: 0 };
+    try {
+      const answer = await ask(page, question);
+      if (visibly) show(page, answer);
+      return answer.kind === kind ? done(answer as AnswerTo<K>) : GIVEN_UP;
+    } catch (error) {
+      return refusalOf(error);
+    } finally {
+      own(page).running -= 1;
+      if (own(page).running === 0) page.activity.value = null;
+    }
+  };
 
 /** Asks and shows what comes back; refused, nothing has changed. */
-export const run = <K extends Answer["kind"]>(
-  page: Page,
-  label: string,
-  question: Question,
-  kind: K,
-): Promise<Result<AnswerTo<K>>> => attempt(page, label, question, kind, true);
+export const run = asking(true);
 
-/** The same without showing: for steps on the way to what will be shown. */
-export const runUnseen = <K extends Answer["kind"]>(
-  page: Page,
-  label: string,
-  question: Question,
-  kind: K,
-): Promise<Result<AnswerTo<K>>> => attempt(page, label, question, kind, false);
+/** run() without showing: for steps on the way to what will be shown. */
+export const runUnseen = asking(false);
 
 /**
  * Tells a new solver what is on screen already, before anything else is asked of it; nobody has to
@@ -246,6 +237,6 @@ export async function frame(page: Page, question: Question): Promise<Answer | nu
 const sentence = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
 
-/** Of a solver that stopped, its death is said. */
+/** What to say of an error; of a solver that stopped, its death is said. */
 const refusalOf = (error: unknown): Refusal =>
   error instanceof Abandoned || error instanceof Died ? GIVEN_UP : refuse(sentence(error));

@@ -11,10 +11,12 @@ import {
   withHandle,
   withTaken,
 } from "../design/design.ts";
-import { add, type Frame, pointFrame } from "../mesh/point-frame.ts";
+import { type Frame, pointFrame } from "../mesh/point-frame.ts";
+import { add } from "../mesh/vector.ts";
 import { boundNames } from "../solver/bounds.ts";
 import type { Question } from "../solver/client.ts";
-import { foldGrowth, isFound, stepOf } from "../solver/fair-folds.ts";
+import { foldGrowth, isFound, stepOf } from "../solver/found-limits.ts";
+import { NOTICEABLE } from "../solver/how-far.ts";
 import type { EditSettings, HandleList, PullLimit } from "../solver/protocol.ts";
 import { client, frame } from "./connection.ts";
 import {
@@ -33,8 +35,8 @@ import { formatDegrees } from "./fold.ts";
 import { shownTab } from "./inspector.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
+import { reachesFor } from "./reach-choice.ts";
 import { showPresent } from "./showing.ts";
-import { NOTICEABLE } from "./stopping-short.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 import { growthOf, wanted } from "./wanted.ts";
 
@@ -81,7 +83,7 @@ const isAside = (said: string | null): boolean => said === ASIDE.up || said === 
 
 const HELD = "Held back: ";
 
-/** By its own limit on folds, or by limits that are stated: those that panels are at. */
+/** What holds a drag back: its own limit on folds, or stated limits that panels are at. */
 function heldBack(page: Page, limit: PullLimit | null, byFinger: boolean): string {
   const at = boundNames(page.figures.value);
   const own = limit !== null && limit.degrees < Number.POSITIVE_INFINITY;
@@ -93,13 +95,13 @@ function heldBack(page: Page, limit: PullLimit | null, byFinger: boolean): strin
 
 const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;
 
-/** Of the longest way of a handle that the design shown has: by how much handles stop short. */
+/** How much handles stop short, as a share of the longest way of one in the design shown. */
 function shortShare(page: Page): number {
   const way = longestWay(page, page.history.value?.present.handles ?? []);
   return way > 0 ? page.figures.value.handleError / way : 0;
 }
 
-/** Without the limit on folds that the page found for an edit before: a drag has its own. */
+/** `design` without the limit on folds that the page found for an edit before: a drag has its own. */
 function unbound(page: Page, design: Design): Design {
   const { limits } = design.settings;
   const stated = limits.filter((limit) => !isFound(limit, page.statedLimits.value));
@@ -135,7 +137,8 @@ export class Drag {
   readonly #lock: Lock | null;
   readonly #limit: PullLimit | null;
   readonly #isStated: boolean;
-  /** Beside which no key is held. */
+  readonly #reaches: readonly number[];
+  /** Whether a finger drags, beside which no key is held. */
   byFinger = false;
   #through = false;
   #over = false;
@@ -154,6 +157,7 @@ export class Drag {
     const settings = page.draft.value ? unbound(page, page.draft.value).settings : DEFAULT_SETTINGS;
     this.#isStated = settings.limits.length > 0;
     this.#limit = pullLimit(page, settings, this.#grips);
+    this.#reaches = page.draft.value ? reachesFor(page, page.draft.value) : [];
     page.pull.value = { vertex: this.#grips.at(-1)?.vertex ?? -1, typed: "" };
   }
 
@@ -166,7 +170,8 @@ export class Drag {
     this.#through = through;
     const asked = { ...design, handles: withTargets(this.#page, this.#grips, offset) };
     this.#asked = asked.handles;
-    void this.#show(asked, editQuestion(asked, "drag", this.#limitFor(through)));
+    const tried = { limit: this.#limitFor(through), reaches: this.#reaches };
+    void this.#show(asked, editQuestion(asked, "drag", tried));
     const share = this.#limitFor(through) ? Math.min(1, this.#furthest / Math.hypot(...offset)) : 1;
     const handles =
       share < 1 ? withTargets(this.#page, this.#grips, scale(offset, share)) : asked.handles;
@@ -174,7 +179,7 @@ export class Drag {
     if (share < 1) this.#want(null);
   }
 
-  /** Nothing goes through what was stated. */
+  /** The limit of a drag; nothing goes through what was stated. */
   #limitFor(through: boolean): PullLimit | null {
     if (!through || !this.#limit) return this.#limit;
     return this.#isStated ? { ...this.#limit, degrees: Number.POSITIVE_INFINITY } : null;
@@ -196,7 +201,8 @@ export class Drag {
   async #show(asked: Design, question: Question): Promise<void> {
     const answer = await frame(this.#page, question);
     if (answer?.kind !== "shown" || this.#over || !this.#page.draft.value) return;
-    const { taken } = answer;
+    const { taken, reach } = answer;
+    if (reach !== null) this.#reachesTo(reach);
     this.#furthest = taken ? this.#pull(taken) : Number.POSITIVE_INFINITY;
     if (taken) {
       this.#page.draft.value = {
@@ -209,7 +215,14 @@ export class Drag {
     else if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
   }
 
-  /** Nothing holds the pull back. */
+  /** The line of the reach follows. */
+  #reachesTo(reach: number): void {
+    const { draft } = this.#page;
+    if (!draft.value || draft.value.settings.reach === reach) return;
+    draft.value = { ...draft.value, settings: { ...draft.value.settings, reach } };
+  }
+
+  /** Lets go of the pull, which nothing holds back. */
   #letGo(): void {
     if (wanted(this.#page).value?.design === null) wanted(this.#page).value = null;
   }
@@ -251,12 +264,13 @@ export class Drag {
       if (!value || value === this.#page.history.value?.present) return;
       const design = { ...value, handles: this.#asked };
       const limit = this.#limitFor(this.#through);
-      const made = await commitEdit(this.#page, design, "release", null, limit);
+      const tried = { limit, reaches: this.#reaches };
+      const made = await commitEdit(this.#page, design, "release", null, tried);
       this.#letGo();
       if (!made?.ok || made.value.handles === design.handles) return made;
       this.#sayHeld(true);
       this.#want(made.value);
-      // There it says why, and what goes further.
+      // The Edit tab says why, and what goes further.
       shownTab(this.#page).value = "edit";
       return made;
     });

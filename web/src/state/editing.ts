@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every way to change an edit. Each ends as one step of the history.
 
+import { buildableCorners, newSliver } from "virtual:core-defaults";
 import {
   type Design,
+  FIRST_SETTINGS,
   type HandleRow,
   leftBehind,
   NO_SHAPE,
@@ -18,14 +20,22 @@ import { withoutImages } from "../design/symmetry.ts";
 import { row } from "../mesh/topology.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
-import { FAIR_STEPS, foldGrowth } from "../solver/fair-folds.ts";
-import type { EditMode, EditSettings, PullLimit, ShapeReport } from "../solver/protocol.ts";
+import { FAIR_STEPS, foldGrowth } from "../solver/found-limits.ts";
+import type {
+  EditMode,
+  EditSettings,
+  PullLimit,
+  ShapeReport,
+  SoughtLimits,
+} from "../solver/protocol.ts";
+import { REACHES } from "../solver/reach-steps.ts";
 import { isSeen } from "./camera.ts";
 import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
+import { firstReach, noteReach, reachesFor } from "./reach-choice.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { openBase, showStep, takeBack } from "./showing.ts";
+import { openBase, restorePresent, showStep } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
@@ -39,30 +49,27 @@ export function basePoint(page: Page, vertex: number): Point {
 export const handleOf = (page: Page, vertex: number): HandleRow | undefined =>
   page.draft.value?.handles.find((row) => row.vertex === vertex);
 
+/** How an edit is looked for: see protocol.ts. */
+export interface Tried {
+  readonly limit?: PullLimit | null;
+  readonly sought?: SoughtLimits | null;
+  readonly reaches?: readonly number[];
+}
+
 /** What makes the solver compute the edit of `design`. */
 export function editQuestion(
   design: Design,
   mode: EditMode,
-  limit: PullLimit | null = null,
-  fairWay: number | null = null,
+  { limit = null, sought = null, reaches = [] }: Tried = {},
 ): Question {
   const targets = toTargets(design.handles);
   if (targets.handles.length === 0)
     return { kind: "restore", targets, settings: design.settings, shape: NO_SHAPE, keep: false };
   const { settings } = design;
-  return { kind: "edit", mode, targets, settings, budget: FRAME_SECONDS, limit, fairWay };
+  return { kind: "edit", mode, targets, settings, budget: FRAME_SECONDS, limit, sought, reaches };
 }
 
-/** Whether folds are kept fair without being asked: not by raw weights, nor where they are free to be
- * sharp, by a limit of their own or by what is shown already. */
-function wantsFairFolds(page: Page, { settings }: Design): boolean {
-  const { softness, hardHandles, limits } = settings;
-  const own = limits.some((limit) => limit.startsWith("fold="));
-  const sharp = foldGrowth(page.figures.value) > (FAIR_STEPS[0] ?? 0);
-  return softness > 0 && !hardHandles && !own && !sharp;
-}
-
-/** Of the handle that goes furthest from the base, model units. */
+/** The way of the handle that goes furthest from the base, model units. */
 export function longestWay(page: Page, rows: readonly HandleRow[]): number {
   const ways = rows
     .filter(({ pinned }) => !pinned)
@@ -73,9 +80,26 @@ export function longestWay(page: Page, rows: readonly HandleRow[]): number {
   return Math.max(0, ...ways);
 }
 
-/** null where folds are as they come. */
-const fairWayOf = (page: Page, design: Design): number | null =>
-  wantsFairFolds(page, design) ? longestWay(page, design.handles) : null;
+/** Limits that are kept to without being asked for: not under raw weights, nor where folds or corners have a limit of their
+ * own or are beyond it in what is shown already. */
+function soughtFor(page: Page, { settings, handles }: Design): SoughtLimits | null {
+  const { softness, hardHandles, limits } = settings;
+  if (softness === 0 || hardHandles) return null;
+  const isFree = (head: string): boolean => !limits.some((limit) => limit.startsWith(head));
+  const isSharp = foldGrowth(page.figures.value) > (FAIR_STEPS[0] ?? 0);
+  const isThin = page.panelDamage.value?.includes(newSliver) ?? false;
+  return {
+    way: longestWay(page, handles),
+    folds: isFree("fold=") && !isSharp,
+    corners: isFree("angle=") && !isThin,
+  };
+}
+
+/** What an edit finds of itself: limits, and how far it has to reach. */
+const unasked = (page: Page, design: Design): Tried => ({
+  sought: soughtFor(page, design),
+  reaches: reachesFor(page, design),
+});
 
 interface Own {
   /** The last burst of keys on a slider and what it gave. */
@@ -116,17 +140,18 @@ export async function commit(
   if (!goesOnFrom(page, page.history.value?.present, burst)) page.notice.value = null;
   const answer = await run(page, label, ask, "shown");
   const steady = page.history.value;
-  if (!answer.ok || !steady) return answer.ok ? undefined : takeBack(page, answer);
-  const { shape, report, taken, placed, stated } = answer.value;
-  if (!shape) return takeBack(page, GIVEN_UP);
+  if (!answer.ok || !steady) return answer.ok ? undefined : restorePresent(page, answer);
+  const { shape, report, taken, placed, found, reach } = answer.value;
+  if (!shape) return restorePresent(page, GIVEN_UP);
   const to = taken ?? placed;
   const handles = to ? withTaken(next.handles, to) : next.handles;
-  const limits = stated ? [...next.settings.limits, stated] : next.settings.limits;
-  const settings = { ...next.settings, limits, continuation: continuationOf(ask, report, next) };
+  const limits = [...next.settings.limits, ...found];
+  const continuation = continuationOf(ask, report, next);
+  const settings = { ...next.settings, limits, reach: reach ?? next.settings.reach, continuation };
   const done: Design = { ...next, handles, settings, shape, report };
   recordStep(page, steady, done, burst);
   if (page.draft.value === next) page.draft.value = done;
-  if (stated) page.notice.value = keptFair(stated);
+  if (found.length > 0) page.notice.value = `${found.map(keptTo).join(" ")} ${GO_ON}`;
   if (leftBehind(steady.present) && !done.variation) page.notice.value = LEFT_BEHIND;
   return { ok: true, value: done };
 }
@@ -137,8 +162,13 @@ function continuationOf(ask: Question, report: ShapeReport, { settings }: Design
   return ask.kind === "restore" ? 0 : settings.continuation;
 }
 
-const keptFair = (limit: string): string =>
-  `Folds are kept to ${limitNumbers(limit)[0]}° sharper than they were. To let them go, use Limits.`;
+const keptTo = (limit: string): string => {
+  const [low, high] = limitNumbers(limit);
+  if (limit === buildableCorners) return `Corners are kept between ${low}° and ${high}°.`;
+  return `Folds are kept to ${low}° sharper than they were.`;
+};
+
+const GO_ON = "To let them go, use Limits.";
 
 const LEFT_BEHIND =
   "The variation was left behind: Undo brings it back. To keep it, use Continue from this shape first.";
@@ -149,12 +179,15 @@ export const commitEdit = (
   next: Design,
   mode: EditMode,
   burst: string | null = null,
-  limit: PullLimit | null = null,
+  tried: Tried = {},
 ): Outcome<Design> =>
-  commit(page, { ...next, variation: null }, editQuestion(next, mode, limit), "computing", burst);
+  commit(page, { ...next, variation: null }, editQuestion(next, mode, tried), "computing", burst);
 
 function changed(page: Page, rows: readonly HandleRow[]): Design | null {
-  return page.draft.value ? { ...page.draft.value, handles: rows } : null;
+  const { value } = page.draft;
+  if (!value) return null;
+  const settings = rows.length > 0 ? value.settings : firstReach(page, value.settings);
+  return { ...value, handles: rows, settings };
 }
 
 /** `rows` without images of what has changed in them: those go where it makes them. */
@@ -167,7 +200,7 @@ export function speaking(
   return orbits ? withoutImages(orbits, before, rows) : [...rows];
 }
 
-/** One edit of the handles as they are when its turn comes. */
+/** Makes one edit of the handles as they are when its turn comes. */
 export const edit = (
   page: Page,
   change: (rows: readonly HandleRow[]) => HandleRow[],
@@ -183,7 +216,7 @@ export const edit = (
       return commit(
         page,
         asked,
-        editQuestion(asked, "solve", null, fairWayOf(page, asked)),
+        editQuestion(asked, "solve", unasked(page, asked)),
         "computing",
         burst,
       );
@@ -273,9 +306,10 @@ export function freePins(page: Page, vertices: readonly number[]): Outcome {
   );
 }
 
-/** While a weight's slider moves. */
+/** Shows the edit while a weight's slider moves. */
 export function previewSettings(page: Page, change: Partial<EditSettings>): void {
   if (!page.draft.value) return;
+  noteReach(page, change);
   const next = { ...page.draft.value, settings: { ...page.draft.value.settings, ...change } };
   page.draft.value = next;
   if (next.handles.length > 0) void frame(page, editQuestion(next, "drag"));
@@ -286,7 +320,7 @@ const needsFlatterMesh = (page: Page, { handles, settings }: Design): boolean =>
   toTargets(handles).handles.length > 0 &&
   (page.mesh.value?.report.worstExcess ?? 0) > settings.tolerance;
 
-/** Without handles at points that belong to no panel of the mesh that is open: cuts may have taken them. */
+/** `design` without handles at points that belong to no panel of the open mesh: cuts may have taken them. */
 function withHandlesLeft(page: Page, design: Design): Design {
   const corners = page.mesh.value?.topology.corners;
   if (!corners) return design;
@@ -294,7 +328,7 @@ function withHandlesLeft(page: Page, design: Design): Design {
   return handles.length === design.handles.length ? design : { ...design, handles };
 }
 
-/** Of limits that are committed those that someone states; the page itself may have found the others. */
+/** Notes which of the committed limits someone states; the page itself may have found the others. */
 function noteStated(page: Page, { limits }: EditSettings, next: readonly string[]): void {
   const stated = page.statedLimits.value;
   page.statedLimits.value = next.filter((one) => stated.includes(one) || !limits.includes(one));
@@ -312,17 +346,31 @@ export function commitSettings(
       const design = page.draft.value;
       if (!design) return;
       const next = { ...design, settings: { ...design.settings, ...change } };
+      noteReach(page, change);
       if (change.limits) noteStated(page, design.settings, change.limits);
       page.refusedTolerance.value = needsFlatterMesh(page, next) ? next.settings.tolerance : null;
       if (page.refusedTolerance.value !== null) return;
       const based = await openBase(page, next);
-      if (!based.ok) return takeBack(page, based);
+      if (!based.ok) return restorePresent(page, based);
       const left = change.cuts ? withHandlesLeft(page, based.value) : based.value;
       return commitEdit(page, left, "solve", burst);
     },
     burst,
   );
 }
+
+/** The reach is nobody's choice any more: the edit is made again with the smallest that suffices. */
+export const letReachGrow = (page: Page): Outcome =>
+  inTurn(page, async () => {
+    const { value } = page.draft;
+    if (!value) return;
+    page.reachChosen.value = false;
+    const asked = toTargets(value.handles).handles.length > 0;
+    const reach = asked ? Math.min(...REACHES) : FIRST_SETTINGS.reach;
+    const settings = { ...value.settings, reach, reachLength: 0 };
+    const next = { ...value, settings, variation: null };
+    return commit(page, next, editQuestion(next, "solve", unasked(page, next)), "computing");
+  });
 
 function step(page: Page, move: typeof steps.undo<Design>): Outcome {
   client(page).dropStreams();

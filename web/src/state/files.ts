@@ -22,7 +22,7 @@ import { distance, formatSmall, isRounding } from "./deviating.ts";
 import { adopt, freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { compute, differingIn, replayNow, sizeOf } from "./replaying.ts";
-import { takeBack, takeMesh } from "./showing.ts";
+import { restorePresent, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
 function finish(page: Page, design: Design, said: string): void {
@@ -50,7 +50,7 @@ async function asStored(page: Page, design: Design, { shape }: StoredDesign, why
   return answer;
 }
 
-const NOT_UNCUT = "The mesh that was cut is not in it: this one has no way back.";
+const NOT_UNCUT = "It does not hold the mesh before its cuts: they cannot be removed.";
 
 /** The base of a recipe opened again, where what was read from a GLB is not all of it; else null.
  * @param source what was read  @param isUncut the recipe's own is the mesh before its cuts */
@@ -91,7 +91,7 @@ async function reopen(
   const from = uncut ?? sample ?? source;
   const recipe: Steps = { ...text.value, source: from, baseHash: null, camera: null };
   const rebased = await rebase(page, recipe, source, uncut !== null);
-  if (!rebased.ok) return takeBack(page, rebased);
+  if (!rebased.ok) return restorePresent(page, rebased);
   const base = rebased.value ?? opened;
   const end = await compute(page, recipe, base);
   page.unit.value = recipe.unit;

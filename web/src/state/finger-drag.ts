@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finger hides what it does: once it is lifted, its drag can be taken back where it was made, for as
+// A finger hides what it does: once it is lifted, its drag can be discarded where it was made, for as
 // long as that was the last step.
 import { effect, signal } from "@preact/signals";
 import type { Design } from "../design/design.ts";
@@ -14,7 +14,7 @@ export interface FingerDrag {
   readonly design: Design;
 }
 
-/** The one that can be kept or taken back; another drag, or any other step, ends that. */
+/** The one that can be kept or discarded; another drag, or any other step, ends that. */
 export const fingerDrag = kept((page) => {
   const drag = signal<FingerDrag | null>(null);
   effect(() => {
@@ -40,7 +40,7 @@ export function keepDrag(page: Page): void {
   fingerDrag(page).value = null;
 }
 
-export async function takeBackDrag(page: Page): Outcome {
+export async function discardDrag(page: Page): Outcome {
   const drag = fingerDrag(page).value;
   keepDrag(page);
   const last = drag?.design === page.history.value?.present && page.turnsLeft.value === 0;

@@ -3,7 +3,7 @@
 // and along it, from the changes that are shown.
 
 import { type Motion, OldSurface } from "../mesh/old-surface.ts";
-import { add, type Vector } from "../mesh/point-frame.ts";
+import { add, type Vector } from "../mesh/vector.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { onChanges } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
@@ -39,7 +39,7 @@ export class Moves {
     }
   }
 
-  /** By vertex, model units. */
+  /** Motions by vertex, model units. */
   get motions(): ReadonlyMap<number, Motion> {
     this.#motions ??= new Map(Array.from(this.#ways.keys(), (v) => [v, this.motionOf(v)] as const));
     return this.#motions;
@@ -50,7 +50,7 @@ export class Moves {
     return this.#oldSurface.motion(vertex, add(place, this.#ways.get(vertex) ?? [0, 0, 0]));
   }
 
-  /** At the ends of the legend, model units; 0 where nothing moved. */
+  /** The value at the ends of the legend, model units; 0 where nothing moved. */
   endOf(kind: "shape" | "slide"): number {
     const longest = [...this.lengths.values()].reduce((most, one) => Math.max(most, one), 0);
     return motionEnd(
@@ -93,8 +93,8 @@ export function movesOn(page: Page, mesh: OpenedMesh, shape: Shape): Moves {
   return moves;
 }
 
-/** The same of what is in view; null without a mesh. The view has been told of every move by the time that
- * the report comes. */
+/** The moves of what is in view; null without a mesh. The view has been told of every move by the time
+ * that the report comes. */
 export function movesShown(page: Page): Moves | null {
   const [opened, design] = [page.mesh.value, page.draft.value];
   page.figures.value;

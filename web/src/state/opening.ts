@@ -15,13 +15,14 @@ import { FAIR_FLAT, sameWay, type Trial } from "../design/planarising.ts";
 import { FIRST_SAMPLE, SAMPLES } from "../design/samples.ts";
 import { counted } from "../quantity/counted.ts";
 import { done, GIVEN_UP, type Refusal, type Result } from "../result/result.ts";
-import { isFound } from "../solver/fair-folds.ts";
+import { isFound } from "../solver/found-limits.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
 import { openQuestion, run } from "./connection.ts";
 import { commitEdit } from "./editing.ts";
 import type { Page } from "./page.ts";
+import { firstReach } from "./reach-choice.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
-import { takeBack, takeMesh } from "./showing.ts";
+import { restorePresent, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
 /** A limit on folds that the page found for the edit of one mesh is no choice for another. */
@@ -50,14 +51,19 @@ export function freshDesign(
     source,
     planarised,
     handles: [],
-    settings: { ...shown, constraints, cuts, limits: limitsFor(page, source, shown.limits) },
+    settings: {
+      ...firstReach(page, shown),
+      constraints,
+      cuts,
+      limits: limitsFor(page, source, shown.limits),
+    },
     shape: NO_SHAPE,
     report: { ...NO_REPORT, worstGap, worstMmPerM, worstExcess },
     variation: null,
   };
 }
 
-const LIMITS_STAY = "The limits of the mesh before hold here, too: see Limits.";
+const LIMITS_STAY = "The limits set for the mesh before apply here, too: see Limits.";
 
 /** Shows what the solver has opened, as one more step of the history. */
 export function adopt(
@@ -84,7 +90,7 @@ export const openSample = (page: Page, name: string): Outcome =>
     const source: Source = { kind: "sample", name, size: sample.size };
     const question = openQuestion({ source, planarised: null, symmetry: null, cuts: [] });
     const answer = await run(page, `opening ${sample.label}`, question, "opened");
-    if (!answer.ok) return takeBack(page, answer);
+    if (!answer.ok) return restorePresent(page, answer);
     adopt(page, source, null, answer.value.mesh);
     return answer;
   });
@@ -113,9 +119,9 @@ export async function readMade(
 ): Promise<Result<{ readonly source: Source; readonly mesh: OpenedMesh }>> {
   const file = new Blob([bytes as BlobPart]);
   const read = await run(page, label, { kind: "read", file, name, format: "obj" }, "opened");
-  if (!read.ok) return takeBack(page, read);
+  if (!read.ok) return restorePresent(page, read);
   const { source, mesh } = read.value;
-  return source ? done({ source, mesh }) : takeBack(page, GIVEN_UP);
+  return source ? done({ source, mesh }) : restorePresent(page, GIVEN_UP);
 }
 
 /** "roof.obj", "roof, split.obj" */
@@ -147,7 +153,7 @@ interface Planarised {
   readonly refused?: Refusal;
 }
 
-/** Where a mesh cannot become of a kind with its boundary kept, the boundary moves too. */
+/** Makes a mesh flat. Where it cannot become of a kind with its boundary kept, the boundary moves too. */
 async function flatMesh(
   page: Page,
   how: Planarising,
@@ -167,7 +173,7 @@ async function flatMesh(
 }
 
 /**
- * Within a turn. An edit that asked for a flatter mesh is done again on it, as one more step.
+ * Makes the mesh flat; within a turn. An edit that asked for that is done again on it, as one more step.
  * @param kind what it becomes beside flat and what is kept already
  * @param trial what was tried out; taken as it is where it is what is wanted
  */

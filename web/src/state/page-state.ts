@@ -98,7 +98,7 @@ export interface ShownTypes extends TypesChoice {
 /** Where a mesh can move, as far as it has been measured. */
 export interface Mobility {
   readonly of: OpenedMesh;
-  /** That its edits had. */
+  /** The settings that its edits had. */
   readonly settings: EditSettings;
   /** Mean of the ways of every point up and down, model units; 0 where it is not measured yet. */
   readonly ways: Float32Array;
@@ -119,12 +119,14 @@ export class PageState {
   readonly mobility = signal<Mobility | null>(null);
   /** What second layer is wanted of this mesh and its designs; null for none. */
   readonly offsetChoice = signal<LaidOffset | null>(null);
-  /** That of the design shown; null without one, and while points move. */
+  /** The second layer of the design shown; null without one, and while points move. */
   readonly offsetLayer = signal<MeshOffset | null>(null);
   /** False until the page can be used. */
   readonly ready = signal(false);
   /** True if the solver could not be loaded: the page will not get ready. */
   readonly stranded = signal(false);
+  /** Whether someone chose here how far edits reach: else that grows from drag to drag as it is needed. */
+  readonly reachChosen = signal(false);
   /** Limits that someone stated here; those of the settings beside them the page has found itself. */
   readonly statedLimits = signal<readonly string[]>([]);
   /** Whether the design is only looked at: the page around this one says so. */

@@ -33,7 +33,7 @@ const sameSource = (a: Source, b: Source): boolean => {
   return a.crc === b.crc && a.bytes.size === b.bytes.size;
 };
 
-/** Up to what evening one out takes. */
+/** Whether two bases are one but for what evening out takes. */
 const sameUpToSymmetry = (a: Base, b: Base): boolean =>
   sameWay(a.planarised, b.planarised) &&
   sameSource(a.source, b.source) &&
@@ -99,7 +99,7 @@ export async function openBase(page: Page, design: Design): Promise<Result<Desig
     announceChanges(page, displayOf(page, found));
     return done(found);
   }
-  // Its shape is of another mesh, whose points may have had other numbers.
+  // The shape is of another mesh, whose points may have had other numbers.
   const unedited = { ...found, shape: NO_SHAPE };
   takeMesh(page, unedited, mesh);
   return done(unedited);
@@ -127,8 +127,8 @@ export async function showPresent(page: Page): Promise<Refusal | undefined> {
   return shown && !shown.ok ? shown : undefined;
 }
 
-/** The same after something was refused: what is to be said of both. */
-export async function takeBack(page: Page, refusal: Refusal): Promise<Refusal> {
+/** Shows the design again after something was refused: what is to be said of both. */
+export async function restorePresent(page: Page, refusal: Refusal): Promise<Refusal> {
   const back = await showPresent(page);
   return back?.reason ? back : refusal;
 }
@@ -143,7 +143,7 @@ export async function showStep(
   history: History<Design>,
 ): Promise<Refusal | undefined> {
   const shown = await show(page, design);
-  if (!shown.ok) return takeBack(page, shown);
+  if (!shown.ok) return restorePresent(page, shown);
   page.history.value = history;
   return undefined;
 }
@@ -151,7 +151,7 @@ export async function showStep(
 /** A solver that dies of the design itself must not be started for ever. */
 const TRIES = 3;
 
-/** From now on a solver that dies is replaced, and the new one told what is on screen. */
+/** Sees to it that a solver that dies is replaced, and the new one told what is on screen. */
 export function recoverFromDeath(page: Page): void {
   const mine = own(page);
   onDeath(page, () => {
@@ -188,7 +188,7 @@ export function cancel(page: Page): void {
     return;
   }
   announceChanges(page, displayOf(page, design));
-  // Both at once: no frame of a drag gets in between.
+  // Mesh and design are told at once: no frame of a drag gets in between.
   const told = tell(page, openQuestion(baseOf(design)), restoreQuestion(design, false));
   const retold = { design, done: told };
   mine.retold = retold;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether a point stops noticeably short of where it was asked to go, by an edit, not a variation of it.
 import { type Design, leftBehind } from "../design/design.ts";
+import { NOTICEABLE } from "../solver/how-far.ts";
 
-/** Share of the way. Soft handles stop short by a hundredth of it, raw weights by a tenth. */
-export const NOTICEABLE = 0.15;
 /** Mean edges: a short way's share is not seen. */
 const SEEN = 0.03;
 

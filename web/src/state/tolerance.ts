@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Up to how much out of flat a panel counts as flat.
+// How much out of flat a panel may be that counts as flat.
 
 import { FLAT_TEXT } from "../design/flatness.ts";
+import type { EditSettings } from "../solver/protocol.ts";
 import { commitSettings } from "./editing.ts";
 import type { Page } from "./page.ts";
 import type { Outcome } from "./turns.ts";
 
-/** mm/m, the tightest first. Edits of meshes bent more than the last find no way from where they are:
- * docs/decisions/0028-planarising-is-tried-out.md. */
+/** mm/m, the tightest first. What edits touch of a mesh within one of them becomes flat; of one that is bent more it
+ * stays as bent as it is: docs/decisions/0028-planarising-is-tried-out.md. */
 export const TOLERANCES = [FLAT_TEXT, "0.001", "1", "20"] as const;
 
-/** The tightest that is offered and that the opened mesh meets; null if none, or if it is flat as it is. */
-export function meetableTolerance(page: Page): string | null {
+/** With what the opened mesh can be edited as it is; null if it is flat. */
+export function settingsAsItIs(page: Page): Pick<EditSettings, "tolerance" | "keepBends"> | null {
   const worst = page.mesh.value?.report.worstExcess;
   if (worst === undefined || page.baseFlat.value) return null;
-  return TOLERANCES.find((tolerance) => worst <= Number(tolerance)) ?? null;
+  const met = TOLERANCES.find((tolerance) => worst <= Number(tolerance));
+  return met
+    ? { tolerance: Number(met), keepBends: false }
+    : { tolerance: Math.ceil(worst), keepBends: true };
 }
 
 /** Takes the opened mesh as flat enough: its points stay as they are. */
-export function acceptTolerance(page: Page, tolerance: string): Outcome {
+export function editAsItIs(page: Page, settings: Partial<EditSettings>): Outcome {
   page.importReport.value = false;
-  return commitSettings(page, { tolerance: Number(tolerance) });
+  return commitSettings(page, settings);
 }

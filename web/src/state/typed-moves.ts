@@ -2,7 +2,7 @@
 // Moves of the selected points by typed amounts; with a fall-off the amounts are those of their middle.
 
 import { type HandleRow, type Point, withHandle } from "../design/design.ts";
-import { add } from "../mesh/point-frame.ts";
+import { add } from "../mesh/vector.ts";
 import { askedPoint, frameAt } from "./dragging.ts";
 import { edit, handleOf } from "./editing.ts";
 import { moveWeights } from "./fall-off.ts";

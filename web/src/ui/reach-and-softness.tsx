@@ -4,8 +4,9 @@
 import { FIRST_SETTINGS } from "../design/design.ts";
 import { boundaryForm, withBoundary } from "../design/supports.ts";
 import { formatLength } from "../quantity/units.ts";
-import { commitSettings, previewSettings } from "../state/editing.ts";
+import { commitSettings, letReachGrow, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
+import { growsReach } from "../state/reach-choice.ts";
 import { Choice } from "./choice.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
@@ -26,17 +27,22 @@ const movedWords = (moved: number): string => {
 
 function Reach() {
   const page = usePage();
-  const { reach, reachLength } = page.settings.value ?? FIRST_SETTINGS;
+  const settings = page.settings.value ?? FIRST_SETTINGS;
+  const { reach, reachLength } = settings;
+  const grows = growsReach(page, settings);
   const limits = [
     ...(reach > 0 ? [ringWords(reach)] : []),
     ...(reachLength > 0 ? [formatLength(reachLength, page.unit.value)] : []),
   ];
-  const shown = limits.join(", ") || "no limit";
+  const moved = movedWords(page.figures.value.movedVertices);
+  const stated = limits.join(", ") || "no limit";
+  const shown = !grows ? stated : moved ? `${stated}, as needed` : "as needed";
+  const usable = page.ready.value && settings.softness > 0 && !settings.hardHandles;
   const change = (value: number) => ({
     reach: value === NO_LIMIT ? 0 : value,
     reachLength: 0,
   });
-  return (
+  const slider = (
     <Slider
       label="Reach"
       value={reach === 0 ? NO_LIMIT : Math.min(reach, MOST_RINGS)}
@@ -46,10 +52,19 @@ function Reach() {
       shown={shown}
       disabled={!page.ready.value}
       ends={["next panels only", "no limit"]}
-      effect={movedWords(page.figures.value.movedVertices)}
+      effect={moved}
       onInput={(value) => previewSettings(page, change(value))}
       onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
+  );
+  if (grows || !usable) return slider;
+  return (
+    <>
+      {slider}
+      <button type="button" class="text-button" onClick={() => void letReachGrow(page)}>
+        As far as needed
+      </button>
+    </>
   );
 }
 

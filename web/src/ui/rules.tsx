@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an edit has to keep to: a chip for each kind of rule, which opens its editor.
 import type { ComponentType } from "preact";
+import { useEffect, useRef } from "preact/hooks";
 import { FIRST_SETTINGS } from "../design/design.ts";
 import { formsByPoint } from "../design/listed-supports.ts";
 import { areAllOnSurface } from "../design/supports.ts";
@@ -69,13 +70,27 @@ function Chip({ rule }: { rule: Rule }) {
   );
 }
 
+/** As much of what has been unfolded as there is room for. scrollIntoView would also move the page under a
+ * telephone's address bar. */
+function show(section: HTMLElement): void {
+  const body = section.closest(".inspector-body");
+  if (!body) return;
+  const [inside, window] = [section.getBoundingClientRect(), body.getBoundingClientRect()];
+  const below = Math.min(inside.bottom - window.bottom, inside.top - window.top);
+  if (below > 0) body.scrollBy(0, below);
+}
+
 export function Rules() {
   const page = usePage();
   const settings = page.settings.value ?? FIRST_SETTINGS;
   const stated = rulesInOrder.filter((rule) => KINDS[rule].count(settings) > 0).length;
   const open = shownRule(page).value;
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (open && section.current) show(section.current);
+  }, [open]);
   return (
-    <section class="rules" aria-labelledby="rules">
+    <section ref={section} class="rules" aria-labelledby="rules">
       <h3 id="rules">{stated > 0 ? `Rules (${stated})` : "Rules"}</h3>
       <div class="chips">
         {rulesInOrder.map((rule) => (

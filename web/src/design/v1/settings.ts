@@ -6,7 +6,6 @@ import { DEFAULT_SETTINGS, type Family, type HandleRow } from "../design.ts";
 import { readKept } from "../kept-kind.ts";
 import { isIndex, isNumber, isNumbers } from "../reading.ts";
 import { readLimits } from "../stated-limit.ts";
-import { isSymmetry } from "../symmetry.ts";
 
 function readHandle(value: unknown): HandleRow | null {
   if (!isNumbers(value, 5)) return null;
@@ -98,7 +97,7 @@ const isKeepOut = (one: unknown): one is string =>
 const SYMMETRY = "symmetry=";
 
 const isOfSymmetry = (one: unknown): one is string =>
-  typeof one === "string" && one.startsWith(SYMMETRY) && isSymmetry(one.slice(SYMMETRY.length));
+  typeof one === "string" && /^symmetry=(?:[xyz]|axis:[xyz]:\d{1,3})$/.test(one);
 
 const CUT = "cut=";
 

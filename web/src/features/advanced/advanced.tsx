@@ -39,12 +39,13 @@ const choose = (page: Page, change: Partial<EditSettings>): void =>
 
 /** What differs from the defaults, so that it is seen while folded: it stays for the next mesh. */
 function differences(shown: EditSettings): string[] {
-  const { fairness, engine, hardHandles, keepShape, tolerance, softness } = shown;
+  const { fairness, engine, hardHandles, keepShape, tolerance, keepBends, softness } = shown;
   const different: string[] = [];
   if (softness === 0) different.push("raw weights");
   if (fairness !== FIRST_SETTINGS.fairness) different.push(wordOf(FAIRNESS, fairness));
   if (engine !== FIRST_SETTINGS.engine) different.push(wordOf(ENGINES, engine));
   if (tolerance !== FIRST_SETTINGS.tolerance) different.push(`${tolerance} mm/m`);
+  if (keepBends) different.push("panels stay bent");
   if (hardHandles !== FIRST_SETTINGS.hardHandles) different.push("exact targets");
   if (keepShape !== FIRST_SETTINGS.keepShape) different.push("panels may lose their shape");
   return different;
@@ -54,8 +55,8 @@ function Differences({ of }: { of: EditSettings }) {
   const page = usePage();
   const words = differences(of).join(", ");
   if (words === "") return null;
-  const { fairness, engine, hardHandles, keepShape, tolerance } = FIRST_SETTINGS;
-  const back = { fairness, engine, hardHandles, keepShape, tolerance };
+  const { fairness, engine, hardHandles, keepShape, tolerance, keepBends } = FIRST_SETTINGS;
+  const back = { fairness, engine, hardHandles, keepShape, tolerance, keepBends };
   return (
     <div class="differences">
       <p class="quiet small">{`Not the default: ${words}. It stays when you open another mesh.`}</p>
@@ -80,7 +81,7 @@ function RefusedTolerance() {
   return (
     <div class="note warn" role="alert">
       <p>
-        {`The mesh itself is not flat to ${refused} mm/m, but up to ${decimal(report.worstMmPerM)} mm/m. Planarise makes it so and does the edit again.`}
+        {`The mesh itself is out of flat by up to ${decimal(report.worstMmPerM)} mm/m, more than ${refused} mm/m. Planarise makes it flat and does the edit again.`}
       </p>
       <button type="button" class="button primary" onClick={() => void planarise(page)}>
         Planarise
@@ -93,7 +94,7 @@ function RefusedTolerance() {
 export function Advanced() {
   const page = usePage();
   const shown = page.settings.value ?? FIRST_SETTINGS;
-  const { fairness, engine, hardHandles, keepShape, tolerance } = shown;
+  const { fairness, engine, hardHandles, keepShape, tolerance, keepBends } = shown;
   // The chooser goes back to what holds.
   page.refusedTolerance.value;
   const known = OFFERED.find(([value]) => Number(value) === tolerance);
@@ -121,9 +122,13 @@ export function Advanced() {
           label="Tolerance"
           value={known?.[0] ?? given[0]}
           words={known ? OFFERED : [...OFFERED, given]}
-          onChoose={(value) => choose(page, { tolerance: Number(value) })}
+          onChoose={(value) => choose(page, { tolerance: Number(value), keepBends: false })}
         />
-        <p class="quiet small">Panels count as flat up to the tolerance.</p>
+        <p class="quiet small">
+          {keepBends
+            ? "Panels stay as bent as they are, none bends more."
+            : "Panels count as flat up to the tolerance."}
+        </p>
         <RefusedTolerance />
         <label class="check">
           <input

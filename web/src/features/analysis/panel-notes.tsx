@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
 // What is said of the panels: whether they can be made, what is spoilt, and what must be made again.
 
+import { buildableCorners, newSliver } from "virtual:core-defaults";
 import { flatnessWords, isFlat } from "../../design/flatness.ts";
+import { limitNumbers } from "../../design/stated-limit.ts";
 import { damage, damageWords, spoiltPanels } from "../../state/damage.ts";
+import { commitSettings } from "../../state/editing.ts";
 import { goToTab } from "../../state/inspector.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { remakeWords } from "../../state/remaking.ts";
 import { showNextPanel } from "../../state/selection.ts";
 import { usePage } from "../../ui/page-context.ts";
 
-/** That flat panels are spoilt all the same, and the way to each of them. */
+/** Makes the edit again within a limit on corners, where slivers came of an edit without one. */
+function AvoidSlivers() {
+  const page = usePage();
+  const { handles, variation, settings } = page.history.value?.present ?? {};
+  const limits = settings?.limits ?? [];
+  const hasOwn = limits.some((limit) => limit.startsWith("angle="));
+  if (!handles?.length || variation || hasOwn) return null;
+  const [low, high] = limitNumbers(buildableCorners);
+  return (
+    <>
+      {" · "}
+      <button
+        type="button"
+        class="text-button"
+        title={`Makes the edit again with corners from ${low}° to ${high}°, a limit`}
+        disabled={!page.ready.value}
+        onClick={() => void commitSettings(page, { limits: [...limits, buildableCorners] })}
+      >
+        avoid
+      </button>
+    </>
+  );
+}
+
+/** Says that flat panels are spoilt all the same, and shows the way to each of them. */
 export function DamageNote() {
   const page = usePage();
   const found = damage(page).value;
@@ -30,6 +57,7 @@ export function DamageNote() {
       >
         {`${flat ? "flat, but " : ""}${words}: show`}
       </button>
+      {found.includes(newSliver) && <AvoidSlivers />}
     </>
   );
 }

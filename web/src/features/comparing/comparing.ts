@@ -12,10 +12,10 @@ import { countHealth } from "../../state/panel-rows.ts";
 import { sameMesh } from "../../state/showing.ts";
 import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 
-export const MOST_COMPARED = 4;
+const MOST_COMPARED = 4;
 
 export interface Candidate {
-  /** That of the snapshot; "" for the design shown. */
+  /** The id of the snapshot; "" for the design shown. */
   readonly id: string;
   readonly name: string;
   readonly design: Design;
@@ -52,7 +52,7 @@ export const compared = kept((page) =>
   computed(() => candidates(page).value.filter(({ id }) => chosen(page).value.includes(id))),
 );
 
-/** Of each of the compared, by id, as they arrive. */
+/** The figures of each design that is compared, by id, as they arrive. */
 export const comparedFigures = kept(() => signal<ReadonlyMap<string, Figures>>(new Map()));
 
 /** The first two to four: snapshots before the design shown, unless that is none of them. */
@@ -90,7 +90,7 @@ function areaOf(points: Float32Array, corners: Int32Array): number {
 }
 
 /** Square metres. */
-export function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit): number {
+function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit): number {
   const { offsets, vertices, report } = opened;
   const points = displayOfShape(opened, shape);
   let largest = 0;

@@ -21,11 +21,11 @@ interface Row {
   readonly head: string;
   readonly label: string;
   readonly about: string;
-  /** Between its two numbers, in the limit and for people; none where it has one number. */
+  /** What stands between its two numbers, in the limit and for people; none where it has one. */
   readonly mark?: readonly [string, string];
   readonly measure: "degrees" | "length" | "area";
-  /** What it is until someone types; `edge` is the mesh's mean edge. */
-  readonly usual: (edge: number) => readonly number[];
+  /** What it is until someone types; `edge` is the mesh's mean edge, `slide` how far a joint slides now. */
+  readonly usual: (edge: number, slide: number) => readonly number[];
 }
 
 const ROWS: readonly Row[] = [
@@ -79,7 +79,7 @@ const ROWS: readonly Row[] = [
     label: "Joints slide at most",
     about: "along the old surface; handles too",
     measure: "length",
-    usual: (edge) => [niceStep(edge / 10)],
+    usual: (edge, slide) => [niceStep((2 * slide) / 3 || edge / 10)],
   },
 ];
 
@@ -91,7 +91,7 @@ const stated = (page: Page): readonly string[] => (page.settings.value ?? FIRST_
 const others = (page: Page, head: string): readonly string[] =>
   stated(page).filter((l) => limitHead(l) !== head);
 
-/** In the order of the rows, so that the same limits are the same design. */
+/** `limits` in the order of the rows, so that the same limits are the same design. */
 const inOrder = (limits: readonly string[]): readonly string[] =>
   ROWS.flatMap(({ head }) => limits.filter((limit) => limitHead(limit) === head));
 
@@ -110,7 +110,8 @@ function LimitRow({ row }: { row: Row }) {
   const on = stated(page).find((limit) => limitHead(limit) === head);
   const edge = page.mesh.value?.report.meanEdge ?? 1;
   const typed = kept.value && kept.value.beside === on ? kept.value.numbers : null;
-  const numbers = typed ?? (on ? limitNumbers(on) : row.usual(edge));
+  const slide = page.figures.value.motion?.slide ?? 0;
+  const numbers = typed ?? (on ? limitNumbers(on) : row.usual(edge, slide));
 
   const state = async (wanted: readonly number[]): Promise<void> => {
     kept.value = { numbers: wanted, beside: on };
@@ -188,7 +189,7 @@ function costWords(page: Page): string {
     : "The";
 }
 
-/** No panel is at its limit: either none is in the way, or no way within them was found. */
+/** What is said where no panel is at its limit: none is in the way, or no way within them was found. */
 function freeWords(page: Page): string {
   const found = stopped(page).value;
   if (found?.reason !== "limits") return "No limit holds this edit back.";

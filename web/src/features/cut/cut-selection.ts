@@ -5,6 +5,7 @@ import type { DisplayMesh } from "../../mesh/display-mesh.ts";
 import { neighboursOf } from "../../mesh/mesh-lines.ts";
 import { row } from "../../mesh/topology.ts";
 import { panelAt } from "../../mesh/triangulation.ts";
+import { cross, minus } from "../../mesh/vector.ts";
 import { basePoint } from "../../state/editing.ts";
 import { selectedMembers } from "../../state/groups.ts";
 import type { Page } from "../../state/page.ts";
@@ -38,28 +39,20 @@ function corner(page: Page, mesh: DisplayMesh): string {
   return panel !== undefined && Number.isFinite(panel) ? `${panel}:${vertex}` : "";
 }
 
-const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-
-const across = (a: Point, b: Point): Point => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
 const UP: Point = [0, 0, 1];
 
 /** Below this share of their lengths two directions are one. */
 const PARALLEL = 1e-6;
 
-/** At right angles to both; null where they are parallel. */
+/** A direction at right angles to both; null where they are parallel. */
 function normalOf(a: Point, b: Point): Point | null {
-  const normal = across(a, b);
+  const normal = cross(a, b);
   const length = Math.hypot(...normal);
   if (!(length > PARALLEL * Math.hypot(...a) * Math.hypot(...b))) return null;
   return [normal[0] / length, normal[1] / length, normal[2] / length];
 }
 
-/** Through all that are selected as far as three points say it, upright through two, level through one. */
+/** A plane through the selected points as far as three say it, upright through two, level through one. */
 function planeThrough(points: readonly Point[]): readonly [Point, Point] | null {
   const [first, ...rest] = points;
   const last = rest.at(-1);
@@ -73,7 +66,7 @@ function planeThrough(points: readonly Point[]): readonly [Point, Point] | null 
 
 const figure = (x: number): string => String(Number(x.toPrecision(12)) + 0);
 
-/** Through the selected points of the mesh before the edit; else where the view is cut open. */
+/** A cut through the selected points of the mesh before the edit; else where the view is cut open. */
 function trim(page: Page): string {
   const plane = planeThrough(page.selection.value.map((v) => basePoint(page, v)));
   if (plane) {

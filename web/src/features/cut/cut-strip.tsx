@@ -10,7 +10,7 @@ import { followCutting } from "./cut-follower.ts";
 import { otherSide } from "./cut-selection.ts";
 import { CUT_KINDS, type CutKind, cutWords, kindWord } from "./cut-text.ts";
 import { giveUpCut } from "./cut-tool.ts";
-import { cuts, takeCutsBack } from "./cuts.ts";
+import { cuts, removeCuts } from "./cuts.ts";
 import {
   begun,
   chooseKind,
@@ -139,7 +139,7 @@ function Options() {
     <button
       type="button"
       class="tool"
-      title="Takes away what lies on the other side of the plane"
+      title="Removes what lies on the other side of the plane"
       disabled={numbers(page) === ""}
       onClick={() => type(page, otherSide(numbers(page)))}
     >
@@ -148,7 +148,7 @@ function Options() {
   );
 }
 
-/** The same without a pointer: by numbers, which the selection fills in. */
+/** A cut without a pointer: by numbers, which the selection fills in. */
 function Form() {
   const page = usePage();
   const kind = cutKind(page).value;
@@ -197,14 +197,14 @@ function List() {
             class="tool"
             title={
               rest(k) > 0
-                ? `Takes back this cut and the ${rest(k)} after it`
-                : "Takes back this cut; an edit is solved again without it"
+                ? `Removes this cut and the ${rest(k)} after it`
+                : "Removes this cut; an edit is solved again without it"
             }
-            aria-label={`Take back: ${cutWords(text)}${rest(k) > 0 ? ` and the ${rest(k)} after it` : ""}`}
+            aria-label={`Remove: ${cutWords(text)}${rest(k) > 0 ? ` and the ${rest(k)} after it` : ""}`}
             disabled={!page.ready.value}
-            onClick={() => void takeCutsBack(page, k)}
+            onClick={() => void removeCuts(page, k)}
           >
-            {rest(k) > 0 ? "Back to before" : "Take back"}
+            {rest(k) > 0 ? "Remove from here" : "Remove"}
           </button>
         </li>
       ))}
@@ -215,7 +215,7 @@ function List() {
 export function CutStrip() {
   const page = usePage();
   const strip = useRef<HTMLElement>(null);
-  // With the strip: clicks are the tool's from its first frame and not any more once it has gone.
+  // Clicks are the tool's from the first frame of the strip and not any more once it has gone.
   useLayoutEffect(() => {
     strip.current?.scrollIntoView?.({ block: "nearest" });
     return followCutting(page, viewOf(page));

@@ -12,7 +12,7 @@ import { kept, type Page } from "../../state/page.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { cutWords } from "./cut-text.ts";
 
-/** As --cut says them, in the order in which they are made. */
+/** Cuts as --cut says them, in the order in which they are made. */
 export const cuts = kept((page) =>
   computed((): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).cuts),
 );
@@ -23,8 +23,8 @@ const SOLVED_AGAIN = "The edit was solved again on the cut mesh.";
 function goneWords(gone: readonly number[]): string {
   if (gone.length === 0) return "";
   return gone.length === 1
-    ? ` Point ${gone[0]} is gone with its panels, and its handle is taken off.`
-    : ` ${gone.length} points are gone with their panels, and their handles are taken off.`;
+    ? ` Point ${gone[0]} is gone with its panels, and its handle is removed.`
+    : ` ${gone.length} points are gone with their panels, and their handles are removed.`;
 }
 
 /** The edit, if there is one, is solved again on the mesh that they leave. */
@@ -43,7 +43,7 @@ async function commitCuts(page: Page, to: readonly string[], said: string): Outc
 
 export type TryCut = Extract<Question, { kind: "tryCut" }>;
 
-/** With its images, where edits have some; a sentence where it cannot be made, which the tool says.
+/** Makes a cut, with its images where edits have some; a sentence where it cannot be made, which the tool says.
  * @param trial what the solver is asked about it before */
 export async function makeCut(
   page: Page,
@@ -59,10 +59,10 @@ export async function makeCut(
   return commitCuts(page, [...cuts(page).value, ...all], `Cut: ${cutWords(text)}${images}.`);
 }
 
-/** Takes back the cut at a place of the list and those after it, whose numbers may be of what it left. */
-export const takeCutsBack = (page: Page, place: number): Outcome =>
+/** Removes the cut at a place of the list and those after it, whose numbers may be of what it left. */
+export const removeCuts = (page: Page, place: number): Outcome =>
   commitCuts(
     page,
     cuts(page).value.slice(0, place),
-    `Taken back: ${cuts(page).value.slice(place).map(cutWords).join("; ")}.`,
+    `Removed: ${cuts(page).value.slice(place).map(cutWords).join("; ")}.`,
   );

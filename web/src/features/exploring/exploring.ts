@@ -16,7 +16,7 @@ import { client, frame, held, run, runUnseen } from "../../state/connection.ts";
 import { commit } from "../../state/editing.ts";
 import { planariseNow } from "../../state/opening.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { show, takeBack } from "../../state/showing.ts";
+import { restorePresent, show } from "../../state/showing.ts";
 import { sliderLeads } from "../../state/slider-leads.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 
@@ -122,7 +122,7 @@ export function previewVariation(page: Page, index: number, value: number): void
   });
 }
 
-/** On release the design becomes exact again. */
+/** Sets a slider when it is let go of: the design becomes exact again. */
 export function commitVariation(
   page: Page,
   index: number,
@@ -150,14 +150,14 @@ async function commitVaried(
 ): Outcome {
   const { centre, coefficients } = next.variation;
   const ready = held(page).centre === centre ? done(centre) : await ensureDirections(page, steady);
-  if (!ready.ok) return takeBack(page, ready);
+  if (!ready.ok) return restorePresent(page, ready);
   const shown = await run(page, "varying", { kind: "vary", coefficients }, "shown");
-  if (!shown.ok) return takeBack(page, shown);
+  if (!shown.ok) return restorePresent(page, shown);
   const exact: Design = { ...next, variation: { ...next.variation, exact: true } };
   return commit(page, exact, { kind: "exact" }, "making exact", burst);
 }
 
-/** Within a turn: the nearest flat design to what is shown. */
+/** Shows the nearest flat design to what is shown; within a turn. */
 async function makeExactNow(page: Page): Outcome {
   const design = page.draft.value;
   if (!design) return;

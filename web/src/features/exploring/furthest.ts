@@ -2,7 +2,8 @@
 // Where two shapes of a mesh differ most, and which way; how far one is from the mesh itself.
 
 import type { Point } from "../../design/design.ts";
-import { dot, type Frame } from "../../mesh/point-frame.ts";
+import type { Frame } from "../../mesh/point-frame.ts";
+import { dot } from "../../mesh/vector.ts";
 import type { Shape } from "../../solver/protocol.ts";
 
 export interface Furthest {

@@ -16,6 +16,7 @@ import { keepSnapshot } from "../../state/snapshots.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 import { ensureDirections, explore } from "./exploring.ts";
+import { furthestBetween, reachOf } from "./furthest.ts";
 import { isInside, within } from "./slider-range.ts";
 import { stopsAt } from "./slider-stops.ts";
 
@@ -42,6 +43,8 @@ export interface Gallery {
   readonly items: readonly GalleryItem[];
   /** How many there will be, unless some cannot be made flat. */
   readonly planned: number;
+  /** How many were left out, being as near to the edit or to one of these as SAME says. */
+  readonly alike: number;
 }
 
 export const gallery = kept(() => signal<Gallery | null>(null));
@@ -91,6 +94,24 @@ async function insideStops(
 
 /** Nearer to the edit a design would be the same to the eye. */
 const LEAST = 0.05;
+/** Of how far the edit moves points: designs all of whose points are nearer to each other's than this look the
+ * same. Limits may hold all of them back at one shape. */
+const SAME = 0.02;
+
+/** Model units. */
+export const sameWithin = (centre: Shape, base: Float64Array): number =>
+  SAME * reachOf(centre, base);
+
+/** Whether it looks like the edit, or like one that is there. */
+function isAlike(page: Page, { centre, items }: Gallery, shape: Shape): boolean {
+  const opened = page.mesh.value;
+  if (!opened) return false;
+  const least = sameWithin(centre, opened.positions);
+  return [centre, ...items.map((item) => item.shape)].some((other) => {
+    const found = furthestBetween(other, shape, opened.positions);
+    return !found || Math.hypot(...found.move) < least;
+  });
+}
 
 /** Whether the gallery's directions are those of the design shown. */
 const current = (page: Page, centre: Shape): boolean =>
@@ -102,7 +123,7 @@ export async function fillGallery(page: Page): Promise<void> {
   if (!variation || gallery(page).value?.centre === variation.centre) return;
   const { centre, coefficients } = variation;
   const planned = candidates(coefficients.length);
-  gallery(page).value = { centre, items: [], planned: planned.length };
+  gallery(page).value = { centre, items: [], planned: planned.length, alike: 0 };
   for (const [k, x] of planned.entries()) {
     let going = false;
     await inTurn(page, async () => {
@@ -134,6 +155,10 @@ async function addItem(
   const filling = gallery(page).value;
   if (!filling) return false;
   const { shape, report } = answer.value;
+  if (isAlike(page, filling, shape)) {
+    gallery(page).value = { ...filling, alike: filling.alike + 1 };
+    return true;
+  }
   const panels = await panelsOf(page, shape);
   const item = { coefficients, shape, report, panels };
   gallery(page).value = { ...filling, items: [...filling.items, item] };
@@ -152,14 +177,14 @@ async function panelsOf(page: Page, shape: Shape): Promise<GalleryPanels | null>
   }
 }
 
-/** While the pointer rests on one of the gallery: it is shown in its place, and nothing else happens. */
+/** Shows a variation of the gallery while the pointer rests on it; nothing else happens. */
 export function preview(page: Page, item: GalleryItem | null): void {
   const steady = page.history.value?.present;
   if (!steady || page.draft.value !== steady || page.busy.value) return;
   showOnly(page, item ? { ...steady, shape: item.shape } : steady);
 }
 
-/** One of the gallery as a design; null where its sliders are not those of the design shown. */
+/** A variation of the gallery as a design; null where its sliders are not those of the design shown. */
 function designOf(page: Page, { coefficients, shape, report }: GalleryItem): Design | null {
   const design = page.history.value?.present;
   if (!design?.variation) return null;

@@ -22,6 +22,7 @@ import {
   gallery,
   keep,
   preview,
+  sameWithin,
 } from "./gallery.ts";
 import { wayWords } from "./slider-range.ts";
 import "../../ui/designs.css";
@@ -199,6 +200,14 @@ function GalleryButton() {
   );
 }
 
+function alikeWords(page: Page, { alike, centre, items }: Gallery): string {
+  const opened = page.mesh.value;
+  const length = formatLength(opened ? sameWithin(centre, opened.positions) : 0, page.unit.value);
+  if (items.length === 0) return `All that were tried are within ${length} of the edit.`;
+  const others = alike === 1 ? "One more was tried, and is" : `${alike} more were tried, and are`;
+  return `${others} within ${length} of the edit or of one of these.`;
+}
+
 /** Designs to choose from, each exact already. */
 export function VariationGallery() {
   const page = usePage();
@@ -223,6 +232,7 @@ export function VariationGallery() {
         furthest from the edit. Rest on one to see it in the view.
       </p>
       <Tiles shown={shown} patch={patch.value} />
+      {shown.alike > 0 && <p class="quiet small">{alikeWords(page, shown)}</p>}
     </>
   );
 }

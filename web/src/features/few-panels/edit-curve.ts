@@ -3,7 +3,7 @@
 // them are worth choosing.
 
 import type { Design } from "../../design/design.ts";
-import { foldGrowth } from "../../solver/fair-folds.ts";
+import { foldGrowth } from "../../solver/found-limits.ts";
 import type { EditSettings } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import { countHealth } from "../../state/panel-rows.ts";
@@ -77,7 +77,7 @@ export interface CurvePoint {
 
 export const growthOf = ({ design }: CurvePoint): number => Math.max(0, foldGrowth(design.report));
 
-/** Of the core's figures of every panel, how many have a corner that moved: those with a new bevel alone
+/** How many panels have a corner that moved, by the core's figures of each: those with a new bevel alone
  * keep their outline. */
 export function cutAgain(health: Float32Array): number {
   const { changed, bevel } = countHealth(health);

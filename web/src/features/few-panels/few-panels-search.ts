@@ -136,7 +136,7 @@ class CurveSearch {
     this.#tell({ problems: [...problems, label ? `${label}: ${sentence}` : sentence] });
   }
 
-  /** The same mesh, and the edit as it is. */
+  /** Opens the page's mesh in this solver, and notes the edit as it is. */
   async #begin(ask: Ask): Promise<void> {
     await ask(openKnownQuestion(baseOf(this.#of), this.#mesh), "opened", this.#step);
     const panels = await this.#panelsOf(ask, this.#of.shape);
@@ -193,7 +193,7 @@ class CurveSearch {
   async #edit(ask: Ask, { label, settings }: Way): Promise<CurvePoint | null> {
     const targets = toTargets(this.#of.handles);
     const asked = { mode: "solve", targets, settings, budget: BUDGET } as const;
-    const question = { kind: "edit", ...asked, limit: null, fairWay: null } as const;
+    const question = { kind: "edit", ...asked, limit: null, reaches: [], sought: null } as const;
     const { shape, report } = await ask(question, "shown", this.#step);
     const near = WITHIN_HANDLE * longestWay(this.#page, this.#of.handles);
     if (!shape || report.handleError > near) return this.#shortOf(label);

@@ -2,7 +2,7 @@
 
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { type Design, leftBehind, toTargets } from "../../design/design.ts";
-import { foldGrowth } from "../../solver/fair-folds.ts";
+import { foldGrowth } from "../../solver/found-limits.ts";
 import { healthShown } from "../../state/damage.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
@@ -34,7 +34,7 @@ function presentPrice(page: Page, design: Design): string {
   return priceWords(cutAgain(health), Math.max(0, foldGrowth(design.report)));
 }
 
-/** From the edit as it is to the one with fewest panels, through those worth choosing. */
+/** A slider from the edit as it is to the one with fewest panels, through those worth choosing. */
 function Control({ found, design }: { found: EditCurve; design: Design }) {
   const page = usePage();
   const looked = useSignal<CurvePoint | null>(null);
@@ -89,7 +89,7 @@ function placesOf(points: readonly CurvePoint[]): (point: CurvePoint) => readonl
 /** Panels cut again against the sharpest fold; each point is a design, one press away. */
 function Picture({ found, design }: { found: EditCurve; design: Design }) {
   const page = usePage();
-  // One that another betters in both figures is none to take, unless it is the one shown.
+  // An edit that another betters in both figures is none to take, unless it is the one shown.
   const worth = worthChoosing(found.points);
   const points = found.points.filter((point) => worth.includes(point) || point.design === design);
   const place = placesOf(points);
@@ -159,7 +159,7 @@ function Problems({ found }: { found: EditCurve }) {
   );
 }
 
-/** All edits of the curve, or the one alone that stops at so many panels. */
+/** Finds all edits of the curve, or the one alone that stops at so many panels. */
 function Find() {
   const page = usePage();
   const typed = useSignal("");
@@ -184,7 +184,7 @@ function Find() {
         type="number"
         aria-label="At most"
         placeholder="at most"
-        title="So many panels are enough: that edit alone is computed, which folds more gently"
+        title="How many panels may be cut again: only that edit is computed, which folds more gently"
         min={1}
         step={1}
         value={typed.value}
@@ -207,6 +207,7 @@ export function FewPanels() {
     <section class="few-panels" aria-label="Few panels">
       {found && <Control found={found} design={design} />}
       {found && found.points.length > 1 && <Picture found={found} design={design} />}
+      {found && <p class="quiet small">Panels that only get a new bevel are not counted.</p>}
       {found && <Doing found={found} />}
       {found && <Problems found={found} />}
       {!found && <p class="quiet small">{presentPrice(page, design)}</p>}

@@ -3,7 +3,7 @@
 
 import { computed, signal, useSignal } from "@preact/signals";
 import { NO_SHAPE, type Point } from "../../design/design.ts";
-import { add } from "../../mesh/point-frame.ts";
+import { minus } from "../../mesh/vector.ts";
 import { formatCoordinate } from "../../quantity/units.ts";
 import type { OpenedMesh } from "../../solver/protocol.ts";
 import { basePoint, shownPoint } from "../../state/editing.ts";
@@ -38,8 +38,8 @@ function lines(page: Page, vertex: number): readonly Line[] {
   const from: Line[] =
     origin === null
       ? []
-      : [[`From point ${origin}`, add(place, shownPoint(page, origin, shape), -1)]];
-  return [["In the file", place], ...from, ["Moved by", add(place, basePoint(page, vertex), -1)]];
+      : [[`From point ${origin}`, minus(place, shownPoint(page, origin, shape))]];
+  return [["In the file", place], ...from, ["Moved by", minus(place, basePoint(page, vertex))]];
 }
 
 function Places({ vertex }: { vertex: number }) {
@@ -91,12 +91,12 @@ function Origin({ vertex }: { vertex: number }) {
     <div class="row">
       <OriginButton
         of={vertex}
-        title="Gives the places of other points from this one"
+        title="Shows the coordinates of other points from this one"
         label="Origin here"
       />
       <OriginButton
         of={null}
-        title="Gives places as the file has them alone"
+        title="Shows coordinates as in the file again"
         label="Origin of the file"
       />
     </div>

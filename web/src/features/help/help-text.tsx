@@ -19,7 +19,7 @@ const HINTS: readonly Hint[] = [
   },
   {
     how: "Drag by a finger",
-    what: "shows in a loupe what it covers; then Keep or Take back beside the point",
+    what: "shows in a loupe what it covers; then Keep or Discard beside the point",
   },
   {
     how: "[Shift] while dragging",

@@ -41,7 +41,7 @@ export const HOW_PICTURES = {
   },
   reach: {
     name: "reach",
-    words: "So many panels away points may follow. Beyond the line nothing moves.",
+    words: "How many panels away points may follow. Beyond the line nothing moves.",
     lines: [
       strip(bump(30, 2), bump(30, 4)),
       wall(upright(columnX(3)), upright(columnX(1))),
@@ -163,7 +163,7 @@ export const HOW_PICTURES = {
   exact: {
     name: "making exact",
     words:
-      "A variation is flat nearly; made exact, every panel is flat to a millionth of a millimetre per metre.",
+      "A variation is nearly flat; made exact, every panel is flat to a millionth of a millimetre per metre.",
     lines: [strip(both(raised, zigzag(4)), raised)],
   },
   groups: {
@@ -217,7 +217,7 @@ export const HOW_PICTURES = {
   position: {
     name: "the position",
     words:
-      "Where the point is, in the file, from a point of your own, and from where it was. Coordinates take +50, too: so much more.",
+      "Where the point is, in the file, from a point of your own, and from where it was. +50 adds 50 to a coordinate.",
     lines: [
       before,
       strip(FLAT, raised),
@@ -259,7 +259,7 @@ export const HOW_PICTURES = {
   tools: {
     name: "the drag tools",
     words:
-      "Select in a box or a loop, pin, hold drags to an axis or to the normal, go in steps. While you drag, type a number: so far it goes.",
+      "Select in a box or a loop, pin, hold drags to an axis or to the normal, go in steps. While you drag, type how far it goes.",
     lines: [
       before,
       strip(FLAT, bump(14, 3), bump(28, 3)),
@@ -319,7 +319,7 @@ export const HOW_PICTURES = {
   numbers: {
     name: "the numbers",
     words:
-      "Of panels and points, as tables, reports and the command line give them: on those in sight, where there is room.",
+      "Numbers of panels and points, as tables, reports and the command line give them: on those in sight, where there is room.",
     lines: [strip(raised, wide), ...[1, 3, 5, 7, 9].map((k) => pointAt(k, raised, wide))],
   },
   several: {

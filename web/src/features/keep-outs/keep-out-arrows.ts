@@ -4,6 +4,8 @@
 import { type Group, Object3D, Vector3 } from "three";
 import type { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Stage } from "../../scene/stage.ts";
+import { fetchPart } from "../../state/later.ts";
+import type { Page } from "../../state/page.ts";
 
 export class KeepOutArrows {
   readonly #stage: Stage;
@@ -16,7 +18,13 @@ export class KeepOutArrows {
   readonly #off = new AbortController();
   #controls: TransformControls | null = null;
 
-  constructor(stage: Stage, body: Group, upOnly: boolean, moved: (by: Vector3) => void) {
+  constructor(
+    page: Page,
+    stage: Stage,
+    body: Group,
+    upOnly: boolean,
+    moved: (by: Vector3) => void,
+  ) {
     this.#stage = stage;
     this.#body = body;
     this.#upOnly = upOnly;
@@ -24,13 +32,16 @@ export class KeepOutArrows {
     this.#begin = new Vector3().setFromMatrixPosition(body.matrix);
     this.#proxy.position.copy(this.#begin);
     stage.scene.add(this.#proxy);
-    void this.#fetch();
+    void this.#fetch(page);
   }
 
-  async #fetch(): Promise<void> {
-    const { TransformControls } = await import("three/addons/controls/TransformControls.js");
-    if (this.#off.signal.aborted) return;
-    const controls = new TransformControls(this.#stage.camera, null);
+  async #fetch(page: Page): Promise<void> {
+    const fetched = await fetchPart(
+      page,
+      () => import("three/addons/controls/TransformControls.js"),
+    );
+    if (!fetched || this.#off.signal.aborted) return;
+    const controls = new fetched.TransformControls(this.#stage.camera, null);
     controls.setSize(0.7);
     controls.setColors("#C2453A", "#3C8A4E", "#2F5FD0", "#F2B134");
     controls.showX = !this.#upOnly;

@@ -183,7 +183,7 @@ export function drawKeepOuts(
     group.add(body);
     if (move?.place !== place) continue;
     const { page, stage, mesh } = around;
-    arrows = new KeepOutArrows(stage, body, level, (by) => {
+    arrows = new KeepOutArrows(page, stage, body, level, (by) => {
       const [x, y, z] = by.divideScalar(mesh.report.scale).toArray();
       void move.to(page, place, [x, y, z]);
     });

@@ -84,7 +84,9 @@ export function MobilityScale() {
         <span>stays</span>
         <span>{formatLength(map ? largest(map.ways) : 0, page.unit.value)}</span>
       </div>
-      <p class="legend-note">Mean way up and down before a panel stops it, from the base</p>
+      <p class="legend-note">
+        How far a point moves up and down before a panel stops it: mean, from the base
+      </p>
       <Progress />
       {map && map.best.length > 0 && (
         <>

@@ -44,7 +44,7 @@ export function ReceivedNote() {
       <button
         type="button"
         class="icon-button"
-        aria-label="Put the note aside"
+        aria-label="Dismiss the note"
         title="It stays at the end of the panel, under Note"
         onClick={() => {
           arrived.value = "";

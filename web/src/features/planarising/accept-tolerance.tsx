@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 import { usePage } from "../../ui/page-context.ts";
 import "./planarising.css";
-import { acceptTolerance, meetableTolerance } from "../../state/tolerance.ts";
+import { editAsItIs, settingsAsItIs } from "../../state/tolerance.ts";
 
-/** For a mesh that is nearly flat: the tolerance instead, so that no point has to move. */
+/** Instead of making a mesh flat: a tolerance, or panels that stay bent, so that no point has to move. */
 export function AcceptTolerance() {
   const page = usePage();
-  const tolerance = meetableTolerance(page);
-  if (tolerance === null) return null;
+  const settings = settingsAsItIs(page);
+  if (settings === null) return null;
+  const { tolerance, keepBends } = settings;
+  const panels = keepBends
+    ? `panels stay as bent as they are, up to ${tolerance} mm/m: none bends more`
+    : `up to ${tolerance} mm/m counts as flat, then too (Advanced, Tolerance)`;
   return (
     <div class="accept-tolerance">
       <p>
-        {`Or edit it as it is: points stay where the file has them until an edit moves them, and up to ${tolerance} mm/m counts as flat, then too (Advanced, Tolerance).`}
+        {`Or edit it as it is: points stay where the file has them until an edit moves them, and ${panels}.`}
       </p>
       <button
         type="button"
         class="button small"
         disabled={!page.ready.value}
-        onClick={() => void acceptTolerance(page, tolerance)}
+        onClick={() => void editAsItIs(page, settings)}
       >
         Edit as it is
       </button>

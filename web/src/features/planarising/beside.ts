@@ -9,7 +9,7 @@ import { isMet } from "./is-met.ts";
 import type { PlanariseTrials } from "./planarise-trial.ts";
 import { nearWay, quickWay } from "./stops.ts";
 
-/** Before each: what someone does meanwhile may make an end of it. */
+/** Milliseconds before each trial: what someone does meanwhile may make an end of it. */
 const PAUSE_MS = 150;
 
 type Told = (near: Trial) => void;
@@ -20,6 +20,7 @@ export class Beside {
   readonly #design: Design;
   readonly #split: number;
   readonly #ways: readonly Planarising[];
+  readonly #told: Told;
   #running: Promise<Trial | null> | null = null;
   /** Nobody waits any more: nothing else is begun. */
   #givenUp = false;
@@ -28,19 +29,24 @@ export class Beside {
   /** Who asks for what is tried here tries the last way, too. */
   #lastIsTaken: boolean;
 
-  /** @param ways what is asked for, the first first */
+  /**
+   * @param ways what is asked for, the first first
+   * @param told gets what there is on the way, whoever asks for it
+   */
   constructor(
     trials: PlanariseTrials,
     opened: OpenedMesh,
     design: Design,
     split: number,
     ways: readonly Planarising[],
+    told: Told,
   ) {
     this.#trials = trials;
     this.#opened = opened;
     this.#design = design;
     this.#split = split;
     this.#ways = ways;
+    this.#told = told;
     this.#lastIsTaken = ways.length < 2;
   }
 
@@ -57,27 +63,27 @@ export class Beside {
   }
 
   /** Once, whoever asks first. What there is in the end; null where distances or flatness are stated
-   * already, and where there is nothing. @param told gets what there is on the way */
-  run(told: Told = () => {}): Promise<Trial | null> {
-    this.#running ??= this.#run(told);
+   * already, and where there is nothing. */
+  run(): Promise<Trial | null> {
+    this.#running ??= this.#run();
     return this.#running;
   }
 
-  async #run(told: Told): Promise<Trial | null> {
+  async #run(): Promise<Trial | null> {
     const how = this.#ways.at(-1);
     if (!how || this.#split > 0 || how.within > 0 || how.flat > 0) return null;
     const quick = await this.#instead(quickWay(how, this.#opened));
-    if (quick) told(quick);
+    if (quick) this.#told(quick);
     if (!this.#lastIsTaken) {
       this.#last = this.#try(how);
       const exact = await this.#last;
       if (exact && isMet(exact, this.#design)) {
-        told(exact);
+        this.#told(exact);
         return exact;
       }
     }
     const near = await this.#instead(nearWay(how, this.#opened));
-    if (near) told(near);
+    if (near) this.#told(near);
     return near ?? quick;
   }
 

@@ -40,7 +40,7 @@ export const spoiltWords = ({ measures }: Trial): string =>
 /** Points: larger meshes wait until they are asked for. */
 export const EAGER_POINTS = 5000;
 
-/** After which what is near the file is shown, while what was asked for is still tried. */
+/** Milliseconds after which what is near the file is shown, while what was asked for is still tried. */
 const NEAR_AFTER_MS = 150;
 
 /** What is shown while a way is tried. */
@@ -56,6 +56,7 @@ export class PlanarisePreview {
   readonly #design: Design;
   /** Counts what was wanted. */
   #newest = 0;
+  #drawn = false;
 
   constructor(page: Page, opened: OpenedMesh, design: Design) {
     this.#page = page;
@@ -72,13 +73,14 @@ export class PlanarisePreview {
     this.#beside?.end();
     const mine = this.#newest;
     const trials = new PlanariseTrials(this.#page.spawn);
-    const beside = new Beside(trials, this.#opened, this.#design, split, ways);
+    const tell = (near: Trial): void => this.#meanwhile(mine, near);
+    const beside = new Beside(trials, this.#opened, this.#design, split, ways, tell);
     this.#beside = beside;
     const done = this.#find(mine, split, ways, beside);
     const giveUp = () => this.stop();
     this.#page.planariseTrial.value = { kind: "running", done, giveUp, step: 0, near: null };
     setTimeout(() => {
-      if (this.#running(mine)) void beside.run((near) => this.#meanwhile(mine, near));
+      if (this.#running(mine)) void beside.run();
     }, NEAR_AFTER_MS);
     return done;
   }
@@ -190,6 +192,7 @@ export class PlanarisePreview {
 
   #draw({ positions, report }: OpenedMesh): void {
     if (!this.#isHere()) return;
+    this.#drawn = true;
     const shape = shapeOf(positions, this.#opened.positions);
     const { worstGap, worstMmPerM, worstExcess, planarising } = report;
     batch(() => {
@@ -206,9 +209,12 @@ export class PlanarisePreview {
     });
   }
 
+  /** Settings may have changed since, as those of a mesh that is edited as it is. */
   #drawFile(): void {
-    if (!this.#isHere() || this.#page.figures.peek() === this.#design.report) return;
-    this.#page.figures.value = this.#design.report;
-    showOnly(this.#page, this.#design);
+    const now = this.#page.draft.peek();
+    if (!this.#drawn || !now || this.#page.mesh.peek() !== this.#opened) return;
+    this.#drawn = false;
+    this.#page.figures.value = now.report;
+    showOnly(this.#page, now);
   }
 }

@@ -2,7 +2,7 @@
 import { flatnessWords } from "../../design/flatness.ts";
 import type { Trial } from "../../design/planarising.ts";
 import { formatLength } from "../../quantity/units.ts";
-import { stepOf } from "../../solver/fair-folds.ts";
+import { stepOf } from "../../solver/found-limits.ts";
 import { type OpenedMesh, PER_PANEL } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";

@@ -19,7 +19,7 @@ const WAYS: readonly (readonly [RegExp, string])[] = [
 ];
 
 /** "panel 0 misses a circle by 19 deg; planish project …" as the page says it. */
-export function refusalWords(clause: string): string {
+function refusalWords(clause: string): string {
   const [what = "", way = ""] = clause.split("; ");
   const ours = WAYS.find(([pattern]) => pattern.test(way))?.[1];
   return `No second layer: ${what}.${ours ? ` ${ours}` : ""}`;

@@ -36,7 +36,7 @@ export function SecondLayer() {
         otherwise={String(usual)}
         min=""
       />
-      <ChoiceRow label="Keeps" value={form} choices={FORMS} />
+      <ChoiceRow label="Offset kind" value={form} choices={FORMS} />
       <p class="quiet">
         A second layer whose edges are parallel to those of the design, outside of it, or inside
         with a distance below 0. It stays in the view and follows the design; GLB files hold it too.

@@ -13,7 +13,7 @@ import type { Page } from "../../state/page.ts";
 import { selectAlso, selectThese } from "../../state/selection.ts";
 
 /** Edges are told apart by the mesh as it was opened. */
-export function linedMesh(page: Page): LinedMesh | null {
+function linedMesh(page: Page): LinedMesh | null {
   const shown = page.displayMesh.value;
   return shown && { ...shown, points: shown.display };
 }

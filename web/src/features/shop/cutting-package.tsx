@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 
 import { useComputed, useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { type Unit, unitWord } from "../../quantity/units.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { CuttingPreview, type Saved, usePreview } from "./cutting-preview.tsx";
 import { previewPackage } from "./package-preview.ts";
-import { exportPackage, type PackageChoice, type Scope } from "./shop.ts";
+import { exportPackage, hasCode, type PackageChoice, type Scope } from "./shop.ts";
 import { ChoiceRow, NumberRow, ScopeRow, ShopForm, SwitchRow, UnitRow } from "./shop-fields.tsx";
 
 type Cut = "panel" | "type";
@@ -20,6 +21,21 @@ const NO_TOLERANCE = "one drawing a type needs to know by how much joints may va
 /** The rule of the core that can be told without it; it has the others, which come with the preview. */
 const missing = ({ byType, jointBy }: PackageChoice): string =>
   byType && !(jointBy > 0) ? NO_TOLERANCE : "";
+
+/** Said before the package is saved: until then the design stays as it is. */
+function TooLong() {
+  const page = usePage();
+  const fits = useSignal(true);
+  useEffect(() => {
+    void hasCode(page).then((has) => {
+      fits.value = has;
+    });
+  }, [page]);
+  if (fits.value) return null;
+  return (
+    <p class="quiet">The link of this design is too long for a code: the labels will carry none.</p>
+  );
+}
 
 /** Asks what the workshop needs, and saves it. */
 export function CuttingPackage() {
@@ -81,6 +97,7 @@ export function CuttingPackage() {
       <NumberRow label="Sheet height" value={height} />
       <NumberRow label="Text height" value={text} otherwise="by panel" />
       <SwitchRow label="Labels with a QR code" value={withLink} />
+      {withLink.value && <TooLong />}
       <p class="quiet">
         {`Tables, one DXF of all panels and one of each, a map, labels to print, and with a sheet size the panels arranged on sheets (in rows, not nested). The code is the link that opens this design and verifies it. The model is in ${unitWord(page.unit.value)}; panels are seen from outside.`}
       </p>

@@ -5,12 +5,12 @@ import { NOTHING } from "../../export/companions.ts";
 import { designLink } from "../../export/design-link.ts";
 import { save } from "../../export/exporting.ts";
 import { linkCode } from "../../export/link-code.ts";
-import { GIVEN_UP } from "../../result/result.ts";
 import type {
   CuttingHeader,
   CuttingOptions,
   DrawingOptions,
   DrawnHeader,
+  LinkCode,
   ShopOrder,
 } from "../../solver/protocol.ts";
 import { run } from "../../state/connection.ts";
@@ -73,13 +73,21 @@ async function make(
   return made?.ok ? made.value.header : null;
 }
 
+/** The link that opens the design shown, as a code; without one where it is too long. */
+async function codeOfDesign(page: Page): Promise<LinkCode> {
+  const link = await designLink(page, null, NOTHING);
+  return linkCode(link.ok ? link.value : "");
+}
+
+/** Whether labels can carry the link. */
+export const hasCode = async (page: Page): Promise<boolean> => (await codeOfDesign(page)).size > 0;
+
 export async function exportPackage(
   page: Page,
   { withLink, ...choice }: PackageChoice,
 ): Promise<CuttingHeader | null> {
   const order = async (): Promise<ShopOrder> => {
-    const link = withLink ? await designLink(page, null, NOTHING) : GIVEN_UP;
-    const code = linkCode(link.ok ? link.value : "");
+    const code = withLink ? await codeOfDesign(page) : linkCode("");
     return { what: "package", options: cuttingOptions(page, choice), code };
   };
   const header = await make(page, "writing the package", order, "application/zip", "-package.zip");

@@ -6,10 +6,12 @@ import { type Design, type HandleRow, leftBehind, toTargets } from "../../design
 import type { EditSettings, PullLimit } from "../../solver/protocol.ts";
 import { basePoint, commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
+import { showStep } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { beyond, growthOf, wanted } from "../../state/wanted.ts";
 import {
   gotWords,
+  isLess,
   isNoFurther,
   type Reason,
   reasonOf,
@@ -93,21 +95,29 @@ export function askedBy(
   };
 }
 
-/** The same targets again; what that gives is said, also where it is no more than before. */
+const noFurther = (page: Page, { label }: WayOn, stop: Stop): string =>
+  `${label} gets no further: ${gotWords(stop, page.unit.value)}.`;
+
+/** Tries the targets again; what that gives is said, also where it is no more than before. Where it is less,
+ * the design stays as it was. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
   inTurn(page, async () => {
-    const [design, before] = [page.history.value?.present, stopped(page).value];
-    if (!design || !before) return;
-    const { next, limit } = askedBy(page, design, way, before.growth);
+    const [history, before] = [page.history.value, stopped(page).value];
+    if (!history || !before) return;
+    const { next, limit } = askedBy(page, history.present, way, before.growth);
     const { handles } = next;
-    const made = await commitEdit(page, next, limit ? "release" : "solve", null, limit);
+    const made = await commitEdit(page, next, limit ? "release" : "solve", null, { limit });
     if (!made?.ok) return made;
     const done = made.value;
+    const stop = stopIn(page, done, handles);
+    if (stop && isLess(stop.got, before.stop)) {
+      const refusal = await showStep(page, history.present, history);
+      if (!refusal) page.notice.value = noFurther(page, way, before.stop);
+      return refusal;
+    }
     const takenBack = done.handles !== handles;
     const growth = limit && growthOf(limit.degrees);
     wanted(page).value = takenBack ? { handles, growth, dragged: false, design: done } : null;
-    const stop = stopIn(page, done, handles);
-    if (stop && isNoFurther(stop.got, before.stop))
-      page.notice.value = `${way.label} gets no further: ${gotWords(stop, page.unit.value)}.`;
+    if (stop && isNoFurther(stop.got, before.stop)) page.notice.value = noFurther(page, way, stop);
     return made;
   });

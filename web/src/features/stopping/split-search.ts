@@ -10,7 +10,7 @@ import { GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts"
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { commitEdit } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { openBase, takeBack } from "../../state/showing.ts";
+import { openBase, restorePresent } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { beyond, wanted } from "../../state/wanted.ts";
 import { uncutStanding } from "./uncut-standing.ts";
@@ -122,7 +122,7 @@ export const takeSplits = (page: Page, { asked }: { asked: Design }, by: SplitSt
     const { settings } = asked;
     const next = { ...asked, settings: { ...settings, cuts: [...settings.cuts, ...by.cuts] } };
     const based = await openBase(page, next);
-    if (!based.ok) return takeBack(page, based);
+    if (!based.ok) return restorePresent(page, based);
     const made = await commitEdit(page, { ...based.value, handles: asked.handles }, "solve");
     if (!made?.ok) return made;
     wanted(page).value = null;

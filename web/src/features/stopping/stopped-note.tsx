@@ -12,7 +12,7 @@ import { SplitWay } from "./split-way.tsx";
 import { endTries, gainsNow, tryWays } from "./way-gains.ts";
 import { byGain, gainWords, gotWords, type Reason, reasonWords, waysOn } from "./way-on.ts";
 
-/** More would not help to decide what to change. */
+/** Ways listed at most: more would not help to decide what to change. */
 const MOST = 4;
 
 /** The panels that hold the targets back, each to be looked at. */
@@ -54,8 +54,8 @@ function WaysOn({ design, found }: { design: Design; found: Stopped }) {
     if (!quiet) return;
     const timer = setTimeout(() => void tryWays(page, ways), TRIED_AFTER_MS);
     return () => clearTimeout(timer);
-  }, [page, design, quiet]);
-  useEffect(() => () => endTries(page), [page, design]);
+  }, [page, found, quiet]);
+  useEffect(() => () => endTries(page), [page, found]);
   const gains = gainsNow(page);
   return (
     <fieldset class="ways-on" aria-label="Get further" aria-busy={gains?.done === false}>
@@ -76,6 +76,11 @@ function WaysOn({ design, found }: { design: Design; found: Stopped }) {
               <span class="quiet small" title="How far it gets, and the sharpest fold there">
                 {gainWords(gain, stop, page.unit.value)}
               </span>
+            )}
+            {gain && gain.spoilt > 0 && (
+              <strong class="way-damage small" title={gain.damage}>
+                {`spoils ${gain.spoilt} ${gain.spoilt === 1 ? "panel" : "panels"}`}
+              </strong>
             )}
           </span>
         );
@@ -109,7 +114,7 @@ export function StoppedNote() {
   );
 }
 
-/** Below handles that stop a little short of their targets; where it is more, a note has all ways on. */
+/** The way on below handles that stop a little short of their targets; where it is more, a note has all. */
 export function MeetTargets() {
   const page = usePage();
   const exactly = page.history.value?.present.settings.hardHandles;

@@ -4,20 +4,21 @@
 
 import { signal } from "@preact/signals";
 import type { Design } from "../../design/design.ts";
-import type { ShapeReport } from "../../solver/protocol.ts";
+import type { PanelMeasures, ShapeReport } from "../../solver/protocol.ts";
 import { GivenUp, SecondSolver } from "../../solver/second-solver.ts";
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
+import { damageWords, spoiltPanels } from "../../state/damage.ts";
 import { editQuestion } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { askedBy, stopIn, stopped } from "./going-on.ts";
+import { askedBy, type Stopped, stopIn, stopped } from "./going-on.ts";
 import type { Gain, WayOn } from "./way-on.ts";
 
 /** Of a mesh: on a larger one the tries would take minutes. */
 const MOST_POINTS = 20_000;
 
-/** Of one design, by the labels of its ways on; those that were refused have none. */
+/** Of one design's ways on, by their labels; those that were refused have none. */
 export interface Gains {
-  readonly of: Design;
+  readonly of: Stopped;
   readonly known: ReadonlyMap<string, Gain>;
   readonly done: boolean;
 }
@@ -27,10 +28,10 @@ const tries = kept((page) => ({
   solver: new SecondSolver(page.spawn),
 }));
 
-/** Those of the design that is there; null where none is tried. */
+/** The gains of where the design that is there stops; null where none is tried. */
 export function gainsNow(page: Page): Gains | null {
   const gains = tries(page).now.value;
-  return gains && gains.of === page.history.value?.present ? gains : null;
+  return gains && gains.of === stopped(page).value ? gains : null;
 }
 
 /** Gives up what runs; what was found is forgotten. */
@@ -43,16 +44,22 @@ function gainOf(
   page: Page,
   next: Design,
   { shape, report }: Pick<Design, "shape"> & { readonly report: ShapeReport },
+  measures: PanelMeasures | null,
 ): Gain {
   const stop = stopIn(page, { ...next, shape }, next.handles);
-  return { got: stop?.got ?? null, fold: report.sharpestFold?.after ?? null };
+  return {
+    got: stop?.got ?? null,
+    fold: report.sharpestFold?.after ?? null,
+    spoilt: measures ? spoiltPanels(measures.damage).length : 0,
+    damage: measures ? damageWords(measures.damage, measures.health) : "",
+  };
 }
 
-/** Tries all of `ways`, in this order; a design that is tried already, or has been, is not tried again. */
+/** Tries all of `ways`, in this order; what is tried already, or has been, is not tried again. */
 export async function tryWays(page: Page, ways: readonly WayOn[]): Promise<void> {
-  const [of, mesh, before] = [page.history.value?.present, page.mesh.value, stopped(page).value];
+  const [design, mesh, of] = [page.history.value?.present, page.mesh.value, stopped(page).value];
   const { now, solver } = tries(page);
-  if (!of || !mesh || !before || now.peek()?.of === of) return;
+  if (!design || !mesh || !of || now.peek()?.of === of) return;
   if (mesh.positions.length > 3 * MOST_POINTS) return;
   const known = new Map<string, Gain>();
   now.value = { of, known, done: false };
@@ -61,13 +68,15 @@ export async function tryWays(page: Page, ways: readonly WayOn[]): Promise<void>
   };
   try {
     await solver.run(async (ask) => {
-      await ask(openKnownQuestion(baseOf(of), mesh), "opened");
+      await ask(openKnownQuestion(baseOf(design), mesh), "opened");
       for (const way of ways) {
-        const { next, limit } = askedBy(page, of, way, before.growth);
-        const question = editQuestion(next, limit ? "release" : "solve", limit);
+        const { next, limit } = askedBy(page, design, way, of.growth);
+        const question = editQuestion(next, limit ? "release" : "solve", { limit });
         try {
           const { shape, report } = await ask(question, "shown");
-          if (shape) known.set(way.label, gainOf(page, next, { shape, report }));
+          if (!shape) continue;
+          const { measures } = await ask({ kind: "measure", shape }, "panels");
+          known.set(way.label, gainOf(page, next, { shape, report }, measures));
         } catch {
           // Refused: this way has no figure.
         }

@@ -3,6 +3,7 @@
 
 import type { Design, HandleRow, Point } from "../../design/design.ts";
 import { limitHead, limitNumbers } from "../../design/stated-limit.ts";
+import { dot, minus } from "../../mesh/vector.ts";
 import { formatLength, type Unit } from "../../quantity/units.ts";
 import { boundNames } from "../../solver/bounds.ts";
 import type { EditSettings } from "../../solver/protocol.ts";
@@ -39,8 +40,6 @@ const MORE_DEGREES = 10;
 
 type PointAt = (vertex: number) => Point;
 
-const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-
 /** Null where every handle is as good as there. `base` and `at`: points before the edit and after. */
 export function stopOf(
   rows: readonly HandleRow[],
@@ -55,7 +54,7 @@ export function stopOf(
     const asked = Math.hypot(...way);
     const short = Math.hypot(...minus(way, went));
     if (short <= most || !isNoticeable(short, asked, meanEdge)) continue;
-    const along = (way[0] * went[0] + way[1] * went[1] + way[2] * went[2]) / asked;
+    const along = dot(way, went) / asked;
     [worst, most] = [{ vertex, asked, got: Math.max(0, along) }, short];
   }
   return worst;
@@ -139,7 +138,7 @@ function slidingFurther({ limits }: EditSettings): WayOn {
 function looser({ limits }: EditSettings): WayOn {
   const fold = limits.find((limit) => limit.startsWith("fold="));
   if (!fold) {
-    const [label, title] = ["Without limits", "Takes back all limits"];
+    const [label, title] = ["Without limits", "Removes all limits"];
     return { label, title, change: { limits: [] }, growth: null };
   }
   const [head, degrees] = [limitHead(fold), (limitNumbers(fold)[0] ?? 0) + MORE_DEGREES];
@@ -161,12 +160,17 @@ export interface Gain {
   readonly got: number | null;
   /** The sharpest fold then, degrees; null where nothing moves. */
   readonly fold: number | null;
+  /** Panels that it spoils, and how: see damageWords(). */
+  readonly spoilt: number;
+  readonly damage: string;
 }
 
-/** Less is no gain. */
+/** How many times as far is a gain. */
 const GAINED = 1.01;
 
 export const isNoFurther = (got: number, before: Stop): boolean => got <= GAINED * before.got;
+
+export const isLess = (got: number, before: Stop): boolean => GAINED * got < before.got;
 
 /** "2168 mm, 16°": how far, and the sharpest fold there. */
 export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string {
@@ -175,8 +179,8 @@ export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string
   return fold === null ? far : `${far}, ${formatDegrees(fold)}`;
 }
 
-/** Those that gain something, the furthest first, of those that go as far the one that folds least; where none
- * does, all. A way whose gain is not known stays behind those. */
+/** Ways that gain something, the furthest first, of those that go as far the one that spoils no panel, then the
+ * one that folds least; where none does, all. A way whose gain is not known stays behind those. */
 export function byGain(
   ways: readonly WayOn[],
   gains: ReadonlyMap<string, Gain>,
@@ -187,10 +191,11 @@ export function byGain(
     return gain ? (gain.got ?? Number.POSITIVE_INFINITY) : Number.NEGATIVE_INFINITY;
   };
   const fold = ({ label }: WayOn): number => gains.get(label)?.fold ?? 0;
+  const spoils = ({ label }: WayOn): number => ((gains.get(label)?.spoilt ?? 0) > 0 ? 1 : 0);
   const further = ways.filter((way) => !gains.has(way.label) || !isNoFurther(got(way), before));
   return [...(further.length > 0 ? further : ways)].sort((a, b) => {
     const [first, second] = [got(a), got(b)];
-    return first === second ? fold(a) - fold(b) : second - first;
+    return first === second ? spoils(a) - spoils(b) || fold(a) - fold(b) : second - first;
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Keep or take back what a finger dragged, with the panels that it costs.
+// Keep or discard what a finger dragged, with the panels that it costs.
 import check from "lucide-static/icons/check.svg?raw";
-import { fingerDrag, keepDrag, offerPlace, takeBackDrag } from "../../state/finger-drag.ts";
+import { discardDrag, fingerDrag, keepDrag, offerPlace } from "../../state/finger-drag.ts";
 import type { Page } from "../../state/page.ts";
 import { remakeWords } from "../../state/remaking.ts";
 import { Drawing, Icon } from "../../ui/icon.tsx";
@@ -37,9 +37,9 @@ export function FingerOffer() {
         <Drawing markup={check} />
         Keep
       </button>
-      <button type="button" class="button" onClick={() => decide(page, takeBackDrag)}>
+      <button type="button" class="button" onClick={() => decide(page, discardDrag)}>
         <Icon name="close" />
-        Take back
+        Discard
       </button>
     </div>
   );

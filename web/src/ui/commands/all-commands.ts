@@ -20,7 +20,7 @@ function colourBy(kind: ColourBy, label: string): Command {
     isKind(kind) && page.mesh.value?.report.kinds[kind]?.worst === undefined;
   return {
     label: `Colour by ${label.toLowerCase()}`,
-    refusal: (page) => (missing(page) ? "This mesh has nothing that could be so." : ""),
+    refusal: (page) => (missing(page) ? "This mesh has no panels or nodes of this kind." : ""),
     run: (page) => {
       page.colourBy.value = kind;
     },
@@ -46,7 +46,7 @@ const PLACES: readonly Command[] = [
 
 export { viewCommands } from "../../features/views/named-views.ts";
 
-/** In the order of the palette. */
+/** All commands, in the order of the palette. */
 export const ALL_COMMANDS: readonly Command[] = [
   ...Object.values(COMMANDS),
   ...Object.values(MORE_COMMANDS),

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which limit on folds an edit gets of itself: the least that costs its handles nothing.
+// Which limits an edit gets of itself: those that cost its handles nothing.
 import { expect, it } from "vitest";
 import { NO_REPORT } from "../../web/src/design/design.ts";
-import { fairLimit, foldGrowth, isFound, stepOf } from "../../web/src/solver/fair-folds.ts";
+import {
+  cornerLimit,
+  foldGrowth,
+  foldLimit,
+  isFound,
+  stepOf,
+} from "../../web/src/solver/found-limits.ts";
 import type { ShapeReport } from "../../web/src/solver/protocol.ts";
 
 const WAY = 2;
@@ -17,7 +23,7 @@ const report = (growth: number, short: number, more: Partial<ShapeReport> = {}):
 /** What is found, and the limits that were tried. */
 function found(free: ShapeReport, answers: Record<string, ShapeReport>) {
   const tried: string[] = [];
-  const limit = fairLimit(free, WAY, (one) => {
+  const limit = foldLimit(free, WAY, (one) => {
     tried.push(one);
     return answers[one] ?? free;
   });
@@ -55,6 +61,29 @@ it("sees a crease in a smooth place, however sharp the folds elsewhere are", () 
 it("is a multiple of ten degrees, so that one that somebody states otherwise is none that was found", () => {
   expect([0, 9.9, 10, 10.005, 10.1, 27].map(stepOf)).toEqual([10, 10, 10, 10, 20, 30]);
   expect(isFound("fold=+20", [])).toBe(true);
+  expect(isFound("angle=20:170", [])).toBe(true);
+  expect(isFound("angle=20:170", ["angle=20:170"])).toBe(false);
   expect(isFound("fold=+20", ["fold=+20"])).toBe(false);
-  for (const limit of ["fold=20", "fold=+15", "area=10"]) expect(isFound(limit, [])).toBe(false);
+  for (const limit of ["fold=20", "fold=+15", "angle=20:160", "area=10"])
+    expect(isFound(limit, [])).toBe(false);
+});
+
+it("on corners is none where no panel became a sliver, and nothing is tried", () => {
+  const none = { report: report(10, 0), slivers: 0 };
+  expect(cornerLimit(none, WAY, () => expect.fail("tried"))).toBeNull();
+});
+
+it("on corners is the one that panels can be built with, where handles and folds stay as they are", () => {
+  const free = { report: report(10, 0.01), slivers: 3 };
+  const within = (limited: ShapeReport, slivers = 0) =>
+    cornerLimit(free, WAY, () => ({ report: limited, slivers }));
+  expect(within(report(10, 0.059))).toBe("angle=20:170");
+  expect(within(report(10, 0.07))).toBeNull();
+  expect(within(report(11, 0))).toBeNull();
+  expect(within(report(10, 0), 1)).toBeNull();
+  expect(within(report(10, 0, { status: "infeasible_handles" }))).toBeNull();
+  const sharp = { report: report(26, 0.01), slivers: 1 };
+  expect(cornerLimit(sharp, WAY, () => ({ report: report(26, 0.01), slivers: 0 }))).toBe(
+    "angle=20:170",
+  );
 });
