@@ -92,7 +92,16 @@ class Place {
     const targets = { handles: this.target(way), pins: [] };
     const settings = { ...this.settings, limits };
     const budget = FRAME_SECONDS;
-    return edits.edit({ kind: "edit", mode, targets, settings, budget, limit, fairWay: null });
+    return edits.edit({
+      kind: "edit",
+      mode,
+      targets,
+      settings,
+      budget,
+      limit,
+      reaches: [],
+      sought: null,
+    });
   }
 
   reached() {
@@ -102,7 +111,7 @@ class Place {
   /** What the page says that panels allow, its target then, steps of solves and seconds; where the last of
    * so many frames before it ended. */
   said(asked, frames) {
-    const edits = new this.Edits(this.module, this.session);
+    const edits = new this.Edits(this.module, this.session, () => 0);
     const limit = { degrees: DEGREES, short: 0, from: this.at, base: this.at };
     for (let k = 1; k <= frames; ++k) this.ask(edits, (asked * k) / frames, "drag", [], limit);
     const shown = frames > 0 ? this.reached() : 0;
@@ -123,7 +132,7 @@ class Place {
 
   /** Whether the solve with the limit gets there. */
   meets(way) {
-    const edits = new this.Edits(this.module, this.session);
+    const edits = new this.Edits(this.module, this.session, () => 0);
     this.ask(edits, way, "solve", [`fold=+${DEGREES}`], null);
     const { handleError, status } = this.session.shapeReport();
     return status !== "infeasible_handles" && handleError <= MET * way;

@@ -5,7 +5,8 @@
     /usr/bin/python3 .tools/motion.py [--points N] [--lift EDGES] [--reach RINGS] [--only NAME,...] [FOLDER]
 
 N seeded inner points of each sample and of each mesh of ../shared/meshes (or FOLDER) that can be made flat
-are pulled along their normals by so many mean edges (a quarter) with the page's first settings. Distances
+are pulled along their normals by so many mean edges (a quarter) with the page's first settings, whose reach grows
+as far as it has to (--reach states one). Distances
 from the old surface and ways along it are measured by this script's own code, from all panels as triangles,
 and compared with the report's. Beside them stand the panels to make again and by how many degrees the
 fold that sharpens most does.
@@ -13,6 +14,7 @@ fold that sharpens most does.
 
 import argparse
 import json
+import re
 import tempfile
 from pathlib import Path
 
@@ -22,6 +24,8 @@ from survey import ROOT, SAMPLES, Topology, area_vector, mean_edge, read_obj, ru
 PLANISH = ROOT / "build" / "native" / "planish"
 PAGE = "--keep-boundary --attraction 10000 --softness 5".split()
 LARGEST = 20  # panels a side
+REACHES = json.loads(re.search(r"REACHES.*= (\[.*\]);", (ROOT / "web/src/solver/reach-steps.ts").read_text())[1])
+MOST_SHARPER, MOST_SHORT = 10, 0.15  # what suffices() says there of a drag
 
 
 def nearest_on_triangles(p, triangles):
@@ -72,13 +76,22 @@ def pull(path, vertex, lift, reach, scratch):
     told = json.loads(report.read_text())
     said = told["motion"]
     slide_differs = abs(said["slide_max"] - slide.max()) / slide.max()
-    return {"again": told["remake"]["outline"], "sharper": told["sharpest_fold"]["growth"],
+    return {"solved": told["status"] == "converged", "again": told["remake"]["outline"], "sharper": told["sharpest_fold"]["growth"],
             "short": told["handle_error"] / np.linalg.norm(move), "points": len(moved),
             "shape": shape.max(), "slide": slide.max(), "total": total.max(),
             "shape_there": moved[shape.argmax()] == vertex, "total_there": moved[total.argmax()] == vertex,
             "beside": int(moved[shape.argmax()]) in beside_one(faces, vertex),
             "at_handle": float(shape[moved == vertex].max(initial=0.0) / shape.max()),
             "differs": max(slide_differs, abs(said["shape_max"] - shape.max()) / shape.max())}
+
+
+def grown(path, vertex, lift, reaches, scratch):
+    """The pull with the smallest of `reaches` that suffices, else with the last."""
+    for reach in reaches:
+        row = pull(path, vertex, lift, reach, scratch)
+        if row["solved"] and row["sharper"] <= MOST_SHARPER and row["short"] <= MOST_SHORT:
+            break
+    return row
 
 
 def meshes_of(folder, scratch, only):
@@ -101,23 +114,25 @@ def main():
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT.parent / "shared" / "meshes")
     parser.add_argument("--points", type=int, default=5)
     parser.add_argument("--lift", type=float, default=0.25)
-    parser.add_argument("--reach", type=int, default=6)
+    parser.add_argument("--reach", type=int)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
+    reaches = [options.reach] if options.reach else REACHES
     only = set(filter(None, options.only.split(",")))
     print("| mesh | pulls | shape largest at the handle | or one panel beside | move largest at the handle "
           "| slide over shape, median | panels again, median | folds sharper by, median, worst | short, median |")
     print("|" + " --- |" * 9)
-    everything = []
+    everything, medians = [], []
     with tempfile.TemporaryDirectory() as name:
         scratch = Path(name)
         for k, (mesh, path) in enumerate(meshes_of(options.folder, scratch, only)):
             points, faces = read_obj(path)
             inner = inner_points(faces, Topology(faces))
             picked = np.random.default_rng(1000 + k).permutation(inner)[:options.points]
-            rows = [pull(path, int(v), options.lift, options.reach, scratch) for v in picked]
+            rows = [grown(path, int(v), options.lift, reaches, scratch) for v in picked]
             everything += rows
             if rows:
+                medians.append(np.median([r["again"] for r in rows]))
                 there, beside, moved = (sum(r[key] for r in rows) for key in ("shape_there", "beside", "total_there"))
                 print(f"| {mesh} | {len(rows)} | {there} | {beside} | {moved} "
                       f"| {np.median([r['slide'] / r['shape'] for r in rows]):.2g} "
@@ -127,7 +142,9 @@ def main():
     count = max(1, len(everything))
     shape, beside, total = (100 * sum(r[key] for r in everything) / count
                             for key in ("shape_there", "beside", "total_there"))
-    print(f"\n{len(everything)} pulls: shape largest at the handle {shape:.0f} %, "
+    print(f"\n{np.median(medians):.0f} panels again in the median of {len(medians)} meshes "
+          f"({min(medians):.0f} to {max(medians):.0f}), {np.median([r['again'] for r in everything]):.0f} in that of all pulls")
+    print(f"{len(everything)} pulls: shape largest at the handle {shape:.0f} %, "
           f"there or one panel beside {beside:.0f} %, move {total:.0f} %; report differs by at most "
           f"{100 * max(r['differs'] for r in everything):.2g} % of the largest shape or slide; least share of it "
           f"at the handle {min(r['at_handle'] for r in everything):.2f}")
