@@ -59,13 +59,18 @@ it("every section has one that moves, by mouse and keys", async () => {
     });
     expect(new Set(names).size).toBe(names.length);
   };
-  // Two points are chosen, which have sections of their own.
-  await idle(page);
-  await page.getByLabel("3D view").focus();
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("Control+ArrowRight");
-  await page.locator(".marker:not([hidden])").nth(1).waitFor();
+  // Two points are chosen, which have sections of their own; Escape that comes late lets go of them.
+  const chosen = page.locator(".marker:not([hidden])");
+  const chooseTwo = async (): Promise<void> => {
+    await idle(page);
+    if ((await chosen.count()) >= 2) return;
+    await page.getByLabel("3D view").focus();
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("Control+ArrowRight");
+    await chosen.nth(1).waitFor();
+  };
   const lookEverywhere = async (): Promise<void> => {
+    await chooseTwo();
     await showTab(page, "Edit");
     await look();
     for (const name of ["Limits", "Supports", "Keep-outs", "Symmetry"]) {
@@ -78,11 +83,12 @@ it("every section has one that moves, by mouse and keys", async () => {
       await look();
     }
   };
+  await chooseTwo();
   await unfold(page);
   await lookEverywhere();
   // What is measured first, or fetched with its rule, may have come after it was left.
-  for (let again = 0; again < 2 && told.size < 21; ++again) await lookEverywhere();
-  expect(told.size, [...told].map((words) => words.slice(0, 40)).join("\n")).toBeGreaterThanOrEqual(
+  for (let again = 0; again < 3 && told.size < 21; ++again) await lookEverywhere();
+  expect(told.size, [...told].map((words) => words.slice(0, 12)).join("|")).toBeGreaterThanOrEqual(
     21,
   );
   await asks(page).first().focus();
