@@ -11,6 +11,7 @@ import { hintedPoint, press, viewBox } from "./support/view.ts";
 const SIZES = [
   [320, 568],
   [360, 740],
+  [640, 400],
   [667, 375],
   [740, 360],
   [768, 1024],

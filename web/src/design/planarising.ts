@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What making the opened mesh flat did to it, before any edit.
+
 import { fairFlat, nearestFlat } from "virtual:core-defaults";
+import { counted } from "../quantity/counted.ts";
 import { formatLength, type Unit } from "../quantity/units.ts";
 import type { MeshReport, OpenedMesh, PanelMeasures, Planarising } from "../solver/protocol.ts";
 
@@ -49,5 +51,5 @@ export const sameWay = (a: Planarising | null, b: Planarising | null): boolean =
 export function planarisingWords({ planarising }: MeshReport, unit: Unit): string {
   const { moved, largest } = planarising;
   if (moved === 0) return "";
-  return `${moved} ${moved === 1 ? "point" : "points"} moved by up to ${formatLength(largest, unit)}`;
+  return `${counted(moved, "point")} moved by up to ${formatLength(largest, unit)}`;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How many panels the shop makes again after a finished edit.
 
+import { counted } from "../quantity/counted.ts";
 import { healthShown } from "./damage.ts";
 import type { Page } from "./page.ts";
 import { countHealth } from "./panel-rows.ts";
@@ -9,5 +10,5 @@ import { countHealth } from "./panel-rows.ts";
 export function remakeWords(page: Page): string {
   const health = healthShown(page).value;
   const { changed } = health ? countHealth(health) : { changed: 0 };
-  return changed === 0 ? "" : `${changed} ${changed === 1 ? "panel" : "panels"} to make again`;
+  return changed === 0 ? "" : `${counted(changed, "panel")} to make again`;
 }

@@ -2,6 +2,7 @@
 // How many types of panels a shape has, and how many the mesh has: counted once someone asked for types.
 
 import { NO_SHAPE } from "../design/design.ts";
+import { counted } from "../quantity/counted.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { client } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
@@ -22,7 +23,7 @@ const own = kept((): Own => ({ before: null }));
 
 /** "61 types (52 before)". */
 export const typeWords = ({ now, before }: TypeCount): string =>
-  `${now} ${now === 1 ? "type" : "types"} (${before} before)`;
+  `${counted(now, "type")} (${before} before)`;
 
 async function countOf(page: Page, choice: TypesChoice, shape: Shape): Promise<number | null> {
   const { share, mirrored } = choice;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import { counted } from "../quantity/counted.ts";
 import { CommandButton } from "./command-button.tsx";
 import { COMMANDS } from "./commands/commands.ts";
 import { later } from "./later.tsx";
@@ -17,9 +18,6 @@ const VariationGallery = later(() =>
 const ContinueButton = later(() =>
   import("../features/exploring/continue-button.tsx").then((part) => part.ContinueButton),
 );
-
-const directions = (count: number): string =>
-  `${count} ${count === 1 ? "direction" : "directions"}`;
 
 /** A few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
@@ -42,7 +40,7 @@ export function ExploreSection() {
         min={1}
         max={12}
         step={1}
-        spoken={directions(page.dimension.value)}
+        spoken={counted(page.dimension.value, "direction")}
         ends={["one", "twelve"]}
         disabled={!page.ready.value}
         onInput={(value) => {

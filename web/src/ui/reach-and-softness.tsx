@@ -3,6 +3,7 @@
 
 import { FIRST_SETTINGS } from "../design/design.ts";
 import { boundaryForm, withBoundary } from "../design/supports.ts";
+import { counted } from "../quantity/counted.ts";
 import { formatLength } from "../quantity/units.ts";
 import { commitSettings, letReachGrow, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
@@ -18,8 +19,6 @@ const NO_LIMIT = MOST_RINGS + 1;
 /** The core's kHardest and kSoftest; at 0 the raw weights hold. */
 const [HARDEST, SOFTEST] = [1, 10];
 
-const ringWords = (rings: number): string => (rings === 1 ? "1 panel" : `${rings} panels`);
-
 const movedWords = (moved: number): string => {
   if (moved === 0) return "";
   return moved === 1 ? "1 point moves" : `${moved} points move`;
@@ -31,7 +30,7 @@ function Reach() {
   const { reach, reachLength } = settings;
   const grows = growsReach(page, settings);
   const limits = [
-    ...(reach > 0 ? [ringWords(reach)] : []),
+    ...(reach > 0 ? [counted(reach, "panel")] : []),
     ...(reachLength > 0 ? [formatLength(reachLength, page.unit.value)] : []),
   ];
   const moved = movedWords(page.figures.value.movedVertices);

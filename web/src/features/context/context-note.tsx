@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { counted } from "../../quantity/counted.ts";
 import { goToRule } from "../../state/inspector.ts";
 import { fetchPart } from "../../state/later.ts";
 import { usePage } from "../../ui/page-context.ts";
@@ -8,7 +9,7 @@ export function ContextNote() {
   const page = usePage();
   const { count = 0, triangles } = page.context.value ?? {};
   const hidden = page.contextHidden.value;
-  const objects = `${count} other ${count === 1 ? "object" : "objects"}`;
+  const objects = counted(count, "other object");
   const keepOut = async (): Promise<void> => {
     const part = await fetchPart(page, () => import("../keep-outs/keep-outs.ts"));
     await part?.addContext(page);

@@ -2,6 +2,7 @@
 // The stops of sliders, and what a slider does, as it is shown.
 
 import type { Point } from "../../design/design.ts";
+import { counted } from "../../quantity/counted.ts";
 import type { SliderLead, SliderRange } from "../../solver/protocol.ts";
 
 /** How far towards its stop a slider may go. */
@@ -41,4 +42,4 @@ export const stopsWithin = (
 
 /** "out of the surface; 42 points in all". */
 export const leadWords = ({ points }: SliderLead, way: string): string =>
-  `${way}; ${points} ${points === 1 ? "point" : "points"} in all`;
+  `${way}; ${counted(points, "point")} in all`;

@@ -3,6 +3,7 @@
 // them are worth choosing.
 
 import type { Design } from "../../design/design.ts";
+import { counted } from "../../quantity/counted.ts";
 import { foldGrowth } from "../../solver/found-limits.ts";
 import type { EditSettings } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
@@ -86,8 +87,7 @@ export function cutAgain(health: Float32Array): number {
 
 /** "42 panels cut again, folds up to 8° sharper". */
 export function priceWords(panels: number, growth: number): string {
-  const again = `${panels} ${panels === 1 ? "panel" : "panels"} cut again`;
-  return `${again}, folds up to ${formatDegrees(growth)} sharper`;
+  return `${counted(panels, "panel")} cut again, folds up to ${formatDegrees(growth)} sharper`;
 }
 
 export const pointWords = (point: CurvePoint): string => priceWords(point.panels, growthOf(point));

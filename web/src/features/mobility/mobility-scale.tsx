@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { counted } from "../../quantity/counted.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./mobility-scale.css";
 import { effect } from "@preact/signals";
@@ -34,7 +35,7 @@ function useMeasuring(): void {
 function Place({ row }: { row: MobilityRow }) {
   const page = usePage();
   const way = `${row.direction[2] > 0 ? "up" : "down"} ${formatLength(row.distance, page.unit.value)}`;
-  const cost = `${row.remake} ${row.remake === 1 ? "panel" : "panels"} again, folds up to ${formatDegrees(row.sharpestFold)}`;
+  const cost = `${counted(row.remake, "panel")} again, folds up to ${formatDegrees(row.sharpestFold)}`;
   return (
     <li>
       <button type="button" title="Open as an edit" onClick={() => void openPlace(page, row)}>

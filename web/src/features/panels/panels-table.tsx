@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { counted } from "../../quantity/counted.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./panels.css";
 import { sliverAngle } from "virtual:core-defaults";
@@ -103,8 +104,6 @@ const columnsFor = (kind: Kind | null): readonly Column[] =>
 const defectWords = (degrees: number): string =>
   degrees < 0 ? "–" : degrees < LEAST_DEFECT ? "0" : String(Number(degrees.toPrecision(2)));
 
-const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
-
 function Summary({ health }: { health: Float32Array }) {
   const page = usePage();
   const { changed, bevel, concave, crossing } = countHealth(health);
@@ -112,11 +111,11 @@ function Summary({ health }: { health: Float32Array }) {
   const { moved, arms } = page.nodeCounts.value ?? { moved: 0, arms: 0 };
   const nodes =
     moved + arms > 0
-      ? `, and ${moved + arms} ${moved + arms === 1 ? "node" : "nodes"}, ${arms} of them with new angles only`
+      ? `, and ${counted(moved + arms, "node")}, ${arms} of them with new angles only`
       : "";
   return (
     <p class="quiet">
-      {`${panels(changed)} must be made again after this edit${only}${nodes}; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
+      {`${counted(changed, "panel")} must be made again after this edit${only}${nodes}; ${concave} concave, ${crossing} self-crossing (bow-tie).`}
     </p>
   );
 }
@@ -225,7 +224,7 @@ export function PanelsTable() {
       </div>
       <div class="panels-more">
         <span class="quiet small">
-          {`${rows.length} of ${panels(total)}; `}
+          {`${rows.length} of ${counted(total, "panel")}; `}
           <span class="whole">{FLAT_MEANS}</span>
         </span>
         <button

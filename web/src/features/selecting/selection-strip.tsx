@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Several points are one thing: what can be done with all that are selected, and how to select more.
+
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { counted } from "../../quantity/counted.ts";
 import { usePage } from "../../ui/page-context.ts";
 import "./selection-strip.css";
 import type { Point } from "../../design/design.ts";
@@ -146,7 +148,7 @@ export function SelectionStrip() {
         if (!currentTarget.contains(relatedTarget as Node | null)) page.typedMove.value = null;
       }}
     >
-      <span class="strip-count">{length === 1 ? "1 point" : `${length} points`}</span>
+      <span class="strip-count">{counted(length, "point")}</span>
       <Ask about="several" />
       <Tools tools={DO} />
       <MoveFields disabled={cannotEdit(page) !== ""} />

@@ -2,18 +2,15 @@
 // What was saved for the workshop, in words.
 
 import { decimal, FLAT } from "../../design/flatness.ts";
+import { counted } from "../../quantity/counted.ts";
 import type { CuttingHeader } from "../../solver/protocol.ts";
-
-const panels = (count: number): string => `${count} ${count === 1 ? "panel" : "panels"}`;
-
-const count = (types: number): string => `${types} ${types === 1 ? "type" : "types"}`;
 
 function sheetWords({ sheets }: CuttingHeader): string[] {
   if (!sheets) return [];
   const used = Math.round(100 * sheets.used_fraction);
-  const words = [`${sheets.count} ${sheets.count === 1 ? "sheet" : "sheets"}, ${used} % used`];
+  const words = [`${counted(sheets.count, "sheet")}, ${used} % used`];
   if (sheets.oversize.length > 0)
-    words.push(`${panels(sheets.oversize.length)} larger than a sheet`);
+    words.push(`${counted(sheets.oversize.length, "panel")} larger than a sheet`);
   return words;
 }
 
@@ -30,7 +27,9 @@ function gapWords({ apart = [], lost_sides = [] }: CuttingHeader): string[] {
 
 export function summary(header: CuttingHeader): string {
   const { counts, remake, types, vanished, labels, flatness_mm_per_m, excess_mm_per_m } = header;
-  const parts = [`${panels(counts.drawn)} drawn${types ? ` as ${count(types.types)}` : ""}`];
+  const parts = [
+    `${counted(counts.drawn, "panel")} drawn${types ? ` as ${counted(types.types, "type")}` : ""}`,
+  ];
   if (remake)
     parts.push(
       `${remake.outline} to be cut again, ${remake.bevel} with a new bevel only`,

@@ -2,6 +2,7 @@
 
 import { useEffect } from "preact/hooks";
 import type { Design } from "../../design/design.ts";
+import { counted } from "../../quantity/counted.ts";
 import { formatGap } from "../../quantity/units.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { settled, shortfalls, varied } from "../../state/shortfall.ts";
@@ -79,7 +80,7 @@ function WaysOn({ design, found }: { design: Design; found: Stopped }) {
             )}
             {gain && gain.spoilt > 0 && (
               <strong class="way-damage small" title={gain.damage}>
-                {`spoils ${gain.spoilt} ${gain.spoilt === 1 ? "panel" : "panels"}`}
+                {`spoils ${counted(gain.spoilt, "panel")}`}
               </strong>
             )}
           </span>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 import { useEffect } from "preact/hooks";
+import { counted } from "../../quantity/counted.ts";
 import { formatLength, type Unit } from "../../quantity/units.ts";
 import type { ShownTypes } from "../../state/page-state.ts";
 import { NamedPanelsList } from "../../ui/named-panels.tsx";
@@ -62,7 +64,7 @@ function Choice() {
 /** How many there are, and how far a panel is from its template. */
 function Count({ types, unit }: { types: ShownTypes["types"]; unit: Unit }) {
   const [count, panels] = [types.sizes.length, types.ofPanel.length];
-  const words = `${count} ${count === 1 ? "type" : "types"} of ${panels} panels, corners within ${formatLength(types.worstFit, unit)}`;
+  const words = `${counted(count, "type")} of ${panels} panels, corners within ${formatLength(types.worstFit, unit)}`;
   return (
     <p class="legend-note" aria-live="polite">
       {words}
