@@ -10,11 +10,11 @@ namespace {
 constexpr std::uint64_t kRun = std::uint64_t{1} << 32;
 constexpr std::uint64_t kTasks = kRun - 1;
 
-/// Returns once `word` is no longer `old`: tasks follow each other within microseconds, and to
-/// wake a thread takes longer.
+/// Returns once `word` is no longer `old`: tasks follow each other within a millisecond, and to
+/// wake a thread that sleeps takes a part of that.
 template <class Value>
 void wait_for_another(const std::atomic<Value>& word, Value old) {
-  constexpr int kLooks = 200;
+  constexpr int kLooks = 20'000;  // 10 ms
   for (int k = 0; k < kLooks; ++k) {
     if (word.load(std::memory_order_acquire) != old) return;
     std::this_thread::yield();
