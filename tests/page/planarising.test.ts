@@ -111,7 +111,7 @@ it("where no flat mesh is near, shows how flat panels get near the file, and wha
   const moves: number[] = [];
   for (const [place, most] of [30, 90].entries()) {
     await page.getByRole("slider", { name: "Aim for" }).fill(String(place));
-    await page.getByText(`where points move by ${most} mm at most`).waitFor();
+    await page.getByText(`where points move by ${most} mm at most, the boundary too`).waitFor();
     moves.push(millimetres(await cell(page, "Largest move", 1)));
     expect(moves.at(-1)).toBeLessThanOrEqual(most);
   }

@@ -70,19 +70,20 @@ export class Beside {
   }
 
   async #run(): Promise<Trial | null> {
-    const how = this.#ways.at(-1);
-    if (!how || this.#split > 0 || how.within > 0 || how.flat > 0) return null;
-    const quick = await this.#instead(quickWay(how, this.#opened));
+    const [asked, last] = [this.#ways[0], this.#ways.at(-1)];
+    if (!asked || !last || this.#split > 0 || asked.within > 0 || asked.flat > 0) return null;
+    // A boundary that stays is quicker near the file; one that may move lets panels get flatter.
+    const quick = await this.#instead(quickWay(asked, this.#opened));
     if (quick) this.#told(quick);
     if (!this.#lastIsTaken) {
-      this.#last = this.#try(how);
+      this.#last = this.#try(last);
       const exact = await this.#last;
       if (exact && isMet(exact, this.#design)) {
         this.#told(exact);
         return exact;
       }
     }
-    const near = await this.#instead(nearWay(how, this.#opened));
+    const near = await this.#instead(nearWay(last, this.#opened));
     if (near) this.#told(near);
     return near ?? quick;
   }

@@ -68,7 +68,7 @@ function Ways({ trial, ...props }: OutcomeProps & { trial: Trial | null }) {
 function shortWords({ how, instead, mesh }: Trial, far: string): string {
   const bent = decimal(mesh.report.worstMmPerM);
   if (instead)
-    return `Not every panel can be exactly flat near the file. This is as flat as they get where points move by ${far} at most: the worst stays ${bent} mm/m out of flat.`;
+    return `Not every panel can be exactly flat near the file. This is as flat as they get where points move by ${far} at most${how.keepBoundary ? "" : ", the boundary too"}: the worst stays ${bent} mm/m out of flat.`;
   const asked = how.flat > 0 ? `flat to ${how.flat} mm/m` : "exactly flat";
   const because = how.within > 0 ? "no point may move farther, and panels keep" : "they would lose";
   return `Not every panel can be ${asked}: the worst stays ${bent} mm/m out of flat, because ${because} their shape.`;
@@ -104,7 +104,7 @@ type Running = Extract<Preview, { kind: "running" }>;
 function tryingWords(near: Trial | null, step: number): string {
   if (!near) return step > 0 ? `Trying it on the model · step ${step}` : "Trying it on the model…";
   return near.instead
-    ? `Shown: as flat as panels get where points move by little. Exactly flat is being tried · step ${step}`
+    ? `Shown: as flat as panels get where points move by little${near.how.keepBoundary ? "" : ", the boundary too"}. Exactly flat is being tried · step ${step}`
     : `Shown: with the boundary free. With it kept is being tried · step ${step}`;
 }
 
