@@ -2,6 +2,7 @@
 // How far every point is from its base while it moves, and how much of that is off the old surface
 // and along it, from the changes that are shown.
 
+import { type Signal, signal } from "@preact/signals";
 import { type Motion, OldSurface } from "../mesh/old-surface.ts";
 import { add, type Vector } from "../mesh/vector.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
@@ -77,11 +78,16 @@ export class Moves {
 
 interface Own {
   current: Moves | null;
+  /** Counts the changes that were shown: the figures may be those of before, as where a preview ends. */
+  readonly shown: Signal<number>;
 }
 
 const own = kept((page): Own => {
-  const mine: Own = { current: null };
-  onChanges(page, (changes) => mine.current?.apply(changes));
+  const mine: Own = { current: null, shown: signal(0) };
+  onChanges(page, (changes) => {
+    mine.current?.apply(changes);
+    mine.shown.value += 1;
+  });
   return mine;
 });
 
@@ -93,10 +99,9 @@ export function movesOn(page: Page, mesh: OpenedMesh, shape: Shape): Moves {
   return moves;
 }
 
-/** The moves of what is in view; null without a mesh. The view has been told of every move by the time
- * that the report comes. */
+/** The moves of what is in view; null without a mesh. */
 export function movesShown(page: Page): Moves | null {
   const [opened, design] = [page.mesh.value, page.draft.value];
-  page.figures.value;
+  own(page).shown.value;
   return opened && design && movesOn(page, opened, design.shape);
 }
