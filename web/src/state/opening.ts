@@ -25,6 +25,13 @@ import { sensibleVertex } from "./sensible-vertex.ts";
 import { restorePresent, takeMesh } from "./showing.ts";
 import { inTurn, type Outcome } from "./turns.ts";
 
+/** A tolerance that one mesh asked for is no choice for another. */
+function toleranceFor(page: Page, source: Source, tolerance: number): number {
+  if (page.draft.value?.source === source || !page.toleranceTaken.value) return tolerance;
+  page.toleranceTaken.value = false;
+  return FIRST_SETTINGS.tolerance;
+}
+
 /** A limit on folds that the page found for the edit of one mesh is no choice for another. */
 function limitsFor(page: Page, source: Source, limits: readonly string[]): readonly string[] {
   if (page.draft.value?.source === source) return limits;
@@ -42,6 +49,7 @@ export function freshDesign(
 ): Design {
   const { worstGap, worstMmPerM, worstExcess } = opened.report;
   const shown = settingsForNew(page.settings.value ?? FIRST_SETTINGS);
+  const tolerance = toleranceFor(page, source, shown.tolerance);
   // A kind that the mesh does not keep would refuse every edit.
   const constraints = shown.constraints.filter((kept) => {
     const kind = kindOf(kept);
@@ -53,6 +61,7 @@ export function freshDesign(
     handles: [],
     settings: {
       ...firstReach(page, shown),
+      tolerance,
       constraints,
       cuts,
       limits: limitsFor(page, source, shown.limits),
@@ -195,6 +204,7 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
   const { mesh } = answer.value;
   // An edit cannot be flatter than its mesh.
   const met = Math.max(tolerance, how.flat);
+  if (met > tolerance) page.toleranceTaken.value = true;
   page.draft.value = { ...design, settings: { ...settings, tolerance: met, constraints } };
   adopt(page, design.source, how, mesh, settings.cuts);
   const asymmetric = settings.symmetry.length > 0 && !mesh.symmetry;

@@ -127,6 +127,8 @@ export class PageState {
   readonly stranded = signal(false);
   /** Whether someone chose here how far edits reach: else that grows from drag to drag as it is needed. */
   readonly reachChosen = signal(false);
+  /** Whether the tolerance is what this mesh asks for, and nobody's choice for the next one. */
+  readonly toleranceTaken = signal(false);
   /** Limits that someone stated here; those of the settings beside them the page has found itself. */
   readonly statedLimits = signal<readonly string[]>([]);
   /** Whether the design is only looked at: the page around this one says so. */

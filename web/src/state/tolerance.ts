@@ -24,5 +24,6 @@ export function settingsAsItIs(page: Page): Pick<EditSettings, "tolerance" | "ke
 /** Takes the opened mesh as flat enough: its points stay as they are. */
 export function editAsItIs(page: Page, settings: Partial<EditSettings>): Outcome {
   page.importReport.value = false;
+  page.toleranceTaken.value = true;
   return commitSettings(page, settings);
 }

@@ -56,10 +56,12 @@ function Differences({ of }: { of: EditSettings }) {
   const words = differences(of).join(", ");
   if (words === "") return null;
   const { fairness, engine, hardHandles, keepShape, tolerance, keepBends } = FIRST_SETTINGS;
+  const ofMesh = of.keepBends || page.toleranceTaken.value;
+  const stays = ofMesh ? "How flat panels are goes" : "It stays";
   const back = { fairness, engine, hardHandles, keepShape, tolerance, keepBends };
   return (
     <div class="differences">
-      <p class="quiet small">{`Not the default: ${words}. It stays when you open another mesh.`}</p>
+      <p class="quiet small">{`Not the default: ${words}. ${stays} when you open another mesh.`}</p>
       <button
         type="button"
         class="button small"
@@ -122,7 +124,10 @@ export function Advanced() {
           label="Tolerance"
           value={known?.[0] ?? given[0]}
           words={known ? OFFERED : [...OFFERED, given]}
-          onChoose={(value) => choose(page, { tolerance: Number(value), keepBends: false })}
+          onChoose={(value) => {
+            page.toleranceTaken.value = false;
+            choose(page, { tolerance: Number(value), keepBends: false });
+          }}
         />
         <p class="quiet small">
           {keepBends
