@@ -66,6 +66,17 @@ describe("the hold on a drag", () => {
     expect(taken[3]).toBeGreaterThan(2.5 - 0.02 * 4);
   });
 
+  it("knows whether the last pull was held back, and from where", () => {
+    const hold = new PullHold();
+    hold.take(FROM, raised(1.5), within(), PATIENCE);
+    expect(hold.heldBackFrom(raised(1.5))).toBe(false);
+    hold.take(FROM, raised(4), within(), PATIENCE);
+    expect(hold.heldBackFrom(raised(4))).toBe(true);
+    expect(hold.heldBackFrom(raised(3))).toBe(false);
+    hold.take(FROM, raised(1), within(), PATIENCE);
+    expect(hold.heldBackFrom(raised(4))).toBe(false);
+  });
+
   it("lets the other direction go, and the way back", () => {
     const hold = new PullHold();
     const made = within();

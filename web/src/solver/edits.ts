@@ -269,9 +269,12 @@ export class Edits {
   #lastFrame(limit: PullLimit, request: EditRequest): LastFrame | null {
     const dragged = this.#hold.goesOn(limit.from);
     const shown = this.#hold.taken;
+    const { handles } = request.targets;
+    const heldBack = this.#hold.heldBackFrom(handles);
     this.#forgetDrag();
     if (!dragged) return null;
-    const { handles } = request.targets;
+    // Whoever lets go there has seen how far it goes, be it for want of time.
+    if (heldBack) return { arrives: false, bound: true, shown };
     this.#attempt({ ...request, budget: FRAME_SECONDS }, handles, "drag");
     const report = this.#session.shapeReport();
     return { arrives: arrives(limit, handles, report), bound: isBound(report), shown };

@@ -108,9 +108,17 @@ export class PullHold {
   /** Whether it is the one that is shown. */
   #isShown = true;
 
+  /** Where the last pull went to, if it was held back. */
+  #heldBack: string | null = null;
+
   /** The handles of the edit kept last: of the longest pull this way that arrived. */
   get taken(): HandleList {
     return this.#taken;
+  }
+
+  /** Whether the last pull was to `to`, and held back. */
+  heldBackFrom(to: HandleList): boolean {
+    return this.#heldBack === to.join();
   }
 
   /** Whether frames of the pull that starts there were made. */
@@ -124,6 +132,12 @@ export class PullHold {
    * goes on: where a frame does not arrive, they are those of the last that did.
    */
   take(from: HandleList, to: HandleList, frames: Frames, milliseconds: number): HandleList {
+    const taken = this.#take(from, to, frames, milliseconds);
+    this.#heldBack = taken === to ? null : to.join();
+    return taken;
+  }
+
+  #take(from: HandleList, to: HandleList, frames: Frames, milliseconds: number): HandleList {
     if (this.#slow) return frames.edit(to, false) ? to : this.#taken;
     const until = performance.now() + milliseconds;
     const over = (): boolean => performance.now() >= until;
