@@ -62,8 +62,10 @@ async function expectPlaces(page: Page, width: number, height: number): Promise<
       page.getByRole("button", { name: "View options", exact: true }),
     ].map(boxOf),
   );
+  const line = await boxOf(page.locator(".status-line"));
   for (const [k, box] of over.entries()) {
     expect(inside(box, view), `part ${k} over the view`).toBe(true);
+    expect(apart(box, line), `part ${k} beside the status line`).toBe(true);
     for (const other of over.slice(k + 1)) expect(apart(box, other)).toBe(true);
   }
   for (const name of [
