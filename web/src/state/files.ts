@@ -185,4 +185,8 @@ async function openNow(page: Page, file: File): Outcome {
 }
 
 export const openFile = (page: Page, file: File): Outcome =>
-  inTurn(page, () => openNow(page, file));
+  inTurn(page, () => {
+    // It was of what was open before, also where this file is refused.
+    page.notice.value = null;
+    return openNow(page, file);
+  });
