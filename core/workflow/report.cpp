@@ -146,10 +146,17 @@ std::optional<std::string> damage_sentence(const Json& damage) {
 
 std::optional<std::string> fold_sentence(const Json& fold) {
   constexpr double kNotable = 20.0;  // degrees
-  if (fold["growth"].get<double>() <= kNotable) return std::nullopt;
-  return "sharpest fold " + three_digits(fold["after"].get<double>()) + " degrees, " +
-         three_digits(fold["before"].get<double>()) +
-         " before: --softness bends more gently, --bound fold=MAX limits it";
+  const double growth = fold["growth"].get<double>();
+  if (growth <= kNotable) return std::nullopt;
+  const double before = fold["before"].get<double>(), after = fold["after"].get<double>();
+  const std::string sharpest =
+      three_digits(after) + " degrees, " + three_digits(before) + " before";
+  // It is another one that grew where the sharpest did not.
+  return (after > before + kNotable / 2.0
+              ? "sharpest fold " + sharpest
+              : "a fold got " + three_digits(growth) + " degrees sharper (the sharpest is " +
+                    sharpest + ")") +
+         ": --softness bends more gently, --bound fold=MAX limits it";
 }
 
 Json subspace_json(const SubspaceReport& report, int dimension) {
