@@ -37,6 +37,9 @@ std::string bound_text(const Json& stated) {
   return text;
 }
 
+/// All that --bound takes: what is no limit of panels or points stands around those.
+std::string known_bounds() { return "shape=on, shape=off, " + known_limits() + ", flat=MM_PER_M"; }
+
 /// Lengths and areas that have a unit as plain numbers.
 std::string in_model_units(const std::string& text, const std::string& unit) {
   if (text.starts_with("area=")) return plain_areas(text, unit);
@@ -64,8 +67,7 @@ Bounds parse_bounds(const Request& request) {
                const auto form = limit_form(name)) {
       throw UsageError("--bound: \"" + text + "\" is not " + name + "=" + *form);
     } else {
-      throw UsageError("--bound: \"" + text + "\" is none of shape=on, shape=off, " +
-                       known_limits());
+      throw UsageError("--bound: \"" + text + "\" is none of " + known_bounds());
     }
   }
   return bounds;

@@ -265,6 +265,7 @@ TEST_F(Cli, ALimitThatIsNoneIsRefused) {
   EXPECT_NE(err().find("none of shape=on, shape=off, fold=MAX or +MAX, angle=MIN:MAX"),
             std::string::npos)
       << err();
+  EXPECT_NE(err().find(", slide=MAX, flat=MM_PER_M"), std::string::npos) << err();
   EXPECT_EQ(run(edit + "angle=60"), 2);
   EXPECT_NE(err().find("\"angle=60\" is not angle=MIN:MAX"), std::string::npos) << err();
   EXPECT_EQ(run(edit + "fold=0"), 2);
