@@ -69,21 +69,111 @@ double hard_slack(const EditRun& run) {
   return kRounding * farthest_handle(run.targets.handles, run.base.mesh.positions);
 }
 
+/// How a point of the base stands to the keep-outs that a move goes towards.
+struct BeforeKeepOuts {
+  std::string rests;   ///< those that it is on or beyond
+  std::string enters;  ///< those that the move ends beyond
+};
+
+BeforeKeepOuts before_keep_outs(const EditRun& run, int point, const Eigen::Vector3d& move) {
+  const Mesh& mesh = run.base.mesh;
+  const double touches = kSupportReach * mean_edge_length(mesh);
+  BeforeKeepOuts before;
+  const auto add = [](std::string& words, const KeepOut& keep_out) {
+    words += (words.empty() ? "--keep-out " : " and --keep-out ") + keep_out_text(keep_out);
+  };
+  for (const KeepOut& keep_out : run.asked.options.keep_outs) {
+    for (const HalfSpace& side : free_space({keep_out}, run.asked.options.clearance).sides) {
+      const double room = side.normal.dot(mesh.positions.col(point)) - side.bound;
+      const double way = side.normal.dot(move);
+      if (way >= 0.0) continue;
+      if (room <= touches) add(before.rests, keep_out);
+      if (room + way < -touches) add(before.enters, keep_out);
+    }
+  }
+  return before;
+}
+
+/// Whether no point of the panels around a vertex may follow it, which holds it unless they are
+/// triangles.
+bool follows_nothing(const EditRun& run, const Adjacency& adjacency, int vertex) {
+  const Mesh& mesh = run.base.mesh;
+  const std::vector<int> held = held_vertices(mesh, targets_with_images(run), run.asked.options);
+  bool stiff = false;
+  for (const int f : adjacency.faces[vertex]) {
+    stiff = stiff || mesh.face(f).size() > 3;
+    for (const int v : mesh.face(f)) {
+      if (v != vertex && !std::binary_search(held.begin(), held.end(), v)) return false;
+    }
+  }
+  return stiff;
+}
+
+/// What of the request holds points, as what lets them go.
+std::string ways_to_free(const EditRun& run) {
+  const HandleEditOptions& options = run.asked.options;
+  std::string words;
+  const auto add = [&](bool stated, const char* way) {
+    if (stated) words += (words.empty() ? "" : " or ") + std::string(way);
+  };
+  add(options.reach > 0 || options.reach_length > 0.0, "with a wider --reach");
+  add(options.keep_boundary, "without --keep-boundary");
+  add(!run.targets.pins.empty(), "with fewer --pin");
+  return words;
+}
+
+Eigen::Vector3d way_of(const EditRun& run, const Handle& handle) {
+  return handle.target - run.base.mesh.positions.col(handle.vertex);
+}
+
+/// What of the request leaves a handle no way to its target, and what would; nullopt if nothing.
+std::optional<std::string> stuck_by(const EditRun& run, const Handle& handle) {
+  const BeforeKeepOuts before = before_keep_outs(run, handle.vertex, way_of(run, handle));
+  if (!before.enters.empty()) {
+    return "its target is beyond " + before.enters +
+           (before.rests.empty() ? "" : ", as it is itself before the edit") +
+           ": another target or keep-out lets it move";
+  }
+  if (follows_nothing(run, build_adjacency(run.base.mesh), handle.vertex)) {
+    return "no point around it may follow; some may " + ways_to_free(run);
+  }
+  return std::nullopt;
+}
+
+/// The keep-outs that hold points of the panels around a handle where they are.
+std::optional<std::string> neighbours_rest(const EditRun& run, const Handle& handle) {
+  const Mesh& mesh = run.base.mesh;
+  const Adjacency adjacency = build_adjacency(mesh);
+  for (const int f : adjacency.faces[handle.vertex]) {
+    for (const int v : mesh.face(f)) {
+      const std::string rests = before_keep_outs(run, v, way_of(run, handle)).rests;
+      if (rests.empty()) continue;
+      return "points around it are at " + rests +
+             " or beyond before the edit and go no deeper: another keep-out lets them follow";
+    }
+  }
+  return std::nullopt;
+}
+
 /// What keeps a handle from its target, as far as it is known.
-std::string held_by(const EditRun& run, int vertex) {
+std::string held_by(const EditRun& run, const Handle& handle) {
   for (const PointSupport& support : run.supports) {
     const std::vector<int> points = points_of(support, run.given);
-    if (!is_spring(support) && std::binary_search(points.begin(), points.end(), vertex)) {
+    if (!is_spring(support) && std::binary_search(points.begin(), points.end(), handle.vertex)) {
       return "it stands on " + support_name(support);
     }
   }
+  if (const auto stuck = stuck_by(run, handle)) return *stuck;
   std::string bounds;
   for (const BoundStanding& bound : run.report.bounds) {
     if (!bound.binding.empty()) bounds += (bounds.empty() ? "" : ", ") + std::string(bound.name);
   }
   if (!bounds.empty()) return "held by " + bounds;
-  return run.asked.options.hard_handles ? "flat panels were not found any nearer"
-                                        : "--attraction pulls harder, --hard holds it there";
+  if (const auto rest = neighbours_rest(run, handle)) return *rest;
+  if (run.asked.options.hard_handles) return "flat panels were not found any nearer";
+  const bool reaches = run.asked.options.reach > 0 || run.asked.options.reach_length > 0.0;
+  return std::string(reaches ? "a wider --reach lets more points follow, " : "") +
+         "--attraction pulls harder, --hard holds it there";
 }
 
 }  // namespace
@@ -100,11 +190,10 @@ bool misses_hard_handle(const EditRun& run) {
 
 namespace {
 
-/// A handle that gets noticeably less far than it is pulled, with --hard any less far, the worst of
-/// them, and what holds it; nullopt also where outcome_sentence() has more to say.
-std::optional<std::string> shortfall_sentence(const EditRun& run) {
+/// The handle that gets least near its target among those that get noticeably less far than they
+/// are pulled, with --hard any less far; null if none.
+const Handle* worst_handle(const EditRun& run) {
   constexpr double kNoticeable = 0.15;  // of the pull, as the page has it
-  if (run.report.status != SolveStatus::kConverged) return std::nullopt;
   const bool hard = run.asked.options.hard_handles;
   const Handle* worst = nullptr;
   double most = 0.0;
@@ -115,9 +204,23 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
     most = left;
     worst = &handle;
   }
+  return worst;
+}
+
+/// Which handle stops short, and what holds it; where outcome_sentence() says that one does, only
+/// what leaves it no way at all.
+std::optional<std::string> shortfall_sentence(const EditRun& run) {
+  const bool infeasible = run.report.status == SolveStatus::kInfeasibleHandles;
+  if (run.report.status != SolveStatus::kConverged && !infeasible) return std::nullopt;
+  const Handle* const worst = worst_handle(run);
   if (worst == nullptr) return std::nullopt;
-  return "handle " + std::to_string(worst->vertex) + " stops " + three_digits(most) +
-         " short of its target (units of the mesh): " + held_by(run, worst->vertex);
+  const std::string name = "handle " + std::to_string(worst->vertex);
+  if (infeasible) {
+    const auto stuck = stuck_by(run, *worst);
+    return stuck ? std::optional(name + ": " + *stuck) : std::nullopt;
+  }
+  return name + " stops " + three_digits(left_of(run, *worst)) +
+         " short of its target (units of the mesh): " + held_by(run, *worst);
 }
 
 /// Panels about the handles, with their neighbours, and panels at a limit, ascending.
@@ -201,11 +304,13 @@ std::optional<std::string> sliding_target_sentence(const EditRun& run) {
 /// How far the surface moves and how far joints slide along it, where that is noticeably further or
 /// has a limit.
 std::optional<std::string> motion_sentence(const EditRun& run, const Json& report) {
-  constexpr double kNoticeable = 0.5;  // of the shape's, as the page has it
+  constexpr double kNoticeable = 0.5;    // of the shape's, as the page has it
+  constexpr double kRoundedMove = 1e-6;  // mean edges
   const double shape = report["motion"]["shape_max"].get<double>();
   const double slide = report["motion"]["slide_max"].get<double>();
   const bool limited = has_limit(run.asked.options.bounds, SlideLimit::kName);
-  if (!limited && slide <= kNoticeable * shape) return std::nullopt;
+  const double rounding = kRoundedMove * mean_edge_length(run.base.mesh);
+  if (!limited && slide <= std::max(kNoticeable * shape, rounding)) return std::nullopt;
   return "the surface moves by up to " + three_digits(shape) + ", joints slide along it by up to " +
          three_digits(slide) + " (units of the mesh)" +
          (limited ? "" : ": --bound slide=MAX limits it");

@@ -67,6 +67,24 @@ TEST_F(Cli, SaysHowFarJointsSlideWhereThatIsFar) {
   EXPECT_EQ(err().find("joints slide"), std::string::npos) << err();
 }
 
+/// What cannot help is not advised.
+TEST_F(Cli, AHandleThatStopsShortIsToldWhatHoldsIt) {
+  const std::string edit = "edit sample:vault:8 --handle 36+=0,0,0.5 --report r.json ";
+  ASSERT_EQ(run(edit + "--keep-out above=1"), 0) << err();
+  EXPECT_NE(err().find("its target is beyond --keep-out above=1, as it is itself"),
+            std::string::npos)
+      << err();
+  EXPECT_EQ(err().find("--attraction"), std::string::npos) << err();
+  ASSERT_EQ(run(edit + "--keep-out above=1 --hard"), 4) << err();
+  EXPECT_NE(err().find("handle 36: its target is beyond --keep-out above=1"), std::string::npos);
+  ASSERT_EQ(run(edit + "--reach 6mm"), 0) << err();
+  EXPECT_NE(err().find("no point around it may follow; some may with a wider --reach\n"),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run(edit + "--keep-out above=90 --attraction 2"), 0) << err();
+  EXPECT_NE(err().find("--attraction pulls harder"), std::string::npos) << err();
+}
+
 }  // namespace
 }  // namespace planish
 
